@@ -1,5 +1,6 @@
 //! Numbers that are written in the units of their names, in coherent units.
 
+use super::labels::{Label, label};
 use super::messages;
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
@@ -11,19 +12,29 @@ use crate::syntax::ast::{
 use crate::syntax::print;
 use crate::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
 
-/// Writes the units of names behind the numbers that are in them. Says which names have which units.
-pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> NamedUnits {
+/// What is known of units before bodies are translated.
+#[derive(Default)]
+pub struct Measured {
+    pub(super) named: NamedUnits,
+    pub(super) labels: Vec<Label>,
+    /// The last expression that the user wrote.
+    pub(super) last_written: Option<AstId>,
+}
+
+/// Writes the units of names and labels behind the numbers that are in them.
+pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> Measured {
     if !declaration.has_units {
-        return NamedUnits::default();
+        return Measured::default();
     }
     let mut statements = std::mem::take(&mut declaration.statements);
     let expressions = &mut declaration.expressions;
-    let mut writer = Writer { expressions, report, named: NamedUnits::default(), said: HashMap::default() };
+    let mut writer = Writer { expressions, report, measured: Measured::default(), said: HashMap::default() };
     statements.iter_mut().for_each(|statement| writer.statement(&mut statement.kind));
-    let mut named = writer.named;
+    let mut measured = writer.measured;
     declaration.statements = statements;
-    name_rates(declaration, &mut named);
-    named
+    name_rates(declaration, &mut measured.named);
+    measured.last_written = declaration.expressions.iter().last().map(|(id, _)| id);
+    measured
 }
 
 /// Rates of coordinates have the units of these by the second.
@@ -47,7 +58,7 @@ fn per_second(unit: &Unit) -> Option<Unit> {
 struct Writer<'a> {
     expressions: &'a mut Expressions,
     report: &'a mut Report,
-    named: NamedUnits,
+    measured: Measured,
     /// Places of units of which it was said that they scale nothing, once for all elements of an array.
     said: HashMap<String, ()>,
 }
@@ -66,9 +77,11 @@ impl Writer<'_> {
             StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => {
                 names.iter().for_each(|name| self.value(name));
             }
-            StatementKind::Velocity(name, _)
-            | StatementKind::Let(name, _)
-            | StatementKind::Output(name, _) => self.value(name),
+            StatementKind::Velocity(name, _) => self.value(name),
+            StatementKind::Let(name, value) | StatementKind::Output(name, value) => {
+                *value = self.definition(name, Some(*value)).unwrap_or(*value);
+            }
+            StatementKind::Scene(scene) => self.measured.labels.extend(label(scene, self.expressions)),
             StatementKind::External(function) => {
                 function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));
             }
@@ -85,7 +98,7 @@ impl Writer<'_> {
 
     fn name(&mut self, name: &Name, default: Option<String>) {
         if let Some(unit) = &name.unit {
-            self.named.insert(&name.text, NamedUnit { unit: unit.coherent().to_string(), default });
+            self.measured.named.insert(&name.text, NamedUnit { unit: unit.coherent().to_string(), default });
         }
     }
 
@@ -168,7 +181,7 @@ fn is_name(expressions: &Expressions, id: AstId) -> bool {
 }
 
 /// `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`.
-fn with_unit(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
+pub(super) fn with_unit(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
     let origin = expressions.origin(value);
     let quantity = |of| Expression::Quantity(of, Box::new(unit.clone()));
     if let Expression::Number(_) = expressions.get(value) {

@@ -1,4 +1,4 @@
-//! Diagnostics for mistakes in units.
+//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has.
 
 /// Message for a unit that is not coherent where there is no number in it.
 pub(super) fn nothing_to_convert(name: &str) -> String {
@@ -16,4 +16,113 @@ pub(super) fn made_of_names(unit: &str) -> String {
 
 pub(super) fn made_of_names_help(name: &str, unit: &str, coherent: &str) -> String {
     format!("write `{name}: {coherent}`, and the unit behind the numbers that are in it: `2 [{unit}]`")
+}
+
+pub(super) const ADDED: &str = "what it is added to is #";
+pub(super) const COMPARED: &str = "what it is compared with is #";
+pub(super) const CHOSEN: &str = "the other branch is #";
+pub(super) const OF_ONE_VECTOR: &str = "another component of the vector would make it #";
+pub(super) const EXPONENT: &str = "an exponent is #";
+pub(super) const BASE: &str = "what is raised to a power that may change is #";
+pub(super) const KINETIC: &str = "`kinetic` adds energies (J)";
+pub(super) const POTENTIAL: &str = "`potential` adds energies (J)";
+pub(super) const LAGRANGIAN: &str = "the Lagrangian is an energy (J)";
+pub(super) const GIBBS: &str = "a Gibbs function is in J/s^2";
+pub(super) const DISSIPATION: &str = "`dissipation` adds powers (W)";
+pub(super) const STABILISE: &str = "the rate of stabilisation is in 1/s";
+pub(super) const POINT: &str = "the components of a point are lengths (m)";
+pub(super) const FORCE: &str = "the components of a force are in N";
+pub(super) const FORCE_ALONG: &str = "what does work along this velocity is #";
+pub(super) const TORQUE: &str = "what does work on this angle is #";
+pub(super) const RESTITUTION: &str = "a coefficient of restitution is #";
+pub(super) const ASSIGNED: &str = "what it is assigned to is #";
+pub(super) const WIDTH: &str = "the slip velocity is #";
+
+pub(super) fn argument_of(function: &str) -> String {
+    format!("this argument of `{function}` is #")
+}
+
+pub(super) fn plain_argument_of(function: &str) -> String {
+    format!("`{function}` is a function of plain numbers and angles")
+}
+
+pub(super) fn declared(name: &str, unit: &str) -> String {
+    format!("`{name}` is declared in {unit}")
+}
+
+pub(super) fn stands_for(name: &str) -> String {
+    format!("`{name}` is #")
+}
+
+pub(super) fn force_on(name: &str) -> String {
+    format!("the force on `{name}` is #")
+}
+
+pub(super) fn limit(name: &str) -> String {
+    format!("the force of `{name}` is #")
+}
+
+pub(super) fn labelled(what: &str) -> String {
+    format!("{what} is #")
+}
+
+/// Message for a contradiction.
+pub(super) fn contradiction(found: Option<&str>, said: &str, factor: &str) -> String {
+    match found {
+        Some(found) => format!("this is {found}, but {said}: {factor}"),
+        None => format!("this does not fit, since {said}: {factor}"),
+    }
+}
+
+pub(super) const ANOTHER: &str = "something else";
+pub(super) const SQUARE_MISSING: &str = "a square is missing";
+
+/// What is missing or too much, by the noun for it or else by its unit.
+pub(super) fn factor_missing(noun: &str) -> String {
+    format!("a factor of {noun} is missing")
+}
+
+pub(super) fn factor_too_much(noun: &str) -> String {
+    format!("a factor of {noun} is too much")
+}
+
+pub(super) fn factor_in_unit(unit: &str) -> String {
+    format!("a factor in {unit} is missing")
+}
+
+pub(super) fn write_square(factor: &str) -> String {
+    format!("`{factor}^2` would fit")
+}
+
+pub(super) fn write_unit(number: &str, unit: &str) -> String {
+    format!("a number has the unit that stands behind it: write `{number} [{unit}]`")
+}
+
+/// Advice that lists the units of names.
+pub(super) fn units_are(units: &[String]) -> String {
+    format!("compare the units of what it is made of: {}", units.join(", "))
+}
+
+pub(super) fn unit_of(name: &str, unit: &str) -> String {
+    format!("`{name}` is in {unit}")
+}
+
+pub(super) fn plain_number(name: &str) -> String {
+    format!("`{name}` is a plain number")
+}
+
+pub(super) const SAID_HERE: &str = "that is said here";
+pub(super) const COMPARE_HELP: &str = "compare the units of what stands on both sides";
+
+/// Note for a dimension that was found.
+pub(super) fn inferred(name: &str, dimension: &str, said: &str) -> String {
+    format!("`{name}` is {dimension}, since {said}")
+}
+
+pub(super) fn many_radians(number: &str) -> String {
+    format!("this is the sine, cosine or tangent of {number} radians")
+}
+
+pub(super) fn many_radians_help(number: &str) -> String {
+    format!("write `{number} deg` for degrees, or `{number} rad` if radians are meant")
 }

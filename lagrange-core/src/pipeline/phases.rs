@@ -6,7 +6,7 @@ use quote::quote;
 use crate::bodies::plain;
 use crate::derive::{Equations, StrategyChoice, derive};
 use crate::diagnostics::Report;
-use crate::dimensions::in_coherent_units;
+use crate::dimensions::{check_dimensions, in_coherent_units};
 use crate::elaborate::elaborate;
 use crate::emit;
 use crate::expand::{has_arrays, once_for_each_array, without_arrays};
@@ -35,10 +35,13 @@ pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (De
         return (declaration, None);
     }
     let mut declaration = without_functions(declaration, report);
-    let units = in_coherent_units(&mut declaration, report);
+    let measured = in_coherent_units(&mut declaration, report);
     let plain = plain(declaration, report);
     let mut model = elaborate(&plain, report);
-    model.iter_mut().for_each(|model| name_units(model, &units));
+    if let Some(model) = &mut model {
+        name_units(model, &check_dimensions(&plain.declaration, measured, report));
+    }
+    let model = model.filter(|_| !report.has_errors());
     if is_written_out {
         once_for_each_array(&plain.declaration, report);
     }

@@ -20,7 +20,7 @@ use crate::number::Number;
 
 pub use dimension::{BASE_UNITS, Dimension};
 pub use named::{NamedUnit, NamedUnits};
-pub use spelling::{described, spelled};
+pub use spelling::{described, noun, spelled};
 pub use table::{UnitMeaning, meaning, meant, names};
 
 /// The factor from a unit to the coherent unit: a rational number times a power of π.
@@ -93,6 +93,15 @@ impl Unit {
         }
         unit.factors = factors.into_iter().filter(|factor| !factor.exponent.is_zero()).collect();
         Some(unit)
+    }
+
+    /// A product of whole powers of coherent units.
+    pub fn coherent_of(powers: &[(&str, i8)], origin: Origin) -> Option<Unit> {
+        let factor = |(name, exponent): &(&str, i8)| UnitFactor {
+            name: (*name).to_owned(),
+            exponent: Number::from(i64::from(*exponent)),
+        };
+        Unit::of(powers.iter().map(factor).collect(), origin)
     }
 
     /// Whether numbers in it are numbers in coherent units.

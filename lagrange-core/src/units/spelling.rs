@@ -86,6 +86,13 @@ pub fn described(dimension: &Dimension) -> String {
     }
 }
 
+/// The word for a dimension without its article: `length`; `None` of plain numbers and where there is no word.
+pub fn noun(dimension: &Dimension) -> Option<&'static str> {
+    let (noun, _) = NOUNS.iter().find(|(_, exponents)| Dimension::of(*exponents) == *dimension)?;
+    let (_, word) = noun.split_once(' ')?;
+    (!dimension.is_none()).then(|| word.split(" or ").next().unwrap_or(word))
+}
+
 /// A product of powers: `kg*m^2/s`, `1/(m*s)`, `m^(1/2)`.
 pub(super) fn product(powers: &[(&str, Number)]) -> String {
     let factor = |(name, exponent): &(&str, Number)| match exponent.abs() {

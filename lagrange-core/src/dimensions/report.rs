@@ -1,0 +1,175 @@
+//! Contradictions between dimensions as diagnostics.
+
+use super::expressions::Checker;
+use super::form::{Form, Unknown};
+use super::messages;
+use super::solver::{Contradiction, Reason};
+use crate::collections::HashMap;
+use crate::diagnostics::{Origin, Report};
+use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::syntax::print;
+use crate::units::{Dimension, described, noun, spelled};
+
+/// Longer chains of reasons are cut.
+const MOST_NOTES: usize = 4;
+
+/// A name and what it would have to be multiplied with for an equation to hold.
+type Correction = (Unknown, Dimension);
+
+/// Reports contradictions, those in what the user wrote before others: these are made of the same mistakes.
+pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report: &mut Report) {
+    let contradictions = checker.solver.contradictions.iter();
+    let mut located =
+        contradictions.filter_map(|one| Some((one, one.equation.expression?))).collect::<Vec<_>>();
+    let is_written = |id: AstId| last_written.is_some_and(|last| id <= last);
+    if located.iter().any(|(_, id)| is_written(*id)) {
+        located.retain(|(_, id)| is_written(*id));
+    }
+    let mut corrections: Vec<Correction> = Vec::new();
+    let mut said: HashMap<String, ()> = HashMap::default();
+    for (contradiction, expression) in located {
+        let origin = checker.expressions.origin(expression);
+        let own = corrections_of(contradiction);
+        let follows = own.iter().any(|correction| corrections.contains(correction));
+        corrections.extend(own);
+        let is_said = said.insert(format!("{:?} {:?}", origin.start, origin.end), ()).is_some();
+        if !follows && !is_said {
+            report_contradiction(checker, contradiction, (expression, origin), report);
+        }
+    }
+    for argument in &checker.degrees {
+        let number = print::expression(checker.expressions, *argument);
+        let warning = report.doubtful(checker.expressions.origin(*argument), messages::many_radians(&number));
+        warning.help(messages::many_radians_help(&number));
+    }
+}
+
+/// The changes of single names that each would remove a contradiction. One that removes two stands for one mistake.
+fn corrections_of(contradiction: &Contradiction) -> Vec<Correction> {
+    let equation = &contradiction.equation;
+    let difference = equation.found.over(&equation.expected);
+    let corrections = difference.unknowns.iter().filter_map(|(unknown, exponent)| {
+        Some((*unknown, contradiction.missing.power(&exponent.reciprocal()?)))
+    });
+    corrections.collect()
+}
+
+fn report_contradiction(
+    checker: &Checker<'_>,
+    contradiction: &Contradiction,
+    (expression, origin): (AstId, Origin),
+    report: &mut Report,
+) {
+    let Contradiction { equation, missing } = contradiction;
+    let found = checker.solver.dimension(&equation.found).map(|dimension| described(&dimension));
+    let square = factor_to_square(checker, expression, missing);
+    let factor = match &square {
+        Some(_) => messages::SQUARE_MISSING.to_owned(),
+        None => in_words(missing),
+    };
+    let said = said(checker, &equation.reason, &equation.expected);
+    let error = report.error(origin, messages::contradiction(found.as_deref(), &said, &factor));
+    let reason = equation.reason.place;
+    if reason.start.start().line != origin.start.start().line {
+        error.related(reason, messages::SAID_HERE);
+    }
+    for (place, note) in chain(checker, contradiction) {
+        error.related(place, note);
+    }
+    error.help(match square {
+        Some(factor) => messages::write_square(&print::expression(checker.expressions, factor)),
+        None => advice(checker, contradiction, expression),
+    });
+}
+
+/// The words of a reason with the dimension in them.
+fn said(checker: &Checker<'_>, reason: &Reason, expected: &Form) -> String {
+    let expected = checker.solver.dimension(expected).map(|dimension| described(&dimension));
+    reason.words.replace('#', expected.as_deref().unwrap_or(messages::ANOTHER))
+}
+
+fn in_words(missing: &Dimension) -> String {
+    if let Some(noun) = noun(missing) {
+        return messages::factor_missing(noun);
+    }
+    match noun(&Dimension::NONE.over(missing)) {
+        Some(noun) => messages::factor_too_much(noun),
+        None => messages::factor_in_unit(&spelled(missing)),
+    }
+}
+
+/// A factor of a product that is just what is missing.
+fn factor_to_square(checker: &Checker<'_>, expression: AstId, missing: &Dimension) -> Option<AstId> {
+    let mut pending = vec![expression];
+    while let Some(id) = pending.pop() {
+        match checker.expressions.get(id) {
+            Expression::Binary(BinaryOperator::Multiply, _, left, right) => pending.extend([*left, *right]),
+            Expression::Binary(BinaryOperator::Divide, _, left, _) => pending.push(*left),
+            Expression::Negate(of) => pending.push(*of),
+            Expression::Name(_) | Expression::Call(..) if id != expression || is_call(checker, id) => {
+                let form = checker.known_value(id).form();
+                if form.and_then(|form| checker.solver.dimension(&form)).as_ref() == Some(missing) {
+                    return Some(id);
+                }
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+fn is_call(checker: &Checker<'_>, id: AstId) -> bool {
+    matches!(checker.expressions.get(id), Expression::Call(..))
+}
+
+fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstId) -> String {
+    let equation = &contradiction.equation;
+    let expected = checker.solver.dimension(&equation.expected);
+    if let (Expression::Number(_), Some(expected)) = (checker.expressions.get(expression), &expected)
+        && !expected.is_none()
+    {
+        let number = print::expression(checker.expressions, expression);
+        return messages::write_unit(&number, &spelled(expected));
+    }
+    let names = equation.found.unknowns.keys().chain(equation.expected.unknowns.keys());
+    let units = names.filter_map(|unknown| unit_of(checker, *unknown)).collect::<Vec<_>>();
+    match units.is_empty() {
+        true => messages::COMPARE_HELP.to_owned(),
+        false => messages::units_are(&units),
+    }
+}
+
+fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
+    let dimension = checker.solver.dimension(&Form::of(unknown))?;
+    let name = checker.solver.name(unknown);
+    Some(match dimension.is_none() {
+        true => messages::plain_number(name),
+        false => messages::unit_of(name, &spelled(&dimension)),
+    })
+}
+
+/// Why names have the dimensions that they have, as far as these are not declared: the last reason first.
+fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, String)> {
+    let solver = &checker.solver;
+    let equation = &contradiction.equation;
+    let mut pending = equation.found.over(&equation.expected).unknowns.into_keys().collect::<Vec<_>>();
+    let mut numbers: Vec<(usize, Unknown)> = Vec::new();
+    while let Some(unknown) = pending.pop() {
+        let Some(number) = solver.equation_of(unknown) else { continue };
+        let of_unknown = &solver.equations[number];
+        if of_unknown.expression.is_none() || numbers.iter().any(|(known, _)| *known == number) {
+            continue;
+        }
+        numbers.push((number, unknown));
+        pending.extend(of_unknown.found.over(&of_unknown.expected).unknowns.into_keys());
+    }
+    numbers.sort_by(|a, b| b.cmp(a));
+    let notes = numbers.into_iter().take(MOST_NOTES).filter_map(|(number, unknown)| {
+        let of_unknown = &solver.equations[number];
+        let dimension = solver.dimension(&Form::of(unknown))?;
+        let place = of_unknown.expression.map(|id| checker.expressions.origin(id))?;
+        let said = said(checker, &of_unknown.reason, &of_unknown.expected);
+        Some((place, messages::inferred(solver.name(unknown), &described(&dimension), &said)))
+    });
+    notes.collect()
+}
