@@ -42,8 +42,8 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
         }
         ("cross", [a, b]) => cross(checker, id, a, b),
         ("kinetic_energy" | "spring_energy", [factor, value]) => {
-            let squares = products(&value.components, &value.components);
-            factor.times(&Value::scalar(total(checker, id, &squares)))
+            let size = Value::scalar(total(checker, id, &value.components));
+            factor.times(&size).times(&size)
         }
         ("gravitational_energy", [mass, gravity, height]) => mass.times(gravity).times(height),
         (IN_AXES, [vector, _]) => vector.clone(),

@@ -1,4 +1,4 @@
-//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has.
+//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has, `%` for that of a force or moment.
 
 /// Message for a unit that is not coherent where there is no number in it.
 pub(super) fn nothing_to_convert(name: &str) -> String {
@@ -21,7 +21,7 @@ pub(super) fn made_of_names_help(name: &str, unit: &str, coherent: &str) -> Stri
 pub(super) const ADDED: &str = "what it is added to is #";
 pub(super) const COMPARED: &str = "what it is compared with is #";
 pub(super) const CHOSEN: &str = "the other branch is #";
-pub(super) const OF_ONE_VECTOR: &str = "another component of the vector would make it #";
+pub(super) const OF_ONE_VECTOR: &str = "what stands beside it in the vector is #";
 pub(super) const EXPONENT: &str = "an exponent is #";
 pub(super) const BASE: &str = "what is raised to a power that may change is #";
 pub(super) const KINETIC: &str = "`kinetic` adds energies (J)";
@@ -32,8 +32,8 @@ pub(super) const DISSIPATION: &str = "`dissipation` adds powers (W)";
 pub(super) const STABILISE: &str = "the rate of stabilisation is in 1/s";
 pub(super) const POINT: &str = "the components of a point are lengths (m)";
 pub(super) const FORCE: &str = "the components of a force are in N";
-pub(super) const FORCE_ALONG: &str = "what does work along this velocity is #";
-pub(super) const TORQUE: &str = "what does work on this angle is #";
+pub(super) const FORCE_ALONG: &str = "what does work along this velocity is %";
+pub(super) const TORQUE: &str = "what does work on this angle is %";
 pub(super) const RESTITUTION: &str = "a coefficient of restitution is #";
 pub(super) const ASSIGNED: &str = "what it is assigned to is #";
 pub(super) const WIDTH: &str = "the slip velocity is #";
@@ -55,11 +55,11 @@ pub(super) fn stands_for(name: &str) -> String {
 }
 
 pub(super) fn force_on(name: &str) -> String {
-    format!("the force on `{name}` is #")
+    format!("the force on `{name}` is %")
 }
 
 pub(super) fn limit(name: &str) -> String {
-    format!("the force of `{name}` is #")
+    format!("the force of `{name}` is %")
 }
 
 pub(super) fn labelled(what: &str) -> String {
@@ -74,6 +74,7 @@ pub(super) fn contradiction(found: Option<&str>, said: &str, factor: &str) -> St
     }
 }
 
+pub(super) const MOMENT: &str = "a moment (N*m)";
 pub(super) const ANOTHER: &str = "something else";
 pub(super) const SQUARE_MISSING: &str = "a square is missing";
 

@@ -1,5 +1,7 @@
 //! Contradictions between dimensions as diagnostics.
 
+use std::collections::BTreeSet;
+
 use super::expressions::Checker;
 use super::form::{Form, Unknown};
 use super::messages;
@@ -12,6 +14,9 @@ use crate::units::{Dimension, described, noun, spelled};
 
 /// Longer chains of reasons are cut.
 const MOST_NOTES: usize = 4;
+
+/// Exponents of energies and moments.
+const ENERGY: [i8; 7] = [1, 2, -2, 0, 0, 0, 0];
 
 /// A name and what it would have to be multiplied with for an equation to hold.
 type Correction = (Unknown, Dimension);
@@ -84,8 +89,11 @@ fn report_contradiction(
 
 /// The words of a reason with the dimension in them.
 fn said(checker: &Checker<'_>, reason: &Reason, expected: &Form) -> String {
-    let expected = checker.solver.dimension(expected).map(|dimension| described(&dimension));
-    reason.words.replace('#', expected.as_deref().unwrap_or(messages::ANOTHER))
+    let expected = checker.solver.dimension(expected);
+    let is_moment = expected.as_ref() == Some(&Dimension::of(ENERGY));
+    let words = expected.map_or_else(|| messages::ANOTHER.to_owned(), |dimension| described(&dimension));
+    let load = if is_moment { messages::MOMENT } else { &words };
+    reason.words.replace('%', load).replace('#', &words)
 }
 
 fn in_words(missing: &Dimension) -> String {
@@ -132,7 +140,9 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         return messages::write_unit(&number, &spelled(expected));
     }
     let names = equation.found.unknowns.keys().chain(equation.expected.unknowns.keys());
-    let units = names.filter_map(|unknown| unit_of(checker, *unknown)).collect::<Vec<_>>();
+    // Each once: a name may stand on both sides.
+    let names = names.copied().collect::<BTreeSet<_>>();
+    let units = names.into_iter().filter_map(|unknown| unit_of(checker, unknown)).collect::<Vec<_>>();
     match units.is_empty() {
         true => messages::COMPARE_HELP.to_owned(),
         false => messages::units_are(&units),

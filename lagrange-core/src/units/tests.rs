@@ -49,7 +49,7 @@ const VALUES: [(&str, &str, &str, i32, [i8; 7]); 52] = [
     ("lb", "0.45359237", "1", 0, [1, 0, 0, 0, 0, 0, 0]),
     ("oz", "0.45359237", "16", 0, [1, 0, 0, 0, 0, 0, 0]),
     ("mph", "0.44704", "1", 0, [0, 1, -1, 0, 0, 0, 0]),
-    ("kn", "463", "900", 0, [0, 1, -1, 0, 0, 0, 0]),
+    ("knot", "463", "900", 0, [0, 1, -1, 0, 0, 0, 0]),
     ("L", "1", "1000", 0, [0, 3, 0, 0, 0, 0, 0]),
     ("mL", "1", "1000000", 0, [0, 3, 0, 0, 0, 0, 0]),
     ("ha", "10000", "1", 0, [0, 2, 0, 0, 0, 0, 0]),
@@ -89,7 +89,7 @@ fn units_fit_their_definitions() {
     assert_eq!(scale("hp"), &(&scale("lbf") * &scale("ft")) * &Number::from(550));
     assert_eq!(scale("PS"), &scale("kgf") * &Number::from(75));
     assert_eq!(scale("mph"), over(&scale("mi"), &scale("h")));
-    assert_eq!(scale("kn"), over(&scale("nmi"), &scale("h")));
+    assert_eq!(scale("knot"), over(&scale("nmi"), &scale("h")));
 }
 
 #[test]

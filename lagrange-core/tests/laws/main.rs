@@ -4,6 +4,7 @@ mod arrays;
 mod callables;
 mod dampers;
 mod declarations;
+mod dimensions;
 mod expressions;
 mod formulas;
 mod gibbs;
