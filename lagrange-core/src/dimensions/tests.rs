@@ -231,7 +231,7 @@ mod inference {
             torsion_spring { from: ground; to: rod; stiffness: 2; rest: 0.1; }
             torsion_damper { from: ground; to: rod; damping: d; }
             force (u, 0) at rod;
-            output e = rod.x + 1 [m];
+            output e = rod.point(0, 0).x + 1 [m];
             emit { motion, drawing }";
         assert_eq!(errors(plane), Vec::<String>::new());
         assert_eq!(unit(plane, "d").as_deref(), Some("J*s"));
