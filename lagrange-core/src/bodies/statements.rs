@@ -19,7 +19,8 @@ use super::space::{
 use super::translation::Translation;
 use super::unneeded::leave_out_unneeded;
 use crate::syntax::ast::{
-    self, AstId, ConnectorKind, Declaration, Expression, JointKind, SceneStatement, Statement, StatementKind,
+    self, AstId, ConnectorKind, Declaration, Expression, Expressions, JointKind, SceneStatement, Statement,
+    StatementKind,
 };
 
 /// Translates all statements.
@@ -32,7 +33,7 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     report_idle_gravity(&mut translation);
     report_waiting(&mut translation);
     report_unplaced(&mut translation);
-    push_gibbs_function(&mut translation);
+    Expressions::computed(&mut translation, |translation| &mut translation.expressions, push_gibbs_function);
     let in_space = kinematics_asked_for(&mut translation, asked);
     draw_scene(&mut translation);
     translation.drawing.append(&mut translation.loads);

@@ -32,17 +32,29 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     statements.iter_mut().for_each(|statement| writer.statement(&mut statement.kind));
     let mut measured = writer.measured;
     declaration.statements = statements;
-    name_rates(declaration, &mut measured.named);
     measured.last_written = declaration.expressions.iter().last().map(|(id, _)| id);
     measured
 }
 
-/// Rates of coordinates have the units of these by the second.
-fn name_rates(declaration: &Declaration, named: &mut NamedUnits) {
+/// Positions whose units are declared, those of joints among them, and their rates.
+pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
+    let mut add = |name: &str, unit: &Unit| {
+        named.insert(name, NamedUnit { unit: unit.coherent().to_string(), default: None });
+    };
+    for statement in &declaration.statements {
+        let StatementKind::Quaternion(quaternion) = &statement.kind else { continue };
+        let rate = Unit::coherent_of(&[("rad", 1), ("s", -1)], Origin::from(quaternion.name.span));
+        for name in &quaternion.velocities {
+            rate.iter().for_each(|rate| add(&name.text, rate));
+        }
+    }
+    for position in declaration.coordinates() {
+        position.unit.iter().for_each(|unit| add(&position.text, unit));
+    }
     for velocity in declaration.velocities() {
         let unit = velocity.coordinate.and_then(|coordinate| coordinate.unit.as_ref());
         let Some(rate) = unit.and_then(|unit| per_second(unit)) else { continue };
-        named.insert(&velocity.name.text, NamedUnit { unit: rate.to_string(), default: None });
+        add(&velocity.name.text, &rate);
     }
 }
 

@@ -24,6 +24,7 @@ mod value;
 use crate::diagnostics::Report;
 use crate::syntax::ast::{Declaration, StatementKind};
 use crate::units::{NamedUnit, NamedUnits, spelled};
+use defaults::name_state;
 use expressions::Checker;
 use form::Form;
 use value::Value;
@@ -39,6 +40,7 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
     statements::check(&mut checker, declaration, &measured.labels);
     report::report(&checker, measured.last_written, report);
     let mut named = measured.named;
+    name_state(declaration, &mut named);
     name_what_was_found(&checker, declaration, &mut named);
     named
 }

@@ -32,7 +32,14 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
     for statement in &declaration.statements {
         define(checker, &statement.kind);
     }
-    for statement in &declaration.statements {
+    // What bodies say in energies and once more in accelerations has units in the energies.
+    let is_computed = |statement: &&Statement| match &statement.kind {
+        StatementKind::Let(_, value) | StatementKind::Gibbs { function: value, .. } => {
+            declaration.expressions.is_computed(*value)
+        }
+        _ => false,
+    };
+    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
         abbreviate(checker, &statement.kind);
     }
     for label in labels {
@@ -42,7 +49,7 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
             Reason { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
         checker.expect(label.value, &expected, &reason);
     }
-    for statement in &declaration.statements {
+    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
         demand(checker, statement);
     }
 }

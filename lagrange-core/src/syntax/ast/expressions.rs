@@ -170,6 +170,7 @@ pub struct Range {
 pub struct Expressions {
     nodes: Vec<(Expression, Origin)>,
     written: usize,
+    computed: std::ops::Range<usize>,
 }
 
 impl Expressions {
@@ -187,6 +188,23 @@ impl Expressions {
     /// True if the user wrote an expression as it stands.
     pub fn is_written(&self, id: AstId) -> bool {
         (id.0 as usize) < self.written
+    }
+
+    /// Adds expressions that say once more what others say, with numbers that were computed of those of others: these have no units.
+    pub fn computed<T>(
+        of: &mut T,
+        expressions: impl Fn(&mut T) -> &mut Expressions,
+        add: impl FnOnce(&mut T),
+    ) {
+        let first = expressions(of).nodes.len();
+        add(of);
+        let expressions = expressions(of);
+        expressions.computed = first..expressions.nodes.len();
+    }
+
+    /// True of what was added as such.
+    pub fn is_computed(&self, id: AstId) -> bool {
+        self.computed.contains(&(id.0 as usize))
     }
 
     /// The expression behind an id.
