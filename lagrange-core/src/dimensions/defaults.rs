@@ -2,12 +2,12 @@
 
 use super::labels::{Label, label};
 use super::messages;
+use super::quantities::{is_name, is_of_numbers, with_unit};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::number::Number;
 use crate::syntax::ast::{
-    AstId, BinaryOperator, Declaration, Expression, Expressions, Name, StatementKind, TableDefinition,
-    TableSource,
+    AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource,
 };
 use crate::syntax::print;
 use crate::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
@@ -28,7 +28,8 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     }
     let mut statements = std::mem::take(&mut declaration.statements);
     let expressions = &mut declaration.expressions;
-    let mut writer = Writer { expressions, report, measured: Measured::default(), said: HashMap::default() };
+    let mut writer =
+        UnitWriter { expressions, report, measured: Measured::default(), said: HashMap::default() };
     statements.iter_mut().for_each(|statement| writer.statement(&mut statement.kind));
     let mut measured = writer.measured;
     declaration.statements = statements;
@@ -67,7 +68,7 @@ fn per_second(unit: &Unit) -> Option<Unit> {
     Unit::of(factors, unit.origin)
 }
 
-struct Writer<'a> {
+struct UnitWriter<'a> {
     expressions: &'a mut Expressions,
     report: &'a mut Report,
     measured: Measured,
@@ -75,7 +76,7 @@ struct Writer<'a> {
     said: HashMap<String, ()>,
 }
 
-impl Writer<'_> {
+impl UnitWriter<'_> {
     fn statement(&mut self, kind: &mut StatementKind) {
         match kind {
             StatementKind::Parameters(list)
@@ -177,31 +178,6 @@ impl Writer<'_> {
             }
         }
     }
-}
-
-/// Whether an expression is made of numbers alone, so that a unit can be meant for all of it.
-pub(super) fn is_of_numbers(expressions: &Expressions, root: AstId) -> bool {
-    let is_other = |id: &AstId| {
-        matches!(expressions.get(*id), Expression::Quantity(..) | Expression::Invalid)
-            || is_name(expressions, *id)
-    };
-    !expressions.parts(root).iter().any(is_other)
-}
-
-fn is_name(expressions: &Expressions, id: AstId) -> bool {
-    matches!(expressions.get(id), Expression::Name(name) if name != "pi")
-}
-
-/// `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`.
-pub(super) fn with_unit(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
-    let origin = expressions.origin(value);
-    let quantity = |of| Expression::Quantity(of, Box::new(unit.clone()));
-    if let Expression::Number(_) = expressions.get(value) {
-        return expressions.add(quantity(value), origin);
-    }
-    let one = expressions.add(Expression::Number(Number::ONE), origin);
-    let unit = expressions.add(quantity(one), origin);
-    expressions.add(Expression::Binary(BinaryOperator::Multiply, origin.start, value, unit), origin)
 }
 
 /// A number of a file, scaled as if it were a literal: exactly, and then rounded.

@@ -1,6 +1,6 @@
 //! What is measured behind the labels of bodies, lines, connectors and joints.
 
-use super::defaults::{is_of_numbers, with_unit};
+use super::quantities::{is_of_numbers, with_unit};
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{
     AstId, Body, Connector, ConnectorKind, Expression, Expressions, Joint, JointKind, Line, Mobilizer,
@@ -34,7 +34,7 @@ const TORSION_DAMPING: Powers = &[("N", 1), ("m", 1), ("s", 1)];
 const ANGLE: Powers = &[("rad", 1)];
 
 /// A value that can be replaced, its unit and what it is.
-type Row<'a> = (&'a mut AstId, Powers, &'static str);
+type LabelRow<'a> = (&'a mut AstId, Powers, &'static str);
 
 /// Writes units behind the plain numbers at labels, and behind the names of the coordinates of joints.
 pub(super) fn label(statement: &mut SceneStatement, expressions: &mut Expressions) -> Vec<Label> {
@@ -78,7 +78,7 @@ fn give_unit(name: &mut Name, powers: Powers) {
     name.unit = Unit::coherent_of(powers, Origin::from(name.span)).map(Box::new);
 }
 
-fn rows(statement: &mut SceneStatement) -> Vec<Row<'_>> {
+fn rows(statement: &mut SceneStatement) -> Vec<LabelRow<'_>> {
     match statement {
         SceneStatement::Gravity(value) => vec![(value, ACCELERATION, "gravity")],
         SceneStatement::Body(body) => of_body(body),
@@ -101,7 +101,7 @@ fn rows(statement: &mut SceneStatement) -> Vec<Row<'_>> {
     }
 }
 
-fn of_body(body: &mut Body) -> Vec<Row<'_>> {
+fn of_body(body: &mut Body) -> Vec<LabelRow<'_>> {
     let Body {
         mass, inertia, tensor, center, origin, centroid, angle, angles, shape, parts, visuals, ..
     } = body;
@@ -120,11 +120,11 @@ fn of_body(body: &mut Body) -> Vec<Row<'_>> {
     single.chain(tensor).chain(shape.iter_mut().flat_map(of_shape)).chain(parts).collect()
 }
 
-fn of_shape(shape: &mut Shape) -> impl Iterator<Item = Row<'_>> {
+fn of_shape(shape: &mut Shape) -> impl Iterator<Item = LabelRow<'_>> {
     shape.dimensions.iter_mut().map(|value| (value, LENGTH, "a dimension of a solid"))
 }
 
-fn of_part(part: &mut Part) -> Vec<Row<'_>> {
+fn of_part(part: &mut Part) -> Vec<LabelRow<'_>> {
     let Part { shape, mass, at, angle, turned, .. } = part;
     let single = [
         (mass, MASS, "the mass of a part"),
@@ -136,7 +136,7 @@ fn of_part(part: &mut Part) -> Vec<Row<'_>> {
     single.chain(of_shape(shape)).collect()
 }
 
-fn of_connector(connector: &mut Connector) -> Vec<Row<'_>> {
+fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {
     let Connector { kind, from, to, stiffness, rest, damping, .. } = connector;
     let is_straight = matches!(kind, ConnectorKind::Spring | ConnectorKind::Damper);
     let rows = if is_straight {
@@ -159,7 +159,7 @@ fn of_connector(connector: &mut Connector) -> Vec<Row<'_>> {
     rows.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what))).collect()
 }
 
-fn of_mobilizer(joint: &mut Mobilizer) -> Vec<Row<'_>> {
+fn of_mobilizer(joint: &mut Mobilizer) -> Vec<LabelRow<'_>> {
     let Mobilizer { kind, at, turned, pitch, damping, .. } = joint;
     let resistance = match kind {
         MobilizerKind::Prismatic => DAMPING,

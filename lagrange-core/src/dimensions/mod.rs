@@ -9,25 +9,27 @@
 //! the expression that it was asked of, with the chain of equations that say otherwise. Source: Kennedy, *Dimension types*, ESOP 1994.
 
 mod calls;
+mod checker;
 mod defaults;
+mod exponents;
 mod expressions;
-mod form;
 mod labels;
+mod measure;
 mod messages;
+mod quantities;
 mod report;
 mod solver;
 mod statements;
 #[cfg(test)]
 mod tests;
-mod value;
 
 use crate::diagnostics::Report;
 use crate::syntax::ast::{Declaration, StatementKind};
 use crate::units::{NamedUnit, NamedUnits, spelled};
+use checker::Checker;
 use defaults::name_state;
-use expressions::Checker;
-use form::Form;
-use value::Value;
+use exponents::Exponents;
+use measure::Measure;
 
 pub use defaults::{Measured, in_coherent_units};
 
@@ -46,7 +48,7 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
 }
 
 fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: &mut NamedUnits) {
-    let mut add = |name: &str, form: Option<Form>| {
+    let mut add = |name: &str, form: Option<Exponents>| {
         if let Some(dimension) = form.and_then(|form| checker.solver.dimension(&form)) {
             named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
         }
@@ -74,7 +76,7 @@ fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: 
 }
 
 /// The dimension of all components.
-fn common(value: &Value) -> Option<Form> {
+fn common(value: &Measure) -> Option<Exponents> {
     let first = value.components.first()?.clone()?;
     value.components.iter().all(|component| component.as_ref() == Some(&first)).then_some(first)
 }

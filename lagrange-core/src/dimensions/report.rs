@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::expressions::Checker;
-use super::form::{Form, Unknown};
+use super::checker::Checker;
+use super::exponents::{Exponents, Unknown};
 use super::messages;
-use super::solver::{Contradiction, Reason};
+use super::solver::{Contradiction, Grounds};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::syntax::ast::{AstId, BinaryOperator, Expression};
@@ -88,7 +88,7 @@ fn report_contradiction(
 }
 
 /// The words of a reason with the dimension in them.
-fn said(checker: &Checker<'_>, reason: &Reason, expected: &Form) -> String {
+fn said(checker: &Checker<'_>, reason: &Grounds, expected: &Exponents) -> String {
     let expected = checker.solver.dimension(expected);
     let is_moment = expected.as_ref() == Some(&Dimension::of(ENERGY));
     let words = expected.map_or_else(|| messages::ANOTHER.to_owned(), |dimension| described(&dimension));
@@ -150,7 +150,7 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
 }
 
 fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
-    let dimension = checker.solver.dimension(&Form::of(unknown))?;
+    let dimension = checker.solver.dimension(&Exponents::of(unknown))?;
     let name = checker.solver.name(unknown);
     Some(match dimension.is_none() {
         true => messages::plain_number(name),
@@ -176,7 +176,7 @@ fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, S
     numbers.sort_by(|a, b| b.cmp(a));
     let notes = numbers.into_iter().take(MOST_NOTES).filter_map(|(number, unknown)| {
         let of_unknown = &solver.equations[number];
-        let dimension = solver.dimension(&Form::of(unknown))?;
+        let dimension = solver.dimension(&Exponents::of(unknown))?;
         let place = of_unknown.expression.map(|id| checker.expressions.origin(id))?;
         let said = said(checker, &of_unknown.reason, &of_unknown.expected);
         Some((place, messages::inferred(solver.name(unknown), &described(&dimension), &said)))

@@ -1,6 +1,6 @@
 //! Equations between dimensions, solved one after the other, with why they hold.
 
-use super::form::{Form, Unknown};
+use super::exponents::{Exponents, Unknown};
 use crate::diagnostics::Origin;
 use crate::number::Number;
 use crate::syntax::ast::AstId;
@@ -8,7 +8,7 @@ use crate::units::Dimension;
 
 /// Why two dimensions are equal.
 #[derive(Clone, Debug)]
-pub(super) struct Reason {
+pub(super) struct Grounds {
     /// What is said of the right side, in words in which `#` stands for its dimension: `` `potential` adds energies (J) ``.
     pub(super) words: String,
     /// Where that is said.
@@ -17,29 +17,29 @@ pub(super) struct Reason {
 
 /// Two dimensions that are equal.
 #[derive(Clone, Debug)]
-pub(super) struct Equation {
+pub(super) struct DimensionEquation {
     /// That of the expression.
-    pub(super) found: Form,
+    pub(super) found: Exponents,
     /// That which it should have.
-    pub(super) expected: Form,
+    pub(super) expected: Exponents,
     /// The expression, to which mistakes are attributed; `None` where a name is declared.
     pub(super) expression: Option<AstId>,
-    pub(super) reason: Reason,
+    pub(super) reason: Grounds,
 }
 
 /// An equation that contradicts those before it.
 #[derive(Clone, Debug)]
 pub(super) struct Contradiction {
-    pub(super) equation: Equation,
+    pub(super) equation: DimensionEquation,
     /// What the expression should be multiplied with.
     pub(super) missing: Dimension,
 }
 
 /// A name of which one dimension is to be found.
 #[derive(Clone, Debug)]
-struct Solved {
+struct SolvedUnknown {
     /// What it is, of unknowns that may be solved by now.
-    form: Form,
+    form: Exponents,
     /// Number of the equation that says so.
     equation: usize,
 }
@@ -48,9 +48,9 @@ struct Solved {
 #[derive(Default)]
 pub(super) struct Solver {
     names: Vec<String>,
-    solved: Vec<Option<Solved>>,
+    solved: Vec<Option<SolvedUnknown>>,
     /// Equations that said something.
-    pub(super) equations: Vec<Equation>,
+    pub(super) equations: Vec<DimensionEquation>,
     pub(super) contradictions: Vec<Contradiction>,
 }
 
@@ -72,7 +72,7 @@ impl Solver {
     }
 
     /// A form in which no unknown is left that has been solved.
-    pub(super) fn resolved(&self, form: &Form) -> Form {
+    pub(super) fn resolved(&self, form: &Exponents) -> Exponents {
         let mut form = form.clone();
         // The last ones first: what an unknown is made of was not solved when it was.
         while let Some((unknown, solved)) = self.first_solved(&form) {
@@ -82,7 +82,7 @@ impl Solver {
         form
     }
 
-    fn first_solved(&self, form: &Form) -> Option<(Unknown, Form)> {
+    fn first_solved(&self, form: &Exponents) -> Option<(Unknown, Exponents)> {
         let mut solved = form.unknowns.keys().filter_map(|unknown| {
             let solved = self.solved[unknown.0].as_ref()?;
             Some((*unknown, solved.equation, &solved.form))
@@ -93,13 +93,13 @@ impl Solver {
     }
 
     /// The dimension of a form, if it is known.
-    pub(super) fn dimension(&self, form: &Form) -> Option<Dimension> {
+    pub(super) fn dimension(&self, form: &Exponents) -> Option<Dimension> {
         let resolved = self.resolved(form);
         resolved.unknowns.is_empty().then_some(resolved.known)
     }
 
     /// Adds an equation. One that contradicts those before it says nothing and is remembered.
-    pub(super) fn equate(&mut self, equation: Equation) {
+    pub(super) fn equate(&mut self, equation: DimensionEquation) {
         let missing = self.resolved(&equation.expected.over(&equation.found));
         let Some((unknown, exponent)) = missing.unknowns.last_key_value() else {
             if !missing.known.is_none() {
@@ -112,7 +112,7 @@ impl Solver {
         let mut rest = missing;
         rest.unknowns.remove(&unknown);
         let form = rest.power(&-&inverse);
-        self.solved[unknown.0] = Some(Solved { form, equation: self.equations.len() });
+        self.solved[unknown.0] = Some(SolvedUnknown { form, equation: self.equations.len() });
         self.equations.push(equation);
     }
 }

@@ -1,12 +1,12 @@
 //! Dimensions that statements ask for.
 
-use super::defaults::is_of_numbers;
-use super::expressions::Checker;
-use super::form::Form;
+use super::checker::Checker;
+use super::exponents::Exponents;
 use super::labels::Label;
+use super::measure::{Measure, MeasuredComponent};
 use super::messages;
-use super::solver::{Equation, Reason};
-use super::value::{Component, Value};
+use super::quantities::is_of_numbers;
+use super::solver::{DimensionEquation, Grounds};
 use crate::diagnostics::Origin;
 use crate::number::Number;
 use crate::syntax::ast::{
@@ -23,8 +23,8 @@ const POWER: [i8; 7] = [1, 2, -3, 0, 0, 0, 0];
 /// Of a Gibbs function, which is the square of an acceleration times a mass.
 const GIBBS: [i8; 7] = [1, 2, -4, 0, 0, 0, 0];
 
-fn form(exponents: [i8; 7]) -> Form {
-    Form::from(Dimension::of(exponents))
+fn form(exponents: [i8; 7]) -> Exponents {
+    Exponents::from(Dimension::of(exponents))
 }
 
 /// Goes through a declaration in plain statements: first names, then what stands at labels, then what statements say.
@@ -43,10 +43,10 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
         abbreviate(checker, &statement.kind);
     }
     for label in labels {
-        let expected = Some(Form::from(label.unit.dimension.clone()));
-        let expected = Value { components: vec![expected; 3], is_vector: false, has_rates: false };
+        let expected = Some(Exponents::from(label.unit.dimension.clone()));
+        let expected = Measure { components: vec![expected; 3], is_vector: false, has_rates: false };
         let reason =
-            Reason { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
+            Grounds { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
         checker.expect(label.value, &expected, &reason);
     }
     for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
@@ -67,15 +67,15 @@ fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
         StatementKind::Coordinates(names) => {
             for name in names {
                 let form = declared(checker, name);
-                checker.scope.insert(name.text.clone(), Value::known(form));
+                checker.scope.insert(name.text.clone(), Measure::known(form));
             }
         }
         StatementKind::Quaternion(quaternion) => {
             for name in &quaternion.positions {
-                checker.scope.insert(name.text.clone(), Value::known(Form::plain()));
+                checker.scope.insert(name.text.clone(), Measure::known(Exponents::plain()));
             }
             for name in &quaternion.velocities {
-                checker.scope.insert(name.text.clone(), Value::known(form(FREQUENCY)).with_rates(true));
+                checker.scope.insert(name.text.clone(), Measure::known(form(FREQUENCY)).with_rates(true));
             }
         }
         StatementKind::External(function) => {
@@ -89,14 +89,14 @@ fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
 }
 
 /// The dimension of a name: that which is declared, or one that is to be found.
-fn declared(checker: &mut Checker<'_>, name: &Name) -> Form {
+fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
     let unknown = checker.solver.unknown(&name.text);
     if let Some(unit) = &name.unit {
-        let reason = Reason { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin };
-        let (found, expected) = (Form::of(unknown), Form::from(unit.dimension.clone()));
-        checker.solver.equate(Equation { found, expected, expression: None, reason });
+        let reason = Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin };
+        let (found, expected) = (Exponents::of(unknown), Exponents::from(unit.dimension.clone()));
+        checker.solver.equate(DimensionEquation { found, expected, expression: None, reason });
     }
-    Form::of(unknown)
+    Exponents::of(unknown)
 }
 
 fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
@@ -104,16 +104,18 @@ fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
     let form = declared(checker, name);
     if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
         let reason = value_of(name);
-        checker.expect(value, &Value::known(form.clone()), &reason);
+        checker.expect(value, &Measure::known(form.clone()), &reason);
     }
-    checker.scope.insert(name.text.clone(), Value::known(form));
+    checker.scope.insert(name.text.clone(), Measure::known(form));
 }
 
 /// That what stands behind a name has its dimension.
-fn value_of(name: &Name) -> Reason {
+fn value_of(name: &Name) -> Grounds {
     match &name.unit {
-        Some(unit) => Reason { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin },
-        None => Reason { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
+        Some(unit) => {
+            Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin }
+        }
+        None => Grounds { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
     }
 }
 
@@ -125,7 +127,7 @@ fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
             for ((component, form), name) in point.iter().zip(&forms).zip(&columns) {
                 if !is_of_numbers(checker.expressions, *component) {
                     let reason = value_of(name);
-                    checker.expect(*component, &Value::known(form.clone()), &reason);
+                    checker.expect(*component, &Measure::known(form.clone()), &reason);
                 }
             }
         }
@@ -147,7 +149,7 @@ fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
             };
             let whole = checker.value(*value);
             for (i, (name, part)) in names.iter().zip(parts).enumerate() {
-                let component = Value::scalar(whole.components.get(i).cloned().flatten());
+                let component = Measure::scalar(whole.components.get(i).cloned().flatten());
                 let value = match part {
                     Some(part) => named_value(checker, name, part),
                     None => named_component(checker, name, *value, component),
@@ -172,7 +174,7 @@ fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
 }
 
 /// What an expression is behind a name: of numbers alone, whatever the name is needed as.
-fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Value {
+fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
     if is_of_numbers(checker.expressions, value) {
         return of_numbers(checker, name, value);
     }
@@ -182,43 +184,43 @@ fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Value {
     let form = declared(checker, name);
     let count = checker.value(value).components.len();
     let is_vector = checker.known_value(value).is_vector;
-    let expected = Value { components: vec![Some(form); count], is_vector, has_rates: false };
+    let expected = Measure { components: vec![Some(form); count], is_vector, has_rates: false };
     checker.expect(value, &expected, &value_of(name))
 }
 
-fn named_component(checker: &mut Checker<'_>, name: &Name, whole: AstId, component: Value) -> Value {
+fn named_component(checker: &mut Checker<'_>, name: &Name, whole: AstId, component: Measure) -> Measure {
     if name.unit.is_none() {
         return component;
     }
-    let expected = Value::known(declared(checker, name));
+    let expected = Measure::known(declared(checker, name));
     checker.equate_values(whole, &component, &expected, &value_of(name));
     expected
 }
 
-fn of_numbers(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Value {
-    let component = |checker: &mut Checker<'_>, id: AstId| -> Component {
+fn of_numbers(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
+    let component = |checker: &mut Checker<'_>, id: AstId| -> MeasuredComponent {
         let is_zero = matches!(checker.expressions.get(id), Expression::Number(number) if number.is_zero());
         (!is_zero).then(|| declared(checker, name))
     };
     match checker.expressions.get(value) {
         Expression::Tuple(parts) => {
-            Value::vector(parts.iter().map(|part| component(checker, *part)).collect())
+            Measure::vector(parts.iter().map(|part| component(checker, *part)).collect())
         }
-        _ => Value::scalar(component(checker, value)),
+        _ => Measure::scalar(component(checker, value)),
     }
 }
 
 /// The force that upholds a constraint, presses at a contact or rubs: what it does work on is known.
-fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Value) {
+fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let force = along.form().map(|form| work.over(&form));
-    checker.scope.insert(name.text.clone(), Value::scalar(force));
+    checker.scope.insert(name.text.clone(), Measure::scalar(force));
 }
 
 /// What a statement asks of expressions.
 fn demand(checker: &mut Checker<'_>, statement: &Statement) {
     let place = Origin::from(statement.origin.start);
-    let said = |words: &str| Reason { words: words.to_owned(), place };
+    let said = |words: &str| Grounds { words: words.to_owned(), place };
     match &statement.kind {
         StatementKind::Kinetic(value) => energy(checker, *value, &said(messages::KINETIC)),
         StatementKind::Potential(value) => energy(checker, *value, &said(messages::POTENTIAL)),
@@ -234,11 +236,11 @@ fn demand(checker: &mut Checker<'_>, statement: &Statement) {
             checker.expect_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
         }
         StatementKind::ForceOn(name, force) => {
-            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Value::any);
+            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
             work(checker, *force, &along, &said(&messages::force_on(&name.text)));
         }
         StatementKind::ForceAt { force, point } => {
-            let each = |exponents| Value {
+            let each = |exponents| Measure {
                 components: vec![Some(form(exponents)); 3],
                 is_vector: true,
                 has_rates: false,
@@ -270,12 +272,12 @@ pub(super) fn output_key(name: &str) -> String {
     format!("output {name}")
 }
 
-fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Reason) {
+fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Grounds) {
     checker.expect_dimension(value, &Dimension::of(ENERGY), reason);
 }
 
 /// A force along what it does work on.
-fn work(checker: &mut Checker<'_>, force: AstId, along: &Value, reason: &Reason) {
+fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let expected = along.map(|form| work.over(form));
     checker.expect(force, &expected, reason);
@@ -286,14 +288,14 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
     match &event.action {
         Action::Stop | Action::Record => {}
         Action::Impact(restitution) => {
-            let reason = Reason { words: messages::RESTITUTION.to_owned(), place };
+            let reason = Grounds { words: messages::RESTITUTION.to_owned(), place };
             checker.expect_dimension(*restitution, &Dimension::NONE, &reason);
         }
         Action::Assign(assignments) => {
             for assignment in assignments {
                 let target = checker.value(assignment.target);
                 let place = checker.expressions.origin(assignment.target);
-                let reason = Reason { words: messages::ASSIGNED.to_owned(), place };
+                let reason = Grounds { words: messages::ASSIGNED.to_owned(), place };
                 checker.expect(assignment.value, &target, &reason);
             }
         }
@@ -302,29 +304,29 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
 
 fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Origin) {
     let slip = checker.value(friction.slip).with_rates(true);
-    let force = checker.scope.get(&friction.name.text).cloned().unwrap_or_else(Value::any);
-    let reason = Reason { words: messages::limit(&friction.name.text), place };
+    let force = checker.scope.get(&friction.name.text).cloned().unwrap_or_else(Measure::any);
+    let reason = Grounds { words: messages::limit(&friction.name.text), place };
     for limit in [Some(friction.kinetic), friction.fixed].into_iter().flatten() {
         checker.expect(limit, &force, &reason);
     }
     if let Some(width) = friction.width {
-        let reason = Reason { words: messages::WIDTH.to_owned(), place };
+        let reason = Grounds { words: messages::WIDTH.to_owned(), place };
         checker.expect(width, &slip, &reason);
     }
 }
 
 fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: Origin) {
     for item in &reduction.items {
-        let coordinate = checker.scope.get(&item.coordinate.text).cloned().unwrap_or_else(Value::any);
+        let coordinate = checker.scope.get(&item.coordinate.text).cloned().unwrap_or_else(Measure::any);
         let Some(value) = item.value.filter(|value| !is_of_numbers(checker.expressions, *value)) else {
             continue;
         };
-        let reason = Reason { words: messages::stands_for(&item.coordinate.text), place };
+        let reason = Grounds { words: messages::stands_for(&item.coordinate.text), place };
         checker.expect(value, &coordinate, &reason);
     }
 }
 
 /// The rate of a coordinate.
-pub(super) fn rate(coordinate: &Form) -> Form {
+pub(super) fn rate(coordinate: &Exponents) -> Exponents {
     coordinate.times_power(&form(FREQUENCY), &Number::ONE)
 }

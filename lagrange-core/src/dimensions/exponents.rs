@@ -14,36 +14,36 @@ pub(super) struct Unknown(pub(super) usize);
 
 /// A dimension times powers of unknown ones.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Form {
+pub(super) struct Exponents {
     pub(super) known: Dimension,
     /// Exponents of unknown dimensions, none of them zero.
     pub(super) unknowns: BTreeMap<Unknown, Number>,
 }
 
-impl Form {
+impl Exponents {
     /// That of plain numbers.
-    pub(super) fn plain() -> Form {
-        Form::from(Dimension::NONE)
+    pub(super) fn plain() -> Exponents {
+        Exponents::from(Dimension::NONE)
     }
 
-    pub(super) fn of(unknown: Unknown) -> Form {
-        Form { known: Dimension::NONE, unknowns: BTreeMap::from([(unknown, Number::ONE)]) }
+    pub(super) fn of(unknown: Unknown) -> Exponents {
+        Exponents { known: Dimension::NONE, unknowns: BTreeMap::from([(unknown, Number::ONE)]) }
     }
 
-    pub(super) fn times(&self, other: &Form) -> Form {
+    pub(super) fn times(&self, other: &Exponents) -> Exponents {
         self.times_power(other, &Number::ONE)
     }
 
-    pub(super) fn over(&self, other: &Form) -> Form {
+    pub(super) fn over(&self, other: &Exponents) -> Exponents {
         self.times_power(other, &Number::MINUS_ONE)
     }
 
-    pub(super) fn power(&self, exponent: &Number) -> Form {
-        Form::plain().times_power(self, exponent)
+    pub(super) fn power(&self, exponent: &Number) -> Exponents {
+        Exponents::plain().times_power(self, exponent)
     }
 
     /// This times a power of another.
-    pub(super) fn times_power(&self, other: &Form, exponent: &Number) -> Form {
+    pub(super) fn times_power(&self, other: &Exponents, exponent: &Number) -> Exponents {
         let mut product = self.clone();
         product.known = product.known.times(&other.known.power(exponent));
         for (unknown, of_other) in &other.unknowns {
@@ -60,8 +60,8 @@ impl Form {
     }
 }
 
-impl From<Dimension> for Form {
-    fn from(known: Dimension) -> Form {
-        Form { known, unknowns: BTreeMap::new() }
+impl From<Dimension> for Exponents {
+    fn from(known: Dimension) -> Exponents {
+        Exponents { known, unknowns: BTreeMap::new() }
     }
 }
