@@ -42,7 +42,7 @@ pub(super) fn number(
                 values.push(applied(*operator, left, right));
             }
             Expression::Negate(of) | Expression::Quantity(of, _) => {
-                pending.extend([(id, true), (*of, false)])
+                pending.extend([(id, true), (*of, false)]);
             }
             Expression::Binary(_, _, left, right) => {
                 pending.extend([(id, true), (*right, false), (*left, false)]);

@@ -87,7 +87,9 @@ impl UnitWriter<'_> {
                     definition.value = self.definition(&definition.name, default);
                 }
             }
-            StatementKind::Coordinates(names) | StatementKind::LetTuple(names, _) => {
+            StatementKind::Coordinates(names)
+            | StatementKind::States(names)
+            | StatementKind::LetTuple(names, _) => {
                 names.iter().for_each(|name| self.value(name));
             }
             StatementKind::Velocity(name, _) => self.value(name),

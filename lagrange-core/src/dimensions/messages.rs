@@ -58,6 +58,10 @@ pub(super) fn force_on(name: &str) -> String {
     format!("the force on `{name}` is %")
 }
 
+pub(super) fn rate_of(name: &str) -> String {
+    format!("the rate of `{name}` is #")
+}
+
 pub(super) fn limit(name: &str) -> String {
     format!("the force of `{name}` is %")
 }

@@ -64,7 +64,7 @@ fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
                 values.for_each(|(name, value)| checker.define_constant(&name.text, value));
             }
         }
-        StatementKind::Coordinates(names) => {
+        StatementKind::Coordinates(names) | StatementKind::States(names) => {
             for name in names {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
@@ -231,6 +231,10 @@ fn demand(checker: &mut Checker<'_>, statement: &Statement) {
         }
         StatementKind::Dissipation(value) => {
             checker.expect_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
+        }
+        StatementKind::StateRate(name, value) => {
+            let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+            checker.expect(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
         }
         StatementKind::Stabilise(rate) => {
             checker.expect_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));

@@ -214,6 +214,15 @@ mod inference {
     }
 
     #[test]
+    fn states_have_units() {
+        let text = "param m: kg = 1, r: ohm = 2, h: H = 0.1, k: N/A = 3; coord x: m; state i: A, q; input w: V;
+            kinetic = kinetic_energy(m, dot(x)); force x = k * i; dot(i) = (w - r * i - k * dot(x)) / h; dot(q) = i;";
+        assert_eq!(errors(text), Vec::<String>::new());
+        assert_eq!(unit(text, "i").as_deref(), Some("A"));
+        assert_eq!(unit(text, "q").as_deref(), Some("C"));
+    }
+
+    #[test]
     fn bodies_have_units() {
         let plane = "
             param m: kg = 2, l: m = 1.5, k: N/m = 30, c: N*s/m = 1, g: m/s^2 = 9.81, slope: deg = 17, d = 3;

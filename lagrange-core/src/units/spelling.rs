@@ -17,7 +17,7 @@ const DERIVED: [(&str, [i8; 7]); 9] = [
 ];
 
 /// What quantities of a dimension are called.
-const NOUNS: [(&str, [i8; 7]); 22] = [
+const NOUNS: [(&str, [i8; 7]); 24] = [
     ("a plain number", [0; 7]),
     ("a mass", [1, 0, 0, 0, 0, 0, 0]),
     ("a length", [0, 1, 0, 0, 0, 0, 0]),
@@ -40,6 +40,8 @@ const NOUNS: [(&str, [i8; 7]); 22] = [
     ("a stiffness", [1, 0, -2, 0, 0, 0, 0]),
     ("a density", [1, -3, 0, 0, 0, 0, 0]),
     ("a charge", [0, 0, 1, 1, 0, 0, 0]),
+    ("a voltage", [1, 2, -3, -1, 0, 0, 0]),
+    ("a resistance", [1, 2, -3, -2, 0, 0, 0]),
 ];
 
 /// The coherent unit of a dimension: `N`, `J` and other short names where that is shorter than base units.

@@ -153,7 +153,7 @@ fn dimensions_are_spelled_as_people_write_them() {
         ([0, 1, -2, 0, 0, 0, 0], "m/s^2", "an acceleration (m/s^2)"),
         ([1, 0, -1, 0, 0, 0, 0], "kg/s", "a quantity in kg/s"),
         ([0, 0, -1, 0, 0, 0, 0], "1/s", "a rate (1/s)"),
-        ([1, 2, -3, -1, 0, 0, 0], "V", "a quantity in V"),
+        ([1, 2, -3, -1, 0, 0, 0], "V", "a voltage (V)"),
         ([1, 3, -2, 0, 0, 0, 0], "J*m", "a quantity in J*m"),
     ];
     for (exponents, unit, words) in spellings {
