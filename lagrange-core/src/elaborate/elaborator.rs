@@ -58,6 +58,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) inputs: Vec<Parameter>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     pub(super) states: Vec<DeclaredState>,
+    /// Number of positions that are no states, all of which stand in front of these.
+    pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
     pub(super) kinetic: Vec<SourceTerm>,
@@ -100,6 +102,7 @@ impl<'a> Elaborator<'a> {
             inputs: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),
+            first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),
             orientations: Vec::new(),
             kinetic: Vec::new(),

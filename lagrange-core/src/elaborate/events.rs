@@ -9,7 +9,7 @@ use super::messages::events as messages;
 use super::messages::states;
 use super::reactions::add_contact;
 use super::scope::NameKind;
-use super::states::{first_state, state_named};
+use super::states::state_named;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Assignment};
@@ -91,7 +91,7 @@ fn check_assigned_once(
 
 /// The position with this index, states behind all others.
 fn position_at(elaborator: &Elaborator<'_>, index: usize) -> Option<ExprId> {
-    match index.checked_sub(first_state(elaborator)) {
+    match index.checked_sub(elaborator.first_state) {
         Some(state) => elaborator.states.get(state).map(|state| state.position),
         None => elaborator.coordinates.get(index).map(|(coordinate, _)| coordinate.position),
     }
@@ -118,7 +118,7 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
         return None;
     }
     let found = entry_of_state(elaborator, text, is_velocity);
-    if is_velocity && elaborator.states.iter().any(|state| state.name.text == *text) {
+    if is_velocity && state_named(elaborator, text).is_some() {
         let help = states::assigned_rate_help(text);
         return elaborator.refuse(syntax, &states::assigned_rate(text), &help);
     }

@@ -4,7 +4,7 @@ use proc_macro2::Span;
 
 use super::elaborator::Elaborator;
 use super::messages;
-use super::states::{first_state, state_named};
+use super::states::state_named;
 use crate::expr::ExprId;
 use crate::model::{Pinned, Reduction};
 use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
@@ -104,7 +104,7 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     if elaborator.reductions.is_empty() {
         return;
     }
-    let first = first_state(elaborator);
+    let first = elaborator.first_state;
     let report = &mut *elaborator.evaluator.report;
     let all = elaborator.coordinates.len();
     let frozen =

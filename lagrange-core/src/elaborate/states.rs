@@ -14,29 +14,30 @@ use crate::syntax::ast::{AstId, Name};
 
 /// States stand behind all other positions, be these declared further down.
 pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name) {
-    let index = first_state(elaborator) + elaborator.states.len();
+    let index = elaborator.first_state + elaborator.states.len();
     let position = elaborator.evaluator.graph.symbol(&name.text, Role::State(index as u32));
     elaborator.states.push(DeclaredState { name: name.clone(), position, equation: None });
     elaborator.declare(name, NameKind::State, Some(Operand::Scalar(position)));
 }
 
-/// Number of positions that are no states.
-pub(super) fn first_state(elaborator: &Elaborator<'_>) -> usize {
-    elaborator.declaration.coordinates().len() - elaborator.declaration.states().count()
-}
-
 /// Index among the positions of the state of this name.
 pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usize> {
-    let state = elaborator.states.iter().position(|state| state.name.text == name);
-    state.map(|state| first_state(elaborator) + state)
+    let entry = elaborator.evaluator.scope.find(name).filter(|entry| entry.kind == NameKind::State)?;
+    let Some(Operand::Scalar(position)) = entry.value else { return None };
+    match elaborator.evaluator.graph.symbol_of(position)?.role {
+        Role::State(index) => Some(index as usize),
+        _ => None,
+    }
 }
 
 /// `dot(a) = e;`
 pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let rate = rate_value(elaborator, syntax);
-    let state = elaborator.states.iter().position(|state| state.name.text == name.text);
-    let Some(state) = state else { return report_no_state(elaborator, name) };
-    let first = elaborator.states[state].equation.replace(name.span);
+    let Some(position) = state_named(elaborator, &name.text) else {
+        return report_no_state(elaborator, name);
+    };
+    let state = &mut elaborator.states[position - elaborator.first_state];
+    let (position, first) = (state.position, state.equation.replace(name.span));
     if let Some(first) = first {
         let error = elaborator.evaluator.report.error(name.span, words::stated_twice(&name.text));
         error.related(Origin::from(first), words::STATED_HERE).help(words::STATED_TWICE_HELP);
@@ -45,7 +46,7 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
     // Where the equation is wrong, another one keeps what mentions the rate from being reported, too.
     let graph = &mut elaborator.evaluator.graph;
     let rate = rate.unwrap_or_else(|| graph.number(0));
-    graph.set_rate(elaborator.states[state].position, rate);
+    graph.set_rate(position, rate);
 }
 
 /// A function of time, positions, velocities, states and inputs.
@@ -77,7 +78,7 @@ pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
     let scope = &elaborator.evaluator.scope;
     let is_unclear = !declaration.unreadable_words.is_empty();
-    for state in elaborator.states.iter().filter(|_| !is_unclear) {
+    for state in elaborator.states.iter().filter(|state| !is_unclear && state.equation.is_none()) {
         let text = &state.name.text;
         let is_ambiguous = scope.find(text).is_some_and(|entry| entry.is_ambiguous);
         if !is_ambiguous && !declaration.states_rate_of(text) {

@@ -166,8 +166,9 @@ impl<'a> Shape<'a> {
         let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
-        let is_state = |name: &&&Name| self.declaration.states().any(|state| std::ptr::eq(state, **name));
-        self.states = self.coordinates.iter().filter(is_state).count();
+        let states =
+            self.declaration.states().map(|name| (name.text.as_str(), ())).collect::<HashMap<_, _>>();
+        self.states = self.coordinates.iter().filter(|name| states.contains(&name.text.as_str())).count();
         self.velocities.retain(|velocity| {
             let is_kept = |name: &Name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name));
             velocity.coordinate.is_none_or(is_kept)
