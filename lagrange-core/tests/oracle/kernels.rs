@@ -157,7 +157,7 @@ fn models(is_wanted: impl Fn(&str) -> bool) -> Vec<Case> {
 
 /// A motor whose current and whose temperature have rates of their own.
 fn with_states() -> Case {
-    let motor = "param j = 0.5, k = 0.2, r = 1.5, l = 0.1; state heat; coord theta; state i; input u;
+    let motor = "param j = 0.75, k = 0.75, r = 0.75, l = 0.75; state heat; coord theta; state i; input u = 12;
         kinetic = 1/2 * j * dot(theta)^2; force theta = k * i - heat * theta;
         dot(i) = (u - r * i * (1 + heat) - k * dot(theta)) / l; dot(heat) = r * i^2 - abs(heat) + sin(t * theta);";
     let value = |field: &str| if field == "u" { 12.0 } else { 0.75 };
