@@ -12,6 +12,7 @@
 //! 0.01 of the reduction. The polynomials are added up so that few operations wait for each other.
 
 use crate::fused::multiply_add;
+use crate::pair::Pair;
 use crate::reduction::{Reduced, reduce};
 
 /// p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.
@@ -40,31 +41,36 @@ const SIGN: u64 = 1 << 63;
 #[inline(always)]
 pub(crate) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
     let reduced = reduce::<FUSED>(x.abs());
+    let (sine, cosine) = of_rest::<FUSED>(&reduced);
+    in_quadrant(reduced.quadrant, sine.high + sine.low, cosine.high + cosine.low, x.to_bits() & SIGN)
+}
+
+/// Sine and cosine of the reduced angle, the second numbers up to a tenth of the first ones.
+#[inline(always)]
+pub(crate) fn of_rest<const FUSED: bool>(reduced: &Reduced) -> (Pair, Pair) {
     let z = reduced.high * reduced.high;
     let half = 0.5 * z;
     let near_cosine = 1.0 - half;
-    let sine = sine::<FUSED>(&reduced, z, near_cosine);
-    let cosine = cosine::<FUSED>(&reduced, z, half, near_cosine);
-    in_quadrant(reduced.quadrant, sine, cosine, x.to_bits() & SIGN)
+    (sine::<FUSED>(reduced, z, near_cosine), cosine::<FUSED>(reduced, z, half, near_cosine))
 }
 
 #[inline(always)]
-fn sine<const FUSED: bool>(reduced: &Reduced, z: f64, near_cosine: f64) -> f64 {
+fn sine<const FUSED: bool>(reduced: &Reduced, z: f64, near_cosine: f64) -> Pair {
     let Reduced { high: r, low, .. } = *reduced;
     let (z2, cube) = (z * z, z * r);
     let rest = multiply_add::<FUSED>(pair::<FUSED>(&SINE, 4, z), z2, pair::<FUSED>(&SINE, 2, z));
     let first = multiply_add::<FUSED>(pair::<FUSED>(&SINE, 0, z), cube, low * near_cosine);
-    r + multiply_add::<FUSED>(rest, cube * z2, first)
+    Pair { high: r, low: multiply_add::<FUSED>(rest, cube * z2, first) }
 }
 
 #[inline(always)]
-fn cosine<const FUSED: bool>(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> f64 {
+fn cosine<const FUSED: bool>(reduced: &Reduced, z: f64, half: f64, near_cosine: f64) -> Pair {
     let Reduced { high: r, low, .. } = *reduced;
     let z2 = z * z;
     let rest = multiply_add::<FUSED>(pair::<FUSED>(&COSINE, 4, z), z2, pair::<FUSED>(&COSINE, 2, z));
     let lost = (1.0 - near_cosine) - half;
     let first = multiply_add::<FUSED>(pair::<FUSED>(&COSINE, 0, z), z2, lost - r * low);
-    near_cosine + multiply_add::<FUSED>(rest, z2 * z2, first)
+    Pair { high: near_cosine, low: multiply_add::<FUSED>(rest, z2 * z2, first) }
 }
 
 /// Two neighbouring terms of a polynomial, divided by the power of z that they share.

@@ -7,10 +7,12 @@
 
 mod lanes;
 mod mask;
+mod platform;
 mod rough;
 
 pub use self::lanes::{LaneMask, Lanes};
 pub use self::mask::Mask;
+pub use lagrange_math::Elementary;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -223,6 +225,34 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         (sines, cosines)
     }
 
+    /// Values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    #[inline(always)]
+    fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [Self; N]) -> [Self; N] {
+        arguments.map(|x| match function {
+            Elementary::Tan => x.tan(),
+            Elementary::Asin => x.asin(),
+            Elementary::Acos => x.acos(),
+            Elementary::Atan => x.atan(),
+            Elementary::Sinh => x.sinh(),
+            Elementary::Cosh => x.cosh(),
+            Elementary::Tanh => x.tanh(),
+            Elementary::Exp => x.exp(),
+            Elementary::Ln => x.ln(),
+        })
+    }
+
+    /// The angles of several points, each with an ordinate and an abscissa, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    #[inline(always)]
+    fn angles<const FUSED: bool, const N: usize>(ordinates: [Self; N], abscissas: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|i| ordinates[i].atan2(abscissas[i]))
+    }
+
+    /// The lengths √(x² + y²) of several vectors, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    #[inline(always)]
+    fn lengths<const FUSED: bool, const N: usize>(x: [Self; N], y: [Self; N]) -> [Self; N] {
+        core::array::from_fn(|i| x[i].hypot(y[i]))
+    }
+
     /// Binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps. Of others the result has no meaning.
     #[inline(always)]
     fn rough_log2(self) -> Self {
@@ -237,161 +267,6 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         let power = if power < -hundred { -hundred } else { power };
         (power * Self::from_f64(core::f64::consts::LN_2)).exp()
     }
-}
-
-/// Calls the method of the standard library or, without it, the function of `libm`.
-macro_rules! platform {
-    ($scalar:ident :: $method:ident | $libm:ident ($($argument:expr),*)) => {{
-        #[cfg(feature = "std")]
-        let value = $scalar::$method($($argument),*);
-        #[cfg(not(feature = "std"))]
-        let value = libm::$libm($($argument),*);
-        value
-    }};
-}
-
-/// Implements `Number` and `Scalar`; each row is a method with its further arguments and its name in `libm`.
-macro_rules! implement_scalar {
-    (
-        $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, lanes: $lanes:ident, powf: $powf:ident, mul_add: $mul_add:ident;
-        $($method:ident($($argument:ident)?): $libm:ident;)*
-    ) => {
-        impl Scalar for $scalar {
-            #[inline]
-            fn is_finite(self) -> bool {
-                $scalar::is_finite(self)
-            }
-
-            #[inline(always)]
-            fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
-                platform!($scalar::mul_add | $mul_add(self, factor, addend))
-            }
-
-            #[inline(always)]
-            fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
-                lagrange_math::$lanes::<FUSED, N>(angles)
-            }
-
-            #[inline(always)]
-            fn rough_log2(self) -> Self {
-                rough::log2(self.into()) as $scalar
-            }
-
-            #[inline(always)]
-            fn rough_exp2(self) -> Self {
-                rough::exp2(self.into()) as $scalar
-            }
-        }
-
-        impl Number for $scalar {
-            type Mask = bool;
-
-            const ZERO: Self = 0.0;
-            const ONE: Self = 1.0;
-            const NAN: Self = $scalar::NAN;
-
-            #[inline]
-            fn from_f64(value: f64) -> Self {
-                value as $scalar
-            }
-
-            #[inline(always)]
-            fn less(self, other: Self) -> bool {
-                self < other
-            }
-
-            #[inline(always)]
-            fn less_equal(self, other: Self) -> bool {
-                self <= other
-            }
-
-            #[inline(always)]
-            fn select(mask: bool, then: Self, otherwise: Self) -> Self {
-                if mask { then } else { otherwise }
-            }
-
-            #[inline]
-            fn floor_below(self, count: usize) -> Option<usize> {
-                // What is negative or NaN becomes 0, what is too large the largest number.
-                Some((self as usize).min(count.saturating_sub(1)))
-            }
-
-            #[inline]
-            fn abs(self) -> Self {
-                $scalar::abs(self)
-            }
-
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                platform!($scalar::sin_cos | $sin_cos(self))
-            }
-
-            #[inline(always)]
-            fn sin_cos_each<const N: usize>(angles: [Self; N]) -> [(Self, Self); N] {
-                lagrange_math::$sin_cos_each(angles)
-            }
-
-            #[inline]
-            fn powf(self, exponent: Self) -> Self {
-                if self.is_nan() || exponent.is_nan() {
-                    return $scalar::NAN;
-                }
-                platform!($scalar::powf | $powf(self, exponent))
-            }
-
-            #[inline]
-            fn multiply_add(self, factor: Self, addend: Self) -> Self {
-                if cfg!(target_feature = "fma") {
-                    platform!($scalar::mul_add | $mul_add(self, factor, addend))
-                } else {
-                    self * factor + addend
-                }
-            }
-
-            $(
-                #[inline]
-                fn $method(self $(, $argument: Self)?) -> Self {
-                    platform!($scalar::$method | $libm(self $(, $argument)?))
-                }
-            )*
-        }
-    };
-}
-
-implement_scalar! {
-    f64, sin_cos: sincos, sin_cos_each: sin_cos_each, lanes: sines_and_cosines, powf: pow, mul_add: fma;
-    sin(): sin;
-    cos(): cos;
-    tan(): tan;
-    asin(): asin;
-    acos(): acos;
-    atan(): atan;
-    atan2(abscissa): atan2;
-    sinh(): sinh;
-    cosh(): cosh;
-    tanh(): tanh;
-    exp(): exp;
-    ln(): log;
-    sqrt(): sqrt;
-    hypot(other): hypot;
-}
-
-implement_scalar! {
-    f32, sin_cos: sincosf, sin_cos_each: sin_cos_each_f32, lanes: sines_and_cosines_f32, powf: powf, mul_add: fmaf;
-    sin(): sinf;
-    cos(): cosf;
-    tan(): tanf;
-    asin(): asinf;
-    acos(): acosf;
-    atan(): atanf;
-    atan2(abscissa): atan2f;
-    sinh(): sinhf;
-    cosh(): coshf;
-    tanh(): tanhf;
-    exp(): expf;
-    ln(): logf;
-    sqrt(): sqrtf;
-    hypot(other): hypotf;
 }
 
 #[cfg(test)]

@@ -88,10 +88,21 @@ const CORE: &[Layer] = &[
 ];
 
 const MATH: &[Layer] = &[
-    Layer { modules: &["fused"], purpose: "products and sums in one rounding, where the target can" },
-    Layer { modules: &["reduction"], purpose: "angles to a multiple of π/2 and a rest" },
-    Layer { modules: &["angle"], purpose: "sine and cosine of one angle, without a branch" },
-    Layer { modules: &["batch"], purpose: "several angles at a time" },
+    Layer {
+        modules: &["fused", "platform"],
+        purpose: "products and sums in one rounding, where the target can; functions of the standard library or `libm`",
+    },
+    Layer {
+        modules: &["pair", "reduction"],
+        purpose: "sums of two doubles; angles to a multiple of π/2 and a rest",
+    },
+    Layer {
+        modules: &["angle", "arc", "exponential", "length"],
+        purpose: "functions of one number, without a branch: sine and cosine; their inverses; powers of e and hyperbolic functions; lengths",
+    },
+    Layer { modules: &["logarithm", "tangent"], purpose: "made of parts of those: logarithm; tangent" },
+    Layer { modules: &["batch"], purpose: "sine and cosine of several angles at a time" },
+    Layer { modules: &["elementary"], purpose: "the other functions of several numbers at a time" },
 ];
 
 const RUNTIME: &[Layer] = &[

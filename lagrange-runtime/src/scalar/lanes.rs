@@ -5,14 +5,31 @@
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
-use super::{Mask, Number, Scalar};
+use super::{Elementary, Mask, Number, Scalar};
 
 /// N numbers of the type T side by side, one in each lane.
 ///
 /// What comes of a lane has the same bits whatever is in the others and however many there are. Sums, products and square roots are those of T;
 /// [`multiply_add`](Number::multiply_add) rounds once if FUSED and twice otherwise, whatever the target is, so that one that is no
-/// instruction is a slow call. Sine and cosine are those of the level of accuracy `fast`: their error is below 0.9 units in the last
-/// place up to 10⁵ rad. Other functions are those of T, lane by lane.
+/// instruction is a slow call. [`powi`](Number::powi) is made of products, as it is for one number; [`powf`](Number::powf) is that of T, lane by lane.
+///
+/// Other elementary functions are computed for all lanes together, from the same source whatever FUSED is, with errors in units in the
+/// last place of at most
+///
+/// | `f64` | | elsewhere the function of T |
+/// |---|---|---|
+/// | `sin`, `cos` | 0.9 | beyond 10⁵ in magnitude |
+/// | `tan` | 1 | beyond 10⁵ in magnitude |
+/// | `asin`, `acos`, `atan` | 0.7 | |
+/// | `atan2` | 0.7 | at the origin, and where a coordinate other than zero is below 10⁻²⁷⁰ or above 10²⁷⁰ in magnitude |
+/// | `sinh`, `cosh` | 0.8 | beyond 600 in magnitude |
+/// | `tanh` | 0.8 | |
+/// | `exp` | 0.6, or 1.2 below 2⁻¹⁰²² | |
+/// | `ln` | 1 | |
+/// | `hypot` | 0.6 | where a component other than zero is below 10⁻¹³⁰ or above 10¹⁵⁰ in magnitude |
+///
+/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Special values, zeros with their signs, infinity and NaN, are
+/// those of [`Number`].
 ///
 /// ```
 /// use lagrange::Number;
@@ -90,12 +107,12 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Neg for Lanes<T, N, FUSED> {
     }
 }
 
-/// Functions that are computed lane by lane.
-macro_rules! lane_by_lane {
-    ($($method:ident($($argument:ident)?): $how:ident;)*) => {
+/// Functions of all lanes together.
+macro_rules! together {
+    ($($method:ident: $function:ident;)*) => {
         $(#[inline(always)]
-        fn $method(self $(, $argument: Self)?) -> Self {
-            self.$how($($argument,)? T::$method)
+        fn $method(self) -> Self {
+            Lanes(T::values::<FUSED, N>(Elementary::$function, self.0))
         })*
     };
 }
@@ -159,21 +176,42 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Number for Lanes<T, N, FUSED>
         value
     }
 
-    lane_by_lane! {
-        abs(): each;
-        sqrt(): each;
-        tan(): each;
-        asin(): each;
-        acos(): each;
-        atan(): each;
-        sinh(): each;
-        cosh(): each;
-        tanh(): each;
-        exp(): each;
-        ln(): each;
-        atan2(abscissa): zip;
-        hypot(other): zip;
-        powf(exponent): zip;
+    #[inline(always)]
+    fn abs(self) -> Self {
+        self.each(T::abs)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.each(T::sqrt)
+    }
+
+    #[inline(always)]
+    fn atan2(self, abscissa: Self) -> Self {
+        Lanes(T::angles::<FUSED, N>(self.0, abscissa.0))
+    }
+
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        Lanes(T::lengths::<FUSED, N>(self.0, other.0))
+    }
+
+    /// Lane by lane.
+    #[inline(always)]
+    fn powf(self, exponent: Self) -> Self {
+        self.zip(exponent, T::powf)
+    }
+
+    together! {
+        tan: Tan;
+        asin: Asin;
+        acos: Acos;
+        atan: Atan;
+        sinh: Sinh;
+        cosh: Cosh;
+        tanh: Tanh;
+        exp: Exp;
+        ln: Ln;
     }
 }
 

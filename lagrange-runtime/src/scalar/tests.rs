@@ -4,7 +4,7 @@
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::{Number, Scalar};
+use super::{Lanes, Number, Scalar};
 
 /// The numbers at which functions are most often wrong.
 struct Special<S> {
@@ -273,6 +273,33 @@ fn angles_together_give_what_each_gives_alone() {
         assert!((together.0 - platform.0).abs() < 2e-16 || angle.is_infinite());
         assert!((f64::from(single.1) - platform.1).abs() < 1e-7 || angle.is_infinite());
     }
+}
+
+/// Each function of lanes is that of one number, to within a unit in the last place of both.
+#[test]
+fn lanes_give_what_each_gives_alone() {
+    fn check<T: Scalar>() {
+        let numbers = [0.3, 0.7, 1.0, -0.4].map(T::from_f64);
+        let others = [0.6, -2.0, 0.5, -0.1].map(T::from_f64);
+        let (x, y) = (Lanes::<T, 4>(numbers), Lanes::<T, 4>(others));
+        macro_rules! check {
+            ($($function:ident $(($other:ident, $others:ident))?,)*) => {
+                $(for (i, found) in x.$function($($other)?).0.into_iter().enumerate() {
+                    let expected = numbers[i].$function($($others[i])?);
+                    let close = (found - expected).abs() <= T::from_f64(3.0) * T::epsilon() * expected.abs();
+                    let is_nan = expected != expected && found != found;
+                    assert!(close || is_nan, "{} of {:?}: {found:?}", stringify!($function), numbers[i]);
+                })*
+            };
+        }
+        check! {
+            abs, sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln,
+            atan2(y, others), hypot(y, others), powf(y, others),
+        }
+        assert_eq!(x.powi(3).0, numbers.map(|number| number.powi(3)));
+    }
+    check::<f64>();
+    check::<f32>();
 }
 
 mod libraries {

@@ -1,0 +1,188 @@
+//! Functions of several numbers at a time.
+
+use crate::arc;
+use crate::batch::LARGEST_ANGLE;
+use crate::exponential::{self, LARGEST_HYPERBOLIC};
+use crate::length;
+use crate::logarithm;
+use crate::platform;
+use crate::tangent;
+
+/// An elementary function of one number.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Elementary {
+    /// Tangent of an angle in radians; NaN at infinity.
+    Tan,
+    /// The angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
+    Asin,
+    /// The angle in [0, π] with this cosine; NaN outside [−1, 1].
+    Acos,
+    /// The angle in [−π/2, π/2] with this tangent.
+    Atan,
+    /// Hyperbolic sine.
+    Sinh,
+    /// Hyperbolic cosine.
+    Cosh,
+    /// Hyperbolic tangent.
+    Tanh,
+    /// e to this power.
+    Exp,
+    /// Natural logarithm; −∞ at ±0, NaN below.
+    Ln,
+}
+
+/// Values of a function at several numbers, with products that are fused or not, as for
+/// [`sines_and_cosines`](crate::sines_and_cosines).
+///
+/// What comes of a number does not depend on the others, and is the same on every platform for each choice of FUSED, except where the
+/// function is the platform's (that of `libm` without the feature `std`). Errors in units in the last place, for all other numbers:
+///
+/// | | error, fused or not | the platform's |
+/// |---|---|---|
+/// | `Tan` | 1 | beyond 10⁵ in magnitude |
+/// | `Asin`, `Acos`, `Atan` | 0.7 | |
+/// | `Sinh`, `Cosh` | 0.8 | beyond 600 in magnitude |
+/// | `Tanh` | 0.8 | |
+/// | `Exp` | 0.6, or 1.2 below 2⁻¹⁰²² | |
+/// | `Ln` | 1 | |
+///
+/// Special values are those of IEEE 754: zeros keep their sign, and NaN stays NaN.
+///
+/// ```
+/// use lagrange_math::{Elementary, values};
+///
+/// let [one, e] = values::<false, 2>(Elementary::Exp, [0.0, 1.0]);
+/// assert_eq!((one, e), (1.0, std::f64::consts::E));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [f64; N]) -> [f64; N] {
+    let x = arguments;
+    match function {
+        Elementary::Tan => each(|i| tangent::tan::<FUSED>(x[i]), |i| is_angle(x[i]), |i| platform::tan(x[i])),
+        Elementary::Asin => everywhere(x, arc::asin::<FUSED>),
+        Elementary::Acos => everywhere(x, arc::acos::<FUSED>),
+        Elementary::Atan => everywhere(x, arc::atan::<FUSED>),
+        Elementary::Sinh => {
+            each(|i| exponential::sinh::<FUSED>(x[i]), |i| is_moderate(x[i]), |i| platform::sinh(x[i]))
+        }
+        Elementary::Cosh => {
+            each(|i| exponential::cosh::<FUSED>(x[i]), |i| is_moderate(x[i]), |i| platform::cosh(x[i]))
+        }
+        Elementary::Tanh => everywhere(x, exponential::tanh::<FUSED>),
+        Elementary::Exp => everywhere(x, exponential::exp::<FUSED>),
+        Elementary::Ln => everywhere(x, logarithm::ln::<FUSED>),
+    }
+}
+
+/// False for NaN.
+#[inline(always)]
+fn is_angle(x: f64) -> bool {
+    x.abs() <= LARGEST_ANGLE
+}
+
+/// False for NaN.
+#[inline(always)]
+fn is_moderate(x: f64) -> bool {
+    x.abs() <= LARGEST_HYPERBOLIC
+}
+
+/// Values of a formula that is meant for all numbers.
+#[inline(always)]
+fn everywhere<const N: usize>(arguments: [f64; N], formula: impl Fn(f64) -> f64) -> [f64; N] {
+    let mut values = [0.0; N];
+    for i in 0..N {
+        values[i] = formula(arguments[i]);
+    }
+    values
+}
+
+/// Values of a formula, each by its index, and those of the platform where the formula is not meant for what it is given.
+#[inline(always)]
+fn each<const N: usize>(
+    formula: impl Fn(usize) -> f64,
+    covers: impl Fn(usize) -> bool,
+    platform: impl Fn(usize) -> f64,
+) -> [f64; N] {
+    let mut values = [0.0; N];
+    for (i, value) in values.iter_mut().enumerate() {
+        *value = formula(i);
+    }
+    let all_covered = (0..N).fold(true, |all, i| all & covers(i));
+    if !all_covered {
+        for (i, value) in values.iter_mut().enumerate() {
+            if !covers(i) {
+                *value = platform(i);
+            }
+        }
+    }
+    values
+}
+
+/// The angles in [−π, π] of several points, each with an ordinate and an abscissa.
+///
+/// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in magnitude; other points, the origin among
+/// them, have the angle that the platform gives them, with the sides of the cut as IEEE 754 has them. All else is as for [`values`].
+#[inline(always)]
+#[must_use]
+pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
+    let (y, x) = (ordinates, abscissas);
+    each(
+        |i| arc::atan2::<FUSED>(y[i], x[i]),
+        |i| arc::are_coordinates(y[i], x[i]),
+        |i| platform::atan2(y[i], x[i]),
+    )
+}
+
+/// The lengths √(x² + y²) of several vectors.
+///
+/// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to 10¹⁵⁰ in magnitude; others have the
+/// length that the platform gives them, infinite if a component is. All else is as for [`values`].
+#[inline(always)]
+#[must_use]
+pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {
+    each(
+        |i| length::hypot::<FUSED>(x[i], y[i]),
+        |i| length::are_components(x[i], y[i]),
+        |i| platform::hypot(x[i], y[i]),
+    )
+}
+
+/// [`values`] in single precision, computed in double and rounded once.
+#[inline(always)]
+#[must_use]
+pub fn values_f32<const FUSED: bool, const N: usize>(function: Elementary, arguments: [f32; N]) -> [f32; N] {
+    narrow(values::<FUSED, N>(function, widen(arguments)))
+}
+
+/// [`angles`] in single precision, computed in double and rounded once.
+#[inline(always)]
+#[must_use]
+pub fn angles_f32<const FUSED: bool, const N: usize>(ordinates: [f32; N], abscissas: [f32; N]) -> [f32; N] {
+    narrow(angles::<FUSED, N>(widen(ordinates), widen(abscissas)))
+}
+
+/// [`lengths`] in single precision, computed in double and rounded once.
+#[inline(always)]
+#[must_use]
+pub fn lengths_f32<const FUSED: bool, const N: usize>(x: [f32; N], y: [f32; N]) -> [f32; N] {
+    narrow(lengths::<FUSED, N>(widen(x), widen(y)))
+}
+
+#[inline(always)]
+fn widen<const N: usize>(singles: [f32; N]) -> [f64; N] {
+    let mut doubles = [0.0; N];
+    for i in 0..N {
+        doubles[i] = f64::from(singles[i]);
+    }
+    doubles
+}
+
+#[inline(always)]
+fn narrow<const N: usize>(doubles: [f64; N]) -> [f32; N] {
+    let mut singles = [0.0; N];
+    for i in 0..N {
+        singles[i] = doubles[i] as f32;
+    }
+    singles
+}

@@ -1,0 +1,5 @@
+//! Elementary functions of several numbers beside values with 300 bits.
+
+mod accuracy;
+mod promises;
+mod rows;
