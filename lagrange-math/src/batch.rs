@@ -52,7 +52,10 @@ pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) ->
     }
     let all_small = angles.iter().fold(true, |all, angle| all & is_small(*angle));
     if !all_small {
-        replace_large(&angles, &mut sines, &mut cosines);
+        // Copies are lent, so that those of whoever needs no call stay out of memory.
+        let (lent, mut lent_sines, mut lent_cosines) = (angles, sines, cosines);
+        replace_large(&lent, &mut lent_sines, &mut lent_cosines);
+        return (lent_sines, lent_cosines);
     }
     (sines, cosines)
 }
