@@ -64,6 +64,15 @@ fn weighted<S: Number, Y: StateVector<S>, const N: usize, const R: usize>(
     weights: [(usize, S); N],
 ) -> Y {
     let mut sum = Y::ZERO;
+    if size_of::<S>() > size_of::<f64>() {
+        for (component, sum) in sum.as_mut().iter_mut().enumerate() {
+            // Opaque, or compilers exchange the loops over components and over lanes, and go across the lanes.
+            let sum = core::hint::black_box(sum);
+            let terms = weights.iter().map(|(rate, weight)| (rates[*rate].as_ref()[component], *weight));
+            *sum = terms.fold(S::ZERO, |sum, (rate, weight)| rate.multiply_add(weight, sum));
+        }
+        return sum;
+    }
     for (rate, weight) in weights {
         for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
             *sum = rate.multiply_add(weight, *sum);
