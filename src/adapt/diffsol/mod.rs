@@ -2,7 +2,7 @@
 //!
 //! A system is stiff if its fastest motion has long died out or hardly moves, but still limits the steps of explicit
 //! methods. Backward differentiation damps such a motion instead of following it: its steps are as long as the slow motion
-//! allows. It needs the heap and, for `nalgebra`, Rust 1.89.
+//! allows. It needs the heap.
 //!
 //! That crate's Runge–Kutta methods are not offered here; use it directly for them.
 //!

@@ -1,0 +1,190 @@
+//! Right-hand sides of motions side by side: nanoseconds a motion, as rows of a Markdown table.
+//!
+//! Every row is a number type and a number of lanes. Columns are what the build is for, with products fused where it has that, and then levels of
+//! instructions that are found at run time, as ensembles do. 64 states are evaluated one after the other, each group of lanes by itself, all
+//! cells in turns; times are minima.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use lagrange::scalar::Lanes;
+use lagrange::system::{Equations, LanesSystem, OdeSystem, SideBySide, StateVector};
+use lagrange::{Number, Scalar};
+use pulp::NullaryFnOnce;
+
+lagrange::system! {
+    pub struct CartPole;
+
+    param m_cart = 1.0, m = 0.1, l = 0.5, g = 9.81;
+    coord x, theta;
+
+    let (x_bob, y_bob) = (x + l * sin(theta), -l * cos(theta));
+    kinetic = 1/2 * m_cart * dot(x)^2 + 1/2 * m * (dot(x_bob)^2 + dot(y_bob)^2);
+    potential = m * g * y_bob;
+    emit { lanes }
+}
+
+/// Declares chains of pendulums in absolute angles, each with its number of links.
+macro_rules! chains {
+    ($($name:ident $links:literal;)*) => {
+        $(lagrange::system! {
+            pub struct $name;
+
+            const n = $links;
+            param m[n] = 1.0, l[n] = 1.0, g = 9.81;
+            coord q[n];
+            for i in 0..n {
+                let p[i] = if i > 0 { p[i-1] + l[i] * (sin(q[i]), -cos(q[i])) } else { l[i] * (sin(q[i]), -cos(q[i])) };
+                kinetic = kinetic_energy(m[i], dot(p[i]));
+                potential = gravitational_energy(m[i], g, p[i].y);
+            }
+            emit { lanes, no momenta, no mass_matrix, no forcing, no inverse_dynamics }
+        })*
+    };
+}
+
+chains! {
+    Chain2 2;
+    Chain5 5;
+    Chain10 10;
+    Chain30 30;
+}
+
+/// States that are evaluated one after the other.
+const STATES: usize = 64;
+const ROUNDS: usize = 60;
+/// Nanoseconds, roughly, that a cell takes in a round.
+const ROUND: f64 = 2e5;
+/// Whether the build has fused products.
+const FUSED: bool = cfg!(target_feature = "fma");
+
+/// With which instructions.
+#[derive(Clone, Copy)]
+enum Level {
+    Build,
+    Avx2,
+    Avx512,
+}
+
+/// Evaluates all states several times.
+struct Evaluations<'a, S: SideBySide, E: Equations<S>> {
+    equations: &'a E,
+    states: &'a [E::State],
+    rates: &'a mut E::State,
+    times: usize,
+}
+
+impl<S: SideBySide, E: Equations<S>> NullaryFnOnce for Evaluations<'_, S, E> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        for _ in 0..self.times {
+            for state in black_box(self.states) {
+                *self.rates = self.equations.rhs(S::ZERO, state);
+                black_box(&mut *self.rates);
+            }
+        }
+    }
+}
+
+impl Level {
+    /// Whether the processor has these instructions.
+    fn run(self, task: impl NullaryFnOnce<Output = ()>) -> bool {
+        match self {
+            Level::Build => task.call(),
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx2 => {
+                let Some(level) = pulp::x86::V3::try_new() else { return false };
+                level.vectorize(task);
+            }
+            #[cfg(target_arch = "x86_64")]
+            Level::Avx512 => {
+                let Some(level) = pulp::x86::V4::try_new() else { return false };
+                level.vectorize(task);
+            }
+            #[cfg(not(target_arch = "x86_64"))]
+            _ => return false,
+        }
+        true
+    }
+}
+
+/// Something that is measured in every round.
+type Cell = Box<dyn FnMut() -> f64>;
+
+/// Nanoseconds a motion of a system in numbers of the type S.
+fn cell<S, M>(level: Level) -> Cell
+where
+    S: SideBySide,
+    S::Element: Scalar,
+    M: LanesSystem<Lanes<S>: Equations<S, State: 'static> + 'static>,
+    M: OdeSystem<Scalar = f64> + Default,
+{
+    let equations = black_box(M::default().lanes(S::from_f64));
+    let states: Vec<_> = (0..STATES / S::LANES).map(state::<S, M>).collect();
+    let mut rates = states[0];
+    let mut times = 1;
+    Box::new(move || {
+        let task = Evaluations { equations: &equations, states: &states, rates: &mut rates, times };
+        let began = Instant::now();
+        if !level.run(task) {
+            return f64::NAN;
+        }
+        let taken = began.elapsed().as_nanos() as f64;
+        let each = taken / times as f64;
+        times = (ROUND / each).ceil() as usize;
+        each / STATES as f64
+    })
+}
+
+/// A state whose lanes differ.
+fn state<S, M>(group: usize) -> <M::Lanes<S> as Equations<S>>::State
+where
+    S: SideBySide,
+    S::Element: Scalar,
+    M: LanesSystem,
+{
+    let mut state = <M::Lanes<S> as Equations<S>>::State::ZERO;
+    for (component, lanes) in state.as_mut().iter_mut().enumerate() {
+        for lane in 0..S::LANES {
+            let value = 0.1 + 0.37 * component as f64 + 0.01 * group as f64 + 0.001 * lane as f64;
+            lanes.set_lane(lane, S::Element::from_f64(value));
+        }
+    }
+    state
+}
+
+fn measure(system: &str, rows: Vec<(&str, [Cell; 3])>) {
+    let (names, cells): (Vec<_>, Vec<_>) = rows.into_iter().unzip();
+    let mut cells: Vec<_> = cells.into_iter().flatten().map(|cell| (cell, f64::INFINITY)).collect();
+    for _ in 0..ROUNDS {
+        for (cell, least) in &mut cells {
+            *least = least.min(cell());
+        }
+    }
+    for (name, least) in names.into_iter().zip(cells.chunks(3)) {
+        println!("| {system} | {name} | {:.2} | {:.2} | {:.2} |", least[0].1, least[1].1, least[2].1);
+    }
+}
+
+/// Measures a system with some types of numbers and numbers of lanes, each at all levels.
+macro_rules! measure {
+    ($system:ident, $name:literal, $($number:ident x $lanes:literal),*) => {
+        let rows = vec![$((concat!(stringify!($number), " × ", $lanes), [
+            cell::<Lanes<$number, $lanes, FUSED>, $system>(Level::Build),
+            cell::<Lanes<$number, $lanes, true>, $system>(Level::Avx2),
+            cell::<Lanes<$number, $lanes, true>, $system>(Level::Avx512),
+        ])),*];
+        measure($name, rows);
+    };
+}
+
+fn main() {
+    println!("| system | numbers | build | AVX2 | AVX-512 |\n|---|---|---|---|---|");
+    measure!(CartPole, "cart-pole", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
+    measure!(Chain2, "chain of 2", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
+    measure!(Chain5, "chain of 5", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
+    measure!(Chain10, "chain of 10", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
+    measure!(Chain30, "chain of 30", f64 x 4, f64 x 8, f32 x 8, f32 x 16);
+}
