@@ -2,6 +2,8 @@
 
 mod pair;
 
+use lagrange::Number;
+use lagrange::scalar::Lanes;
 use lagrange::system::{Equations, LanesSystem, LanesVisitor, MechanicalSystem};
 
 use pair::Pair;
@@ -62,6 +64,29 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// Tables of one and of two arguments, with points evenly spaced and not, and a function of the crate.
+    struct Hoist;
+
+    table motor(rate) = [(0, 90), (1, 140), (2, 120), (3, 60)], interpolation: monotone, outside: clamp;
+    table hill(x) = [(-1, 0), (0.5, 1), (4, 0.5), (6, 2)], interpolation: natural, outside: extend;
+    table drag(rate, x) = [(0, -1, 0), (0, 1, 1), (10, -1, 3), (10, 1, 2)], interpolation: linear, outside: error;
+    function stiffness(x);
+    param m = 2, g = 9.81;
+    coord x, y;
+    kinetic = kinetic_energy(m, dot((x, hill(x)))) + kinetic_energy(m, dot(y));
+    potential = m * g * hill(x);
+    force x = motor(dot(x)) - drag(abs(dot(x)), y);
+    force y = -stiffness(y) * y;
+    emit { lanes }
+}
+
+/// Any number, side by side with others or not.
+fn stiffness<S: Number>(x: S) -> S {
+    let stretch = x.abs() - S::ONE;
+    S::select(stretch.less(S::ZERO), S::ONE, S::ONE + stretch * stretch)
+}
+
+lagrange::system! {
     struct Unasked;
 
     coord x;
@@ -115,6 +140,26 @@ fn what_stands_beside_a_motion_does_not_change_it() {
                 same_bits(&found, expected),
                 "{found:?} is not {expected:?} in {lane} at {y:?} beside {z:?}"
             );
+        }
+    }
+}
+
+/// Knots, what lies between and beyond them, and what is no number, beside each other.
+#[test]
+fn tables_and_functions_of_the_crate_give_the_same_side_by_side() {
+    let hoist = Hoist { m: 1.5, ..Hoist::default() };
+    let mut lanes = hoist.lanes(|parameter| Lanes::<f64, 4>([parameter; 4]));
+    Hoist::default().set_lane(&mut lanes, 2);
+    let values = [0.5, -1.0, 0.3, 1.0, 3.999, 4.0, 7.5, -3.0, f64::NAN, 2.0, 0.0, 6.0, 1e300];
+    for shift in 0..values.len() {
+        let at = |entry: usize, lane: usize| values[(shift * (entry + 1) + 3 * entry + lane) % values.len()];
+        let state = [0, 1, 2, 3].map(|entry| Lanes([0, 1, 2, 3].map(|lane| at(entry, lane))));
+        let rates = lanes.rhs(Lanes([0.0; 4]), &state);
+        for lane in 0..4 {
+            let hoist = if lane == 2 { Hoist::default() } else { Hoist { m: 1.5, ..Hoist::default() } };
+            let alone = [0, 1, 2, 3].map(|entry| at(entry, lane));
+            let (found, expected) = (rates.map(|rate| rate.0[lane]), hoist.rhs(0.0, &alone));
+            assert!(same_bits(&found, &expected), "{found:?} is not {expected:?} at {alone:?}");
         }
     }
 }
