@@ -2,17 +2,20 @@
 //!
 //! Every row is a number type and a number of lanes. Columns are what the build is for, with products fused where it has that, and then levels of
 //! instructions that are found at run time, as ensembles do. 64 states are evaluated one after the other, each group of lanes by itself, all
-//! cells in turns; times are minima.
+//! cells in turns; times are minima. Then what ensembles add to a loop of lanes by hand, as the median of ratios.
 
 use std::hint::black_box;
 use std::time::Instant;
 
+use lagrange::ensemble::SharedSystem;
+use lagrange::integrate::{LanesMethod, LanesStepper, RungeKutta4};
 use lagrange::scalar::Lanes;
 use lagrange::system::{Equations, LanesSystem, OdeSystem, SideBySide, StateVector};
-use lagrange::{Number, Scalar};
+use lagrange::{Ensembles, Number, Scalar};
 use pulp::NullaryFnOnce;
 
 lagrange::system! {
+    #[derive(Clone)]
     pub struct CartPole;
 
     param m_cart = 1.0, m = 0.1, l = 0.5, g = 9.81;
@@ -28,6 +31,7 @@ lagrange::system! {
 macro_rules! chains {
     ($($name:ident $links:literal;)*) => {
         $(lagrange::system! {
+            #[derive(Clone)]
             pub struct $name;
 
             const n = $links;
@@ -180,11 +184,98 @@ macro_rules! measure {
     };
 }
 
+const MOTIONS: usize = 1024;
+const UNTIL: f64 = 10.0;
+const METHOD: RungeKutta4<f64> = RungeKutta4 { step: 0.01 };
+
+fn start(motion: usize) -> [f64; 4] {
+    [2.0 + 1e-3 * motion as f64, 1.0, 0.0, 0.0]
+}
+
+/// Ends of all motions, eight at a time, by a loop that knows nothing of what an ensemble does beside.
+struct Loop<'a, M>(&'a M, &'a mut f64);
+
+impl<M> NullaryFnOnce for Loop<'_, M>
+where
+    M: LanesSystem<
+        Lanes<Lanes<f64, 8, true>>: Equations<Lanes<f64, 8, true>, State = [Lanes<f64, 8, true>; 4]>,
+    >,
+    M: OdeSystem<Scalar = f64>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let Loop(system, sum) = self;
+        let equations = system.lanes(|parameter| Lanes([parameter; 8]));
+        for first in (0..MOTIONS).step_by(8) {
+            let starts: [_; 8] = std::array::from_fn(|lane| start(first + lane));
+            let state = std::array::from_fn(|component| Lanes(starts.map(|start| start[component])));
+            let mut motions = METHOD.start(&equations, 0.0, &state, UNTIL);
+            *sum += run_to_end(&mut motions, &equations);
+        }
+    }
+}
+
+/// The sum of the ends of motions that go in equal steps.
+#[inline(always)]
+fn run_to_end<S, E>(motions: &mut impl LanesStepper<S, E>, equations: &E) -> f64
+where
+    S: SideBySide<Element = f64>,
+    E: Equations<S, State = [S; 4]>,
+{
+    while motions.time().lane(0) < UNTIL {
+        motions.step(equations);
+    }
+    (0..S::LANES).map(|lane| motions.state()[0].lane(lane)).sum()
+}
+
+/// Microseconds a motion by that loop and by an ensemble on one thread, in turns.
+fn beside_builder<M>(name: &str)
+where
+    M: LanesSystem<
+        Lanes<Lanes<f64, 8, true>>: Equations<Lanes<f64, 8, true>, State = [Lanes<f64, 8, true>; 4]>,
+    >,
+    M: SharedSystem<Scalar = f64, State = [f64; 4]> + Default,
+{
+    let system = black_box(M::default());
+    let time = |compute: &mut dyn FnMut() -> f64| {
+        let began = Instant::now();
+        let sum = compute();
+        (began.elapsed().as_secs_f64() * 1e6 / MOTIONS as f64, sum)
+    };
+    let mut by_hand = || {
+        let mut sum = 0.0;
+        let is_run = [Level::Avx512, Level::Avx2].into_iter().any(|level| level.run(Loop(&system, &mut sum)));
+        assert!(is_run, "the processor has neither AVX-512 nor AVX2");
+        sum
+    };
+    let mut by_ensemble = || {
+        let motions = system.ensemble(MOTIONS).start(|motion, _| start(motion)).until(UNTIL);
+        let ends = motions.method(METHOD).threads(1).run().expect("runs");
+        let groups = (0..MOTIONS).step_by(8);
+        let sum = |first| (first..first + 8).map(|motion| ends.state(motion).expect("ended")[0]).sum::<f64>();
+        groups.map(sum).sum()
+    };
+    let rounds: Vec<_> = (0..ROUNDS).map(|_| (time(&mut by_hand), time(&mut by_ensemble))).collect();
+    assert!(rounds.iter().all(|((_, one), (_, other))| one == other), "other motions");
+    let least = |times: &dyn Fn(usize) -> f64| (0..ROUNDS).map(times).fold(f64::INFINITY, f64::min);
+    let (one, other) = (least(&|round| rounds[round].0.0), least(&|round| rounds[round].1.0));
+    let mut ratios: Vec<_> = rounds.iter().map(|(one, other)| other.0 / one.0).collect();
+    ratios.sort_by(f64::total_cmp);
+    println!("| {name} | {one:.2} | {other:.2} | {:.3} |", ratios[ROUNDS / 2]);
+}
+
 fn main() {
     println!("| system | numbers | build | AVX2 | AVX-512 |\n|---|---|---|---|---|");
     measure!(CartPole, "cart-pole", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
     measure!(Chain2, "chain of 2", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
     measure!(Chain5, "chain of 5", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
     measure!(Chain10, "chain of 10", f64 x 4, f64 x 8, f64 x 16, f32 x 8, f32 x 16);
-    measure!(Chain30, "chain of 30", f64 x 4, f64 x 8, f32 x 8, f32 x 16);
+    measure!(Chain30, "chain of 30", f64 x 8, f32 x 16);
+    println!(
+        "\n| {MOTIONS} motions of {UNTIL} s | a loop of lanes, µs | ensemble, µs | ratio |\n|---|---|---|---|"
+    );
+    beside_builder::<CartPole>("cart-pole");
+    beside_builder::<Chain2>("chain of 2");
 }

@@ -44,7 +44,7 @@ const LARGEST_COORDINATE: f64 = 1e270;
 /// Whether a number and another are coordinates of a point whose angle is computed here.
 #[inline(always)]
 pub(crate) fn are_coordinates(ordinate: f64, abscissa: f64) -> bool {
-    let is_between = |x: f64| (x >= LEAST_COORDINATE) & (x <= LARGEST_COORDINATE);
+    let is_between = |x: f64| (LEAST_COORDINATE..=LARGEST_COORDINATE).contains(&x);
     let (y, x) = (ordinate.abs(), abscissa.abs());
     (is_between(y) & (is_between(x) | (x == 0.0))) | ((y == 0.0) & is_between(x))
 }

@@ -9,7 +9,7 @@ const LARGEST_COMPONENT: f64 = 1e150;
 /// Whether the length of a vector with these components is computed here.
 #[inline(always)]
 pub(crate) fn are_components(x: f64, y: f64) -> bool {
-    let is_one = |x: f64| ((x >= LEAST_COMPONENT) & (x <= LARGEST_COMPONENT)) | (x == 0.0);
+    let is_one = |x: f64| (LEAST_COMPONENT..=LARGEST_COMPONENT).contains(&x) | (x == 0.0);
     is_one(x.abs()) & is_one(y.abs())
 }
 

@@ -24,7 +24,7 @@ fn stored(row: &Row) -> Vec<Stored> {
 }
 
 fn unit_in_last_place(x: f64) -> f64 {
-    let magnitude = x.abs().max(f64::MIN_POSITIVE).min(f64::MAX / 2.0);
+    let magnitude = x.abs().clamp(f64::MIN_POSITIVE, f64::MAX / 2.0);
     f64::from_bits(magnitude.to_bits() + 1) - f64::from_bits(magnitude.to_bits())
 }
 
