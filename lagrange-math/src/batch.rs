@@ -24,7 +24,11 @@ pub const LARGEST_ANGLE: f64 = 1e5;
 #[inline(always)]
 #[must_use]
 pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
-    let (sines, cosines) = sines_and_cosines::<HAS_FUSED, N>(angles);
+    let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
+    formulas::<HAS_FUSED, N>(&angles, &mut sines, &mut cosines);
+    if !are_small(&angles) {
+        replace_large(&angles, &mut sines, &mut cosines);
+    }
     zipped(sines, cosines)
 }
 
@@ -42,22 +46,36 @@ pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
 #[inline(always)]
 #[must_use]
 pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
-    // Apart, so that all sines, and all cosines, lie side by side as vector instructions want them.
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-    let [eights, twos] = const { cuts(N) };
-    for range in [0..eights, eights..twos, twos..N] {
-        for i in range {
-            (sines[i], cosines[i]) = angle::sin_cos::<FUSED>(angles[i]);
-        }
-    }
-    let all_small = angles.iter().fold(true, |all, angle| all & is_small(*angle));
-    if !all_small {
+    formulas::<FUSED, N>(&angles, &mut sines, &mut cosines);
+    if !are_small(&angles) {
         // Copies are lent, so that those of whoever needs no call stay out of memory.
         let (lent, mut lent_sines, mut lent_cosines) = (angles, sines, cosines);
         replace_large(&lent, &mut lent_sines, &mut lent_cosines);
         return (lent_sines, lent_cosines);
     }
     (sines, cosines)
+}
+
+/// Sines and cosines of small angles; of others they have no meaning. Apart, so that all sines, and all cosines, lie side by side as vector
+/// instructions want them.
+#[inline(always)]
+fn formulas<const FUSED: bool, const N: usize>(
+    angles: &[f64; N],
+    sines: &mut [f64; N],
+    cosines: &mut [f64; N],
+) {
+    let [eights, twos] = const { cuts(N) };
+    for range in [0..eights, eights..twos, twos..N] {
+        for i in range {
+            (sines[i], cosines[i]) = angle::sin_cos::<FUSED>(angles[i]);
+        }
+    }
+}
+
+#[inline(always)]
+fn are_small(angles: &[f64]) -> bool {
+    angles.iter().fold(true, |all, angle| all & is_small(*angle))
 }
 
 /// By value: compilers then see that the arrays of the result are other ones than those lent to a call, and keep
