@@ -27,6 +27,7 @@ impl MechanicalSystem for Pendulum {
     type Velocities = [f64; 1];
     type Columns<C> = Unnamed<C>;
     const COORDINATES: &'static [&'static str] = &["x"];
+    const UNITS: &'static [(&'static str, &'static str)] = &[("x", "rad"), ("g", "1/s^2")];
 
     fn acceleration(&self, _t: f64, [x]: &[f64; 1], _v: &[f64; 1]) -> [f64; 1] {
         if *x > 100.0 { [f64::NAN] } else { [-self.g * libm::sin(*x)] }

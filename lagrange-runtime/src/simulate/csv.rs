@@ -1,5 +1,6 @@
 //! Comma-separated values.
 
+use std::borrow::Cow;
 use std::fmt::Debug;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -7,6 +8,7 @@ use std::path::Path;
 
 use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
+use crate::simulate::units::labelled;
 use crate::system::MechanicalSystem;
 
 impl<M: MechanicalSystem> Trajectory<M> {
@@ -20,7 +22,8 @@ impl<M: MechanicalSystem> Trajectory<M> {
         written.map_err(|error| cannot_write(path, &error))
     }
 
-    /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a line for each sample.
+    /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a line for each sample. Names of columns
+    /// whose [unit](Trajectory::unit) is known end in it, as in `t in s,x in m`.
     ///
     /// Every `f64` or `f32` is written with as many digits as it takes to read back the same bits, and other numbers in
     /// their `Debug` form.
@@ -28,16 +31,16 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// # Errors
     /// What the writer says.
     pub fn write_csv(&self, writer: impl Write) -> io::Result<()> {
-        self.table().write_csv(writer)
+        self.table().write_csv(writer, labelled::<M>)
     }
 }
 
 impl<S: Copy + Debug> Table<S> {
-    fn write_csv(&self, writer: impl Write) -> io::Result<()> {
+    fn write_csv(&self, writer: impl Write, label: fn(&str) -> Cow<'_, str>) -> io::Result<()> {
         let mut writer = BufWriter::new(writer);
-        write!(writer, "{TIME}")?;
+        write!(writer, "{}", label(TIME))?;
         for name in self.names() {
-            write!(writer, ",{}", quoted(name))?;
+            write!(writer, ",{}", quoted(&label(name)))?;
         }
         writeln!(writer)?;
         for (row, time) in self.times().iter().enumerate() {
@@ -57,7 +60,7 @@ pub(super) fn cannot_write(path: &Path, error: &io::Error) -> io::Error {
 }
 
 /// A name as RFC 4180 wants it.
-fn quoted(name: &str) -> std::borrow::Cow<'_, str> {
+fn quoted(name: &str) -> Cow<'_, str> {
     if name.contains([',', '"', '\n', '\r']) {
         std::format!("\"{}\"", name.replace('"', "\"\"")).into()
     } else {

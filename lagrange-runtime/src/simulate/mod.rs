@@ -60,6 +60,7 @@ mod start;
 mod table;
 mod trajectory;
 mod unended;
+mod units;
 #[cfg(not(all(feature = "plot", feature = "parquet")))]
 mod without_features;
 
@@ -76,6 +77,8 @@ pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::observer::state_names;
+#[cfg(all(feature = "ensemble", feature = "parquet"))]
+pub(crate) use self::parquet::units;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::plots::TIME_AXIS;
 pub use self::progress::{Progress, Verdict};

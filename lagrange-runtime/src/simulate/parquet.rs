@@ -1,15 +1,17 @@
 //! Apache Parquet files.
 
+use std::format;
 use std::fs::File;
 use std::io::Write;
 use std::path::Path;
-use std::string::String;
+use std::string::{String, ToString};
 use std::sync::Arc;
 use std::vec::Vec;
 
 use parquet::basic::{Repetition, Type as Physical};
 use parquet::data_type::DoubleType;
 use parquet::errors::ParquetError;
+use parquet::file::metadata::KeyValue;
 use parquet::file::properties::WriterProperties;
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
@@ -17,10 +19,13 @@ use parquet::schema::types::Type;
 use crate::simulate::csv::cannot_write;
 use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
+use crate::simulate::units::unit;
 use crate::system::MechanicalSystem;
 
 /// What the schema is called.
 const SCHEMA: &str = "trajectory";
+/// What stands before the name of a column where its unit is kept.
+const UNIT: &str = "lagrange.unit.";
 
 impl<M: MechanicalSystem> Trajectory<M>
 where
@@ -37,13 +42,18 @@ where
     }
 
     /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not compressed, the first being
-    /// the time `t`.
+    /// the time `t`. A column whose [unit](Trajectory::unit) is known has it under `lagrange.unit.` and its name among the file's key–value
+    /// metadata.
     ///
     /// # Errors
     /// What the writer says.
     pub fn write_parquet(&self, writer: impl Write + Send) -> Result<(), ParquetError> {
         let table = self.table();
-        let mut file = SerializedFileWriter::new(writer, Arc::new(schema(table)?), Arc::new(properties()))?;
+        let mut file = SerializedFileWriter::new(
+            writer,
+            Arc::new(schema(table)?),
+            Arc::new(properties::<M>(table.names())),
+        )?;
         let mut group = file.next_row_group()?;
         for column in std::iter::once(table.times()).chain(table.columns()) {
             let values: Vec<f64> = column.iter().map(|value| (*value).into()).collect();
@@ -59,8 +69,18 @@ where
 }
 
 /// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time.
-fn properties() -> WriterProperties {
-    WriterProperties::builder().set_dictionary_enabled(false).build()
+fn properties<M: MechanicalSystem>(names: &[String]) -> WriterProperties {
+    let columns = std::iter::once(TIME).chain(names.iter().map(String::as_str));
+    let units: Vec<_> = units::<M>(columns).collect();
+    let builder = WriterProperties::builder().set_dictionary_enabled(false);
+    builder.set_key_value_metadata((!units.is_empty()).then_some(units)).build()
+}
+
+/// Entries of metadata for the units of these columns.
+pub(crate) fn units<'n, M: MechanicalSystem>(
+    names: impl Iterator<Item = &'n str>,
+) -> impl Iterator<Item = KeyValue> {
+    names.filter_map(|name| Some(KeyValue::new(format!("{UNIT}{name}"), unit::<M>(name)?.to_string())))
 }
 
 /// One column of doubles for each name, after the time.

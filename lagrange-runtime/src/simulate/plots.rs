@@ -7,6 +7,7 @@ use std::vec::Vec;
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
+use crate::simulate::units::{labelled, unit, with_unit};
 use crate::system::{MechanicalSystem, StateVector, WithSuffix};
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
@@ -29,6 +30,9 @@ where
 {
     /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else one for all
     /// coordinates and one for all velocities, also where there are not as many of the one as of the other.
+    ///
+    /// Units that a declaration says stand behind names, here and in all plots, as in `x in m`: at the axis, and in the legend where curves have
+    /// several.
     ///
     /// The extension of the file says what it is, here and in all plots: `svg` for drawings and `png` for pixels.
     ///
@@ -77,7 +81,7 @@ where
     /// If there is no such column, or the file cannot be written.
     pub fn plot_pair(&self, x: &str, y: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let points = self.numbers(x)?.into_iter().zip(self.numbers(y)?).collect();
-        let panel = Panel { has_room: true, ..panel(x, y, vec![Curve { name: y.to_string(), points }]) };
+        let panel = Panel { has_room: true, ..panel::<M>(x, y, vec![Curve { name: y.to_string(), points }]) };
         Figure { panels: vec![panel], columns: 1, size: SQUARE }.save(path.as_ref())
     }
 
@@ -94,7 +98,7 @@ where
         };
         let curves = names.iter().map(curve).collect::<Result<_, PlotError>>()?;
         let title = if let [name] = names { name } else { "" };
-        Figure { panels: vec![panel(x, title, curves)], columns: 1, size: WIDE }.save(path.as_ref())
+        Figure { panels: vec![panel::<M>(x, title, curves)], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
     /// Plots how far the energy is from its initial value E₀, relative to that unless it is too small for it: against
@@ -105,14 +109,15 @@ where
     /// written.
     pub fn plot_energy(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let energies = self.numbers(ENERGY).map_err(|_| PlotError::NoEnergy)?;
-        let (drift, [signed, absolute]) = drift(&energies);
+        let (drift, [signed, absolute], is_relative) = drift(&energies);
         let is_growing = grows(&drift);
         let (name, y_scale) =
             if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
+        let y = with_unit(name, unit::<M>(ENERGY).filter(|_| !is_relative));
         let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
         let points = self.seconds().zip(shown).collect();
         let panel =
-            Panel { y_scale, ..panel(TIME_AXIS, name, vec![Curve { name: name.to_string(), points }]) };
+            Panel { y_scale, ..panel::<M>(TIME_AXIS, &y, vec![Curve { name: name.to_string(), points }]) };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
@@ -122,7 +127,7 @@ where
             let points = self.seconds().zip(self.numbers(name)?).collect();
             Ok(Curve { name: name.clone(), points })
         };
-        Ok(panel(TIME_AXIS, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
+        Ok(panel::<M>(TIME_AXIS, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
     }
 
     fn seconds(&self) -> impl Iterator<Item = f64> + '_ {
@@ -143,19 +148,28 @@ fn some(names: &[&str]) -> Result<(), PlotError> {
     if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
 }
 
-fn panel(x: &str, y: &str, curves: Vec<Curve>) -> Panel {
-    Panel { x: x.to_string(), y: y.to_string(), curves, ..Panel::default() }
+/// A panel for curves that are called like columns. Units stand at the axes, and in the legend where curves have several.
+fn panel<M: MechanicalSystem>(x: &str, y: &str, mut curves: Vec<Curve>) -> Panel {
+    let mut units = curves.iter().map(|curve| unit::<M>(&curve.name));
+    let first = units.next().flatten();
+    let shared = if units.all(|unit| unit == first) { first } else { None };
+    if shared.is_none() {
+        curves.iter_mut().for_each(|curve| curve.name = labelled::<M>(&curve.name).into_owned());
+    }
+    let (x, y) = (labelled::<M>(x).into_owned(), with_unit(y, shared).trim_start().to_string());
+    Panel { x, y, curves, ..Panel::default() }
 }
 
-/// How far energies are from the first, and what that is called, with and without its sign.
-fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2]) {
+/// How far energies are from the first, what that is called, with and without its sign, and whether it is relative to the first.
+fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2], bool) {
     let start = energies.first().copied().unwrap_or(0.0);
     let drift: Vec<f64> = energies.iter().map(|energy| energy - start).collect();
     let largest = drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
     if start != 0.0 && largest < LARGE_DRIFT * start.abs() {
-        return (drift.iter().map(|drift| drift / start.abs()).collect(), ["(E − E0)/|E0|", "|E − E0|/|E0|"]);
+        let names = ["(E − E0)/|E0|", "|E − E0|/|E0|"];
+        return (drift.iter().map(|drift| drift / start.abs()).collect(), names, true);
     }
-    (drift, ["E − E0", "|E − E0|"])
+    (drift, ["E − E0", "|E − E0|"], false)
 }
 
 /// Whether a drift grows by orders of magnitude.

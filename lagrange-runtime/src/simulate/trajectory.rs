@@ -11,6 +11,7 @@ use crate::simulate::control::InputColumns;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
+use crate::simulate::units::unit;
 use crate::system::{MechanicalSystem, StateVector, normalised};
 
 /// What a run found: samples in named columns, and what it took.
@@ -69,6 +70,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer added.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
+    }
+
+    /// The unit of the column of this name, such as `rad/s`, and `s` of `t`; `1` of plain numbers. `None` if it is not known: the declaration
+    /// says no units, or an observer added the column under a name of its own.
+    pub fn unit(&self, name: &str) -> Option<&'static str> {
+        unit::<M>(name)
     }
 
     /// All columns.

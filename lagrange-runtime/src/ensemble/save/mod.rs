@@ -58,6 +58,9 @@ where
     /// - `cause`, text where the motion failed and null elsewhere. The end of a motion that failed is NaN but for its parameters; of samples
     ///   there are those until it failed, the last of which has the cause.
     ///
+    /// Columns whose unit is known have it under `lagrange.unit.` and their name among the key–value metadata, as
+    /// [trajectories](crate::simulate::Trajectory::write_parquet) do.
+    ///
     /// Rows are written in groups of 131 072 or some more, so that what lies in memory are as many and what threads have computed ahead, at
     /// most a part. A file is written under another name and renamed when it is whole. Files that are there are not computed again: an
     /// ensemble that was cancelled or killed goes on where it was, and the files in the end have the same bytes.

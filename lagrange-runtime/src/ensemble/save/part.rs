@@ -20,6 +20,7 @@ use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
 use super::sheet::Sheet;
 use crate::ensemble::asked::SharedSystem;
+use crate::simulate::units;
 
 /// What the schema is called.
 const SCHEMA: &str = "motions";
@@ -98,7 +99,7 @@ fn writer<'f, M: SharedSystem>(
         return Err(io::Error::new(ErrorKind::InvalidInput, text));
     }
     let schema = schema(&names).map_err(into_io)?;
-    let properties = properties(&names[..=sheet.parameters()], settings);
+    let properties = properties::<M>(&names, sheet.parameters(), settings);
     SerializedFileWriter::new(BufWriter::new(file), Arc::new(schema), Arc::new(properties)).map_err(into_io)
 }
 
@@ -134,18 +135,19 @@ fn write_column<T: DataType>(
     column.close()
 }
 
-/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Times and parameters do, the `repeating` ones, and
-/// indices are one more than those before, or the same.
-fn properties(repeating: &[&str], settings: &str) -> WriterProperties {
+/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Parameters do, the first columns, and times
+/// behind them, and indices are one more than those before, or the same.
+fn properties<M: SharedSystem>(names: &[&str], parameters: usize, settings: &str) -> WriterProperties {
     let settings = KeyValue::new(SETTINGS.to_string(), settings.to_string());
+    let metadata = [settings].into_iter().chain(units::<M>(names.iter().copied()));
     let builder = WriterProperties::builder()
         .set_dictionary_enabled(false)
         .set_column_encoding(path(INDEX), Encoding::DELTA_BINARY_PACKED)
-        .set_key_value_metadata(Some(vec![settings]));
+        .set_key_value_metadata(Some(metadata.collect()));
     let repeat = |builder: WriterPropertiesBuilder, name: &&str| {
         builder.set_column_dictionary_enabled(path(name), true)
     };
-    repeating.iter().fold(builder, repeat).build()
+    names.iter().take(parameters + 1).fold(builder, repeat).build()
 }
 
 /// A column whose name may hold dots.

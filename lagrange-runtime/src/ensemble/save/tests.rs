@@ -43,6 +43,20 @@ fn rows(folder: &PathBuf, parts: usize) -> (Vec<String>, Vec<usize>, Vec<Row>) {
     (names, groups, rows)
 }
 
+#[test]
+fn columns_have_their_units_among_the_metadata() {
+    let (folder, pendulum) = (folder("units"), Pendulum { g: 1.0 });
+    ensemble(&pendulum).save_parquet(&folder).expect("saves");
+    let file = File::open(folder.join("part-000000.parquet")).expect("is there");
+    fs::remove_dir_all(folder).expect("was there");
+    let reader = SerializedFileReader::new(file).expect("is Parquet");
+    let pairs = reader.metadata().file_metadata().key_value_metadata().expect("has some");
+    let units = pairs
+        .iter()
+        .filter_map(|pair| Some((pair.key.strip_prefix("lagrange.unit.")?, pair.value.as_deref()?)));
+    assert_eq!(units.collect::<Vec<_>>(), [("g", "1/s^2"), ("t", "s"), ("x", "rad")]);
+}
+
 /// The bits of the numbers of a row, and its cause.
 fn content(row: &Row, names: &[String]) -> (i64, Vec<u64>, Option<String>) {
     let cause = names.len() - 1;

@@ -10,6 +10,7 @@ mod plots;
 mod quaternions;
 mod restarts;
 mod sampling;
+mod units;
 
 use crate::integrate::RungeKutta4;
 use crate::simulate::{Simulate, Trajectory};

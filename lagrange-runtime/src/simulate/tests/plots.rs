@@ -12,7 +12,7 @@ fn run() -> Trajectory<Oscillator> {
 }
 
 /// What a plot writes to a file of this name.
-fn written(name: &str, plot: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> String {
+pub(super) fn written(name: &str, plot: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> String {
     let path = std::env::temp_dir().join(std::format!("lagrange_{}_{name}.svg", std::process::id()));
     plot(path.clone()).expect("plots");
     let text = std::fs::read_to_string(&path).expect("is there");

@@ -1,0 +1,36 @@
+//! Units of columns, for axes and files.
+
+use std::borrow::Cow;
+use std::format;
+
+use crate::simulate::builder::ENERGY;
+use crate::simulate::table::TIME;
+use crate::system::MechanicalSystem;
+
+/// The unit of plain numbers, which labels leave out.
+const PLAIN: &str = "1";
+
+/// The unit of a column or a parameter of this name, if it is known; that of plain numbers is `1`.
+pub(crate) fn unit<M: MechanicalSystem>(name: &str) -> Option<&'static str> {
+    let declared = |name: &str| M::UNITS.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
+    let of_array = || name.split_once('[').and_then(|(array, _)| declared(array));
+    declared(name).or_else(of_array).or(match name {
+        _ if M::UNITS.is_empty() => None,
+        TIME => Some("s"),
+        ENERGY => Some("J"),
+        _ => None,
+    })
+}
+
+/// A name with its unit, as in `x in m`.
+pub(super) fn with_unit<'n>(name: &'n str, unit: Option<&str>) -> Cow<'n, str> {
+    match unit {
+        None | Some(PLAIN) => name.into(),
+        Some(unit) => format!("{name} in {unit}").into(),
+    }
+}
+
+/// The name of a column with its unit.
+pub(super) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
+    with_unit(name, unit::<M>(name))
+}
