@@ -40,6 +40,7 @@ mod switches;
 mod tables;
 mod torques;
 mod traits;
+mod units;
 mod wrappers;
 
 #[path = "../references/mod.rs"]

@@ -7,7 +7,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::number::Number;
 use crate::syntax::ast::{
-    AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource,
+    AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource, acceleration_name,
 };
 use crate::syntax::print;
 use crate::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
@@ -37,25 +37,23 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     measured
 }
 
-/// Positions whose units are declared, those of joints among them, and their rates.
+/// Gives entries of the state and their rates units as those of coordinates are written, so that angles stay in `rad`.
 pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
     let mut add = |name: &str, unit: &Unit| {
         named.insert(name, NamedUnit { unit: unit.coherent().to_string(), default: None });
     };
-    for statement in &declaration.statements {
-        let StatementKind::Quaternion(quaternion) = &statement.kind else { continue };
-        let rate = Unit::coherent_of(&[("rad", 1), ("s", -1)], Origin::from(quaternion.name.span));
-        for name in &quaternion.velocities {
-            rate.iter().for_each(|rate| add(&name.text, rate));
-        }
-    }
     for position in declaration.coordinates() {
         position.unit.iter().for_each(|unit| add(&position.text, unit));
     }
     for velocity in declaration.velocities() {
-        let unit = velocity.coordinate.and_then(|coordinate| coordinate.unit.as_ref());
-        let Some(rate) = unit.and_then(|unit| per_second(unit)) else { continue };
-        add(&velocity.name.text, &rate);
+        let rate = match velocity.coordinate {
+            Some(coordinate) => coordinate.unit.as_ref().and_then(|unit| per_second(unit)),
+            None => Unit::coherent_of(&[("rad", 1), ("s", -1)], Origin::from(velocity.name.span)),
+        };
+        if let Some(rate) = rate {
+            add(&velocity.name.text, &rate);
+            per_second(&rate).iter().for_each(|unit| add(&acceleration_name(&velocity.name.text), unit));
+        }
     }
 }
 

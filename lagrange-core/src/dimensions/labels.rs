@@ -56,7 +56,9 @@ fn measured(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
         let parts = parts.into_iter().map(|part| measured(expressions, part, unit)).collect();
         return expressions.add(Expression::Tuple(parts), origin);
     }
-    let is_measured = !unit.dimension.is_none() && is_of_numbers(expressions, value);
+    // Zero fits every dimension, and is to be seen to be zero.
+    let is_zero = matches!(expressions.get(value), Expression::Number(number) if number.is_zero());
+    let is_measured = !unit.dimension.is_none() && !is_zero && is_of_numbers(expressions, value);
     if is_measured { with_unit(expressions, value, unit) } else { value }
 }
 

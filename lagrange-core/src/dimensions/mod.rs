@@ -24,11 +24,10 @@ mod statements;
 mod tests;
 
 use crate::diagnostics::Report;
-use crate::syntax::ast::{Declaration, StatementKind};
-use crate::units::{NamedUnit, NamedUnits, spelled};
+use crate::syntax::ast::{Declaration, StatementKind, acceleration_name};
+use crate::units::{Dimension, NamedUnit, NamedUnits, component_name, spelled};
 use checker::Checker;
 use defaults::name_state;
-use exponents::Exponents;
 use measure::Measure;
 
 pub use defaults::{Measured, in_coherent_units};
@@ -48,35 +47,45 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
 }
 
 fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: &mut NamedUnits) {
-    let mut add = |name: &str, form: Option<Exponents>| {
-        if let Some(dimension) = form.and_then(|form| checker.solver.dimension(&form)) {
-            named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
-        }
+    let mut add = |name: &str, dimension: Option<Dimension>| {
+        dimension.map(|one| named.insert(name, NamedUnit { unit: spelled(&one), default: None }));
     };
-    let of = |name: &str| checker.scope.get(&name.to_owned()).and_then(common);
+    let of = |name: &str| checker.scope.get(&name.to_owned()).and_then(|value| common(checker, value));
     for statement in &declaration.statements {
         match &statement.kind {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
                 list.iter().for_each(|definition| add(&definition.name.text, of(&definition.name.text)));
             }
-            StatementKind::Output(name, _) => add(&name.text, of(&statements::output_key(&name.text))),
+            StatementKind::Output(name, _) => {
+                let key = statements::output_key(&name.text);
+                match (of(&key), checker.scope.get(&key)) {
+                    (None, Some(value)) => {
+                        for (index, form) in value.components.iter().enumerate() {
+                            let dimension = form.as_ref().and_then(|form| checker.solver.dimension(form));
+                            add(&component_name(&name.text, index), dimension);
+                        }
+                    }
+                    (dimension, _) => add(&name.text, dimension),
+                }
+            }
             _ => {}
         }
     }
+    let second = Dimension::of([0, 0, 1, 0, 0, 0, 0]);
     for position in declaration.coordinates() {
         add(&position.text, of(&position.text));
     }
     for velocity in declaration.velocities() {
         let rate = velocity.coordinate.and_then(|coordinate| of(&coordinate.text));
-        add(
-            &velocity.name.text,
-            rate.map(|form| statements::rate(&form)).or_else(|| of(&velocity.name.text)),
-        );
+        let rate = rate.map(|dimension| dimension.over(&second)).or_else(|| of(&velocity.name.text));
+        add(&acceleration_name(&velocity.name.text), rate.as_ref().map(|rate| rate.over(&second)));
+        add(&velocity.name.text, rate);
     }
 }
 
-/// The dimension of all components.
-fn common(value: &Measure) -> Option<Exponents> {
-    let first = value.components.first()?.clone()?;
-    value.components.iter().all(|component| component.as_ref() == Some(&first)).then_some(first)
+/// The dimension of all components but zeros, which have any.
+fn common(checker: &Checker<'_>, value: &Measure) -> Option<Dimension> {
+    let mut known = value.components.iter().flatten().map(|form| checker.solver.dimension(form));
+    let first = known.next()??;
+    known.all(|other| other.as_ref() == Some(&first)).then_some(first)
 }

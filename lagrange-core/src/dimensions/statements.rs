@@ -331,6 +331,6 @@ fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: 
 }
 
 /// The rate of a coordinate.
-pub(super) fn rate(coordinate: &Exponents) -> Exponents {
+fn rate(coordinate: &Exponents) -> Exponents {
     coordinate.times_power(&form(FREQUENCY), &Number::ONE)
 }

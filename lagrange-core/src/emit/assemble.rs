@@ -72,7 +72,7 @@ fn assembled(
     statements: Option<&str>,
     krate: &TokenStream,
 ) -> Result<(TokenStream, Size), Refusal> {
-    let shape = derived_shape(declaration, krate, &model.graph, equations);
+    let shape = derived_shape(declaration, krate, model, equations);
     let mut writer = MethodWriter::new(&shape, model, equations);
     let counts = write_acceleration(&mut writer);
     write_position_rates(&mut writer);
@@ -128,7 +128,7 @@ fn write_outputs(writer: &mut MethodWriter<'_>) {
             1 => Returns::Scalar,
             count => Returns::Vector(count),
         };
-        let line = format!("Output `{}`.", output.name);
+        let line = format!("Output `{}`{}.", output.name, writer.shape.in_unit(&output.name));
         add(writer, &output.name, &[&line], (Arguments::State, returns), &output.components);
     }
 }

@@ -7,12 +7,14 @@ use super::base::fields::places;
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
 use super::base::shape::{Shape, length, local};
+use super::base::units::units_constant;
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
 use super::features::kernel::kernel_impl;
 use super::features::lanes::with_lanes;
 use super::features::orientations::{orientation_members, position_rates};
+use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
 use crate::syntax::ast::Name;
@@ -183,6 +185,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
     let lanes = with_lanes(shape, members);
+    let units = units_constant(shape, units_of_outputs(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {
@@ -190,6 +193,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             type Velocities = [#scalar; #nv];
             type Columns<C> = #columns<C>;
             const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
+            #units
             #[inline]
             fn acceleration(
                 &self,

@@ -243,6 +243,14 @@ pub struct StateVelocity<'d> {
     pub coordinate: Option<&'d Name>,
 }
 
+/// The name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
+pub fn acceleration_name(velocity: &str) -> String {
+    match velocity.strip_suffix("_dot") {
+        Some(coordinate) => format!("{coordinate}_ddot"),
+        None => format!("{velocity}_dot"),
+    }
+}
+
 /// A name and where it stands.
 #[derive(Clone, Debug)]
 pub struct Name {

@@ -31,3 +31,8 @@ impl NamedUnits {
         self.0.get_or_insert_with(name.to_owned(), || unit);
     }
 }
+
+/// The name under which the unit of one component of an output is kept.
+pub fn component_name(output: &str, index: usize) -> String {
+    format!("{output}.{index}")
+}

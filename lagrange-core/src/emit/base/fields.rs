@@ -51,6 +51,11 @@ impl Field {
         quote!(#(#level)*)
     }
 
+    /// How its names are written, `theta[2]` for an element of an array.
+    pub(in crate::emit) fn written(&self) -> Vec<String> {
+        self.places().iter().map(|place| place.to_string().replace(' ', "")).collect()
+    }
+
     /// Where each of its names stands in the struct: `theta[2]` behind a dot.
     pub(in crate::emit) fn places(&self) -> Vec<TokenStream> {
         let field = &self.identifier;
@@ -139,7 +144,8 @@ impl Shape<'_> {
         let declared = self.fields_of(names).into_iter().filter_map(|field| {
             let (name, first) = (&field.identifier, field.names.first()?);
             let plural = if field.is_array() { "s" } else { "" };
-            let docs = self.docs(first, &format!("{}{plural} `{name}`.", self.kind_of_field(first)));
+            let (kind, unit) = (self.kind_of_field(first), self.in_unit(&first.text));
+            let docs = self.docs(first, &format!("{kind}{plural} `{name}`{unit}."));
             let of_type = field.type_of(number);
             Some(quote!(#docs pub #name: #of_type,))
         });

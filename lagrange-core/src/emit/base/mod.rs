@@ -18,4 +18,5 @@ pub(super) mod size;
 pub(super) mod state;
 pub(super) mod state_shape;
 pub(super) mod statements;
+pub(super) mod units;
 pub(super) mod writer;

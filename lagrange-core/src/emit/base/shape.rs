@@ -11,6 +11,7 @@ use crate::syntax::ast::{
     Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
     StateVelocity, Statement, StatementKind,
 };
+use crate::units::NamedUnits;
 
 /// Names and types of one system.
 pub(in crate::emit) struct Shape<'a> {
@@ -47,6 +48,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
+    /// Units of names, in which their numbers are; none where the declaration says none.
+    pub(in crate::emit) units: NamedUnits,
     /// How elements of arrays are written.
     written: HashMap<&'a str, &'a str>,
 }
@@ -83,6 +86,7 @@ impl<'a> Shape<'a> {
             outputs: Vec::new(),
             callees: callees(declaration),
             docs: documentation(declaration),
+            units: NamedUnits::default(),
             written: written_names(declaration),
         };
         let (mut inputs, components) = (Vec::new(), component_counts(declaration));
@@ -195,10 +199,10 @@ impl<'a> Shape<'a> {
         })
     }
 
-    /// The user's documentation of a declared name, or else `line`.
+    /// The user's documentation of a declared name, with its unit, or else `line`.
     pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
         match self.docs.get(&name.text.as_str()) {
-            Some(docs) => (*docs).clone(),
+            Some(docs) => self.with_unit(docs, name),
             None => doc(line),
         }
     }

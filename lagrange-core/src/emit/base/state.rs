@@ -116,15 +116,18 @@ fn lines(shape: &Shape<'_>) -> Vec<Line> {
     let positions = shape.coordinates.iter().enumerate().map(|(index, name)| {
         let first = shape.quaternions.iter().find(|first| (**first..**first + 4).contains(&index));
         let text = match first {
-            None if shape.is_state(index) => format!("State `{}`.", name.text),
-            None => format!("Coordinate `{}`.", name.text),
+            None if shape.is_state(index) => format!("State `{}`{}.", name.text, shape.in_unit(&name.text)),
+            None => format!("Coordinate `{}`{}.", name.text, shape.in_unit(&name.text)),
             Some(&first) if first == index => "Scalar part of a unit quaternion.".to_owned(),
             Some(_) => "Component of the vector part of a unit quaternion.".to_owned(),
         };
         Line { text, is_component: first.is_some() }
     });
     let velocities = shape.velocities.iter().map(|velocity| match velocity.coordinate {
-        Some(coordinate) => Line { text: format!("Velocity of `{}`.", coordinate.text), is_component: false },
+        Some(coordinate) => {
+            let unit = shape.in_unit(&velocity.name.text);
+            Line { text: format!("Velocity of `{}`{unit}.", coordinate.text), is_component: false }
+        }
         None => {
             let text = "Component of an angular velocity along the turned axes, in rad/s.".to_owned();
             Line { text, is_component: true }

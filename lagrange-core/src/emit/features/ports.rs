@@ -131,7 +131,7 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
         };
         let method = identifier(output);
         statements.extend(quote!(let #pattern = self.#method(#time, #positions, #velocities);));
-        texts.extend((0..count).map(|index| column_name(shape.written(output), index, count)));
+        texts.extend(column_names(shape, output, count));
         all.extend(values);
     }
     let k = length(all.len());
@@ -153,6 +153,23 @@ pub(in crate::emit) fn outputs_impl(shape: &Shape<'_>, members: &Members) -> Opt
         }
     };
     (!all.is_empty()).then_some(item)
+}
+
+/// Units of the columns of outputs, as far as they are known.
+pub(in crate::emit) fn units_of_outputs<'s>(
+    shape: &'s Shape<'_>,
+    members: &Members,
+) -> Vec<(String, &'s str)> {
+    let columns = outputs(shape, members).into_iter().flat_map(|(output, returns)| {
+        let names = column_names(shape, output, returns.count()).enumerate();
+        names.filter_map(|(index, column)| Some((column, shape.unit_of_component(&output.text, index)?)))
+    });
+    columns.collect()
+}
+
+/// Names of the columns of an output.
+fn column_names(shape: &Shape<'_>, output: &Name, count: usize) -> impl Iterator<Item = String> {
+    (0..count).map(move |index| column_name(shape.written(output), index, count))
 }
 
 /// Name of the column of a component of an output, such as `tip.x`.

@@ -80,8 +80,8 @@ pub fn conversions(
     report: &mut Report,
 ) -> Option<TokenStream> {
     let refused = |refusal: &Refusal| report_refusal(part, refusal, report);
-    let full = derived_shape(full, krate, &model.graph, equations);
-    let shape = derived_shape(part, krate, &reduced.model.graph, reduced_equations);
+    let full = derived_shape(full, krate, model, equations);
+    let shape = derived_shape(part, krate, &reduced.model, reduced_equations);
     let state_methods = state_methods(&full, &shape, reduced).inspect_err(refused).ok()?;
     Some(items(&full, &shape, &state_methods))
 }

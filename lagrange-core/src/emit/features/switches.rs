@@ -13,6 +13,7 @@ use crate::emit::base::state::state_variables;
 use crate::emit::base::writer::MethodWriter;
 use crate::expr::{ExprId, Graph};
 use crate::formula::text;
+use crate::model::Model;
 use crate::syntax::ast::Declaration;
 
 /// The most events, switches among them, that runs can look for.
@@ -34,16 +35,17 @@ pub(in crate::emit) fn report_unlocated(
     }
 }
 
-/// The shape of a derived system, with the switches whose sides runs can fix.
+/// The shape of a derived system, with the switches whose sides runs can fix, and units.
 pub(in crate::emit) fn derived_shape<'a>(
     declaration: &'a Declaration,
     krate: &'a TokenStream,
-    graph: &Graph,
+    model: &Model,
     equations: &Equations,
 ) -> Shape<'a> {
     let mut shape = Shape::new(declaration, krate);
     let located = equations.switches.iter().take(room_for_switches(&shape));
-    shape.switches = located.map(|switch| surface_name(graph, switch)).collect();
+    shape.switches = located.map(|switch| surface_name(&model.graph, switch)).collect();
+    shape.units = model.units.clone();
     shape
 }
 

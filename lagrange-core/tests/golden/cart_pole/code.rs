@@ -16,17 +16,17 @@
 /// - Cost of `acceleration`: 6 additions, 15 multiplications, 2 divisions, 1 `sin_cos`.
 #[derive(Clone, Debug)]
 pub struct CartPole {
-    /// Parameter `mc`.
+    /// Parameter `mc` in kg.
     pub mc: ::core::primitive::f64,
-    /// Parameter `mp`.
+    /// Parameter `mp` in kg, 100 g by default.
     pub mp: ::core::primitive::f64,
-    /// Parameter `l`.
+    /// Parameter `l` in m, 500 mm by default.
     pub l: ::core::primitive::f64,
-    /// Parameter `c`.
+    /// Parameter `c` in N*m*s.
     pub c: ::core::primitive::f64,
-    /// Parameter `g`.
+    /// Parameter `g` in m/s^2.
     pub g: ::core::primitive::f64,
-    /// Input `u`.
+    /// Input `u` in N.
     pub u: ::core::primitive::f64,
 }
 /// State of [`CartPole`]: positions, then velocities.
@@ -37,13 +37,13 @@ pub struct CartPole {
     ::core::cmp::PartialEq
 )]
 pub struct CartPoleState {
-    /// Coordinate `x`.
+    /// Coordinate `x` in m.
     pub x: ::core::primitive::f64,
-    /// Coordinate `theta`.
+    /// Coordinate `theta` in rad.
     pub theta: ::core::primitive::f64,
-    /// Velocity of `x`.
+    /// Velocity of `x` in m/s.
     pub x_dot: ::core::primitive::f64,
-    /// Velocity of `theta`.
+    /// Velocity of `theta` in rad/s.
     pub theta_dot: ::core::primitive::f64,
 }
 /// Columns of a table of states of [`CartPole`].
@@ -57,7 +57,7 @@ pub struct CartPoleColumns<C>(C);
     ::core::cmp::PartialEq
 )]
 pub struct CartPoleInputs {
-    /// Input `u`.
+    /// Input `u` in N.
     pub u: ::core::primitive::f64,
 }
 ::lagrange::private::bring_hints! {}
@@ -217,7 +217,7 @@ const _: () = {
                 multiply_add(l * sin_theta, multiply_add(mp * l, acc_2, mp * g), acc_3),
             ]
         }
-        /// Output `tip`.
+        /// Output `tip` in m.
         ///
         /// Takes 1 addition, 2 multiplications, 1 `sin_cos`.
         #[must_use]
@@ -281,25 +281,25 @@ const _: () = {
         }
     }
     impl<C: ::lagrange::system::Columns> CartPoleColumns<C> {
-        /// Coordinate `x`.
+        /// Coordinate `x` in m.
         #[must_use]
         #[inline]
         pub fn x(&self) -> &[C::Scalar] {
             self.0.column(0)
         }
-        /// Coordinate `theta`.
+        /// Coordinate `theta` in rad.
         #[must_use]
         #[inline]
         pub fn theta(&self) -> &[C::Scalar] {
             self.0.column(1)
         }
-        /// Velocity of `x`.
+        /// Velocity of `x` in m/s.
         #[must_use]
         #[inline]
         pub fn x_dot(&self) -> &[C::Scalar] {
             self.0.column(2)
         }
-        /// Velocity of `theta`.
+        /// Velocity of `theta` in rad/s.
         #[must_use]
         #[inline]
         pub fn theta_dot(&self) -> &[C::Scalar] {
@@ -348,6 +348,25 @@ const _: () = {
         type Velocities = [f64; 2];
         type Columns<C> = CartPoleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
+        const UNITS: &'static [(
+            &'static ::core::primitive::str,
+            &'static ::core::primitive::str,
+        )] = &[
+            ("x", "m"),
+            ("theta", "rad"),
+            ("x_dot", "m/s"),
+            ("theta_dot", "rad/s"),
+            ("x_ddot", "m/s^2"),
+            ("theta_ddot", "rad/s^2"),
+            ("mc", "kg"),
+            ("mp", "kg"),
+            ("l", "m"),
+            ("c", "N*m*s"),
+            ("g", "m/s^2"),
+            ("u", "N"),
+            ("tip.x", "m"),
+            ("tip.y", "m"),
+        ];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

@@ -17,15 +17,15 @@
 /// - Forward dynamics: eliminated body by body, the kinetic energy kept a sum of squares (counted cost 210; factorised mass matrix 218, recursion 266).
 /// - Cost of `acceleration`: 6 additions, 18 multiplications, 3 divisions, 2 `sin_cos`.
 pub struct DoublePendulum {
-    /// Parameter `m1`.
+    /// Parameter `m1` in kg.
     pub m1: ::core::primitive::f64,
-    /// Parameter `m2`.
+    /// Parameter `m2` in kg.
     pub m2: ::core::primitive::f64,
-    /// Parameter `l1`.
+    /// Parameter `l1` in m.
     pub l1: ::core::primitive::f64,
-    /// Parameter `l2`.
+    /// Parameter `l2` in m.
     pub l2: ::core::primitive::f64,
-    /// Parameter `g`.
+    /// Parameter `g` in m/s^2.
     pub g: ::core::primitive::f64,
 }
 /// State of [`DoublePendulum`]: positions, then velocities.
@@ -36,13 +36,13 @@ pub struct DoublePendulum {
     ::core::cmp::PartialEq
 )]
 pub struct DoublePendulumState {
-    /// Coordinate `theta1`.
+    /// Coordinate `theta1` in rad.
     pub theta1: ::core::primitive::f64,
-    /// Coordinate `theta2`.
+    /// Coordinate `theta2` in rad.
     pub theta2: ::core::primitive::f64,
-    /// Velocity of `theta1`.
+    /// Velocity of `theta1` in rad/s.
     pub theta1_dot: ::core::primitive::f64,
-    /// Velocity of `theta2`.
+    /// Velocity of `theta2` in rad/s.
     pub theta2_dot: ::core::primitive::f64,
 }
 /// Columns of a table of states of [`DoublePendulum`].
@@ -301,25 +301,25 @@ const _: () = {
         }
     }
     impl<C: ::lagrange::system::Columns> DoublePendulumColumns<C> {
-        /// Coordinate `theta1`.
+        /// Coordinate `theta1` in rad.
         #[must_use]
         #[inline]
         pub fn theta1(&self) -> &[C::Scalar] {
             self.0.column(0)
         }
-        /// Coordinate `theta2`.
+        /// Coordinate `theta2` in rad.
         #[must_use]
         #[inline]
         pub fn theta2(&self) -> &[C::Scalar] {
             self.0.column(1)
         }
-        /// Velocity of `theta1`.
+        /// Velocity of `theta1` in rad/s.
         #[must_use]
         #[inline]
         pub fn theta1_dot(&self) -> &[C::Scalar] {
             self.0.column(2)
         }
-        /// Velocity of `theta2`.
+        /// Velocity of `theta2` in rad/s.
         #[must_use]
         #[inline]
         pub fn theta2_dot(&self) -> &[C::Scalar] {
@@ -370,6 +370,22 @@ const _: () = {
         const COORDINATES: &'static [&'static ::core::primitive::str] = &[
             "theta1",
             "theta2",
+        ];
+        const UNITS: &'static [(
+            &'static ::core::primitive::str,
+            &'static ::core::primitive::str,
+        )] = &[
+            ("theta1", "rad"),
+            ("theta2", "rad"),
+            ("theta1_dot", "rad/s"),
+            ("theta2_dot", "rad/s"),
+            ("theta1_ddot", "rad/s^2"),
+            ("theta2_ddot", "rad/s^2"),
+            ("m1", "kg"),
+            ("m2", "kg"),
+            ("l1", "m"),
+            ("l2", "m"),
+            ("g", "m/s^2"),
         ];
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
