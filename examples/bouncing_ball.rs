@@ -23,8 +23,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Ball;
 
-    param m = 0.2, e = 0.8, g = 9.81;
-    coord y;
+    param m: kg = 0.2, e = 0.8, g: m/s^2 = 9.81;
+    coord y: m;
     kinetic = 1/2 * m * dot(y)^2;
     potential = m * g * y;
     event floor = y, falling => impact(e);

@@ -22,9 +22,9 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct CartPole;
 
-    param mc = 1.0, mp = 0.1, l = 0.5, c = 0.0, g = 9.81;
-    coord x, theta;
-    input u;
+    param mc: kg = 1.0, mp: kg = 0.1, l: m = 0.5, c: N*m*s = 0.0, g: m/s^2 = 9.81;
+    coord x: m, theta: rad;
+    input u: N;
 
     let (px, py) = (x + l * sin(theta), -l * cos(theta));
     kinetic = 1/2 * mc * dot(x)^2 + 1/2 * mp * (dot(px)^2 + dot(py)^2);

@@ -22,8 +22,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Bound;
 
-    param m = 1.0, l = 1.0, g = 9.81;
-    coord x, y;
+    param m: kg = 1.0, l: m = 1.0, g: m/s^2 = 9.81;
+    coord x: m, y: m;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = m * g * y;
     constraint rod = hypot(x, y) - l;
@@ -34,8 +34,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Pendulum;
 
-    param m = 1.0, l = 1.0, g = 9.81;
-    coord theta;
+    param m: kg = 1.0, l: m = 1.0, g: m/s^2 = 9.81;
+    coord theta: rad;
     kinetic = 1/2 * m * (l * dot(theta))^2;
     potential = -m * g * l * cos(theta);
 }

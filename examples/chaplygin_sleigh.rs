@@ -24,8 +24,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Sleigh;
 
-    param m = 1.2, j = 0.3, a = 0.4;
-    coord x, y, theta;
+    param m: kg = 1.2, j: kg*m^2 = 0.3, a: m = 0.4;
+    coord x: m, y: m, theta: rad;
     let (cx, cy) = (x + a * cos(theta), y + a * sin(theta));
     kinetic = 1/2 * m * (dot(cx)^2 + dot(cy)^2) + 1/2 * j * dot(theta)^2;
     constraint blade = dot(y) * cos(theta) - dot(x) * sin(theta);

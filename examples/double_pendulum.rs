@@ -18,8 +18,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct DoublePendulum;
 
-    param m1 = 1.0, m2 = 1.0, l1 = 1.0, l2 = 1.0, g = 9.81;
-    coord theta1, theta2;
+    param m1: kg = 1.0, m2: kg = 1.0, l1: m = 1.0, l2: m = 1.0, g: m/s^2 = 9.81;
+    coord theta1: rad, theta2: rad;
 
     let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
     let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));

@@ -21,8 +21,8 @@ lagrange::system! {
     /// Two rods that hang from each other.
     #[derive(Clone, Debug)]
     pub struct DoublePendulum;
-    param m = 1.0, l = 1.0, g = 9.81;
-    coord p, q;
+    param m: kg = 1.0, l: m = 1.0, g: m/s^2 = 9.81;
+    coord p: rad, q: rad;
     gravity = (0, -g);
     body upper { mass: m; shape: slender_rod(l); origin: l / 2 * (sin(p), -cos(p)); angle: p - pi / 2; }
     body lower {
@@ -41,13 +41,13 @@ lagrange::system! {
     /// A cart with a pole, on a rail.
     #[derive(Clone, Debug)]
     pub struct CartPole;
-    param mc = 1.0, mp = 0.3, l = 1.0, g = 9.81;
-    coord x, theta;
+    param mc: kg = 1.0, mp: kg = 0.3, l: m = 1.0, g: m/s^2 = 9.81;
+    coord x: m, theta: rad;
     gravity = (0, -g);
     line rail { through: (0, -0.1); }
     body cart { mass: mc; shape: rectangle(0.4, 0.2); center: (x, 0); }
     body pole { mass: mp; shape: slender_rod(l); origin: cart.center + l / 2 * (sin(theta), cos(theta)); angle: pi / 2 - theta; }
-    slide cart.point(0, -0.1) on rail;
+    slide cart.point(0, -0.1 m) on rail;
     pin cart to pole.point(-l / 2, 0);
     emit { drawing }
 }

@@ -11,8 +11,8 @@ use lagrange::Simulate;
 lagrange::system! {
     /// A bead on a ring that turns about its vertical diameter.
     pub struct Bead;
-    param m = 0.1, r = 0.5, omega = 7.0, g = 9.81;
-    coord theta;
+    param m: kg = 0.1, r: m = 0.5, omega: rad/s = 7.0, g: m/s^2 = 9.81;
+    coord theta: rad;
     kinetic = 1/2 * m * r^2 * (dot(theta)^2 + omega^2 * sin(theta)^2);
     potential = -m * g * r * cos(theta);
 }

@@ -28,8 +28,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct DoublePendulum;
 
-    param m = 1, l = 1, g = 9.81;
-    coord theta1, theta2;
+    param m: kg = 1, l: m = 1, g: m/s^2 = 9.81;
+    coord theta1: rad, theta2: rad;
 
     let upper = l * (sin(theta1), -cos(theta1));
     let lower = upper + l * (sin(theta2), -cos(theta2));

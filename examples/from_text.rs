@@ -32,8 +32,8 @@ compiled_with_text! {
     #[derive(Clone, Debug)]
     pub struct SpringPendulum;
 
-    param m = 1.0, k = 40.0, l0 = 1.0, g = 9.81;
-    coord r, theta;
+    param m: kg = 1.0, k: N/m = 40.0, l0: m = 1.0, g: m/s^2 = 9.81;
+    coord r: m, theta: rad;
     let position = (r * sin(theta), -r * cos(theta));
     kinetic = kinetic_energy(m, dot(position));
     potential = gravitational_energy(m, g, position.y) + spring_energy(k, r - l0);

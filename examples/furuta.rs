@@ -23,7 +23,7 @@ lagrange::system! {
     /// Two thin rods.
     #[derive(Clone, Debug)]
     pub struct Furuta;
-    param m1 = 0.3, m2 = 0.075, l1 = 0.278, l2 = 0.3, g = 9.81;
+    param m1: kg = 0.3, m2: kg = 0.075, l1: m = 0.278, l2: m = 0.3, g: m/s^2 = 9.81;
     gravity = (0, 0, -g);
     body arm { mass: m1; shape: slender_rod(l1); centroid: (l1/2, 0, 0); }
     body pendulum { compound { slender_rod(l2), mass: m2, at: (0, 0, -l2/2), turned: (0, pi/2, 0); } }

@@ -26,10 +26,10 @@ lagrange::system! {
     pub struct Governor;
 
     /// Masses of a rod or the shaft, of a ball, and of the slider.
-    param m = 0.3, ball = 5, block = 3;
+    param m: kg = 0.3, ball: kg = 5, block: kg = 3;
     /// Distance of the rods' joints from the axis, and widths of rods and slider.
-    param e = 0.05, h = 0.01, w = 0.1;
-    param k = 8e5, c = 4e4, g = 9.81;
+    param e: m = 0.05, h: m = 0.01, w: m = 0.1;
+    param k: N/m = 8e5, c: N*s/m = 4e4, g: m/s^2 = 9.81;
     gravity = (0, 0, -g);
 
     body shaft { mass: m; shape: cuboid(h, h, 1); centroid: (0, 0, 1/2); }
@@ -43,10 +43,10 @@ lagrange::system! {
     revolute right = shaft to right_rod { at: (e, 0, 1); axis: (0, 1, 0); }
     revolute left = shaft to left_rod { at: (-e, 0, 1); axis: (0, -1, 0); }
 
-    spring { from: right_rod.point(1/2, 0, 0); to: slider.point(e, 0, 0); stiffness: k; rest: 1/2; }
-    spring { from: left_rod.point(-1/2, 0, 0); to: slider.point(-e, 0, 0); stiffness: k; rest: 1/2; }
-    damper { from: right_rod.point(1/2, 0, 0); to: slider.point(e, 0, 0); damping: c; }
-    damper { from: left_rod.point(-1/2, 0, 0); to: slider.point(-e, 0, 0); damping: c; }
+    spring { from: right_rod.point(0.5 [m], 0, 0); to: slider.point(e, 0, 0); stiffness: k; rest: 1/2; }
+    spring { from: left_rod.point(-0.5 [m], 0, 0); to: slider.point(-e, 0, 0); stiffness: k; rest: 1/2; }
+    damper { from: right_rod.point(0.5 [m], 0, 0); to: slider.point(e, 0, 0); damping: c; }
+    damper { from: left_rod.point(-0.5 [m], 0, 0); to: slider.point(-e, 0, 0); damping: c; }
 
     let all = angular_momentum(shaft) + angular_momentum(slider) + angular_momentum(right_rod) + angular_momentum(left_rod);
     output momentum = all.z;

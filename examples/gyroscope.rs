@@ -24,9 +24,9 @@ lagrange::system! {
     /// A disk on a thin axle.
     #[derive(Clone, Debug)]
     pub struct Gyroscope;
-    param m = 1.0, r = 0.1, h = 0.02, l = 0.12, g = 9.81;
+    param m: kg = 1.0, r: m = 0.1, h: m = 0.02, l: m = 0.12, g: m/s^2 = 9.81;
     /// Mass and length of the axle.
-    param mass = 0.05, length = 0.2;
+    param mass: kg = 0.05, length: m = 0.2;
     gravity = (0, 0, -g);
     body disk {
         compound {

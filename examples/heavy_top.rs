@@ -21,12 +21,12 @@ lagrange::system! {
     pub struct HeavyTop;
 
     /// Moment of inertia across the axis, about the fixed point.
-    param i1 = 1.0;
+    param i1: kg*m^2 = 1.0;
     /// Moment of inertia about the axis.
-    param i3 = 0.5;
+    param i3: kg*m^2 = 0.5;
     /// Weight times distance of the centre of mass from the fixed point.
-    param mgl = 1.0;
-    coord phi, theta, psi;
+    param mgl: N*m = 1.0;
+    coord phi: rad, theta: rad, psi: rad;
     let axial = dot(psi) + dot(phi) * cos(theta);
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * axial^2;
     potential = mgl * cos(theta);

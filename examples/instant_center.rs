@@ -28,8 +28,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Engine;
 
-    param r = 0.4, l = 1.0, h = 0.2, m1 = 1.0, m2 = 1.5, m3 = 0.8;
-    coord theta;
+    param r: m = 0.4, l: m = 1.0, h: m = 0.2, m1: kg = 1.0, m2: kg = 1.5, m3: kg = 0.8;
+    coord theta: rad;
     let tilt = -asin(r / l * sin(theta));
     let wrist = (r * cos(theta) + l * cos(tilt), 0);
     line guide { through: (0, -h / 2); }

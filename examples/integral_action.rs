@@ -19,9 +19,9 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Balanced;
 
-    param mc = 1.0, mp = 0.1, l = 0.5, c = 0.01, g = 9.81, wind = 0.3, gain = 1.6;
-    coord x, theta;
-    state integral;
+    param mc: kg = 1.0, mp: kg = 0.1, l: m = 0.5, c: N*m*s = 0.01, g: m/s^2 = 9.81, wind: N = 0.3, gain: N/(m*s) = 1.6;
+    coord x: m, theta: rad;
+    state integral: m*s;
 
     let (px, py) = (x + l * sin(theta), -l * cos(theta));
     kinetic = 1/2 * mc * dot(x)^2 + 1/2 * mp * (dot(px)^2 + dot(py)^2);
@@ -29,7 +29,7 @@ lagrange::system! {
     dissipation = 1/2 * c * dot(theta)^2;
 
     dot(integral) = x;
-    let u = 4.7 * x - 39.7 * (theta - pi) + 5.3 * dot(x) - 8.3 * dot(theta) + gain * integral;
+    let u = 4.7 [N/m] * x - 39.7 [N] * (theta - pi) + 5.3 [N*s/m] * dot(x) - 8.3 [N*s] * dot(theta) + gain * integral;
     force x = wind + u;
     output push = u;
 }

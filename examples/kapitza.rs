@@ -26,8 +26,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Kapitza;
 
-    param m = 1.0, l = 1.0, a = 0.1, omega = 60.0, g = 9.81;
-    coord theta;
+    param m: kg = 1.0, l: m = 1.0, a: m = 0.1, omega: rad/s = 60.0, g: m/s^2 = 9.81;
+    coord theta: rad;
 
     let (x, y) = (l * sin(theta), a * cos(omega * t) - l * cos(theta));
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);

@@ -23,8 +23,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Kepler;
 
-    param m = 1.0, mu = 1.0;
-    coord r, phi;
+    param m: kg = 1.0, mu: m^3/s^2 = 1.0;
+    coord r: m, phi: rad;
     kinetic = 1/2 * m * (dot(r)^2 + r^2 * dot(phi)^2);
     potential = -mu * m / r;
 }

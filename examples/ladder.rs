@@ -30,8 +30,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Leaning;
 
-    param m = 10.0, l = 3.0, g = 9.81;
-    coord x, y, theta;
+    param m: kg = 10.0, l: m = 3.0, g: m/s^2 = 9.81;
+    coord x: m, y: m, theta: rad;
     gravity = (0, -g);
     line ground {}
     line house { angle: -pi / 2; }
@@ -46,8 +46,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Ladder;
 
-    param m = 10.0, l = 3.0, g = 9.81;
-    coord x, y, theta;
+    param m: kg = 10.0, l: m = 3.0, g: m/s^2 = 9.81;
+    coord x: m, y: m, theta: rad;
     gravity = (0, -g);
     line ground {}
     line house { angle: -pi / 2; }

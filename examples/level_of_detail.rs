@@ -23,19 +23,19 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Crane<S>;
 
-    /// Masses of trolley, hook and load in kilograms.
-    param trolley = 800, hook = 50, load = 400;
-    /// Lengths of ropes and slings in metres.
-    param ropes = 8, slings = 3;
-    /// Friction in the upper and in the lower joint in N m s.
-    param upper = 6000, lower = 900;
-    /// Gravity in m/s².
-    param g = 9.81;
-    /// Where the trolley stops, in metres.
-    param stop = 0;
-    /// Force of the drive in newtons.
-    input drive;
-    coord x, theta, phi;
+    /// Mass.
+    param trolley: kg = 800, hook: kg = 50, load: kg = 400;
+    /// Length.
+    param ropes: m = 8, slings: m = 3;
+    /// Friction in the joint.
+    param upper: N*m*s = 6000, lower: N*m*s = 900;
+    /// Gravity.
+    param g: m/s^2 = 9.81;
+    /// Where the trolley stops.
+    param stop: m = 0;
+    /// Force of the drive.
+    input drive: N;
+    coord x: m, theta: rad, phi: rad;
 
     let hung = (x + ropes * sin(theta), -ropes * cos(theta));
     let lifted = hung + (slings * sin(phi), -slings * cos(phi));

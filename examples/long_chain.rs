@@ -21,8 +21,8 @@ lagrange::system! {
     pub struct LongChain;
 
     const n = 30;
-    param m[n] = 0.1, l[n] = 0.1, g = 9.81;
-    coord theta[n];
+    param m[n]: kg = 0.1, l[n]: m = 0.1, g: m/s^2 = 9.81;
+    coord theta[n]: rad;
     let p[0] = (0, 0);
     for i in 0..n {
         let p[i+1] = p[i] + l[i] * (sin(theta[i]), -cos(theta[i]));

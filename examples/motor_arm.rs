@@ -19,11 +19,11 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct MotorArm;
 
-    param m = 1, l = 0.5, rotor = 1/10000, gear = 50, c = 0.02, g = 9.81;
-    param k = 0.05, r = 1.2, inductance = 0.05;
-    coord theta;
-    state current, supplied, heat;
-    input voltage;
+    param m: kg = 1, l: m = 0.5, rotor: kg*m^2 = 1/10000, gear = 50, c: N*m*s = 0.02, g: m/s^2 = 9.81;
+    param k: N*m/A = 0.05, r: ohm = 1.2, inductance: H = 0.05;
+    coord theta: rad;
+    state current: A, supplied: J, heat: J;
+    input voltage: V;
 
     kinetic = 1/2 * (m * l^2 / 3 + gear^2 * rotor) * dot(theta)^2;
     potential = -m * g * l / 2 * cos(theta);

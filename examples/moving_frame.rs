@@ -28,8 +28,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Plate;
 
-    param m = 2.0, a = 1.0, b = 0.6, motor = 0.4, g = 9.81;
-    coord x, y, phi;
+    param m: kg = 2.0, a: m = 1.0, b: m = 0.6, motor: N*m = 0.4, g: m/s^2 = 9.81;
+    coord x: m, y: m, phi: rad;
     gravity = (0, -g);
     body plate {
         mass: m;

@@ -34,8 +34,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Panda;
 
-    param weight = 0;
-    input u1, u2, u3, u4, u5, u6, u7;
+    param weight: N = 0;
+    input u1: N*m, u2: N*m, u3: N*m, u4: N*m, u5: N*m, u6: N*m, u7: N*m;
 
     gravity = (0, 0, -9.81);
     body l1 { mass: 4.970684; centroid: (0.003875, 0.002081, -0.04762); inertia: (0.70337, 0.70661, 0.009117, -0.000139, 0.006772, 0.019169); }

@@ -25,9 +25,9 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Slide;
 
-    param m = 2, c = 0.5, k = 10;
-    coord x;
-    input u;
+    param m: kg = 2, c: N*s/m = 0.5, k: N/m = 10;
+    coord x: m;
+    input u: N;
     kinetic = 1/2 * m * dot(x)^2;
     potential = 1/2 * k * x^2;
     dissipation = 1/2 * c * dot(x)^2;

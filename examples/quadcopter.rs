@@ -37,9 +37,9 @@ lagrange::system! {
     pub struct Quadcopter;
 
     /// Distance of the rotors from the middle and their height above it, and moment by thrust.
-    param a = 0.25, h = 0.04, d = 0.02, g = 9.81;
+    param a: m = 0.25, h: m = 0.04, d: m = 0.02, g: m/s^2 = 9.81;
     /// Thrusts ahead, to the left, behind, and to the right.
-    input f1, f2, f3, f4;
+    input f1: N, f2: N, f3: N, f4: N;
 
     gravity = (0, 0, -g);
     body copter {

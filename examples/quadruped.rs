@@ -32,9 +32,9 @@ lagrange::system! {
     pub struct Quadruped;
 
     /// Stiffness of the joints: roll, pitch, knee; angles at which they are relaxed, and damping.
-    param k1 = 3, k2 = 6, k3 = 3, pitch = 0.8, knee = -1.5, c = 0.2;
+    param k1: N*m = 3, k2: N*m = 6, k3: N*m = 3, pitch: rad = 0.8, knee: rad = -1.5, c: N*m*s = 0.2;
     /// Stiffness and relaxed length of the spring.
-    param k = 400, rest = 0.3;
+    param k: N/m = 400, rest: m = 0.3;
     gravity = (0, 0, -9.81);
 
     body trunk { mass: 7.277000000000002; shape: cuboid(0.3762, 0.0935, 0.114); centroid: (0.020079174385048755, 0, -0.005103488525491267); inertia: (0.0257151774237163, 0.10295388328825997, 0.11264519436454368, 0.0001216600000000001, 0.001523257166511061, -0.000031200000000000006); }
@@ -56,7 +56,7 @@ lagrange::system! {
     frame rr_foot;
 
     free trunk;
-    spring { from: trunk.point(0.02, 0, 0.06); to: (0, 0, 1); stiffness: k; rest: rest; }
+    spring { from: trunk.point(0.02 m, 0, 0.06 m); to: (0, 0, 1); stiffness: k; rest: rest; }
     revolute fl_roll = trunk to fl_hip { at: (0.1934, 0.0465, 0); axis: (1, 0, 0); damping: c; }
     revolute fl_pitch = fl_hip to fl_thigh { at: (0, 0.0955, 0); axis: (0, 1, 0); damping: c; }
     revolute fl_knee = fl_thigh to fl_calf { at: (0, 0, -0.213); axis: (0, 1, 0); damping: c; }

@@ -20,10 +20,11 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct QuarterCar;
 
-    table road(x) = "examples/data/road.csv", interpolation: natural, outside: extend;
+    table road(x: m): m = "examples/data/road.csv", interpolation: natural, outside: extend;
 
-    param m_car = 290, m_wheel = 59, stiffness = 16800, damping = 1000, tyre = 190000, speed = 20, g = 9.81;
-    coord car, wheel;
+    param m_car: kg = 290, m_wheel: kg = 59, stiffness: kN/m = 16.8, damping: N*s/m = 1000, tyre: kN/m = 190;
+    param speed: km/h = 72, g: m/s^2 = 9.81;
+    coord car: m, wheel: m;
     let ground = road(speed * t);
     kinetic = kinetic_energy(m_car, dot(car)) + kinetic_energy(m_wheel, dot(wheel));
     potential = spring_energy(stiffness, car - wheel) + spring_energy(tyre, wheel - ground);

@@ -28,8 +28,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Paddle;
 
-    param m = 1.5, a = 0.9, b = 0.5, g = 9.81;
-    coord x, y, phi;
+    param m: kg = 1.5, a: m = 0.9, b: m = 0.5, g: m/s^2 = 9.81;
+    coord x: m, y: m, phi: rad;
     gravity = (0, -g);
     body paddle { mass: m; shape: rectangle(a, b); center: (x, y); angle: phi; }
     emit { motion, drawing }

@@ -19,8 +19,8 @@ lagrange::system! {
     pub struct RobotArm;
 
     /// Weight in the hand.
-    param weight = 0;
-    input u1, u2, u3, u4, u5, u6;
+    param weight: N = 0;
+    input u1: N*m, u2: N*m, u3: N*m, u4: N*m, u5: N*m, u6: N*m;
 
     gravity = (0, 0, -9.81);
     body shoulder { mass: 3.7; inertia: (0.010267495893, 0.010267495893, 0.00666); }
@@ -43,8 +43,8 @@ lagrange::system! {
     force roll1 = u4;
     force roll2 = u5;
     force roll3 = u6;
-    force (0, 0, -weight) at wrist3.point(0, 0.0823, 0);
-    output hand = wrist3.point(0, 0.0823, 0);
+    force (0, 0, -weight) at wrist3.point(0, 0.0823 m, 0);
+    output hand = wrist3.point(0, 0.0823 m, 0);
 }
 
 /// A state and its accelerations: coordinates, velocities, accelerations by Pinocchio 4.1.

@@ -39,8 +39,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Rocker;
 
-    param m = 2.0, r = 0.5, g = 9.81;
-    coord phi;
+    param m: kg = 2.0, r: m = 0.5, g: m/s^2 = 9.81;
+    coord phi: rad;
     gravity = (0, -g);
     line floor {}
     body half { mass: m; shape: semicircular_disk(r); origin: (-r * phi, r); angle: phi + pi; }
@@ -52,10 +52,10 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Solids;
 
-    param m = 2.0, r = 0.5, l = 1.2;
-    coord x;
-    body rod { mass: m; shape: slender_rod(l); origin: (x - 0.9, 0.2); }
-    body half { mass: m; shape: semicircular_disk(r); origin: (x + 0.5, 0); }
+    param m: kg = 2.0, r: m = 0.5, l: m = 1.2;
+    coord x: m;
+    body rod { mass: m; shape: slender_rod(l); origin: (x - 0.9 [m], 0.2); }
+    body half { mass: m; shape: semicircular_disk(r); origin: (x + 0.5 [m], 0); }
     emit { motion, drawing }
 }
 

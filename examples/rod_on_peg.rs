@@ -24,8 +24,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Rod;
 
-    param m = 2.0, l = 1.5, e = 0.0;
-    coord x, y, theta;
+    param m: kg = 2.0, l: m = 1.5, e = 0.0;
+    coord x: m, y: m, theta: rad;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2) + 1/24 * m * l^2 * dot(theta)^2;
     event peg = y - l / 2 * sin(theta), falling => impact(e);
 }

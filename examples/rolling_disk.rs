@@ -30,8 +30,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Coin;
 
-    param m = 1.0, r = 1.0, a = 0.25, c = 0.5, g = 9.81;
-    coord x, y, phi, theta, psi;
+    param m: kg = 1.0, r: m = 1.0, a: kg*m^2 = 0.25, c: kg*m^2 = 0.5, g: m/s^2 = 9.81;
+    coord x: m, y: m, phi: rad, theta: rad, psi: rad;
 
     let centre = (x - r * cos(theta) * sin(phi), y + r * cos(theta) * cos(phi), r * sin(theta));
     kinetic = 1/2 * m * inner(dot(centre), dot(centre));

@@ -36,8 +36,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Rope;
 
-    param m = 1.0, r = 0.25, l1 = 1.0, l3 = 4.0, mu = 0.8, alpha = 30 * pi / 180, g = 9.81;
-    coord s, x, phi, w;
+    param m: kg = 1.0, r: m = 0.25, l1: m = 1.0, l3: m = 4.0, mu = 0.8, alpha: deg = 30, g: m/s^2 = 9.81;
+    coord s: m, x: m, phi: rad, w: J;
 
     gravity = (0, -g);
     line ground {}
@@ -67,7 +67,7 @@ lagrange::system! {
 }
 
 /// What is plotted against s.
-const ENERGIES: [&str; 4] = ["T, J", "V, J", "heat, J", "sum, J"];
+const ENERGIES: [&str; 4] = ["T in J", "V in J", "heat in J", "sum in J"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scene = Rope::default();

@@ -21,8 +21,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct SliderCrank;
 
-    param r = 0.05, l = 0.15, m1 = 0.5, m2 = 0.8, m3 = 0.6, omega = 100.0;
-    coord crank, rod, x;
+    param r: m = 0.05, l: m = 0.15, m1: kg = 0.5, m2: kg = 0.8, m3: kg = 0.6, omega: rad/s = 100.0;
+    coord crank: rad, rod: rad, x: m;
 
     let (xs, ys) = (r * cos(crank) + l/2 * cos(rod), r * sin(crank) + l/2 * sin(rod));
     kinetic = 1/6 * m1 * r^2 * dot(crank)^2;

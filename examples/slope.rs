@@ -32,8 +32,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Slope;
 
-    param m = 1.0, r = 0.25, alpha = 30 * pi / 180, g = 9.81;
-    coord x1, y1, x2, y2, phi;
+    param m: kg = 1.0, r: m = 0.25, alpha: deg = 30, g: m/s^2 = 9.81;
+    coord x1: m, y1: m, x2: m, y2: m, phi: rad;
 
     gravity = (0, -g);
     line slope { angle: -alpha; }

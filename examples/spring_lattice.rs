@@ -21,21 +21,22 @@ lagrange::system! {
     pub struct SpringLattice;
 
     const n = 5;
-    param k = 20, rest = 1;
-    coord u[n][n], v[n][n];
+    const spacing: m = 1, mass: kg = 1;
+    param k: N/m = 20, rest: m = 1;
+    coord u[n][n]: m, v[n][n]: m;
     for i in 0..n {
         for j in 0..n {
-            let r[i][j] = (j + u[i][j], i + v[i][j]);
-            kinetic = kinetic_energy(1 + (i + j)/10, dot(r[i][j]));
-            let left[i][j] = if j > 0 { r[i][j-1] } else { (-1, i) };
-            let below[i][j] = if i > 0 { r[i-1][j] } else { (j, -1) };
+            let r[i][j] = (j * spacing + u[i][j], i * spacing + v[i][j]);
+            kinetic = kinetic_energy((1 + (i + j)/10) * mass, dot(r[i][j]));
+            let left[i][j] = if j > 0 { r[i][j-1] } else { (-spacing, i * spacing) };
+            let below[i][j] = if i > 0 { r[i-1][j] } else { (j * spacing, -spacing) };
             potential = spring_energy(k, norm(r[i][j] - left[i][j]) - rest);
             potential = spring_energy(k, norm(r[i][j] - below[i][j]) - rest);
         }
-        potential = spring_energy(k, norm(r[i][n-1] - (n, i)) - rest);
+        potential = spring_energy(k, norm(r[i][n-1] - spacing * (n, i)) - rest);
     }
     for j in 0..n {
-        potential = spring_energy(k, norm(r[n-1][j] - (j, n)) - rest);
+        potential = spring_energy(k, norm(r[n-1][j] - spacing * (j, n)) - rest);
     }
 }
 

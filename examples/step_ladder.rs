@@ -33,8 +33,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct StepLadder;
 
-    param m = 6.0, man = 75.0, l = 2.0, h = 0.85, g = 9.81;
-    coord phi;
+    param m: kg = 6.0, man: kg = 75.0, l: m = 2.0, h: m = 0.85, g: m/s^2 = 9.81;
+    coord phi: rad;
     gravity = (0, -g);
     line floor {}
     body left { mass: m; shape: slender_rod(l); origin: l / 2 * (cos(phi), sin(phi)); angle: phi; }
@@ -45,7 +45,7 @@ lagrange::system! {
     slide foot = right.point(l / 2, 0) on floor;
 
     output center = instant_center(right);
-    event slipped = phi - 25 * pi / 180, falling => stop;
+    event slipped = phi - 25 deg, falling => stop;
     emit { motion, drawing }
 }
 

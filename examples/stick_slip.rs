@@ -24,8 +24,8 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Block;
 
-    param m = 1.5, k = 40.0, v = 0.3, kinetic_mu = 0.2, static_mu = 0.35, g = 9.81;
-    coord x, y;
+    param m: kg = 1.5, k: N/m = 40.0, v: m/s = 0.3, kinetic_mu = 0.2, static_mu = 0.35, g: m/s^2 = 9.81;
+    coord x: m, y: m;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = 1/2 * k * x^2 + m * g * y;
     constraint belt = y;

@@ -22,7 +22,7 @@ lagrange::system! {
     /// Two cylinders of steel: a bar along y and a stem along x.
     #[derive(Clone, Debug)]
     pub struct Handle;
-    param r = 0.01, bar = 0.1, stem = 0.06, density = 7800.0;
+    param r: m = 0.01, bar: m = 0.1, stem: m = 0.06, density: kg/m^3 = 7800.0;
     let section = density * pi * r^2;
     body handle {
         compound {

@@ -29,8 +29,8 @@ macro_rules! variants {
 }
 
 variants! { double_pendulum {
-    param m = 1.0, l = 1.0, g = 9.81;
-    coord theta1, theta2;
+    param m: kg = 1.0, l: m = 1.0, g: m/s^2 = 9.81;
+    coord theta1: rad, theta2: rad;
     let (x1, y1) = (l * sin(theta1), -l * cos(theta1));
     let (x2, y2) = (x1 + l * sin(theta2), y1 - l * cos(theta2));
     kinetic = 1/2 * m * (dot(x1)^2 + dot(y1)^2) + 1/2 * m * (dot(x2)^2 + dot(y2)^2);
@@ -38,23 +38,24 @@ variants! { double_pendulum {
 } }
 
 variants! { kepler {
-    param mu = 1.0;
-    coord r, phi;
-    kinetic = 1/2 * (dot(r)^2 + r^2 * dot(phi)^2);
-    potential = -mu / r;
+    const m: kg = 1;
+    param mu: m^3/s^2 = 1.0;
+    coord r: m, phi: rad;
+    kinetic = 1/2 * m * (dot(r)^2 + r^2 * dot(phi)^2);
+    potential = -mu * m / r;
 } }
 
 variants! { heavy_top {
-    param i1 = 1.0, i3 = 0.5, mgl = 1.0;
-    coord phi, theta, psi;
+    param i1: kg*m^2 = 1.0, i3: kg*m^2 = 0.5, mgl: N*m = 1.0;
+    coord phi: rad, theta: rad, psi: rad;
     let axial = dot(psi) + dot(phi) * cos(theta);
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * axial^2;
     potential = mgl * cos(theta);
 } }
 
 variants! { elastic_pendulum {
-    param m = 1.0, l = 1.0, k = 1000000.0, g = 9.81;
-    coord r, theta;
+    param m: kg = 1.0, l: m = 1.0, k: N/m = 1000000.0, g: m/s^2 = 9.81;
+    coord r: m, theta: rad;
     kinetic = 1/2 * m * (dot(r)^2 + r^2 * dot(theta)^2);
     potential = 1/2 * k * (r - l)^2 - m * g * r * cos(theta);
 } {

@@ -6,9 +6,9 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct FourBar;
 
-    param a = 0.1, b = 0.3, c = 0.3, d = 0.4;
-    param m1 = 1.0, m2 = 3.0, m3 = 3.0, g = 9.81;
-    coord crank, coupler, rocker;
+    param a: m = 0.1, b: m = 0.3, c: m = 0.3, d: m = 0.4;
+    param m1: kg = 1.0, m2: kg = 3.0, m3: kg = 3.0, g: m/s^2 = 9.81;
+    coord crank: rad, coupler: rad, rocker: rad;
 
     let (x1, y1) = (a * cos(crank), a * sin(crank));
     let (x2, y2) = (x1 + b/2 * cos(coupler), y1 + b/2 * sin(coupler));

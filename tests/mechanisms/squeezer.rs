@@ -7,15 +7,18 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct Squeezer;
 
-    param m1 = 0.04325, m2 = 0.00365, m3 = 0.02373, m4 = 0.00706, m5 = 0.07050, m6 = 0.00706, m7 = 0.05498;
-    param i1 = 2.194e-6, i2 = 4.410e-7, i3 = 5.255e-6, i4 = 5.667e-7, i5 = 1.169e-5, i6 = 5.667e-7, i7 = 1.912e-5;
-    param xa = -0.06934, ya = -0.00227, xb = -0.03635, yb = 0.03273, xc = 0.014, yc = 0.072;
-    param c0 = 4530.0, l0 = 0.07785;
-    param d = 0.028, da = 0.0115, e = 0.02, ea = 0.01421, rr = 0.007, ra = 0.00092;
-    param ss = 0.035, sa = 0.01874, sb = 0.01043, sc = 0.018, sd = 0.02;
-    param ta = 0.02308, tb = 0.00916, u = 0.04, ua = 0.01228, ub = 0.00449, zf = 0.02, zt = 0.04, fa = 0.01421;
-    input drive = 0.033;
-    coord beta, theta, gamma, phi, delta, omega, eps;
+    param m1: kg = 0.04325, m2: kg = 0.00365, m3: kg = 0.02373, m4: kg = 0.00706, m5: kg = 0.07050, m6: kg = 0.00706;
+    param m7: kg = 0.05498;
+    param i1: kg*m^2 = 2.194e-6, i2: kg*m^2 = 4.410e-7, i3: kg*m^2 = 5.255e-6, i4: kg*m^2 = 5.667e-7;
+    param i5: kg*m^2 = 1.169e-5, i6: kg*m^2 = 5.667e-7, i7: kg*m^2 = 1.912e-5;
+    param xa: m = -0.06934, ya: m = -0.00227, xb: m = -0.03635, yb: m = 0.03273, xc: m = 0.014, yc: m = 0.072;
+    param c0: N/m = 4530.0, l0: m = 0.07785;
+    param d: m = 0.028, da: m = 0.0115, e: m = 0.02, ea: m = 0.01421, rr: m = 0.007, ra: m = 0.00092;
+    param ss: m = 0.035, sa: m = 0.01874, sb: m = 0.01043, sc: m = 0.018, sd: m = 0.02;
+    param ta: m = 0.02308, tb: m = 0.00916, u: m = 0.04, ua: m = 0.01228, ub: m = 0.00449, zf: m = 0.02, zt: m = 0.04;
+    param fa: m = 0.01421;
+    input drive: N*m = 0.033;
+    coord beta: rad, theta: rad, gamma: rad, phi: rad, delta: rad, omega: rad, eps: rad;
 
     // Joints: P carries the first three loops, D the spring.
     let (xp, yp) = (rr * cos(beta) - d * cos(beta + theta), rr * sin(beta) - d * sin(beta + theta));

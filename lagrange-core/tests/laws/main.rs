@@ -22,6 +22,7 @@ mod reductions;
 mod scenes;
 mod states;
 mod trees;
+mod units;
 
 use proptest::prelude::ProptestConfig;
 
