@@ -7,7 +7,6 @@ use super::base::fields::places;
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
 use super::base::shape::{Shape, length, local};
-use super::base::units::units_constant;
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
@@ -17,6 +16,7 @@ use super::features::orientations::{orientation_members, position_rates};
 use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
+use super::features::units::units_constant;
 use crate::syntax::ast::Name;
 
 /// The implementations of all traits that the system has the methods for.

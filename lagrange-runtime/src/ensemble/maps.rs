@@ -8,7 +8,7 @@ use std::vec::Vec;
 use super::ends::Ends;
 use super::grid::Grid;
 use super::samples::Samples;
-use crate::simulate::{PlotError, TIME, TIME_AXIS};
+use crate::simulate::{PlotError, TIME, TIME_AXIS, labelled};
 use crate::system::MechanicalSystem;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
@@ -110,8 +110,13 @@ where
         let bands = BANDS.iter().zip(quantiles.chunks_exact(2)).map(band).collect();
         let median = times.iter().copied().zip(quantiles.last().into_iter().flatten().copied()).collect();
         let curves = vec![Curve { name: "median".to_string(), points: median }];
-        let panel =
-            Panel { x: TIME_AXIS.to_string(), y: column.to_string(), bands, curves, ..Panel::default() };
+        let panel = Panel {
+            x: TIME_AXIS.to_string(),
+            y: labelled::<M>(column).into_owned(),
+            bands,
+            curves,
+            ..Panel::default()
+        };
         Figure { panels: vec![panel], columns: 1, size: SIZE }.save(path.as_ref())
     }
 }

@@ -89,6 +89,8 @@ pub use self::start::InitialState;
 pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
+#[cfg(all(feature = "ensemble", feature = "plot"))]
+pub(crate) use self::units::labelled;
 #[cfg(feature = "plot")]
 pub use lagrange_plot::PlotError;
 

@@ -31,6 +31,6 @@ pub(super) fn with_unit<'n>(name: &'n str, unit: Option<&str>) -> Cow<'n, str> {
 }
 
 /// The name of a column with its unit.
-pub(super) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
+pub(crate) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
     with_unit(name, unit::<M>(name))
 }

@@ -199,12 +199,9 @@ impl<'a> Shape<'a> {
         })
     }
 
-    /// The user's documentation of a declared name, with its unit, or else `line`.
-    pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
-        match self.docs.get(&name.text.as_str()) {
-            Some(docs) => self.with_unit(docs, name),
-            None => doc(line),
-        }
+    /// The user's documentation of a declared name, if there is any.
+    pub(in crate::emit) fn users_docs(&self, name: &Name) -> Option<&'a TokenStream> {
+        self.docs.get(&name.text.as_str()).copied()
     }
 
     /// True of a declared name that the user documents.

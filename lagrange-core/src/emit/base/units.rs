@@ -1,11 +1,10 @@
-//! Units of what is emitted: in documentation, and by name for axes and files.
+//! Units of what is emitted, in documentation.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::fields::Field;
-use super::shape::{Shape, doc, local};
-use crate::syntax::ast::{Name, acceleration_name};
+use super::shape::{Shape, doc};
+use crate::syntax::ast::Name;
 use crate::units::{NamedUnit, component_name};
 
 /// The unit of plain numbers, of which documentation says nothing.
@@ -31,55 +30,21 @@ impl Shape<'_> {
         self.unit(output).or_else(|| self.unit(&component_name(output, index)))
     }
 
+    /// The user's documentation of a declared name, with its unit, or else `line`.
+    pub(in crate::emit) fn docs(&self, name: &Name, line: &str) -> TokenStream {
+        match self.users_docs(name) {
+            Some(docs) => self.with_unit(docs, name),
+            None => doc(line),
+        }
+    }
+
     /// The user's documentation of a name with its unit behind it.
-    pub(in crate::emit) fn with_unit(&self, docs: &TokenStream, name: &Name) -> TokenStream {
+    fn with_unit(&self, docs: &TokenStream, name: &Name) -> TokenStream {
         let unit = self.in_unit(&name.text);
         if unit.is_empty() {
             return docs.clone();
         }
         let (blank, unit) = (doc(""), doc(&format!("{}.", unit.trim_start().replacen("in", "In", 1))));
         quote!(#docs #blank #unit)
-    }
-}
-
-/// `MechanicalSystem::UNITS`, if any unit is known: of the state, of accelerations, of parameters and inputs, and of outputs, which are given.
-pub(in crate::emit) fn units_constant(
-    shape: &Shape<'_>,
-    outputs: Vec<(String, &str)>,
-) -> Option<TokenStream> {
-    let state = shape.state_fields();
-    let accelerations = accelerations(shape, &state);
-    let fields = state.into_iter().chain(accelerations).chain(shape.number_fields());
-    let named = fields.flat_map(|field| units_of(shape, &field)).chain(outputs);
-    let entries = named.map(|(name, unit)| quote!((#name, #unit))).collect::<Vec<_>>();
-    let text = quote!(&'static ::core::primitive::str);
-    (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
-}
-
-/// Fields as there would be for accelerations, behind those of velocities.
-fn accelerations(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
-    let mut positions = shape.coordinates.len();
-    let velocities = state.iter().skip_while(|field| {
-        let is_position = positions > 0;
-        positions = positions.saturating_sub(field.names.len());
-        is_position
-    });
-    let rate = |name: &Name| Name::new(acceleration_name(&name.text), name.span);
-    let accelerations = velocities.map(|field| Field {
-        identifier: local(&acceleration_name(&field.identifier.to_string())),
-        names: field.names.iter().map(rate).collect(),
-        sizes: field.sizes.clone(),
-    });
-    accelerations.collect()
-}
-
-/// The unit of a field by its name, or those of its elements by theirs where they differ.
-fn units_of<'s>(shape: &'s Shape<'_>, field: &Field) -> Vec<(String, &'s str)> {
-    let units = field.names.iter().map(|name| shape.unit(&name.text)).collect::<Vec<_>>();
-    match units.split_first() {
-        Some((Some(first), others)) if others.iter().all(|unit| *unit == Some(*first)) => {
-            vec![(field.identifier.to_string(), first)]
-        }
-        _ => field.written().into_iter().zip(units).filter_map(|(name, unit)| Some((name, unit?))).collect(),
     }
 }

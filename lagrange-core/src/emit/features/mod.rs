@@ -21,3 +21,4 @@ pub(super) mod scene;
 pub(super) mod sparse;
 pub(super) mod switches;
 pub(in crate::emit) mod tables;
+pub(in crate::emit) mod units;
