@@ -48,7 +48,9 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
 
 fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: &mut NamedUnits) {
     let mut add = |name: &str, dimension: Option<Dimension>| {
-        dimension.map(|one| named.insert(name, NamedUnit { unit: spelled(&one), default: None }));
+        if let Some(dimension) = dimension {
+            named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
+        }
     };
     let of = |name: &str| checker.scope.get(&name.to_owned()).and_then(|value| common(checker, value));
     for statement in &declaration.statements {
