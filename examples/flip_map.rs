@@ -73,7 +73,7 @@ fn agree_with_references(pendulum: &DoublePendulum) -> Result<(), Box<dyn Error>
 
 /// The time of the first flip over both angles.
 fn draw_map(pendulum: &DoublePendulum, side: usize) -> Result<(), Box<dyn Error>> {
-    let grid = Grid::new(("theta1 in rad", -PI..PI, side), ("theta2 in rad", -PI..PI, side));
+    let grid = Grid::new(("theta1", -PI..PI, side), ("theta2", -PI..PI, side));
     let start = |i| {
         let [theta1, theta2] = grid.at(i);
         [theta1, theta2, 0.0, 0.0]

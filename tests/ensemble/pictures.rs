@@ -19,6 +19,15 @@ lagrange::system! {
     force x = 1 / m - 1;
 }
 
+lagrange::system! {
+    /// A bead on a wire.
+    #[derive(Clone)]
+    struct Bead;
+    param m: kg = 1.0;
+    coord x: m;
+    kinetic = 1/2 * m * dot(x)^2;
+}
+
 /// Eleven bodies with speeds 0, 1, … 10, of which one fails and those that come to 11 stop there.
 fn bodies() -> Samples<Body> {
     let bodies = Body::default();
@@ -82,14 +91,18 @@ fn quantiles_are_drawn() {
 #[test]
 fn ends_are_a_map_over_the_grid_of_their_starts() {
     let grid = Grid::new(("x", 0.0..4.0, 4), ("x_dot", -1.0..1.0, 2));
-    let ends = Body::default().ensemble(grid.len()).start(|i, _| grid.at(i)).until(1.0).run().expect("runs");
+    let ends = Bead::default().ensemble(grid.len()).start(|i, _| grid.at(i)).until(1.0).run().expect("runs");
     let map = ends.map(&grid, "x").expect("a column");
     let svg = written("map", |path| {
         map.clone().named("where it is").curve("rest", [(0.0, 0.0), (4.0, 0.0)]).save(path)
     });
-    assert!(["x", "x_dot", "where it is"].iter().all(|label| svg.contains(&format!(">\n{label}\n<"))));
+    assert!(
+        ["x in m", "x_dot in m/s", "where it is"].iter().all(|label| svg.contains(&format!(">\n{label}\n<")))
+    );
     assert_eq!(svg.matches("<image").count(), 2);
-    assert_eq!(map, Map::new(&grid, "x", ends.column("x").expect("a column").to_vec()).expect("fits"));
+    let plain = Map::new(&grid, "x", ends.column("x").expect("a column").to_vec()).expect("fits");
+    let svg = written("plain", |path| plain.save(path));
+    assert!(["x", "x_dot"].iter().all(|label| svg.contains(&format!(">\n{label}\n<"))));
     assert!(ends.map(&grid, "t").is_ok());
 
     assert!(matches!(ends.map(&grid, "y"), Err(PlotError::UnknownColumn { .. })));

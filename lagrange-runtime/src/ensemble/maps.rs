@@ -71,14 +71,18 @@ impl<M: MechanicalSystem> Ends<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the grid from which they started.
+    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the grid from which they started. Names of columns and
+    /// parameters have their units, if the declaration says them.
     ///
     /// # Errors
     /// If there is no such column, these are not the motions of all cells, or the grid does not go from a number to a larger one.
     pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
         let values = if column == TIME { Some(self.times()) } else { self.column(column) };
         let values = values.ok_or_else(|| unknown(column, self.names()))?;
-        Map::new(grid, column, values.iter().map(|value| (*value).into()).collect())
+        let label = |name: &str| labelled::<M>(name).into_owned();
+        let mut map = Map::new(grid, &label(column), values.iter().map(|value| (*value).into()).collect())?;
+        (map.panel.x, map.panel.y) = (label(&grid.x.name), label(&grid.y.name));
+        Ok(map)
     }
 }
 

@@ -171,8 +171,9 @@ pub trait MechanicalSystem: OdeSystem {
     const RATES_OF: &'static [&'static str] = &[];
 
     /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the state, of accelerations, inputs
-    /// and outputs. The name of an array stands for its elements. Names without one have an unknown unit, and plain numbers have `1`. Axes of plots and files say them;
-    /// nothing is computed with them. Where there are any, times are in `s` and the energy is in `J`.
+    /// and outputs. The name of an array stands for its elements, and a column that is observed under one of the names has its unit. Names
+    /// without one have an unknown unit, and plain numbers have `1`. Axes of plots and files say them; nothing is computed with them. Where
+    /// there are any, times are in `s` and the energy is in `J`.
     const UNITS: &'static [(&'static str, &'static str)] = &[];
 
     /// The accelerations at time `t`, positions `q` and velocities `v`; not finite where the mass matrix
