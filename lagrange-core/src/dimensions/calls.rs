@@ -2,6 +2,7 @@
 
 use super::checker::Checker;
 use super::exponents::Exponents;
+use super::kinds::{LENGTH, MASS, TIME};
 use super::measure::{Measure, MeasuredComponent};
 use super::messages;
 use super::solver::Grounds;
@@ -23,7 +24,7 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
     let value = match (function, &values[..]) {
         ("dot" | "ddot", [value]) => {
             let seconds = Number::from(if function == "dot" { -1 } else { -2 });
-            let second = Exponents::from(Dimension::of([0, 0, 1, 0, 0, 0, 0]));
+            let second = Exponents::from(Dimension::of(TIME));
             value.map(|form| form.times_power(&second, &seconds)).with_rates(true)
         }
         ("pow" | "powi" | "powf", [_, _]) => checker.power(arguments[0], arguments[1]),
@@ -102,11 +103,11 @@ fn callable(
 
 /// Functions of plain numbers, and moments of inertia.
 fn other(checker: &mut Checker<'_>, function: &str, arguments: &[AstId]) -> Measure {
-    let (mass, length) = (Dimension::of([1, 0, 0, 0, 0, 0, 0]), Dimension::of([0, 1, 0, 0, 0, 0, 0]));
+    let (mass, length) = (Dimension::of(MASS), Dimension::of(LENGTH));
     let inertia = mass.times(&length.power(&Number::TWO));
     if elementary::by_name(function).is_some() {
         for argument in arguments {
-            checker.expect_plain(*argument, &messages::plain_argument_of(function));
+            checker.require_plain(*argument, &messages::plain_argument_of(function));
             look_for_degrees(checker, function, *argument);
         }
         return Measure::known(Exponents::plain());

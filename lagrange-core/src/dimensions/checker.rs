@@ -47,8 +47,8 @@ impl<'a> Checker<'a> {
         if let Some(exponent) = self.number(exponent) {
             return value.map(|form| form.power(&exponent));
         }
-        self.expect_plain(exponent, messages::EXPONENT);
-        self.expect_plain(base, messages::BASE);
+        self.require_plain(exponent, messages::EXPONENT);
+        self.require_plain(base, messages::BASE);
         Measure::known(Exponents::plain()).with_rates(value.has_rates)
     }
 
@@ -132,7 +132,7 @@ impl<'a> Checker<'a> {
     }
 
     /// An operand that is a plain number or an angle.
-    pub(super) fn expect_plain(&mut self, operand: AstId, words: &str) {
+    pub(super) fn require_plain(&mut self, operand: AstId, words: &str) {
         let reason = Grounds { words: words.to_owned(), place: self.expressions.origin(operand) };
         if let Some(found) = self.known_value(operand).form() {
             self.equate(operand, &found, &Exponents::plain(), &reason);

@@ -3,6 +3,7 @@
 use super::calls::call;
 use super::checker::Checker;
 use super::exponents::Exponents;
+use super::kinds::TIME;
 use super::measure::Measure;
 use super::messages;
 use super::solver::Grounds;
@@ -62,7 +63,7 @@ impl Checker<'_> {
 
     fn named(&self, name: &str) -> Measure {
         match name {
-            "t" => Measure::known(Dimension::of([0, 0, 1, 0, 0, 0, 0]).into()),
+            "t" => Measure::known(Dimension::of(TIME).into()),
             "pi" => Measure::known(Exponents::plain()),
             name => self.scope.get(&name.to_owned()).cloned().unwrap_or_else(Measure::any),
         }
@@ -80,7 +81,7 @@ impl Checker<'_> {
     }
 
     /// An expression that is to have a dimension, whatever it is made of; of sums each term is.
-    pub(super) fn expect(&mut self, root: AstId, expected: &Measure, reason: &Grounds) -> Measure {
+    pub(super) fn require(&mut self, root: AstId, expected: &Measure, reason: &Grounds) -> Measure {
         let mut pending = vec![root];
         let mut all = Measure { components: expected.components.clone(), ..*expected };
         while let Some(id) = pending.pop() {
@@ -109,12 +110,12 @@ impl Checker<'_> {
         all
     }
 
-    pub(super) fn expect_dimension(
+    pub(super) fn require_dimension(
         &mut self,
         root: AstId,
         dimension: &Dimension,
         reason: &Grounds,
     ) -> Measure {
-        self.expect(root, &Measure::known(dimension.clone().into()), reason)
+        self.require(root, &Measure::known(dimension.clone().into()), reason)
     }
 }

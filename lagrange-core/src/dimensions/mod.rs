@@ -13,6 +13,7 @@ mod checker;
 mod defaults;
 mod exponents;
 mod expressions;
+mod kinds;
 mod labels;
 mod measure;
 mod messages;
@@ -24,7 +25,7 @@ mod statements;
 mod tests;
 
 use crate::diagnostics::Report;
-use crate::syntax::ast::{Declaration, StatementKind, acceleration_name};
+use crate::syntax::ast::{Declaration, Definition, StatementKind, acceleration_name};
 use crate::units::{Dimension, NamedUnit, NamedUnits, component_name, spelled};
 use checker::Checker;
 use defaults::name_state;
@@ -47,41 +48,45 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
 }
 
 fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: &mut NamedUnits) {
-    let mut add = |name: &str, dimension: Option<Dimension>| {
-        if let Some(dimension) = dimension {
-            named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
-        }
-    };
     let of = |name: &str| checker.scope.get(&name.to_owned()).and_then(|value| common(checker, value));
     for statement in &declaration.statements {
         match &statement.kind {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
-                list.iter().for_each(|definition| add(&definition.name.text, of(&definition.name.text)));
+                list.iter().for_each(|Definition { name, .. }| add(named, &name.text, of(&name.text)));
             }
-            StatementKind::Output(name, _) => {
-                let key = statements::output_key(&name.text);
-                match (of(&key), checker.scope.get(&key)) {
-                    (None, Some(value)) => {
-                        for (index, form) in value.components.iter().enumerate() {
-                            let dimension = form.as_ref().and_then(|form| checker.solver.dimension(form));
-                            add(&component_name(&name.text, index), dimension);
-                        }
-                    }
-                    (dimension, _) => add(&name.text, dimension),
-                }
-            }
+            StatementKind::Output(name, _) => name_output(checker, &name.text, named),
             _ => {}
         }
     }
-    let second = Dimension::of([0, 0, 1, 0, 0, 0, 0]);
+    let second = Dimension::of(kinds::TIME);
     for position in declaration.coordinates() {
-        add(&position.text, of(&position.text));
+        add(named, &position.text, of(&position.text));
     }
     for velocity in declaration.velocities() {
         let rate = velocity.coordinate.and_then(|coordinate| of(&coordinate.text));
         let rate = rate.map(|dimension| dimension.over(&second)).or_else(|| of(&velocity.name.text));
-        add(&acceleration_name(&velocity.name.text), rate.as_ref().map(|rate| rate.over(&second)));
-        add(&velocity.name.text, rate);
+        let acceleration = rate.as_ref().map(|rate| rate.over(&second));
+        add(named, &acceleration_name(&velocity.name.text), acceleration);
+        add(named, &velocity.name.text, rate);
+    }
+}
+
+/// The unit of an output, or those of its components if they differ.
+fn name_output(checker: &Checker<'_>, name: &str, named: &mut NamedUnits) {
+    let Some(value) = checker.scope.get(&statements::output_key(name)) else { return };
+    if let Some(dimension) = common(checker, value) {
+        return add(named, name, Some(dimension));
+    }
+    for (index, form) in value.components.iter().enumerate() {
+        let dimension = form.as_ref().and_then(|form| checker.solver.dimension(form));
+        add(named, &component_name(name, index), dimension);
+    }
+}
+
+/// Names the coherent unit of a dimension that is known.
+fn add(named: &mut NamedUnits, name: &str, dimension: Option<Dimension>) {
+    if let Some(dimension) = dimension {
+        named.insert(name, NamedUnit { unit: spelled(&dimension), default: None });
     }
 }
 

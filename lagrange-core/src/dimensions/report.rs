@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use super::checker::Checker;
 use super::exponents::{Exponents, Unknown};
+use super::kinds::ENERGY;
 use super::messages;
 use super::solver::{Contradiction, Grounds};
 use crate::collections::HashMap;
@@ -14,9 +15,6 @@ use crate::units::{Dimension, described, noun, spelled};
 
 /// Longer chains of reasons are cut.
 const MOST_NOTES: usize = 4;
-
-/// Exponents of energies and moments.
-const ENERGY: [i8; 7] = [1, 2, -2, 0, 0, 0, 0];
 
 /// A name and what it would have to be multiplied with for an equation to hold.
 type Correction = (Unknown, Dimension);

@@ -2,6 +2,7 @@
 
 use super::checker::Checker;
 use super::exponents::Exponents;
+use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER};
 use super::labels::Label;
 use super::measure::{Measure, MeasuredComponent};
 use super::messages;
@@ -14,14 +15,6 @@ use crate::syntax::ast::{
     StatementKind, TableDefinition, TableSource,
 };
 use crate::units::Dimension;
-
-const LENGTH: [i8; 7] = [0, 1, 0, 0, 0, 0, 0];
-const FREQUENCY: [i8; 7] = [0, 0, -1, 0, 0, 0, 0];
-const FORCE: [i8; 7] = [1, 1, -2, 0, 0, 0, 0];
-const ENERGY: [i8; 7] = [1, 2, -2, 0, 0, 0, 0];
-const POWER: [i8; 7] = [1, 2, -3, 0, 0, 0, 0];
-/// Of a Gibbs function, which is the square of an acceleration times a mass.
-const GIBBS: [i8; 7] = [1, 2, -4, 0, 0, 0, 0];
 
 fn form(exponents: [i8; 7]) -> Exponents {
     Exponents::from(Dimension::of(exponents))
@@ -47,7 +40,7 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
         let expected = Measure { components: vec![expected; 3], is_vector: false, has_rates: false };
         let reason =
             Grounds { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
-        checker.expect(label.value, &expected, &reason);
+        checker.require(label.value, &expected, &reason);
     }
     for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
         demand(checker, statement);
@@ -104,7 +97,7 @@ fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
     let form = declared(checker, name);
     if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
         let reason = value_of(name);
-        checker.expect(value, &Measure::known(form.clone()), &reason);
+        checker.require(value, &Measure::known(form.clone()), &reason);
     }
     checker.scope.insert(name.text.clone(), Measure::known(form));
 }
@@ -127,7 +120,7 @@ fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
             for ((component, form), name) in point.iter().zip(&forms).zip(&columns) {
                 if !is_of_numbers(checker.expressions, *component) {
                     let reason = value_of(name);
-                    checker.expect(*component, &Measure::known(form.clone()), &reason);
+                    checker.require(*component, &Measure::known(form.clone()), &reason);
                 }
             }
         }
@@ -185,7 +178,7 @@ fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure 
     let count = checker.value(value).components.len();
     let is_vector = checker.known_value(value).is_vector;
     let expected = Measure { components: vec![Some(form); count], is_vector, has_rates: false };
-    checker.expect(value, &expected, &value_of(name))
+    checker.require(value, &expected, &value_of(name))
 }
 
 fn named_component(checker: &mut Checker<'_>, name: &Name, whole: AstId, component: Measure) -> Measure {
@@ -226,18 +219,18 @@ fn demand(checker: &mut Checker<'_>, statement: &Statement) {
         StatementKind::Potential(value) => energy(checker, *value, &said(messages::POTENTIAL)),
         StatementKind::Lagrangian(value) => energy(checker, *value, &said(messages::LAGRANGIAN)),
         StatementKind::Gibbs { function, stated } => {
-            checker.expect_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
+            checker.require_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
             energy(checker, *stated, &said(messages::LAGRANGIAN));
         }
         StatementKind::Dissipation(value) => {
-            checker.expect_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
+            checker.require_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
         }
         StatementKind::StateRate(name, value) => {
             let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-            checker.expect(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
+            checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
         }
         StatementKind::Stabilise(rate) => {
-            checker.expect_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
+            checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
         }
         StatementKind::ForceOn(name, force) => {
             let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
@@ -249,8 +242,8 @@ fn demand(checker: &mut Checker<'_>, statement: &Statement) {
                 is_vector: true,
                 has_rates: false,
             };
-            checker.expect(*point, &each(LENGTH), &said(messages::POINT));
-            checker.expect(*force, &each(FORCE), &said(messages::FORCE));
+            checker.require(*point, &each(LENGTH), &said(messages::POINT));
+            checker.require(*force, &each(FORCE), &said(messages::FORCE));
         }
         StatementKind::ForceAlong { force, velocity } => {
             let along = checker.value(*velocity).with_rates(true);
@@ -277,14 +270,14 @@ pub(super) fn output_key(name: &str) -> String {
 }
 
 fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Grounds) {
-    checker.expect_dimension(value, &Dimension::of(ENERGY), reason);
+    checker.require_dimension(value, &Dimension::of(ENERGY), reason);
 }
 
 /// A force along what it does work on.
 fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let expected = along.map(|form| work.over(form));
-    checker.expect(force, &expected, reason);
+    checker.require(force, &expected, reason);
 }
 
 fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
@@ -293,14 +286,14 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
         Action::Stop | Action::Record => {}
         Action::Impact(restitution) => {
             let reason = Grounds { words: messages::RESTITUTION.to_owned(), place };
-            checker.expect_dimension(*restitution, &Dimension::NONE, &reason);
+            checker.require_dimension(*restitution, &Dimension::NONE, &reason);
         }
         Action::Assign(assignments) => {
             for assignment in assignments {
                 let target = checker.value(assignment.target);
                 let place = checker.expressions.origin(assignment.target);
                 let reason = Grounds { words: messages::ASSIGNED.to_owned(), place };
-                checker.expect(assignment.value, &target, &reason);
+                checker.require(assignment.value, &target, &reason);
             }
         }
     }
@@ -311,11 +304,11 @@ fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Ori
     let force = checker.scope.get(&friction.name.text).cloned().unwrap_or_else(Measure::any);
     let reason = Grounds { words: messages::limit(&friction.name.text), place };
     for limit in [Some(friction.kinetic), friction.fixed].into_iter().flatten() {
-        checker.expect(limit, &force, &reason);
+        checker.require(limit, &force, &reason);
     }
     if let Some(width) = friction.width {
         let reason = Grounds { words: messages::WIDTH.to_owned(), place };
-        checker.expect(width, &slip, &reason);
+        checker.require(width, &slip, &reason);
     }
 }
 
@@ -326,7 +319,7 @@ fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: 
             continue;
         };
         let reason = Grounds { words: messages::stands_for(&item.coordinate.text), place };
-        checker.expect(value, &coordinate, &reason);
+        checker.require(value, &coordinate, &reason);
     }
 }
 
