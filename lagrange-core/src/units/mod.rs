@@ -41,7 +41,7 @@ impl Scale {
         *self == Scale::ONE
     }
 
-    /// Rounded once.
+    /// To the nearest number; where π occurs, within a few roundings.
     pub fn to_f64(&self) -> f64 {
         self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
     }
