@@ -299,3 +299,13 @@ fn rates_of_places_at_rest_are_read_as_they_are_printed() {
     let printed = system.statements();
     assert_eq!(parse(&printed).expect(&printed).statements(), printed);
 }
+
+#[test]
+fn documentation_says_defaults_in_the_units_they_are_written_in_if_all_elements_have_them() {
+    let statements = "param l: mm = 500, even[2]: cm = 4, lever[2]: cm = [4, -2.5]; coord x: m; kinetic = 1/2 * (1 kg) * dot(x)^2; \
+                      output s = l + sum(i in 0..2, even[i] + lever[i]);";
+    let text = expanded(statements);
+    for line in ["`l` in m, 500 mm by default.", "`even` in m, 4 cm by default.", "`lever` in m."] {
+        assert!(text.contains(line), "{line}: {text}");
+    }
+}

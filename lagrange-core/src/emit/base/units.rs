@@ -19,10 +19,20 @@ impl Shape<'_> {
     /// ` in m`, as it follows a name, with a default that is written in another unit; nothing for plain numbers and where no unit is known.
     pub(in crate::emit) fn in_unit(&self, name: &str) -> String {
         match self.units.get(name) {
-            Some(NamedUnit { unit, default: Some(default) }) => format!(" in {unit}, {default} by default"),
+            Some(NamedUnit { unit, default: Some(default) }) if self.is_alike(name) => {
+                format!(" in {unit}, {default} by default")
+            }
             Some(NamedUnit { unit, .. }) if unit != PLAIN => format!(" in {unit}"),
             _ => String::new(),
         }
+    }
+
+    /// Whether all elements of the array that a name is an element of have its unit and its default.
+    fn is_alike(&self, name: &str) -> bool {
+        let fields = self.number_fields();
+        let field = fields.iter().find(|field| field.names.iter().any(|element| element.text == name));
+        let own = self.units.get(name);
+        field.is_none_or(|field| field.names.iter().all(|element| self.units.get(&element.text) == own))
     }
 
     /// The unit of a component of an output: that of the whole, or its own.
