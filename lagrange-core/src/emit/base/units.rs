@@ -29,10 +29,10 @@ impl Shape<'_> {
 
     /// Whether all elements of the array that a name is an element of have its unit and its default.
     fn is_alike(&self, name: &str) -> bool {
-        let fields = self.number_fields();
-        let field = fields.iter().find(|field| field.names.iter().any(|element| element.text == name));
+        let mut arrays = self.declaration.arrays.iter().map(|array| &array.elements);
+        let array = arrays.find(|elements| elements.iter().any(|element| element.name == name));
         let own = self.units.get(name);
-        field.is_none_or(|field| field.names.iter().all(|element| self.units.get(&element.text) == own))
+        array.is_none_or(|elements| elements.iter().all(|element| self.units.get(&element.name) == own))
     }
 
     /// The unit of a component of an output: that of the whole, or its own.
