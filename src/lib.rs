@@ -37,7 +37,7 @@
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
-//! | [`mod@table`] | tables in declarations, as they are evaluated |
+//! | [`mod@table`], [`mod@root`] | tables and algebraic unknowns of declarations, as they are evaluated |
 //! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
@@ -79,7 +79,7 @@ pub use lagrange_runtime::ensemble::{self, Ensembles};
 pub use lagrange_runtime::simulate::{self, Simulate};
 #[doc(inline)]
 pub use lagrange_runtime::{
-    Number, Scalar, body, constraint, contact, inertia, scalar, scene, system, table,
+    Number, Scalar, body, constraint, contact, inertia, root, scalar, scene, system, table,
 };
 
 /// Keeps the example of the README true.

@@ -14,6 +14,7 @@ stand for themselves.
   Modeling and Control*, section 8.3).
 - integral_cart_pole: the cart with the pendulum in wind, under a linear feedback and the integral of its position.
 - motor_arm: an arm that a motor with inductance and a gear turns against gravity, with the energy that is supplied to it and the heat.
+- dynamo: a weight that turns a dynamo, which loads a resistor through a diode (Shockley's equation).
 - pid: a mass with spring and damper, a sampled PID controller whose output saturates and whose integral waits while it does
   (Astrom, Hagglund, *Advanced PID Control*, section 3.5).
 """
@@ -21,7 +22,7 @@ stand for themselves.
 import csv
 from pathlib import Path
 
-from mpmath import cos, mp, mpf, nstr, pi, sin
+from mpmath import cos, exp, log, mp, mpf, nstr, pi, sin
 
 DIGITS = 20
 RUNS = ((34, mpf("0.02"), 8), (40, mpf("0.0125"), 9))  # decimal digits, step, columns of the extrapolation
@@ -118,6 +119,31 @@ def motor_arm(step, columns):
     return integrate(rates, [mpf(0)] * 5, mpf(0), mpf("0.5"), step, columns)
 
 
+def diode_drop(emf, r, leak, thermal):
+    """The voltage across a diode behind a resistor, by Newton's method until nothing changes any more."""
+    drop = thermal * log(1 + max(emf, mpf(0)) / (r * leak))
+    for _ in range(200):
+        grown = exp(drop / thermal)
+        step = (leak * (grown - 1) - (emf - drop) / r) / (leak * grown / thermal + 1 / r)
+        drop -= step
+        if abs(step) <= mpf(10) ** (5 - mp.dps) * (abs(drop) + thermal):
+            return drop
+    raise ArithmeticError(f"no drop of {emf} V")
+
+
+def dynamo(step, columns):
+    """A weight of 0.2 kg on a drum of 2 cm and 2 g m^2, k = 0.05 V s, R = 5 ohm, a diode of 1 nA and 50 mV, thrown up at 5 rad/s."""
+    m, radius, drum, g = mpf("0.2"), mpf("0.02"), mpf("0.002"), mpf("9.81")
+    k, r, leak, thermal = mpf("0.05"), mpf(5), mpf("1e-9"), mpf("0.05")
+
+    def rates(t, y):
+        w = y[2]
+        current = (k * w - diode_drop(k * w, r, leak, thermal)) / r
+        return [w, k * w * current, (m * g * radius - k * current) / (drum + m * radius * radius)]
+
+    return integrate(rates, [mpf(0), mpf(0), mpf(-5)], mpf(0), mpf(3), step, columns)
+
+
 def arm_dynamics(load, q1, q2, w1, w2):
     """Mass matrix and the other forces of two links of 1 m with point masses at their ends, the second of them `load`, angles
     relative to each other, gravity 9.81 m/s^2 downwards and q1 = 0 horizontal."""
@@ -180,6 +206,7 @@ CASES = {
     "pid": (pid, "6.0", ["x"]),
     "integral_cart_pole": (integral_cart_pole, "5.0", ["x", "theta"], ["integral"]),
     "motor_arm": (motor_arm, "0.5", ["theta"], ["current", "supplied", "heat"]),
+    "dynamo": (dynamo, "3.0", ["theta"], ["heat"]),
 }
 
 

@@ -29,6 +29,8 @@ pub enum Role {
     Reaction(u32),
     /// Side of the switch with the same index on which an expression is evaluated: 1 or −1, or 0 on the surface itself.
     Side(u32),
+    /// An argument of an algebraic unknown, or the unknown itself, in the equation that defines it.
+    Operand(u32),
     /// A place holder inside one computation; never part of a result.
     Placeholder(u32),
 }

@@ -8,7 +8,7 @@
 //! | [`scalar`], `linalg` | numbers; vectors and small solvers |
 //! | [`system`] | traits of systems, and what passes between a system and a run |
 //! | [`body`], [`inertia`], [`scene`] | rigid bodies and what there is to draw of them |
-//! | [`table`] | splines of tables in declarations |
+//! | [`table`], [`root`] | splines of tables in declarations; solutions of equations in them |
 //! | [`constraint`] | residuals, projection, dependent constraints |
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
@@ -30,6 +30,7 @@ pub mod event;
 pub mod inertia;
 pub mod integrate;
 mod linalg;
+pub mod root;
 pub mod run;
 pub mod scalar;
 pub mod scene;

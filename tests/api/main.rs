@@ -33,6 +33,7 @@ mod resting;
 mod scalars;
 mod shadowing;
 mod simulation;
+mod solve;
 mod spatial_axiom;
 mod state_equations;
 mod states;

@@ -48,7 +48,10 @@ const CORE: &[Layer] = &[
         modules: &["elementary", "symbol", "units"],
         purpose: "one row per elementary function; names with roles; units of measurement, what they measure and their exact factors",
     },
-    Layer { modules: &["opaque"], purpose: "functions without a formula: those of the user's crate, tables" },
+    Layer {
+        modules: &["opaque"],
+        purpose: "functions without a formula: those of the user's crate, tables, algebraic unknowns",
+    },
     Layer {
         modules: &["expr"],
         purpose: "the graph, typed ids, and the only constructors of sums, products and choices",
@@ -112,8 +115,8 @@ const RUNTIME: &[Layer] = &[
         purpose: "how many roundings count as none: one table, with reasons and the tests that tell",
     },
     Layer {
-        modules: &["body", "inertia", "linalg", "table"],
-        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors; tables of declarations",
+        modules: &["body", "inertia", "linalg", "root", "table"],
+        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors; tables and algebraic unknowns of declarations",
     },
     Layer {
         modules: &["system"],

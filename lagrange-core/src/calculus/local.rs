@@ -1,6 +1,6 @@
 //! Derivatives of one node with respect to its operands: the edges of the chain rule.
 
-use crate::calculus::{partial, substitute};
+use crate::calculus::{implicit, partial, substitute};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{ExprId, Graph, Node};
 use crate::functions;
@@ -31,6 +31,10 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
             arguments.iter().copied().zip(partials).collect()
         }
         Node::Opaque(function, arguments) => {
+            if let Some(unknown) = graph.unknown(&function).cloned() {
+                let slopes = implicit::slopes(graph, &unknown, &arguments, id);
+                return arguments.iter().copied().zip(slopes).collect();
+            }
             let slope = |(i, argument)| (argument, graph.opaque(function.derivative(i), &arguments));
             arguments.iter().copied().enumerate().map(slope).collect()
         }
@@ -81,6 +85,10 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
             found
         }
         Node::Opaque(function, arguments) => {
+            if let Some(unknown) = graph.unknown(&function).cloned() {
+                let second = implicit::second_slopes(graph, &unknown, &arguments, id).into_iter();
+                return second.map(|((i, j), s)| ((i, j), (arguments[i], arguments[j], s))).collect();
+            }
             let places = 0..arguments.len();
             let pairs = places.flat_map(|i| (i..arguments.len()).map(move |j| (i, j)));
             let second = |(i, j): (usize, usize)| {

@@ -4,10 +4,12 @@ mod adjoint;
 mod degree;
 mod evaluate;
 mod expansion;
+mod implicit;
 mod jacobian;
 mod local;
 mod partial;
 mod rate;
+mod rounding;
 mod substitute;
 mod transplant;
 
@@ -15,10 +17,12 @@ pub use adjoint::{adjoint, gradient};
 pub use degree::{Degree, Degrees, homogeneity, polynomial_degree};
 pub use evaluate::{evaluate, node_value};
 pub use expansion::{Expansion, Series};
+pub use implicit::residual;
 pub use jacobian::jacobian;
 pub use local::{partials, second_partials};
 pub use partial::partial;
 pub use rate::{AccelerationTerms, Rates};
+pub use rounding::rounding;
 pub use substitute::{rebuild, substitute, substitute_all};
 pub use transplant::transplant;
 

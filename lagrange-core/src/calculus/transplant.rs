@@ -2,7 +2,7 @@
 
 use crate::calculus::substitute::construct;
 use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{AlgebraicUnknown, ExprId, Graph, Node};
 use crate::symbol::Role;
 
 /// A new graph with everything that `roots` are made of, and where each expression is there. No rates of positions are set in it. Symbols
@@ -14,7 +14,9 @@ pub fn transplant(
 ) -> (Graph, HashMap<ExprId, ExprId>) {
     let mut graph = Graph::new();
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
-    for id in source.reachable(roots) {
+    let equations = source.unknowns().iter().flat_map(AlgebraicUnknown::expressions);
+    let roots = roots.iter().copied().chain(equations).collect::<Vec<_>>();
+    for id in source.reachable(&roots) {
         let node = source.node(id);
         let new = match node {
             Node::Symbol(symbol) => {
@@ -24,6 +26,9 @@ pub fn transplant(
             _ => construct(&mut graph, node.clone(), id, |child| image.get(&child).copied().unwrap_or(child)),
         };
         image.insert(id, new);
+    }
+    for unknown in source.unknowns() {
+        graph.add_unknown(unknown.map(|id| image.get(&id).copied().unwrap_or(id)));
     }
     (graph, image)
 }

@@ -94,6 +94,10 @@ impl UnitWriter<'_> {
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => {
                 *value = self.definition(name, Some(*value)).unwrap_or(*value);
             }
+            StatementKind::Solve(unknown) => {
+                let start = unknown.start;
+                unknown.start = self.definition(&unknown.name, start);
+            }
             StatementKind::Scene(scene) => self.measured.labels.extend(label(scene, self.expressions)),
             StatementKind::External(function) => {
                 function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));

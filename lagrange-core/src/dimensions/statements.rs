@@ -135,6 +135,14 @@ fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
             let value = named_value(checker, name, *value);
             checker.scope.insert(name.text.clone(), value);
         }
+        StatementKind::Solve(unknown) => {
+            let form = Measure::known(declared(checker, &unknown.name));
+            checker.scope.insert(unknown.name.text.clone(), form.clone());
+            checker.value(unknown.residual);
+            if let Some(start) = unknown.start.filter(|start| !is_of_numbers(checker.expressions, *start)) {
+                checker.require(start, &form, &value_of(&unknown.name));
+            }
+        }
         StatementKind::LetTuple(names, value) => {
             let parts = match checker.expressions.get(*value) {
                 Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),

@@ -13,6 +13,7 @@ use super::scalar_range::largest;
 use super::scene::check_names_of_bodies;
 use super::signs::check_signs;
 use super::smoothness::{check_smoothness, without_kinks};
+use super::solve::check_names_of_solvers;
 use super::stabilisation::check_stabilisation;
 use super::states::{check_states, positions_of_states, report_states_in_momenta};
 use super::tables::{check_names_of_derivatives, check_tables};
@@ -56,6 +57,7 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_magnitudes(elaborator);
     check_tables(elaborator);
     check_names_of_derivatives(elaborator);
+    check_names_of_solvers(elaborator);
     check_products(elaborator);
     check_output_names(elaborator);
     check_names_of_bodies(elaborator);

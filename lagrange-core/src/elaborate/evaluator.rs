@@ -154,6 +154,12 @@ impl<'a> Evaluator<'a> {
                 self.report.error(place, messages::rate_of_force(&name)).help(messages::RATE_OF_FORCE_HELP);
                 return None;
             }
+            if self.graph.dependencies(component).intersects(Dependencies::PLACEHOLDER) {
+                let (place, name) = self.blame(origin, Dependencies::PLACEHOLDER);
+                let error = self.report.error(place, messages::solve::rate_within(&name));
+                error.help(messages::solve::RATE_HELP);
+                return None;
+            }
             if self.graph.dependencies(component).intersects(Dependencies::INPUT) {
                 let (place, name) = self.blame(origin, Dependencies::INPUT);
                 self.report.error(place, messages::rate_of_input(&name)).help(messages::RATE_OF_INPUT_HELP);

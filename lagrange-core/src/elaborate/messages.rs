@@ -7,6 +7,7 @@ pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;
 pub(super) mod scene;
+pub(super) mod solve;
 pub(super) mod states;
 pub(super) mod tables;
 

@@ -34,6 +34,7 @@ mod scene_in_space;
 mod scope;
 mod signs;
 mod smoothness;
+mod solve;
 mod stabilisation;
 mod staged;
 mod statements;

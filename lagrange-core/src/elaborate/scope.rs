@@ -18,6 +18,8 @@ pub(super) enum NameKind {
     State,
     Velocity,
     Abbreviation,
+    /// What an equation defines.
+    Unknown,
     Constraint,
     /// A constraint of a joint that the coordinates fulfil by themselves.
     Implied,
@@ -40,6 +42,7 @@ impl NameKind {
             NameKind::State => "state",
             NameKind::Velocity => "velocity",
             NameKind::Abbreviation => "`let`",
+            NameKind::Unknown => "unknown of an equation",
             NameKind::Constraint | NameKind::Implied => "constraint",
             NameKind::Event | NameKind::Contact => "event",
             NameKind::Friction => "friction",
@@ -54,7 +57,8 @@ impl NameKind {
 
     /// Whether a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
-        matches!(self, NameKind::Parameter | NameKind::Input | NameKind::Constant | NameKind::Abbreviation)
+        use NameKind::{Abbreviation, Constant, Input, Parameter, Unknown};
+        matches!(self, Parameter | Input | Constant | Abbreviation | Unknown)
     }
 }
 
@@ -104,6 +108,13 @@ impl Scope {
             name.text.clone(),
             Entry { kind, value, span: name.span, used: false, is_ambiguous: false },
         );
+    }
+
+    /// Gives a name that was declared for itself the value that it has behind its statement, where nothing has used it so far.
+    pub(super) fn define(&mut self, name: &str, value: Option<Operand>) {
+        if let Some(entry) = self.entries.get_mut(&name.to_owned()) {
+            (entry.value, entry.used) = (value, false);
+        }
     }
 
     /// The entry of that name, without counting as a use.

@@ -12,6 +12,7 @@ use super::messages;
 use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
+use super::solve::define_unknown;
 use super::stabilisation::set_stabilisation;
 use super::states::{add_state_rate, define_state};
 use super::tables::define_table;
@@ -81,6 +82,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
         StatementKind::Table(table) => define_table(elaborator, table),
+        StatementKind::Solve(unknown) => define_unknown(elaborator, unknown),
         // Plain statements have taken the place of scenes, values that of calls, all statements that they stand for that of loops; functions
         // of the user's crate are known already.
         StatementKind::Scene(_)

@@ -8,7 +8,7 @@ use crate::calculus::evaluate;
 use crate::diagnostics::{Diagnostic, Origin};
 use crate::expr::{Dependencies, ExprId, Node};
 use crate::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
-use crate::syntax::ast::{AstId, Name, StatementKind, TableDefinition, TableSource};
+use crate::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
 
 /// Tables with more points are refused: the compiler would take minutes to read the emitted coefficients.
 const MOST_POINTS: usize = 100_000;
@@ -184,15 +184,7 @@ pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
 /// Reports names of functions that emitted code gives to the derivatives of a table.
 pub(super) fn check_names_of_derivatives(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
-    let named = declaration.statements.iter().flat_map(|statement| match &statement.kind {
-        StatementKind::External(function) => {
-            let derivatives = function.derivatives.iter().flatten().map(|derivative| &derivative.name);
-            derivatives.chain([&function.name]).collect::<Vec<_>>()
-        }
-        StatementKind::Table(table) => vec![&table.name],
-        _ => Vec::new(),
-    });
-    let named = named.collect::<Vec<_>>();
+    let named = names_of_functions(&declaration.statements);
     for statement in &declaration.statements {
         let StatementKind::Table(table) = &statement.kind else { continue };
         let derivatives = names_of_derivatives(table);
@@ -203,6 +195,19 @@ pub(super) fn check_names_of_derivatives(elaborator: &mut Elaborator<'_>) {
             error.help(super::messages::OTHER_NAME_HELP);
         }
     }
+}
+
+/// The names of functions that emitted code calls, as far as the user gives them.
+pub(super) fn names_of_functions(statements: &[Statement]) -> Vec<&Name> {
+    let named = statements.iter().flat_map(|statement| match &statement.kind {
+        StatementKind::External(function) => {
+            let derivatives = function.derivatives.iter().flatten().map(|derivative| &derivative.name);
+            derivatives.chain([&function.name]).collect::<Vec<_>>()
+        }
+        StatementKind::Table(table) => vec![&table.name],
+        _ => Vec::new(),
+    });
+    named.collect()
 }
 
 /// The names of all derivatives that do not vanish.
@@ -220,14 +225,20 @@ fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
 /// Calls of tables without continuous second derivatives of which the value changes during motions, with the tables themselves.
 fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId) -> Vec<(ExprId, Opaque)> {
     let graph = &elaborator.evaluator.graph;
-    let rough = graph.reachable(&[root]).into_iter().filter_map(|id| match graph.node(id) {
-        Node::Opaque(function, _) if graph.dependencies(id).may_change() => {
+    let mut rough = Vec::new();
+    for id in graph.reachable(&[root]) {
+        let Node::Opaque(function, _) = graph.node(id) else { continue };
+        // Tables of an unknown stand in its equation, and bend it.
+        let equation = graph.unknown(function).map(|unknown| graph.reachable(&[unknown.residual]));
+        for part in equation.unwrap_or_default().into_iter().chain([id]) {
+            let Node::Opaque(function, _) = graph.node(part) else { continue };
             let is_rough = function.table().is_some_and(|table| !table.is_twice_differentiable());
-            is_rough.then(|| (id, Opaque::value_of(function.function().clone())))
+            if is_rough && graph.dependencies(part).may_change() {
+                rough.push((id, Opaque::value_of(function.function().clone())));
+            }
         }
-        _ => None,
-    });
-    rough.collect()
+    }
+    rough
 }
 
 fn report_rough(elaborator: &mut Elaborator<'_>, function: &Opaque, place: Origin) {

@@ -5,6 +5,7 @@ use super::messages;
 use super::scope::NameKind;
 use super::unresolved::{Late, Places, place};
 use crate::diagnostics::Origin;
+use crate::syntax::ast::StatementKind;
 use crate::syntax::foreign;
 
 /// Whether a name is written as constants of Rust are: several capital letters.
@@ -52,10 +53,14 @@ pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, o
             late.mistake
         }
         None => {
-            let error = evaluator
-                .report
-                .error(origin, messages::names::used_too_early(name))
-                .help(messages::names::ORDER_HELP);
+            let is_solved = |number: usize| {
+                matches!(evaluator.declaration.statements[number].kind, StatementKind::Solve(_))
+            };
+            let help = match is_solved(user) && is_solved(statement) {
+                true => messages::solve::ONE_AT_A_TIME,
+                false => messages::names::ORDER_HELP,
+            };
+            let error = evaluator.report.error(origin, messages::names::used_too_early(name)).help(help);
             error.related(declaration.into(), messages::names::DECLARED_HERE);
             evaluator.report.diagnostics().len() - 1
         }

@@ -23,6 +23,7 @@ use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
+use super::features::solvers::write_solvers;
 use super::features::sparse::{Sparse, lowered_sparse};
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::item::items;
@@ -85,6 +86,7 @@ fn assembled(
     write_prepared(&mut writer)?;
     write_kernel(&mut writer)?;
     write_lanes(&mut writer)?;
+    write_solvers(&mut writer);
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);
     }

@@ -30,7 +30,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let import = shape.generics().is_empty().then(|| quote!(use #scalar;));
     let (krate, functions) = (shape.krate, members.functions.iter().map(|name| local(name)));
     let functions = (!members.functions.is_empty()).then(|| quote!(use #krate::private::{#(#functions),*};));
-    let tables = tables(shape, members);
+    let (tables, solvers) = (tables(shape, members), &members.solvers);
     let names = name_exception(shape);
     let rounded = rounded_exception(members.has_rounded_constants);
     let attributes = &shape.declaration.attributes;
@@ -62,6 +62,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #import
             #functions
             #tables
+            #solvers
             #(#implementations)*
             #(#conversions)*
             #traits

@@ -62,7 +62,7 @@ impl Dependencies {
             Role::Acceleration(_) => Dependencies::ACCELERATION,
             Role::Multiplier(_) => Dependencies::MULTIPLIER,
             Role::Reaction(_) => Dependencies::REACTION,
-            Role::Placeholder(_) => Dependencies::PLACEHOLDER,
+            Role::Operand(_) | Role::Placeholder(_) => Dependencies::PLACEHOLDER,
         }
     }
 }

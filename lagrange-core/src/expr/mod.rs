@@ -13,6 +13,7 @@
 mod combine;
 mod facts;
 mod reach;
+mod unknown;
 mod weighted;
 
 use indexmap::IndexSet;
@@ -20,6 +21,7 @@ use rustc_hash::FxBuildHasher;
 
 pub use crate::elementary::Function;
 pub use facts::Dependencies;
+pub use unknown::AlgebraicUnknown;
 
 use crate::collections::HashMap;
 use crate::number::Number;
@@ -134,6 +136,10 @@ pub struct Graph {
     symbols: Symbols,
     /// Rates of positions that are not the velocities with the same index.
     rates: HashMap<ExprId, ExprId>,
+    /// What equations define implicitly.
+    unknowns: Vec<AlgebraicUnknown>,
+    /// Number of the operands of these equations.
+    operands: u32,
 }
 
 impl Graph {

@@ -42,6 +42,9 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
         (_, Node::Symbol(symbol)) => atom(symbol_latex(view.graph.symbols().get(*symbol))),
         (_, Node::Pi) => atom(r"\pi".to_owned()),
         (_, Node::Call(function, arguments)) => call(*function, arguments),
+        (_, Node::Opaque(function, _)) if function.is_solution() => {
+            (Strength::Atom, vec![Piece::text(latex_name(&function.function().name, None))])
+        }
         (_, Node::Opaque(function, arguments)) => opaque(function, arguments),
         (_, Node::Choose { .. }) => (Strength::Choice, cases(view, id)),
         (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => {

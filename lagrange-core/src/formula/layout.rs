@@ -162,7 +162,7 @@ impl<'v, 'n> View<'v, 'n> {
             Some(Role::Multiplier(index)) => (9, index),
             Some(Role::Reaction(index)) => (10, index),
             Some(Role::Side(index)) => (11, index),
-            Some(Role::Placeholder(index)) => (12, index),
+            Some(Role::Operand(index) | Role::Placeholder(index)) => (12, index),
             None => (self.class_of_composite(id), u32::MAX),
         };
         (class, index, id)

@@ -1,6 +1,6 @@
 //! Expressions in the syntax of the language, so that they can be read back.
 //!
-//! The text of an expression is written out in full unless names are given for shared parts. A graph can
+//! An algebraic unknown is written by its name, its equation standing elsewhere. The text of an expression is written out in full unless names are given for shared parts. A graph can
 //! stand for a text that is exponentially longer; [`definitions`] never writes that.
 
 use std::borrow::Cow;
@@ -49,6 +49,9 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
         }
         (_, Node::Pi) => (Strength::Atom, vec![Piece::text("pi")]),
         (_, Node::Call(function, arguments)) => (Strength::Atom, call(row(*function).name, arguments)),
+        (_, Node::Opaque(function, _)) if function.is_solution() => {
+            (Strength::Atom, vec![Piece::text(function.text())])
+        }
         (_, Node::Opaque(function, arguments)) => (Strength::Atom, call(function.text(), arguments)),
         (_, Node::Choose { .. }) => (Strength::Choice, choice(view, id)),
         (_, Node::Number(_) | Node::Sum { .. } | Node::Product(_)) => sum(&view.terms(id), product),

@@ -1,8 +1,9 @@
-//! Functions that are known by their values alone: those of the user's crate, and tables.
+//! Functions that are known by their values alone: those of the user's crate, tables, and solutions of equations.
 //!
 //! Nothing is assumed of those of the crate but that equal arguments give equal values. A derivative is a function of its own, which the
 //! user names or which has the name that [`default_name`] gives it; what it is worth is known at run time only. Tables are differentiated
-//! piece by piece, and emitted code has functions of the same default names for them.
+//! piece by piece, and emitted code has functions of the same default names for them. Solutions of equations have derivatives with a
+//! formula, by implicit differentiation (`calculus::implicit`).
 
 mod spline;
 mod table;
@@ -34,6 +35,8 @@ pub enum Source {
     },
     /// A table with as many axes as the function has arguments.
     Table(Table),
+    /// An equation that the graph keeps: the function is its solution. It has no orders, derivatives being formulas.
+    Equation,
 }
 
 /// How often a function is differentiated by each of its arguments.
@@ -96,8 +99,16 @@ impl Opaque {
         derivative
     }
 
+    /// Whether it is the solution of an equation.
+    pub fn is_solution(&self) -> bool {
+        matches!(self.function.source, Source::Equation)
+    }
+
     /// The name of the Rust function that computes it: as the user says, or by default.
     pub fn rust_name(&self) -> String {
+        if self.is_solution() {
+            return format!("solve_{}", self.function.name);
+        }
         let default = || default_name(&self.function.name, &self.function.parameters, &self.orders);
         self.declared().map_or_else(default, str::to_owned)
     }
@@ -118,7 +129,7 @@ impl Opaque {
     pub fn table(&self) -> Option<&Table> {
         match &self.function.source {
             Source::Table(table) => Some(table),
-            Source::Crate { .. } => None,
+            Source::Crate { .. } | Source::Equation => None,
         }
     }
 

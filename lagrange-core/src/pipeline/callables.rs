@@ -5,28 +5,50 @@ use std::sync::Arc;
 
 use crate::collections::HashMap;
 use crate::opaque::Opaque;
-use crate::program::{Op, Program};
+use crate::program::{NewtonProgram, Op, Program};
 
 type Callback = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 
-/// Functions by the names under which emitted code calls them.
+/// Functions by the names under which emitted code calls them, and solutions of equations.
 #[derive(Clone, Default)]
-pub(super) struct Callables(HashMap<String, Callback>);
+pub(super) struct Callables {
+    functions: HashMap<String, Callback>,
+    solutions: Vec<NewtonProgram>,
+}
 
 impl fmt::Debug for Callables {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Callables({})", self.0.len())
+        write!(f, "Callables({})", self.functions.len() + self.solutions.len())
     }
 }
 
 impl Callables {
     pub(super) fn define(&mut self, name: &str, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) {
-        self.0.insert(name.to_owned(), Arc::new(value));
+        self.functions.insert(name.to_owned(), Arc::new(value));
+    }
+
+    /// Solutions of these equations and nothing else.
+    pub(super) fn solving(solutions: Vec<NewtonProgram>) -> Callables {
+        Callables { solutions, ..Callables::default() }
+    }
+
+    /// The programs of all equations.
+    pub(super) fn programs(&self) -> impl Iterator<Item = &Program> {
+        self.solutions.iter().map(|solution| &solution.equation)
     }
 
     /// The value of a function; NaN if nobody computes it.
     pub(super) fn call(&self, function: &Opaque, arguments: &[f64]) -> f64 {
-        self.0.get(&function.rust_name()).map_or(f64::NAN, |value| value(arguments))
+        match self.solutions.iter().find(|solution| solution.function == *function) {
+            Some(solution) => {
+                solution.solve(arguments, |function, arguments| self.named(function, arguments))
+            }
+            None => self.named(function, arguments),
+        }
+    }
+
+    fn named(&self, function: &Opaque, arguments: &[f64]) -> f64 {
+        self.functions.get(&function.rust_name()).map_or(f64::NAN, |value| value(arguments))
     }
 }
 

@@ -11,7 +11,7 @@ use crate::elementary::row;
 use crate::emit::on_sides;
 use crate::expr::{ExprId, Function};
 use crate::model::{Model, Product};
-use crate::program::{Labels, Program, lower, optimise, run_with};
+use crate::program::{Labels, NewtonProgram, Program, lower, optimise, run_with};
 use crate::symbol::Role;
 
 /// A system as interpreted programs, with values for its parameters and inputs.
@@ -85,6 +85,9 @@ impl NumericSystem {
         let mut graph = model.graph.clone();
         let switches = equations.switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
         let switches = optimise(&lower(&graph, &switches, &labels), model.accuracy);
+        let unknowns = graph.unknowns().to_vec();
+        let solutions =
+            unknowns.iter().map(|unknown| NewtonProgram::new(&mut graph, unknown, model.accuracy)).collect();
         let mut lowered = |roots: &[ExprId]| {
             let roots = on_sides(&mut graph, &mut labels, &equations.switches, roots);
             optimise(&lower(&graph, &roots, &labels), model.accuracy)
@@ -126,7 +129,7 @@ impl NumericSystem {
             undivided,
             products,
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
-            callables: Callables::default(),
+            callables: Callables::solving(solutions),
         }
     }
 
@@ -169,7 +172,12 @@ impl NumericSystem {
         let of_second_way = [&self.growth, &self.undivided];
         let products = self.products.iter().map(|(_, program)| program);
         let outputs = self.outputs.iter().map(|(_, program)| program);
-        of_motion.into_iter().chain(of_second_way).chain(products).chain(outputs)
+        of_motion
+            .into_iter()
+            .chain(of_second_way)
+            .chain(products)
+            .chain(outputs)
+            .chain(self.callables.programs())
     }
 
     /// The number of velocities.
@@ -195,7 +203,7 @@ impl NumericSystem {
             Role::Acceleration(i) => entry(at.a, i),
             Role::Multiplier(i) => entry(at.multipliers, i),
             Role::Side(i) => entry(sides, i),
-            Role::Reaction(_) | Role::Placeholder(_) => f64::NAN,
+            Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => f64::NAN,
         };
         run_with(program, value_of, |function, arguments| self.callables.call(function, arguments))
     }

@@ -15,6 +15,7 @@ mod ir;
 mod labels;
 mod listing;
 mod lower;
+mod newton;
 mod passes;
 mod preparation;
 mod variability;
@@ -29,6 +30,7 @@ pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;
 pub use listing::{Listing, listing};
 pub use lower::lower;
+pub use newton::NewtonProgram;
 pub use passes::{
     Pass, batch_sines_and_cosines, fuse_multiply_adds, optimise, pair_sines_and_cosines, passes, schedule,
 };

@@ -26,7 +26,9 @@ impl Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
             Role::Input(_) => Variability::Input,
-            Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Placeholder(_) => Variability::Position,
+            Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Operand(_) | Role::Placeholder(_) => {
+                Variability::Position
+            }
             Role::Velocity(_) | Role::Side(_) => Variability::Velocity,
             Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
         }

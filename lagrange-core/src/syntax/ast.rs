@@ -20,6 +20,7 @@ use crate::units::Unit;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
+    UnknownDefinition,
 };
 pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
 pub use events::{Action, Assignment, Direction, Event, Friction};

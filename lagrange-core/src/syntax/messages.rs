@@ -5,6 +5,7 @@ pub(super) mod forms;
 pub(super) mod functions;
 pub(super) mod habits;
 pub(super) mod scenes;
+pub(super) mod solve;
 pub(super) mod tables;
 pub(super) mod units;
 

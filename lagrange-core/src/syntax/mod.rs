@@ -47,6 +47,7 @@ mod parser;
 pub mod print;
 mod recovery;
 mod reductions;
+mod solve;
 mod statements;
 mod tables;
 #[cfg(test)]

@@ -95,6 +95,9 @@ impl Parser<'_> {
             }
             "let" => self.binding(cursor),
             "table" => Ok(StatementKind::Table(Box::new(self.table(cursor)?))),
+            "solve" if cursor.group(Delimiter::Parenthesis).is_none() => {
+                Ok(StatementKind::Solve(self.unknown(cursor)?))
+            }
             "function" => Ok(StatementKind::External(Box::new(self.external(cursor)?))),
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
             "potential" => Ok(StatementKind::Potential(self.assigned(help, cursor)?)),

@@ -158,7 +158,9 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             };
             format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
         }
-        StatementKind::External(_) | StatementKind::Table(_) => functions::callable(declaration, kind),
+        StatementKind::External(_) | StatementKind::Table(_) | StatementKind::Solve(_) => {
+            functions::callable(declaration, kind)
+        }
         StatementKind::Repeat(repetition) => {
             let body = repetition.body.iter().map(|inner| statement(declaration, &inner.kind));
             format!("for {} ({})", repetition.variable.text, body.collect::<Vec<_>>().join(" "))

@@ -23,6 +23,7 @@ mod scenes;
 mod states;
 mod trees;
 mod units;
+mod unknowns;
 
 use proptest::prelude::ProptestConfig;
 

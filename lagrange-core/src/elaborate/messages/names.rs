@@ -5,7 +5,7 @@ pub(in crate::elaborate) fn declared_twice(name: &str) -> String {
 }
 
 pub(in crate::elaborate) fn first_declared(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("`{name}` is declared here already, as {article} {kind}")
 }
 
@@ -90,7 +90,7 @@ pub(in crate::elaborate) const DECLARE_FIRST: &str =
 pub(in crate::elaborate) const FUNCTIONS_ARE_LISTED: &str = "functions of Rust are not seen here: write the expression out with those that the documentation of `lagrange::system!` lists, or compute a number outside and pass it as an `input`";
 
 pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {
-    let article = if kind.starts_with(['e', 'i', 'o']) { "an" } else { "a" };
+    let article = if kind.starts_with(['e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("`{name}` is {article} {kind}, not a function")
 }
 

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::doc;
+use crate::calculus::residual;
 use crate::collections::HashMap;
 use crate::derive::{Conserved, Equations, Strategy, Structure};
 use crate::expr::{ExprId, Graph};
@@ -59,7 +60,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     readable_lines(text::definitions(&model.graph, &right, LONGEST_EQUATIONS))?;
     let sides = sides(model, equations, &right);
     let definitions = text::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
-    let lines = readable_lines(with_rates(model, definitions, text::rate))?;
+    let mut lines = readable_lines(with_rates(model, definitions, text::rate))?;
+    lines.extend(equations_of_unknowns(model, &all, text::text));
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
@@ -73,7 +75,21 @@ pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     let right = readable(&mut model.graph, &right);
     let sides = sides(model, equations, &right);
     let definitions = latex::definitions(&model.graph, &sides, LONGEST_EQUATIONS);
-    lines(with_rates(model, definitions, latex::rate)).join("\n")
+    let mut lines = lines(with_rates(model, definitions, latex::rate));
+    lines.extend(equations_of_unknowns(model, &sides, latex::latex));
+    lines.join("\n")
+}
+
+/// The equation of each algebraic unknown in these expressions.
+fn equations_of_unknowns(
+    model: &mut Model,
+    expressions: &[ExprId],
+    write: fn(&Graph, ExprId) -> String,
+) -> Vec<String> {
+    let graph = &mut model.graph;
+    let calls = graph.reachable(expressions).into_iter();
+    let residuals = calls.filter_map(|call| residual(graph, call)).collect::<Vec<_>>();
+    residuals.into_iter().map(|residual| format!("0 = {}", write(graph, residual))).collect()
 }
 
 /// f + Aᵀλ + Dᵀr, with the names of constraints, contacts and friction for their forces.

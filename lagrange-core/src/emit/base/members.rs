@@ -46,6 +46,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) functions: BTreeSet<&'static str>,
     /// Functions without a formula that the methods call, tables among them.
     pub(in crate::emit) callees: Vec<Opaque>,
+    /// Functions that solve equations.
+    pub(in crate::emit) solvers: TokenStream,
     /// Whether explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
     /// Whether the methods hold rounded values of irrational constants.
@@ -75,6 +77,7 @@ impl Members {
             names,
             functions: BTreeSet::new(),
             callees: Vec::new(),
+            solvers: TokenStream::new(),
             is_separable: false,
             has_rounded_constants: false,
         }

@@ -80,7 +80,8 @@ pub(in crate::emit) fn large_in_kernel(precision: Precision, constants: &[String
 
 pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or leave it out";
 pub(in crate::emit) const EVENTS: &str = "events, which runs look for";
-pub(in crate::emit) const FUNCTIONS: &str = "functions of the crate or tables, which a device does not have";
+pub(in crate::emit) const FUNCTIONS: &str =
+    "functions of the crate, tables or equations to `solve`, which a device does not have";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are found at run time";
 pub(in crate::emit) const SWITCHES: &str =

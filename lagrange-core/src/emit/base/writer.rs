@@ -224,6 +224,17 @@ impl<'a> MethodWriter<'a> {
         quote!(#bindings #statements #result)
     }
 
+    /// A program in a function of its own.
+    pub(in crate::emit) fn lowered_apart(
+        &mut self,
+        program: &Program,
+        scalar: &Scalar,
+        names: &mut Names,
+    ) -> Option<FunctionBody> {
+        self.size.add(OperationCounts::of(program), program.outputs().len());
+        self.written(program, scalar, names)
+    }
+
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
     fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));

@@ -18,6 +18,7 @@ pub(super) mod product;
 pub(super) mod reduced;
 pub(super) mod redundant;
 pub(super) mod scene;
+pub(super) mod solvers;
 pub(super) mod sparse;
 pub(super) mod switches;
 pub(in crate::emit) mod tables;

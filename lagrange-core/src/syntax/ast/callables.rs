@@ -1,4 +1,4 @@
-//! Functions that a declaration defines, names or tabulates.
+//! Functions that a declaration defines, names or tabulates, and values that equations define.
 
 use super::{AstId, Name};
 use crate::diagnostics::Origin;
@@ -33,6 +33,19 @@ pub struct ExternalDerivative {
     pub orders: Vec<u8>,
     /// The name of the function that computes it.
     pub name: Name,
+}
+
+/// A value that an equation defines.
+#[derive(Clone, Debug)]
+pub struct UnknownDefinition {
+    /// Its name.
+    pub name: Name,
+    /// What is zero where it is right.
+    pub residual: AstId,
+    /// Where the search for it starts; zero is meant if that is not said.
+    pub start: Option<AstId>,
+    /// The number of steps after which the search ends.
+    pub iterations: Option<AstId>,
 }
 
 /// A function that goes through points.

@@ -22,6 +22,8 @@ pub enum Soft {
     Joint,
     /// A name and a semicolon.
     Alone,
+    /// A name and a colon.
+    Equation,
     /// A name and what may follow it in a list.
     List,
     /// A name and parentheses.

@@ -8,7 +8,9 @@ mod names;
 use proc_macro2::TokenStream;
 
 use super::bodies::SceneStatement;
-use super::callables::{ExternalFunction, FunctionDefinition, TableDefinition, TableSource};
+use super::callables::{
+    ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
+};
 use super::events::{Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
@@ -40,6 +42,7 @@ pub struct Statement {
 ///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
 ///           | "function" NAME "(" named { "," named } ")" [ ":" unit ] ( ";" | "{" { derivative } "}" [ ";" ] )
 ///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
+///           | "solve" named ":" "0" "=" sum { "," ( "start" | "iterations" ) ":" sum } ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
 ///           | "force" NAME "=" sum ";"
@@ -106,6 +109,8 @@ pub enum StatementKind {
     External(Box<ExternalFunction>),
     /// `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`
     Table(Box<TableDefinition>),
+    /// `solve y: 0 = e, start: e, iterations: n;`
+    Solve(UnknownDefinition),
     /// `kinetic = e;`
     Kinetic(AstId),
     /// `potential = e;`
@@ -167,7 +172,7 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 25] = [
+pub const KEYWORDS: [Keyword; 26] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`"),
@@ -189,6 +194,11 @@ pub const KEYWORDS: [Keyword; 25] = [
         "write `table f(x) = [(0, 1), (2, 5)], interpolation: natural, outside: error;`, or `\"points.csv\"` for the list",
     )
     .before(Soft::Function),
+    Keyword::new(
+        "solve",
+        "write `solve y: 0 = e;`, or `solve y: 0 = e, start: s, iterations: 50;`, for the y that makes e zero",
+    )
+    .before(Soft::Equation),
     Keyword::new("kinetic", "write `kinetic = e;`"),
     Keyword::new("potential", "write `potential = e;`"),
     Keyword::new("lagrangian", "write `lagrangian = e;`"),
@@ -229,6 +239,7 @@ impl StatementKind {
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
+            StatementKind::Solve(unknown) => (vec![&unknown.name], Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
             // Its name can be called, and means nothing by itself.
             StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
@@ -280,6 +291,9 @@ impl StatementKind {
                 TableSource::Points(points) => points.iter_mut().flat_map(|(point, _)| point).collect(),
                 TableSource::File { .. } => Vec::new(),
             },
+            StatementKind::Solve(UnknownDefinition { residual, start, iterations, .. }) => {
+                start.iter_mut().chain(iterations).chain([residual]).collect()
+            }
             StatementKind::Gibbs { function, stated } => vec![function, stated],
             StatementKind::ForceAt { force, point } => vec![force, point],
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],

@@ -30,6 +30,7 @@ impl Cursor {
                 name.is_some() && matches!(self.peek_past(2), Some(TokenTree::Ident(word)) if word == "in")
             }
             Soft::List => name.is_some_and(|name| !keywords::is_connective(&name)) && self.goes_on_as_list(2),
+            Soft::Equation => name.is_some() && is_punct(self.peek_past(2), ':'),
             Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
             Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
             Soft::Coordinates => {

@@ -1,7 +1,7 @@
 //! Functions of the user's crate as text.
 
 use super::Printer;
-use crate::syntax::ast::{ExternalFunction, Name, TableDefinition, TableSource};
+use crate::syntax::ast::{ExternalFunction, Name, TableDefinition, TableSource, UnknownDefinition};
 
 impl Printer<'_> {
     /// `function f(x) { derivative: slope; }`
@@ -44,6 +44,16 @@ impl Printer<'_> {
         }
         let (interpolation, outside) = (table.interpolation.name(), table.outside.name());
         self.text(&format!(", interpolation: {interpolation}, outside: {outside};"));
+    }
+
+    /// `solve y: 0 = e, start: e, iterations: n;`
+    pub(super) fn unknown(&mut self, unknown: &UnknownDefinition) {
+        self.text("solve ");
+        self.name(&unknown.name);
+        self.labelled(": 0 = ", unknown.residual);
+        unknown.start.iter().for_each(|start| self.labelled(", start: ", *start));
+        unknown.iterations.iter().for_each(|iterations| self.labelled(", iterations: ", *iterations));
+        self.text(";");
     }
 
     /// `f(x, y)`

@@ -33,8 +33,33 @@ pub(super) fn callable(declaration: &Declaration, kind: &StatementKind) -> Strin
                 table.parameters.len()
             )
         }
+        StatementKind::Solve(unknown) => {
+            let unit = unknown.name.unit.as_ref().map_or(String::new(), |unit| format!(" {unit}"));
+            let said = [Some(unknown.residual), unknown.start, unknown.iterations];
+            let said = said.map(|id| id.map(|id| print::expression(&declaration.expressions, id)));
+            format!("solve {}{unit} {said:?}", unknown.name.text)
+        }
         _ => String::new(),
     }
+}
+
+#[test]
+fn equations_have_their_form() {
+    let text = "
+        solve y: 0 = y - x;
+        solve f: N: 0 = f + f^3 - k * x, iterations: 2 * n, start: k * x;
+        solve r: 1/s^2: 0 = r - a, start: 1;
+        solve y[1]: (m/s)^2: 0 = y[1] - a;
+        param solve = 1, start = solve * 2;
+    ";
+    let expected = [
+        "solve y [Some(\"y - x\"), None, None]",
+        "solve f N [Some(\"f + f^3 - k * x\"), Some(\"k * x\"), Some(\"2 * n\")]",
+        "solve r 1/s^2 [Some(\"r - a\"), Some(\"1\"), None]",
+        "solve y m^2/s^2 [Some(\"y[1] - a\"), None, None]",
+        "param (solve 1) (start (* solve 2))",
+    ];
+    assert_eq!(statements(&read(text)), expected);
 }
 
 #[test]

@@ -1,0 +1,38 @@
+//! Diagnostics for values that equations define.
+
+pub(in crate::elaborate) const START: &str = "the start of an unknown";
+pub(in crate::elaborate) const ITERATIONS: &str = "the number of iterations";
+pub(in crate::elaborate) const NO_ITERATIONS: &str = "this is no number of iterations";
+pub(in crate::elaborate) const ITERATIONS_HELP: &str =
+    "write a whole number from 1 to 1000, such as `iterations: 50`; without one it is 30";
+pub(in crate::elaborate) const START_HELP: &str =
+    "write what is known before the equation is solved, such as a number; without a start it is 0";
+pub(in crate::elaborate) const RATE_HELP: &str =
+    "behind the statement it has a rate; an equation for the rate itself is that of a `state`";
+pub(in crate::elaborate) const ONE_AT_A_TIME: &str = "move the declaration in front of this; where each of two unknowns is in the equation of the other, eliminate one of them: equations are solved one at a time";
+
+pub(in crate::elaborate) fn equation(name: &str) -> String {
+    format!("the equation of `{name}`")
+}
+
+pub(in crate::elaborate) fn without_unknown(name: &str) -> String {
+    format!("this equation does not depend on `{name}`")
+}
+
+pub(in crate::elaborate) fn without_unknown_help(name: &str) -> String {
+    format!(
+        "write an expression that changes with `{name}` and is zero at its value; what can be written out is `let {name} = e;`"
+    )
+}
+
+pub(in crate::elaborate) fn start_holds(name: &str) -> String {
+    format!("the start of `{name}` depends on `{name}`")
+}
+
+pub(in crate::elaborate) fn rate_within(name: &str) -> String {
+    format!("the rate of `{name}` is not known in its own equation")
+}
+
+pub(in crate::elaborate) fn name_of_solver(name: &str, unknown: &str) -> String {
+    format!("`{name}` is the name of the function that solves for `{unknown}`")
+}

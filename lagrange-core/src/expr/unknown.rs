@@ -1,0 +1,68 @@
+//! Values that equations define implicitly.
+//!
+//! An algebraic unknown y of an equation 0 = r(x₁, …, y) is a function y(x₁, …) of its arguments. Expressions mention it as a call of an
+//! [`Opaque`] function; what r is, in symbols of its own for the arguments and the unknown, stands beside them in the graph.
+
+use super::{ExprId, Graph};
+use crate::opaque::Opaque;
+use crate::symbol::Role;
+
+/// A function that an equation defines.
+#[derive(Clone, Debug)]
+pub struct AlgebraicUnknown {
+    /// The function.
+    pub function: Opaque,
+    /// The symbols of its arguments.
+    pub arguments: Vec<ExprId>,
+    /// The symbol of its value.
+    pub value: ExprId,
+    /// What is zero where the value is right, made of these symbols.
+    pub residual: ExprId,
+    /// Value from which the iteration starts, made of the arguments.
+    pub start: ExprId,
+    /// Number of steps after which the equation counts as one without a solution.
+    pub iterations: u32,
+}
+
+impl AlgebraicUnknown {
+    /// All expressions that define it.
+    pub fn expressions(&self) -> Vec<ExprId> {
+        [&self.arguments[..], &[self.value, self.residual, self.start]].concat()
+    }
+
+    /// The same with other expressions in their places.
+    pub fn map(&self, map: impl Fn(ExprId) -> ExprId) -> AlgebraicUnknown {
+        AlgebraicUnknown {
+            function: self.function.clone(),
+            arguments: self.arguments.iter().map(|&argument| map(argument)).collect(),
+            value: map(self.value),
+            residual: map(self.residual),
+            start: map(self.start),
+            iterations: self.iterations,
+        }
+    }
+}
+
+impl Graph {
+    /// A new symbol for an argument or the value of an algebraic unknown.
+    pub fn operand(&mut self, name: &str) -> ExprId {
+        let role = Role::Operand(self.operands);
+        self.operands += 1;
+        self.symbol(name, role)
+    }
+
+    /// Adds a function that an equation defines.
+    pub fn add_unknown(&mut self, unknown: AlgebraicUnknown) {
+        self.unknowns.push(unknown);
+    }
+
+    /// What equations define implicitly, in the order of declaration.
+    pub fn unknowns(&self) -> &[AlgebraicUnknown] {
+        &self.unknowns
+    }
+
+    /// The equation that defines a function, if one does.
+    pub fn unknown(&self, function: &Opaque) -> Option<&AlgebraicUnknown> {
+        self.unknowns.iter().find(|unknown| unknown.function == *function)
+    }
+}

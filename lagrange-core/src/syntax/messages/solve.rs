@@ -1,0 +1,13 @@
+//! Diagnostics for values that equations define.
+
+use super::quoted;
+
+pub(in crate::syntax) const NO_ZERO_ON_THE_LEFT: &str = "the left side of the equation is not `0`";
+
+pub(in crate::syntax) fn zero_on_the_left(unknown: &str) -> String {
+    format!("write `solve {unknown}: 0 = e;`, where e is the difference of the two sides")
+}
+
+pub(in crate::syntax) fn unknown_option(word: &str) -> String {
+    format!("{} says nothing about how an equation is solved", quoted(word))
+}

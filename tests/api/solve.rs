@@ -1,0 +1,185 @@
+//! Algebraic unknowns: emitted code against the interpreter, in every number type, side by side, and where there is no solution.
+
+use lagrange::Simulate;
+use lagrange::scalar::Lanes;
+use lagrange::system::{Equations, LanesSystem};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
+use lagrange_core::pipeline::{NumericSystem, parse};
+
+/// Declares a system, and keeps its statements as text.
+macro_rules! declared_twice {
+    ($name:ident, $text:ident; $($statements:tt)*) => {
+        lagrange::system! {
+            #[derive(Clone, Debug)]
+            struct $name;
+            $($statements)*
+        }
+        const $text: &str = stringify!($($statements)*);
+    };
+}
+
+declared_twice! { Arm, ARM;
+    param m = 2, l = 0.6, soft = 20, hard = 8, stiff = 60, resistance = 3, leak = 0.01, volt = 0.05, g = 9.81;
+    coord theta;
+    state charge;
+    input source = 2;
+    // A shaft that stiffens, in series with a gear that does not.
+    solve twist: 0 = soft * twist + hard * twist^3 - stiff * (theta - twist), start: theta;
+    // A diode behind a resistor.
+    solve drop: 0 = leak * (exp(drop / volt) - 1) - (source - charge - drop) / resistance, start: 0.3, iterations: 80;
+    let current = (source - charge - drop) / resistance;
+    kinetic = kinetic_energy(m, l * dot(theta));
+    potential = -m * g * l * cos(theta) + 1/2 * soft * twist^2 + 1/4 * hard * twist^4 + spring_energy(stiff, theta - twist);
+    force theta = current;
+    dot(charge) = current;
+    output shaft = (twist, dot(twist));
+    emit { jacobian, lanes }
+}
+
+lagrange::system! {
+    /// A bead on a spring whose law is that of an equation, in any number type.
+    struct Sprung<S>;
+    coord x;
+    solve pull: 0 = pull + pull^3 - x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -pull;
+}
+
+lagrange::system! {
+    /// The same in single precision, side by side.
+    #[scalar(f32)]
+    struct Single;
+    coord x;
+    solve pull: 0 = pull + pull^3 - x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -pull;
+    emit { lanes }
+}
+
+fn half(x: f64) -> f64 {
+    0.5 * x
+}
+
+fn half_derivative(_: f64) -> f64 {
+    0.5
+}
+
+lagrange::system! {
+    /// Beads on equations with a function of the crate, one for each, in millimetres.
+    struct Beads;
+    function half(x: m): m;
+    const n = 3;
+    param k[n]: N/m = [1, 2, 3], m: kg = 1;
+    coord x[n]: m;
+    for i in 0..n {
+        solve rest[i]: mm: 0 = rest[i] + half(rest[i]) - x[i], start: 1000;
+        kinetic = kinetic_energy(m, dot(x[i]));
+        force x[i] = -k[i] * rest[i];
+    }
+    emit { prepared }
+}
+
+lagrange::system! {
+    /// What is pulled until its equation has no solution.
+    #[derive(Clone, Debug)]
+    struct Snapping;
+    coord x;
+    solve y: 0 = y^2 + x - 1, start: 1;
+    kinetic = 1/2 * dot(x)^2;
+    force x = 1 - y;
+}
+
+/// States of the arm: angle, charge, rate.
+fn states() -> impl Iterator<Item = [f64; 3]> {
+    let spread = |i: u32, factor: f64| 3.0 * (f64::from(i) * factor).fract() - 1.5;
+    (1..60).map(move |i| [spread(i, 0.618), spread(i, 0.755), 2.0 * spread(i, 0.57)])
+}
+
+#[test]
+fn the_interpreter_computes_the_same_bits() {
+    let derived = parse(ARM).and_then(|system| system.derive(StrategyChoice::Cheapest));
+    let (arm, interpreted) = (Arm::default(), NumericSystem::new(&derived.expect("a correct declaration")));
+    for [theta, charge, rate] in states() {
+        let (q, v) = ([theta, charge], [rate]);
+        let found = arm.rhs(0.0, &[theta, charge, rate]);
+        assert!(found.iter().all(|found| found.is_finite()), "{theta} {charge} {rate}");
+        assert_eq!(found[..], interpreted.rhs(0.0, &[theta, charge, rate])[..]);
+        assert_eq!(
+            arm.shaft(0.0, &q, &v)[..],
+            interpreted.output("shaft", 0.0, &q, &v).expect("it is declared")
+        );
+        // The interpreter has only the rows of accelerations, which share less than all rows do.
+        let jacobian = interpreted.product(Product::Jacobian, 0.0, &q, &v).expect("it was asked for");
+        for (found, expected) in arm.jacobian(0.0, &[theta, charge, rate])[2].into_iter().zip(jacobian) {
+            assert!((found - expected).abs() <= 1e-13 * (1.0 + expected.abs()), "{found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn lanes_have_the_bits_of_one_motion() {
+    let arm = Arm::default();
+    let (one, four) =
+        (arm.lanes(|parameter| parameter), arm.lanes(|parameter| Lanes::<f64, 4>([parameter; 4])));
+    let all = states().collect::<Vec<_>>();
+    for group in all.chunks_exact(4) {
+        let mut side_by_side = [0, 1, 2].map(|entry| Lanes([0, 1, 2, 3].map(|lane| group[lane][entry])));
+        let found = four.rhs(Lanes([0.0; 4]), &side_by_side);
+        // One that goes nowhere changes nothing for the others.
+        side_by_side[0].0[3] = f64::NAN;
+        let beside_nan = four.rhs(Lanes([0.0; 4]), &side_by_side);
+        for lane in 0..3 {
+            let [found, beside_nan] =
+                [found, beside_nan].map(|rates| rates.map(|rate| rate.0[lane].to_bits()));
+            assert_eq!(found, beside_nan);
+            let alone = arm.lanes(|parameter| Lanes::<f64, 1>([parameter]));
+            let alone = alone.rhs(Lanes([0.0]), &group[lane].map(|entry| Lanes([entry])));
+            assert_eq!(found, alone.map(|rate| rate.0[0].to_bits()));
+            assert_eq!(one.rhs(0.0, &group[lane]), arm.rhs(0.0, &group[lane]));
+        }
+        assert!(beside_nan[2].0[3].is_nan());
+    }
+}
+
+#[test]
+fn energy_is_kept_with_an_unknown_in_the_potential() {
+    let arm = Arm { leak: 0.0, source: 0.0, ..Arm::default() };
+    let start = ArmState { theta: 1.2, charge: 0.0, theta_dot: 0.0 };
+    let run = arm.simulate(start).until(5.0).tolerance(1e-12).energy().run().expect("it swings");
+    let energy = run.column("energy").expect("it was asked for");
+    let drift = energy.iter().map(|one| (one - energy[0]).abs()).fold(0.0, f64::max);
+    assert!(drift < 1e-9, "{drift}");
+}
+
+#[test]
+fn other_numbers_have_the_same_solutions() {
+    let (double, single, plain) = (Sprung::<f64>::default(), Sprung::<f32>::default(), Single::default());
+    let lanes = plain.lanes(|parameter| parameter);
+    for x in [-30.0_f32, -1.0, 0.0, 0.1, 2.0] {
+        let a = double.acceleration(0.0, &[f64::from(x)], &[0.0])[0] as f32;
+        let [b] = single.acceleration(0.0, &[x], &[0.0]);
+        let [c] = plain.acceleration(0.0, &[x], &[0.0]);
+        assert!((a - b).abs() <= 4e-7 * a.abs() && (a - c).abs() <= 4e-7 * a.abs(), "{a} {b} {c}");
+        assert_eq!(lanes.rhs(0.0, &[x, 0.0]), plain.rhs(0.0, &[x, 0.0]));
+    }
+}
+
+#[test]
+fn elements_of_arrays_have_equations_and_units_scale_the_start() {
+    let accelerations = Beads::default().acceleration(0.0, &[0.3, 0.6, -0.9], &[0.0; 3]);
+    for (found, expected) in accelerations.into_iter().zip([-0.2, -0.8, 1.8]) {
+        assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+    }
+    let prepared = Beads::default().prepared().acceleration(0.0, &[0.3, 0.6, -0.9], &[0.0; 3]);
+    assert_eq!(prepared, accelerations);
+}
+
+#[test]
+fn a_run_without_a_solution_ends_with_an_error() {
+    let failure = Snapping::default().simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
+    let error = failure.expect_err("there is no root beyond x = 1").to_string();
+    assert!(error.contains("NaN"), "{error}");
+    let event = Snapping::default().simulate([0.5, 1.0]).until(0.2).tolerance(1e-9).run();
+    assert!(event.expect("it is not there yet").last()[0] < 1.0);
+}
