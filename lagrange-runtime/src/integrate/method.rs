@@ -9,7 +9,7 @@
 //! up, which is then to be told by a run of its own.
 
 use crate::scalar::Scalar;
-use crate::system::{Equations, OdeSystem, SideBySide, StepFailure};
+use crate::system::{Equations, OdeSystem, SideBySide, StateVector, StepFailure};
 
 /// A method of integration with its settings.
 pub trait Method<M: OdeSystem + ?Sized> {
@@ -137,9 +137,40 @@ pub trait LanesMethod<T: Scalar>: Copy {
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Whether a motion of this system, which is under [suspicion](LanesStepper::suspicion) at this time and state, may go on in its lane.
-    fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _t: T, _y: &M::State) -> bool {
+    /// Whether a motion of this system, which is under [suspicion](LanesStepper::suspicion) for this step, may go on in its lane.
+    fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
         false
+    }
+}
+
+/// A step that may have been too long for its method, and where to look for what is too fast.
+#[derive(Clone, Copy, Debug)]
+pub struct SuspectStep<S, Y> {
+    /// The time at which it began.
+    pub t: S,
+    /// The state there.
+    pub y: Y,
+    /// Its length, negative backwards in time.
+    pub h: S,
+    /// By how much rates differed within it, in the place of the components they belong to.
+    pub direction: Y,
+    /// How far it led, as a sum of magnitudes.
+    pub change: S,
+}
+
+impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
+    /// That in one lane.
+    pub fn lane<Z: StateVector<S::Element>>(&self, lane: usize) -> SuspectStep<S::Element, Z> {
+        let of = |lanes: &Y| {
+            let mut state = Z::ZERO;
+            for (component, lanes) in state.as_mut().iter_mut().zip(lanes.as_ref()) {
+                *component = lanes.lane(lane);
+            }
+            state
+        };
+        let SuspectStep { t, h, change, .. } = *self;
+        let [t, h, change] = [t, h, change].map(|number| number.lane(lane));
+        SuspectStep { t, y: of(&self.y), h, direction: of(&self.direction), change }
     }
 }
 
@@ -172,6 +203,11 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
 
     /// Where it showed in the last step that the method may not be fit for the motion.
     fn suspicion(&self) -> S::Mask;
+
+    /// The steps that are under suspicion, in the lanes where they are.
+    fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
+        None
+    }
 
     /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up then.
     fn limit_steps(&mut self, most: u64);

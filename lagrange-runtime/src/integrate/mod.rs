@@ -30,7 +30,9 @@ pub use self::fixed::{FixedStepper, Formula};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
-pub use self::method::{LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, Work};
+pub use self::method::{
+    LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, SuspectStep, Work,
+};
 pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
 pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, StormerVerlet, SymplecticEuler};
 pub use self::undefined::{explained, undefined};

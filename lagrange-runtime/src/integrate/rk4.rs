@@ -18,7 +18,7 @@ pub use self::lanes::{RungeKuttaLanes, RungeKuttaLastStep};
 
 use crate::integrate::fixed::{FixedStepper, Formula};
 use crate::integrate::interpolation::{Place, cubic};
-use crate::integrate::method::{LanesMethodVisitor, Method, Work};
+use crate::integrate::method::{LanesMethodVisitor, Method, SuspectStep, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
@@ -167,12 +167,18 @@ impl<Y> Classical<Y> {
             return Ok(());
         }
         work.evaluations += EVALUATIONS;
-        let direction = combined(&stages.k3, -M::Scalar::ONE, &stages.k2);
-        let change = h.abs() * l1_norm(&stages.k1);
-        let eigenvalue = largest_eigenvalue(|y| system.rhs(t, y), y, change, &direction);
-        let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
+        let limit = longest_bearable(system, &stages.suspect((t, y), h));
         if h.abs() > limit { Err(StepFailure::StepTooLong { step: h.abs(), limit }) } else { Ok(()) }
     }
+}
+
+/// About the longest step that is stable where this one was tried; not a number if that cannot be told.
+#[cold]
+fn longest_bearable<M: OdeSystem + ?Sized>(
+    system: &M,
+    SuspectStep { t, y, direction, change, .. }: &SuspectStep<M::Scalar, M::State>,
+) -> M::Scalar {
+    M::Scalar::from_f64(STABLE) / largest_eigenvalue(|y| system.rhs(*t, y), y, *change, direction)
 }
 
 /// Whether something may be too fast for the step whose stages these are: k₃ − k₂ is (h/2)² J² k₁, with the Jacobian J, up to higher
@@ -219,6 +225,16 @@ impl<Y> RungeKuttaStages<Y> {
         let k3 = system.rhs(t + half, &combined(y, half, &k2));
         let k4 = system.rhs(t + h, &combined(y, h, &k3));
         RungeKuttaStages { k1, k2, k3, k4 }
+    }
+
+    /// The step of the length h from `y` at time t.
+    #[inline]
+    fn suspect<S: Number>(&self, (t, y): (S, &Y), h: S) -> SuspectStep<S, Y>
+    where
+        Y: StateVector<S>,
+    {
+        let direction = combined(&self.k3, -S::ONE, &self.k2);
+        SuspectStep { t, y: *y, h, direction, change: h.abs() * l1_norm(&self.k1) }
     }
 
     /// h (k₁ + 2 k₂ + 2 k₃ + k₄)/6

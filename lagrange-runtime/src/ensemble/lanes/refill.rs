@@ -7,7 +7,7 @@ use std::vec::Vec;
 use super::dispatch::Task;
 use super::sampler::{Sampler, SamplesWithin};
 use crate::ensemble::progress::Counter;
-use crate::integrate::{LanesMethod, LanesStepper, MOST_LANES, Work};
+use crate::integrate::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
 use crate::scalar::{Lanes, Mask, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarOf, SideBySide, StateVector};
@@ -299,8 +299,9 @@ where
             for (component, lanes) in state.as_mut().iter_mut().zip(running.stepper.state().as_ref()) {
                 *component = lanes.lane(lane);
             }
-            let is_borne =
-                !suspicion.lane(lane) || self.method.bears(self.queue.system(motion), time, &state);
+            let bears =
+                |steps: &SuspectStep<S, _>| self.method.bears(self.queue.system(motion), &steps.lane(lane));
+            let is_borne = !suspicion.lane(lane) || running.stepper.suspects().is_some_and(bears);
             if !time.is_finite() || !is_borne {
                 self.free(running, lane);
                 self.replace(running, lane);

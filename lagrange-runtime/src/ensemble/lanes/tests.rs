@@ -293,6 +293,23 @@ fn motions_fail_as_they_do_alone_and_others_go_on() {
     assert_same_failures(move || springs(3.0).until(f64::INFINITY), &(0..9).collect::<Vec<_>>());
 }
 
+/// What is too fast for a step is looked for where it began: where it led to is another place.
+#[test]
+fn steps_that_are_too_long_are_refused_as_they_are_alone() {
+    let system = DoublePendulum::default();
+    let ensemble = || {
+        let motions = system.ensemble(60).start(|index, _| [0.05 * index as f64, 2.0, 0.0, 0.0]).until(1.0);
+        motions.method(RungeKutta4 { step: 1.0 })
+    };
+    let refused = |ends: Ends<DoublePendulum<f64>>| {
+        ends.failures().iter().map(|failure| failure.index).collect::<Vec<_>>()
+    };
+    let alone = refused(ensemble().one_by_one().run().expect("runs"));
+    assert!((10..50).contains(&alone.len()), "{alone:?}");
+    assert!(ensemble().is_in_lanes());
+    assert_eq!(refused(ensemble().run().expect("runs")), alone);
+}
+
 #[test]
 fn stiff_motions_are_refused_as_they_are_alone() {
     const SERVO: Servo<f64> = Servo { damping: 1.0 };

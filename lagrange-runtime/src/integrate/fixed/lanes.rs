@@ -3,7 +3,7 @@
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::lane_wise::{Counts, are_finite, splat};
-use crate::integrate::method::MOST_LANES;
+use crate::integrate::method::{MOST_LANES, SuspectStep};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{SideBySide, StateVector};
@@ -15,6 +15,7 @@ pub(in crate::integrate) struct FixedLanes<S: Number, Y> {
     clock: Clock<S>,
     state: Compensated<Y>,
     suspicion: S::Mask,
+    suspects: SuspectStep<S, Y>,
     watches: [Watch; MOST_LANES],
     are_watched: bool,
     most_steps: u64,
@@ -29,11 +30,14 @@ where
     /// Motions from the state `y` at time `t` in steps of this length towards `end`.
     #[inline(always)]
     pub(in crate::integrate) fn start(step: S::Element, t: S::Element, y: &Y, end: S::Element) -> Self {
+        let suspects =
+            SuspectStep { t: S::ZERO, y: Y::ZERO, h: S::ZERO, direction: Y::ZERO, change: S::ZERO };
         FixedLanes {
             end: splat(end),
             clock: Clock::new(splat(t), splat(step)),
             state: Compensated::new(*y),
             suspicion: S::Mask::splat(false),
+            suspects,
             watches: [Watch::default(); MOST_LANES],
             are_watched: false,
             most_steps: u64::MAX,
@@ -59,6 +63,11 @@ where
         self.suspicion
     }
 
+    /// The steps under suspicion.
+    pub(in crate::integrate) fn suspects(&self) -> &SuspectStep<S, Y> {
+        &self.suspects
+    }
+
     /// How many steps the motion in a lane took.
     pub(in crate::integrate) fn steps(&self, lane: usize) -> u64 {
         self.counts.taken(lane)
@@ -77,9 +86,17 @@ where
         (h, clock)
     }
 
-    /// Takes steps by these increments up to where the clock then is; they hint at instability where the mask is true.
+    /// Takes steps by these increments up to where the clock then is; they hint at instability where the mask is true. What they were is asked
+    /// for only there.
     #[inline(always)]
-    pub(in crate::integrate) fn accept(&mut self, clock: Clock<S>, increment: &Y, hints: S::Mask) {
+    pub(in crate::integrate) fn accept(
+        &mut self,
+        clock: Clock<S>,
+        increment: &Y,
+        hints: S::Mask,
+        step: impl FnOnce(S, Y) -> SuspectStep<S, Y>,
+    ) {
+        let (t, y) = (self.clock.time(), *self.state.value());
         self.state.add(increment);
         self.clock = clock;
         let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);
@@ -90,6 +107,9 @@ where
         self.suspicion = S::Mask::splat(false);
         if self.are_watched || hints.any() {
             self.watch(hints);
+            if self.suspicion.any() {
+                self.suspects = step(t, y);
+            }
         }
     }
 

@@ -1,10 +1,10 @@
 //! The method for several motions side by side.
 
-use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_stable};
+use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_bearable};
 use crate::integrate::fixed::FixedLanes;
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::lane_wise::{chosen, is_equal};
-use crate::integrate::method::{LanesMethod, LanesStepper, Work};
+use crate::integrate::method::{LanesMethod, LanesStepper, SuspectStep, Work};
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
@@ -39,8 +39,8 @@ impl<T: Scalar> LanesMethod<T> for RungeKutta4<T> {
         RungeKuttaLanes { motions: FixedLanes::start(self.step, t, y, end), start: E::State::ZERO }
     }
 
-    fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, t: T, y: &M::State) -> bool {
-        longest_stable(system, t, y, &mut Work::default()).is_none_or(|limit| self.step <= limit)
+    fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {
+        step.h.abs() <= longest_bearable(system, step)
     }
 }
 
@@ -91,7 +91,8 @@ where
     fn step(&mut self, equations: &E) {
         let (h, clock) = self.motions.next();
         let stages = self.evaluate(equations, h);
-        self.motions.accept(clock, &stages.increment(h), hints_at_instability(&stages));
+        let hints = hints_at_instability(&stages);
+        self.motions.accept(clock, &stages.increment(h), hints, |t, y| stages.suspect((t, &y), h));
         self.start = stages.k1;
     }
 
@@ -121,6 +122,10 @@ where
     #[inline(always)]
     fn suspicion(&self) -> S::Mask {
         self.motions.suspicion()
+    }
+
+    fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
+        Some(self.motions.suspects())
     }
 
     fn limit_steps(&mut self, most: u64) {

@@ -10,7 +10,7 @@ use super::verlet::{self, StormerVerlet};
 use crate::integrate::fixed::FixedLanes;
 use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::lane_wise::{chosen, is_equal, take};
-use crate::integrate::method::{LanesMethod, LanesStepper, Work};
+use crate::integrate::method::{LanesMethod, LanesStepper, SuspectStep, Work};
 use crate::integrate::stability;
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
@@ -74,9 +74,7 @@ where
     #[inline(always)]
     fn hints_at_instability(&self) -> S::Mask {
         let half = half(&self.increment);
-        let [start, end] = &self.rates;
-        let (change, _) = self.increment.as_ref().split_at(half);
-        let change = change.iter().fold(S::ZERO, |sum, change| sum + change.abs());
+        let ([start, end], change) = (&self.rates, change(&self.increment));
         let accelerations = start.as_ref()[half..].iter().zip(&end.as_ref()[half..]);
         let bent = accelerations.fold(S::ZERO, |sum, (start, end)| sum + (*start - *end).abs());
         let stable = S::from_f64(self.composition.stable * self.composition.stable);
@@ -87,6 +85,12 @@ where
 /// How many coordinates a state has.
 fn half<S, Y: AsRef<[S]>>(y: &Y) -> usize {
     y.as_ref().len() / 2
+}
+
+/// How far steps led that changed states by this.
+#[inline(always)]
+fn change<S: Number, Y: AsRef<[S]>>(increment: &Y) -> S {
+    increment.as_ref()[..half(increment)].iter().fold(S::ZERO, |sum, change| sum + change.abs())
 }
 
 /// v += c a, with the accelerations of these rates
@@ -118,14 +122,12 @@ fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
     moved
 }
 
-/// Whether steps of this length by a composition are stable where the system is at this time and state.
+/// Whether this step by a composition is stable.
 #[cold]
 pub(super) fn bears<M: OdeSystem, const DRIFTS: usize>(
     composition: &Composition<DRIFTS>,
-    step: M::Scalar,
     system: &M,
-    t: M::Scalar,
-    y: &M::State,
+    &SuspectStep { t, ref y, h, ref direction, change }: &SuspectStep<M::Scalar, M::State>,
 ) -> bool {
     let velocities = half(y);
     // Accelerations as rates of coordinates, while velocities stay what they are.
@@ -134,8 +136,8 @@ pub(super) fn bears<M: OdeSystem, const DRIFTS: usize>(
         state.as_mut()[velocities..].copy_from_slice(&y.as_ref()[velocities..]);
         second_half(&system.rhs(t, &state))
     };
-    let Some(square) = stability::eigenvalue_at(rates, y) else { return true };
-    step <= M::Scalar::from_f64(composition.stable) / square.sqrt()
+    let square = stability::largest_eigenvalue(rates, y, change, direction);
+    h.abs() <= M::Scalar::from_f64(composition.stable) / square.sqrt()
 }
 
 impl<S, E, const DRIFTS: usize> LanesStepper<S, E> for SplittingLanes<S, E::State, DRIFTS>
@@ -159,7 +161,12 @@ where
     fn step(&mut self, equations: &E) {
         let (h, clock) = self.motions.next();
         self.compose(equations, h);
-        self.motions.accept(clock, &self.increment, self.hints_at_instability());
+        let hints = self.hints_at_instability();
+        self.motions.accept(clock, &self.increment, hints, |t, y| {
+            let [start, end] = self.rates.each_ref().map(second_half);
+            let direction = combined(&end, -S::ONE, &start);
+            SuspectStep { t, y, h, direction, change: change(&self.increment) }
+        });
     }
 
     #[inline(always)]
@@ -195,6 +202,10 @@ where
         self.motions.suspicion()
     }
 
+    fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
+        Some(self.motions.suspects())
+    }
+
     fn limit_steps(&mut self, most: u64) {
         self.motions.limit_steps(most);
     }
@@ -227,8 +238,8 @@ macro_rules! side_by_side {
                 SplittingLanes::start(($composition, self.step), equations, t, y, end)
             }
 
-            fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, t: T, y: &M::State) -> bool {
-                bears(&$composition, self.step, system, t, y)
+            fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {
+                bears(&$composition, system, step)
             }
         })*
     };
