@@ -8,7 +8,7 @@ use lagrange::system::Direction;
 lagrange::system! {
     /// A pendulum on a cart.
     #[derive(Clone)]
-    struct CartPole;
+    pub(crate) struct CartPole;
 
     param m_cart = 1.0, m = 0.1, l = 0.5, g = 9.81;
     coord x, theta;

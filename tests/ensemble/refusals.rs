@@ -3,9 +3,10 @@
 use std::ops::ControlFlow;
 
 use lagrange::Ensembles;
-use lagrange::ensemble::{EnsembleError, Moments, Shard};
+use lagrange::ensemble::{Done, EnsembleError, Moments, Shard};
 use lagrange::integrate::{RungeKutta4, StepFailure};
 
+use crate::lanes::CartPole;
 use crate::{DoublePendulum, start};
 
 #[track_caller]
@@ -82,6 +83,32 @@ fn a_panic_is_an_error_that_says_in_which_motion() {
         let ensemble = pendulum.ensemble(1000).start(|_, _| [0.0; 4]).until(0.1).threads(threads);
         let reduced = ensemble.reduce(0_u64, |_, motion| assert!(motion.index() < 70, "is beyond"));
         assert_says(reduced, "motion 70 panicked: is beyond");
+    }
+}
+
+/// By two ways: one by one, and in lanes, where columns are asked for before anything moves.
+#[test]
+fn what_is_observed_may_panic() {
+    let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
+    let alone =
+        pendulum.ensemble(9).start(start).until(0.1).observe("x", |_, _, _| panic!("is not observed"));
+    assert_says(alone.run(), "motion 0 panicked: is not observed");
+    let lanes = cart.ensemble(9).start(start).until(0.1).observe("x", |_, _, _| panic!("is not observed"));
+    assert!(lanes.is_in_lanes());
+    assert_says(lanes.run(), "motion 0 panicked: is not observed");
+}
+
+#[test]
+fn progress_that_panics_is_an_error_whenever_it_does() {
+    let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
+    for threads in [1, 2] {
+        for at_end in [false, true] {
+            let panics = move |done: Done| assert!(at_end && done.motions < done.of, "is done");
+            let alone = pendulum.ensemble(100).start(start).until(0.1).threads(threads).progress(panics);
+            assert_says(alone.run(), "the progress callback panicked: is done");
+            let lanes = cart.ensemble(100).start(start).until(0.1).threads(threads).progress(panics);
+            assert_says(lanes.reduce(0_u64, |_, _| {}), "the progress callback panicked: is done");
+        }
     }
 }
 

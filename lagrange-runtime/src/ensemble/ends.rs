@@ -165,7 +165,7 @@ where
         let motions = self.asked.motions()?;
         let counter = self.counter(&motions);
         let Rows { table, failures, .. } = self.rows(engine, &counter, motions.clone())?;
-        counter.finish();
+        counter.finish()?;
         let columns = table.unwrap_or_else(|| Table::new(Vec::new())).into();
         Ok(Ends { columns, failures, motions })
     }

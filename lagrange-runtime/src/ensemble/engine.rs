@@ -78,9 +78,7 @@ impl Engine {
             for result in self.wave(wave, &compute) {
                 merge(result?)?;
             }
-            if counter.is_cancelled() {
-                return Err(EnsembleError::Cancelled { motions: counter.motions() });
-            }
+            counter.check()?;
         }
         Ok(())
     }

@@ -1,10 +1,11 @@
 //! Why an ensemble was not computed, or not to its end.
 
 use core::fmt::{Display, Formatter};
+use std::any::Any;
 use std::error::Error;
 use std::io;
 use std::path::PathBuf;
-use std::string::String;
+use std::string::{String, ToString};
 
 /// An ensemble was not computed, or not to its end. Motions that fail are no such error: they are in its failures.
 #[derive(Debug)]
@@ -16,6 +17,11 @@ pub enum EnsembleError {
     Panicked {
         /// In which motion; the first of those in which one did.
         motion: usize,
+        /// What it said.
+        message: String,
+    },
+    /// The progress callback panicked.
+    ProgressPanicked {
         /// What it said.
         message: String,
     },
@@ -56,6 +62,9 @@ impl Display for EnsembleError {
         match self {
             EnsembleError::Setting(what) => f.write_str(what),
             EnsembleError::Panicked { motion, message } => write!(f, "motion {motion} panicked: {message}"),
+            EnsembleError::ProgressPanicked { message } => {
+                write!(f, "the progress callback panicked: {message}")
+            }
             EnsembleError::Cancelled { motions } => write!(f, "cancelled after {motions} motions"),
             EnsembleError::Threads(what) => write!(f, "threads could not be started: {what}"),
             EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
@@ -85,4 +94,10 @@ impl Error for EnsembleError {
             _ => None,
         }
     }
+}
+
+/// What a panic says.
+pub(super) fn panic_message(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
+    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without a message".into())
 }

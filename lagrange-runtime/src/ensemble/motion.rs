@@ -3,13 +3,11 @@
 use core::cell::OnceCell;
 use core::fmt::{Debug, Formatter};
 use core::ops::Range;
-use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::string::{String, ToString};
 
 use super::asked::{SharedSystem, Unasked};
 use super::builder::Ensemble;
-use super::error::EnsembleError;
+use super::error::{EnsembleError, panic_message};
 use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::{Drive, SimulationError, Trajectory};
@@ -187,7 +185,7 @@ where
 pub(super) fn caught<R>(motion: usize, compute: impl FnOnce() -> R) -> Result<R, EnsembleError> {
     // What a panic leaves behind is not looked at again: the ensemble ends with it.
     catch_unwind(AssertUnwindSafe(compute))
-        .map_err(|panic| EnsembleError::Panicked { motion, message: message(&*panic) })
+        .map_err(|panic| EnsembleError::Panicked { motion, message: panic_message(&*panic) })
 }
 
 /// # Errors
@@ -210,10 +208,4 @@ fn is_setting<S: Copy>(cause: StepFailure<S>) -> bool {
             | StepFailure::UnknownOutput { .. }
             | StepFailure::TooManySamples { .. }
     )
-}
-
-/// What a panic says.
-fn message(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<&str>().map(ToString::to_string);
-    text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without a message".into())
 }

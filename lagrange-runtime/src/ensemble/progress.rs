@@ -1,10 +1,13 @@
 //! How far an ensemble has come, told now and then.
 
 use std::boxed::Box;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::string::String;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use super::error::{EnsembleError, panic_message};
 use crate::simulate::Verdict;
 
 /// How far an ensemble has come.
@@ -38,19 +41,31 @@ pub(super) struct Counter<'r, 'a> {
     motions: AtomicU64,
     of: u64,
     is_cancelled: AtomicBool,
+    /// What the callback said when it panicked.
+    panic: Mutex<Option<String>>,
 }
 
 impl<'r, 'a> Counter<'r, 'a> {
     pub(super) fn new(reporter: Option<&'r Reporter<'a>>, of: usize) -> Self {
-        Counter { reporter, motions: AtomicU64::new(0), of: of as u64, is_cancelled: AtomicBool::new(false) }
+        let (of, is_cancelled) = (of as u64, AtomicBool::new(false));
+        Counter { reporter, motions: AtomicU64::new(0), of, is_cancelled, panic: Mutex::new(None) }
     }
 
     pub(super) fn is_cancelled(&self) -> bool {
         self.is_cancelled.load(Ordering::Relaxed)
     }
 
-    pub(super) fn motions(&self) -> u64 {
+    fn motions(&self) -> u64 {
         self.motions.load(Ordering::Relaxed)
+    }
+
+    /// # Errors
+    /// If the callback cancelled the ensemble, or panicked.
+    pub(super) fn check(&self) -> Result<(), EnsembleError> {
+        if let Some(message) = self.panic.lock().unwrap_or_else(PoisonError::into_inner).take() {
+            return Err(EnsembleError::ProgressPanicked { message });
+        }
+        if self.is_cancelled() { Err(EnsembleError::Cancelled { motions: self.motions() }) } else { Ok(()) }
     }
 
     /// Counts so many motions more, and reports them if the last report is some time ago. A thread does not wait for another's report.
@@ -65,16 +80,28 @@ impl<'r, 'a> Counter<'r, 'a> {
         }
     }
 
-    /// Reports what is done in the end.
-    pub(super) fn finish(&self) {
+    /// Reports what is done in the end, when there is nothing left to cancel.
+    ///
+    /// # Errors
+    /// If the callback panics.
+    pub(super) fn finish(&self) -> Result<(), EnsembleError> {
         if let Some(Reporter(callback)) = self.reporter {
             let mut callback = callback.lock().unwrap_or_else(PoisonError::into_inner);
-            (callback.0)(self.done());
+            self.tell(&mut callback.0);
         }
+        self.check().or_else(|error| match error {
+            EnsembleError::Cancelled { .. } => Ok(()),
+            other => Err(other),
+        })
     }
 
     fn tell(&self, call: &mut Callback<'_>) {
-        if !call(self.done()) {
+        // What a panic leaves behind is not looked at again: the ensemble ends with it.
+        let goes_on = catch_unwind(AssertUnwindSafe(|| call(self.done()))).unwrap_or_else(|panic| {
+            *self.panic.lock().unwrap_or_else(PoisonError::into_inner) = Some(panic_message(&*panic));
+            false
+        });
+        if !goes_on {
             self.is_cancelled.store(true, Ordering::Relaxed);
         }
     }

@@ -167,7 +167,6 @@ where
             })?;
             then(whole);
         }
-        counter.finish();
-        Ok(())
+        counter.finish()
     }
 }

@@ -76,7 +76,7 @@ where
             all.extend(chunk);
             Ok(())
         })?;
-        counter.finish();
+        counter.finish()?;
         Ok(Samples { motions, ran: all })
     }
 }

@@ -118,11 +118,9 @@ where
         let beginnings: Vec<_> =
             motions.clone().map(|index| self.beginning(index)).collect::<Result<_, _>>()?;
         if let Some(first) = beginnings.first() {
-            let start = (self.asked.from, first.state);
-            refuse_settings(
-                motions.start,
-                &self.instant(motions.start, first.system(self.asked.system), start),
-            )?;
+            let (index, system) = (motions.start, first.system(self.asked.system));
+            let instant = caught(index, || self.instant(index, system, (self.asked.from, first.state)))?;
+            refuse_settings(index, &instant)?;
         }
         let ends = caught(motions.start, || self.in_lanes(&beginnings, counter))?;
         for ((index, beginning), end) in motions.zip(beginnings).zip(ends) {

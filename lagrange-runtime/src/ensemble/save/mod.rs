@@ -94,7 +94,7 @@ where
             saved.written += 1;
             saved.failed += failed as u64;
         }
-        counter.finish();
+        counter.finish()?;
         saved.missing = number - folder.count()?;
         Ok(saved)
     }
