@@ -5,6 +5,7 @@ use std::ops::ControlFlow;
 use lagrange::Ensembles;
 use lagrange::ensemble::{Done, EnsembleError, Moments, Shard};
 use lagrange::integrate::{RungeKutta4, StepFailure};
+use lagrange::system::Direction;
 
 use crate::lanes::CartPole;
 use crate::{DoublePendulum, start};
@@ -28,6 +29,11 @@ fn settings_that_make_no_sense_are_errors() {
     assert_says(ensemble(10).shard(Shard::of(2, 2)).run(), "no shard 2 of 2");
     assert_says(ensemble(10).shard(Shard::of(0, 2)).run(), "more than there are parts, 1");
     assert_says(ensemble(10).motion(10).map(drop), "no motion 10");
+    for end in [f64::NAN, f64::INFINITY] {
+        let ensemble = || pendulum.ensemble(10).start(start).until(end);
+        assert_says(ensemble().run(), "must both be finite");
+        assert_says(ensemble().every(0.1).motion(0).map(drop), "must both be finite");
+    }
     assert_says(ensemble(10).tolerance(-1.0).run(), "motion 0: ");
     assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "motion 0: ");
     assert_says(ensemble(10).energy().energy().run(), "two columns are called `energy`");
@@ -110,6 +116,18 @@ fn progress_that_panics_is_an_error_whenever_it_does() {
             assert_says(lanes.reduce(0_u64, |_, _| {}), "the progress callback panicked: is done");
         }
     }
+}
+
+#[test]
+fn more_than_memory_holds_is_refused_before_anything_is_computed() {
+    let pendulum = DoublePendulum::default();
+    let ensemble = || pendulum.ensemble(1 << 50).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1.0);
+    assert_says(ensemble().run(), "the ends of 1125899906842624 motions take 45035996.3 GB");
+    assert_says(ensemble().every(0.01).run(), "the samples of 1125899906842624 motions");
+    // Nobody knows how many samples there are of motions that something may stop.
+    let many = pendulum.ensemble(1000).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1e6).every(0.1);
+    let stopped = many.stop_at("start", Direction::Crossing, |_, t, _| t);
+    assert_says(stopped.run(), "motion 0 panicked: begins");
 }
 
 #[test]

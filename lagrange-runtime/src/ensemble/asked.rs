@@ -12,6 +12,7 @@ use super::progress::Reporter;
 use super::random::Random;
 use super::shard::Shard;
 use crate::integrate::Verner98;
+use crate::scalar::Scalar;
 use crate::simulate::{Simulation, Start};
 use crate::system::{MechanicalSystem, OdeSystem, ScalarOf, StateVector};
 
@@ -203,6 +204,12 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
             return wrong(
                 "motions do not know where they start: say `.start(|index, random| …)`, or give a list of starts",
             );
+        }
+        if !(self.from.is_finite() && self.end.is_finite()) {
+            return Err(EnsembleError::Setting(format!(
+                "motions go from the time {:?} to {:?}, which must both be finite",
+                self.from, self.end
+            )));
         }
         if self.motions_per_part == 0 {
             return wrong("a part must hold a motion at least");

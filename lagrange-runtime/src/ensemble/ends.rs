@@ -163,6 +163,7 @@ where
 
     pub(super) fn run_in(&self, engine: &Engine) -> Result<Ends<M>, EnsembleError> {
         let motions = self.asked.motions()?;
+        self.asked.refuse_too_many(motions.len())?;
         let counter = self.counter(&motions);
         let Rows { table, failures, .. } = self.rows(engine, &counter, motions.clone())?;
         counter.finish()?;

@@ -69,6 +69,7 @@ mod random;
 mod reduce;
 mod reduction;
 mod requests;
+mod room;
 mod rows;
 mod samples;
 #[cfg(feature = "parquet")]

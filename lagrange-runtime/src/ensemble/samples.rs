@@ -65,6 +65,7 @@ where
 
     pub(super) fn run_in(&self, engine: &Engine) -> Result<Samples<M>, EnsembleError> {
         let motions = self.asked.motions()?;
+        self.asked.refuse_too_many(motions.len())?;
         let counter = self.counter(&motions);
         let mut all = Vec::new();
         let compute = |chunk: Range<usize>| {

@@ -1,0 +1,63 @@
+//! Whether there is room in memory for what is kept of all motions.
+
+use core::hint::black_box;
+use std::format;
+use std::vec::Vec;
+
+use super::asked::{Asked, SharedSystem};
+use super::error::EnsembleError;
+use crate::scalar::Number;
+use crate::simulate::Grid;
+use crate::system::StateVector;
+
+impl<M: SharedSystem> Asked<'_, M> {
+    /// # Errors
+    /// If what is kept of so many motions cannot lie in memory, as far as the operating system tells beforehand.
+    pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
+        let bytes = self.least_bytes(motions);
+        // More than a number of this type can say is more than there is.
+        if has_room(bytes as usize) {
+            return Ok(());
+        }
+        let what = if self.interval.is_some() { "samples" } else { "ends" };
+        Err(EnsembleError::Setting(format!(
+            "the {what} of {motions} motions take {:.1} GB of memory at least, which cannot be had: keep them in files by \
+             `.save_parquet(…)`, sum them up by `.reduce(…)`, or compute a shard of them",
+            bytes / 1e9
+        )))
+    }
+
+    /// The size of times, states and parameters.
+    fn least_bytes(&self, motions: usize) -> f64 {
+        let parameters = match self.variation {
+            Some(_) if self.interval.is_none() => {
+                (0..).map_while(|index| self.system.parameter(index)).count()
+            }
+            _ => 0,
+        };
+        let numbers = 1 + M::State::ZERO.as_ref().len() + parameters;
+        motions as f64 * self.least_samples() * (numbers * size_of::<M::Scalar>()) as f64
+    }
+
+    /// The largest power of two that is not more than the samples of a motion, if nothing may stop it before its end. What is wrong with
+    /// them a run tells.
+    fn least_samples(&self) -> f64 {
+        let may_stop = self.is_one_by_one || self.most_steps.is_some() || !M::EVENTS.is_empty();
+        let Some(interval) = self.interval.filter(|_| !may_stop) else { return 1.0 };
+        let grid = Grid::new(self.from, self.end, interval).and_then(Grid::that_can_be_kept);
+        let (span, mut samples) = ((self.end - self.from).abs(), 1.0);
+        while grid.is_ok() && M::Scalar::from_f64(2.0 * samples) * interval <= span {
+            samples *= 2.0;
+        }
+        samples
+    }
+}
+
+/// Whether as much memory could be had in one piece.
+fn has_room(bytes: usize) -> bool {
+    let mut room = Vec::<u8>::new();
+    let has_room = room.try_reserve_exact(bytes).is_ok();
+    // What nobody uses would not be asked for.
+    black_box(&mut room);
+    has_room
+}
