@@ -24,8 +24,10 @@ const LAUNCHERS: [[&str; 2]; 3] = [
     // MPICH's, Intel MPI's.
     ["PMI_RANK", "PMI_SIZE"],
     // srun, which alone says this; a batch script has SLURM_PROCID and SLURM_NTASKS, too, but is one process.
-    ["SLURM_PROCID", "SLURM_STEP_NUM_TASKS"],
+    [BATCH, "SLURM_STEP_NUM_TASKS"],
 ];
+/// The only one that is there without a number of processes, too.
+const BATCH: &str = "SLURM_PROCID";
 const ARRAY_TASK: &str = "SLURM_ARRAY_TASK_ID";
 const HYPER_QUEUE_TASK: &str = "HQ_TASK_ID";
 /// By hand: `3/8` is the fourth of eight.
@@ -119,7 +121,8 @@ fn from_launchers(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
     let array = array(lookup)?;
     let mut inner = Shard::WHOLE;
     for [index, count] in LAUNCHERS {
-        if let (Some(_), Some(_)) = (lookup(index), lookup(count)) {
+        let is_launched = lookup(count).is_some() || (index != BATCH && lookup(index).is_some());
+        if is_launched {
             inner = Shard::of(number(lookup, index)?, number(lookup, count)?);
             break;
         }
@@ -137,7 +140,12 @@ fn array(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
         let (id, count) = (number(lookup, ARRAY_TASK)?, number(lookup, "SLURM_ARRAY_TASK_COUNT")?);
         let (first, step) =
             (number(lookup, "SLURM_ARRAY_TASK_MIN")?, number(lookup, "SLURM_ARRAY_TASK_STEP")?);
-        return Ok(Shard::of(id.saturating_sub(first) / step.max(1), count));
+        let place = id.checked_sub(first).ok_or_else(|| {
+            EnsembleError::Setting(format!(
+                "the environment has {ARRAY_TASK}=`{id}`, which is below {first}, the first"
+            ))
+        })?;
+        return Ok(Shard::of(place / step.max(1), count));
     }
     if lookup(HYPER_QUEUE_TASK).is_some() {
         return Ok(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?));

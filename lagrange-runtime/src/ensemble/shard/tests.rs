@@ -47,8 +47,21 @@ fn what_is_wrong_with_an_environment_is_said() {
     assert!(beyond.contains("no shard 3 of 3"), "{beyond}");
     let incomplete = shard(&[("HQ_TASK_ID", "1")]).expect_err("has no count");
     assert!(incomplete.contains("LAGRANGE_SHARDS is not set"), "{incomplete}");
+    for (there, missing) in [
+        ("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
+        ("PMI_SIZE", "PMI_RANK"),
+        ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"),
+    ] {
+        let incomplete = shard(&[(there, "2")]).expect_err("is half of it");
+        assert!(incomplete.contains(&std::format!("{missing} is not set")), "{incomplete}");
+    }
     let text = shard(&[("PMI_RANK", "one"), ("PMI_SIZE", "3")]).expect_err("is text");
     assert!(text.contains("PMI_RANK=`one`"), "{text}");
+    let array =
+        ["SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN", "SLURM_ARRAY_TASK_STEP"];
+    let below =
+        shard(&[(array[0], "1"), (array[1], "4"), (array[2], "2"), (array[3], "1")]).expect_err("is below");
+    assert!(below.contains("SLURM_ARRAY_TASK_ID=`1`, which is below 2"), "{below}");
     let by_hand = shard(&[("LAGRANGE_SHARD", "3 of 8")]).expect_err("is text");
     assert!(by_hand.contains("like `3/8`"), "{by_hand}");
     assert!(shard(&[("LAGRANGE_SHARD", "0/0")]).is_err());
