@@ -324,6 +324,19 @@ fn parts_of_another_ensemble_are_refused() {
     assert_refused(ensemble(&pendulum).tolerance(1e-8).save_parquet(&folder.0), "1e-8");
     assert_refused(ensemble(&pendulum).motions_per_part(10).save_parquet(&folder.0), "per part 10");
     assert_refused(ensemble(&pendulum).max_steps(10).save_parquet(&folder.0), "10 steps");
+    let error =
+        ensemble(&pendulum).max_steps(10).save_parquet(&folder.0).expect_err("is another").to_string();
+    assert!(error.contains("it does not say `run at most 10 steps`, which is so here;"), "{error}");
+    let columns = |names: [&str; 2]| {
+        let [one, other] = names;
+        ensemble(&pendulum).observe(one, |_, t, _| t).observe(other, |_, t, _| t)
+    };
+    let two = Folder::new("columns");
+    columns(["a", "b"]).shard(Shard::of(0, PARTS as u64)).save_parquet(&two.0).expect("saves");
+    let error = columns(["b", "a"]).save_parquet(&two.0).expect_err("has another order").to_string();
+    assert!(error.contains("what was asked for had another order"), "{error}");
+    let error = ensemble(&pendulum).save_parquet(&two.0).expect_err("has no columns").to_string();
+    assert!(error.contains("it says `run observe a`, which is not so here;"), "{error}");
     assert_refused(ensemble(&lighter).save_parquet(&folder.0), "motion 0 starts at");
     let method = RungeKutta4 { step: 0.1 };
     assert_refused(ensemble(&pendulum).method(method).save_parquet(&folder.0), "RungeKutta4");

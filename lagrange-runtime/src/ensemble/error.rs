@@ -45,7 +45,7 @@ pub enum EnsembleError {
     OtherEnsemble {
         /// Which file.
         path: PathBuf,
-        /// What it says of its ensemble, and what is so of this one; nothing where the other has nothing to set against it.
+        /// What it says of its ensemble that is not so of this one, and what is so of this one that it does not say.
         differs: [String; 2],
     },
     /// Another process writes the same parts into the folder, or one was killed on another machine.
@@ -73,11 +73,16 @@ impl Display for EnsembleError {
                 "`{}` is not a part of an ensemble: save into a folder of its own, or into that of the same ensemble to go on",
                 path.display()
             ),
-            EnsembleError::OtherEnsemble { path, differs: [there, here] } => write!(
-                f,
-                "`{}` is a part of another ensemble: it says `{there}`, here it is `{here}`; save into another folder",
-                path.display()
-            ),
+            EnsembleError::OtherEnsemble { path, differs: [there, here] } => {
+                write!(f, "`{}` is a part of another ensemble: ", path.display())?;
+                match (there.as_str(), here.as_str()) {
+                    ("", "") => f.write_str("what was asked for had another order")?,
+                    ("", here) => write!(f, "it does not say `{here}`, which is so here")?,
+                    (there, "") => write!(f, "it says `{there}`, which is not so here")?,
+                    (there, here) => write!(f, "it says `{there}`, here it is `{here}`")?,
+                }
+                f.write_str("; save into another folder")
+            }
             EnsembleError::Locked { path, holder } => write!(
                 f,
                 "`{}` says that {holder} writes into this folder; if it was killed and nothing does, delete that file and start again",

@@ -67,14 +67,12 @@ where
     }
 }
 
-/// The first lines that are not the same, if there are such.
+/// The first line of each that the other has not, if there are such; nothing if the other has all.
 pub(super) fn difference(there: &str, here: &str) -> Option<[String; 2]> {
-    let (mut there, mut here) = (there.lines(), here.lines());
-    loop {
-        match (there.next(), here.next()) {
-            (None, None) => return None,
-            (one, other) if one == other => {}
-            (one, other) => return Some([one, other].map(|line| line.unwrap_or_default().to_string())),
-        }
-    }
+    let only = |one: &str, other: &str| {
+        let line = one.lines().find(|line| other.lines().all(|known| known != *line));
+        line.unwrap_or_default().to_string()
+    };
+    // The same lines in another order are another ensemble: columns have another order.
+    (there != here).then(|| [only(there, here), only(here, there)])
 }
