@@ -4,7 +4,7 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
-use super::scalar_range::{holds, largest};
+use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
 use super::scope::NameKind;
 use crate::calculus::evaluate;
 use crate::expr::{Dependencies, ExprId};
@@ -30,12 +30,22 @@ pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Def
 
 fn default_value(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -> Option<ExprId> {
     let value = constant_scalar(elaborator, syntax, "a default")?;
-    let numeric = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
-    if !holds(&elaborator.declaration.scalar, numeric) {
-        let (scalar, largest) = largest(&elaborator.declaration.scalar);
-        let message = messages::number_too_large(&name.text, scalar);
-        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message);
-        error.help(messages::largest_help(scalar, largest));
+    let (graph, scalar) = (&elaborator.evaluator.graph, &elaborator.declaration.scalar);
+    let misfit = match graph.as_number(value) {
+        Some(number) => misfit(scalar, number),
+        None => misfit_of_value(scalar, evaluate(graph, &[value], |_| f64::NAN)[0]),
+    };
+    if let Some(misfit) = misfit {
+        let (scalar, largest) = largest(scalar);
+        let (message, help) = match misfit {
+            Misfit::TooLarge => {
+                (messages::number_too_large(&name.text, scalar), messages::largest_help(scalar, largest))
+            }
+            Misfit::TooSmall => {
+                (messages::number_too_small(&name.text, scalar), messages::VANISHING_HELP.to_owned())
+            }
+        };
+        elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message).help(help);
     }
     Some(value)
 }

@@ -1,53 +1,54 @@
-//! Diagnostics for numbers that are too large for the scalar.
+//! Diagnostics for numbers that are too large for the scalar, or so small that they would be zero.
 
 use super::constants::Constants;
 use super::elaborator::Elaborator;
 use super::evaluator::Evaluator;
 use super::messages;
-use super::scalar_range::{holds, largest};
+use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
 use crate::collections::HashMap;
 use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::syntax::ast::{AstId, Declaration, Expression, ScalarType, StatementKind};
 
-/// Reports numbers that are too large for the scalar, each at the smallest expression that holds it.
+/// Reports numbers that the scalar does not hold, each at the smallest expression that holds it.
 pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
     let roots = declaration.statements.iter().flat_map(|statement| computed(&statement.kind));
     let roots = roots.collect::<Vec<_>>();
     let definitions = definitions(declaration);
     let evaluator = &mut elaborator.evaluator;
-    let mut excessive = Excessive { scalar: &declaration.scalar, known: HashMap::default() };
-    excessive.learn(evaluator, &roots);
+    let mut misfits = Misfits { scalar: &declaration.scalar, known: HashMap::default() };
+    misfits.learn(evaluator, &roots);
     let mut seen = HashMap::default();
     let mut pending = roots.into_iter().rev().collect::<Vec<_>>();
     while let Some(id) = pending.pop() {
-        if !excessive.contains(evaluator, id) || seen.insert(id, ()).is_some() {
+        let misfit = misfits.of(evaluator, id);
+        if misfit.is_none() || seen.insert(id, ()).is_some() {
             continue;
         }
         let mut parts = evaluator.operands(id);
         if let Expression::Name(name) = evaluator.syntax(id) {
             parts.extend(definitions.get(&name.as_str()));
         }
-        excessive.learn(evaluator, &parts);
-        parts.retain(|&part| excessive.contains(evaluator, part));
-        match parts.is_empty() {
-            true => report_excessive(evaluator, id, &declaration.scalar),
-            false => pending.extend(parts.into_iter().rev()),
+        misfits.learn(evaluator, &parts);
+        parts.retain(|&part| misfits.of(evaluator, part) == misfit);
+        match misfit.filter(|_| parts.is_empty()) {
+            Some(misfit) => report(evaluator, id, misfit, &declaration.scalar),
+            None => pending.extend(parts.into_iter().rev()),
         }
     }
 }
 
 /// Expressions that hold a number out of the range of the scalar.
-struct Excessive<'a> {
+struct Misfits<'a> {
     scalar: &'a ScalarType,
-    known: HashMap<ExprId, bool>,
+    known: HashMap<ExprId, Option<Misfit>>,
 }
 
-impl Excessive<'_> {
-    fn contains(&self, evaluator: &Evaluator, id: AstId) -> bool {
-        let is_excessive = |id: &ExprId| self.known.get(id) == Some(&true);
-        evaluator.value(id).is_some_and(|value| value.components().iter().any(is_excessive))
+impl Misfits<'_> {
+    fn of(&self, evaluator: &Evaluator, id: AstId) -> Option<Misfit> {
+        let of_component = |id: &ExprId| self.known.get(id).copied().flatten();
+        evaluator.value(id)?.components().iter().find_map(of_component)
     }
 
     fn learn(&mut self, evaluator: &mut Evaluator, ids: &[AstId]) {
@@ -59,35 +60,44 @@ impl Excessive<'_> {
             if graph.dependencies(id) == Dependencies::NONE {
                 constants.add(graph, id);
             }
-            let is_excessive = self.is_excessive(graph, constants, id);
-            self.known.insert(id, is_excessive);
+            let found = self.find(graph, constants, id);
+            self.known.insert(id, found);
         }
     }
 
-    /// Whether a node whose operands are known holds such a number.
-    fn is_excessive(&self, graph: &Graph, constants: &Constants, id: ExprId) -> bool {
-        let fits = |number: &Number| holds(self.scalar, number.to_f64());
-        let own = match graph.node(id) {
-            Node::Sum { constant, terms } => !fits(constant) || !terms.iter().all(|(_, c)| fits(c)),
-            Node::Product(factors) => !factors.iter().all(|(base, exponent)| {
-                let power = constants.values.get(base).map(|base| base.powf(exponent.to_f64()));
-                fits(exponent) && power.is_none_or(|power| holds(self.scalar, power))
-            }),
-            _ => false,
+    /// What does not fit in a node whose operands are known.
+    fn find(&self, graph: &Graph, constants: &Constants, id: ExprId) -> Option<Misfit> {
+        let of_number = |number: &Number| misfit(self.scalar, number);
+        let of_value = |value: f64| misfit_of_value(self.scalar, value);
+        let of_power = |base: f64, exponent: f64| match base.powf(exponent) {
+            0.0 if base != 0.0 => Some(Misfit::TooSmall),
+            power => of_value(power),
         };
-        let value = constants.values.get(&id);
-        let mut is_excessive = own || value.is_some_and(|&value| !holds(self.scalar, value));
-        graph.node(id).for_each_child(|child| is_excessive |= self.known.get(&child) == Some(&true));
-        is_excessive
+        let own = match graph.node(id) {
+            Node::Number(number) => of_number(number),
+            Node::Sum { constant, terms } => of_number(constant)
+                .or_else(|| terms.iter().find_map(|(_, coefficient)| of_number(coefficient))),
+            Node::Product(factors) => factors.iter().find_map(|(base, exponent)| {
+                let base = constants.values.get(base).copied();
+                of_number(exponent).or_else(|| of_power(base?, exponent.to_f64()))
+            }),
+            _ => None,
+        };
+        let mut found = own.or_else(|| constants.values.get(&id).copied().and_then(of_value));
+        graph.node(id).for_each_child(|child| found = found.or(self.known.get(&child).copied().flatten()));
+        found
     }
 }
 
-fn report_excessive(evaluator: &mut Evaluator<'_>, id: AstId, scalar: &ScalarType) {
+fn report(evaluator: &mut Evaluator<'_>, id: AstId, misfit: Misfit, scalar: &ScalarType) {
     let constant = |id: &ExprId| evaluator.graph.dependencies(*id) == Dependencies::NONE;
     let is_constant = evaluator.value(id).is_some_and(|value| value.components().iter().all(constant));
     let (name, largest) = largest(scalar);
-    let error = evaluator.report.error(evaluator.origin(id), messages::excessive(is_constant, name));
-    error.help(messages::largest_help(name, largest));
+    let (message, help) = match misfit {
+        Misfit::TooLarge => (messages::excessive(is_constant, name), messages::largest_help(name, largest)),
+        Misfit::TooSmall => (messages::vanishing(is_constant, name), messages::VANISHING_HELP.to_owned()),
+    };
+    evaluator.report.error(evaluator.origin(id), message).help(help);
 }
 
 /// The expressions of a statement whose values are computed at run time, those of what it defines aside.

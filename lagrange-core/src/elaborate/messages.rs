@@ -63,9 +63,18 @@ pub(super) fn defined_where(function: &str, domain: &str) -> String {
 }
 
 pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
-    let what = if is_constant { "this number" } else { "a number in this expression" };
-    format!("{what} is too large for `{scalar}`")
+    format!("{} is too large for `{scalar}`", number_in(is_constant))
 }
+
+pub(super) fn vanishing(is_constant: bool, scalar: &str) -> String {
+    format!("{} is too small for `{scalar}`, in which it would be zero", number_in(is_constant))
+}
+
+fn number_in(is_constant: bool) -> &'static str {
+    if is_constant { "this number" } else { "a number in this expression" }
+}
+
+pub(super) const VANISHING_HELP: &str = "choose smaller units, or leave it out";
 
 pub(super) fn no_component(component: &str, kind: &str) -> String {
     format!("there is no component `{component}` in {kind}")
@@ -260,6 +269,10 @@ pub(super) const UNDERIVABLE_HELP: &str =
 
 pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
     format!("the default of `{name}` is too large for `{scalar}`")
+}
+
+pub(super) fn number_too_small(name: &str, scalar: &str) -> String {
+    format!("the default of `{name}` is too small for `{scalar}`, in which it would be zero")
 }
 
 // Constraints.

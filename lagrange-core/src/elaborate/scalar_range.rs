@@ -1,5 +1,6 @@
 //! Range of the numbers that a scalar holds.
 
+use crate::number::Number;
 use crate::syntax::ast::ScalarType;
 
 /// The name of the scalar that limits numbers, and the largest that it holds.
@@ -10,10 +11,30 @@ pub(super) fn largest(scalar: &ScalarType) -> (&'static str, f64) {
     }
 }
 
-/// Whether a number stays finite when it is rounded to the scalar.
-pub(super) fn holds(scalar: &ScalarType, value: f64) -> bool {
-    match scalar {
-        ScalarType::F32 => (value as f32).is_finite(),
-        ScalarType::F64 | ScalarType::Generic(_) => value.is_finite(),
+/// Why a scalar does not hold a number.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Misfit {
+    /// It would be infinite.
+    TooLarge,
+    /// It would be zero.
+    TooSmall,
+}
+
+/// What is lost of a number when it is rounded to the scalar; nothing if it stays finite, and other than zero.
+pub(super) fn misfit(scalar: &ScalarType, number: &Number) -> Option<Misfit> {
+    misfit_of_value(scalar, number.to_f64())
+        .or_else(|| (!number.is_zero() && number.to_f64() == 0.0).then_some(Misfit::TooSmall))
+}
+
+/// The same of a number that is in `f64` already.
+pub(super) fn misfit_of_value(scalar: &ScalarType, value: f64) -> Option<Misfit> {
+    let rounded = match scalar {
+        ScalarType::F32 => f64::from(value as f32),
+        ScalarType::F64 | ScalarType::Generic(_) => value,
+    };
+    match rounded {
+        _ if !rounded.is_finite() => Some(Misfit::TooLarge),
+        _ if rounded == 0.0 && value != 0.0 => Some(Misfit::TooSmall),
+        _ => None,
     }
 }

@@ -96,6 +96,23 @@ fn single_precision_holds_less() {
 }
 
 #[test]
+fn numbers_that_would_be_zero_are_reported_where_they_stand() {
+    for value in ["1e-400", "10^(-400)"] {
+        let message = "this number is too small for `f64`, in which it would be zero";
+        assert_reported(&format!("potential = {value} * x;"), value, message);
+        assert_reported(&format!("force x = sqrt(x^2 + {value});"), value, message);
+    }
+    let message = "a number in this expression is too small for `f64`, in which it would be zero";
+    assert_reported("potential = 1e-200 * cos(x) * 1e-200;", "1e-200 * cos(x) * 1e-200", message);
+    let message = "the default of `m` is too small for `f64`, in which it would be zero";
+    assert_reported("param m = 10^(-400);", "10^(-400)", message);
+    let single = |value| format!("#[scalar(f32)] struct Single; {POINT} potential = {value} * x;");
+    assert!(parse(&single("1e-40")).is_ok());
+    let report = parse(&single("1e-50")).expect_err("too small").to_string();
+    assert!(report.contains("this number is too small for `f32`, in which it would be zero"), "{report}");
+}
+
+#[test]
 fn only_numbers_that_are_left_have_to_fit() {
     for statement in [
         "potential = 1e400 / 1e399 * x;",
@@ -103,7 +120,6 @@ fn only_numbers_that_are_left_have_to_fit() {
         "let a = 2^1000000000; potential = a / 2^999999999 * x;",
         "let _a = 10^400;",
         "potential = x^1000000000;",
-        "potential = 1e-400 * x;",
     ] {
         assert_eq!(report(statement), "", "{statement}");
     }
