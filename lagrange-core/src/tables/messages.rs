@@ -5,6 +5,7 @@ pub(super) const NO_FILES: &str =
 pub(super) const UNREADABLE_HELP: &str =
     "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
 pub(super) const FORM_HELP: &str = "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
+pub(super) const DECIMAL_COMMA_HELP: &str = "write decimals with a point: `1.5`";
 
 pub(super) fn unreadable(path: &str, reason: &str) -> String {
     format!("`{path}` cannot be read: {reason}")

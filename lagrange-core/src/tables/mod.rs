@@ -1,7 +1,7 @@
 //! Files of tables: read, and taken apart into numbers.
 //!
 //! Nothing here touches a file system: who reads declarations says how files are read. A file has a point on each line, its numbers
-//! separated by commas, semicolons or tabs; the first line may name the columns, and lines that begin with `#` are comments.
+//! separated by commas, semicolons, tabs or blanks; the first line may name the columns, and lines that begin with `#` are comments.
 
 mod messages;
 
@@ -57,7 +57,7 @@ fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Optio
     let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
     let mut points = Vec::new();
     for (position, (line, text)) in lines.enumerate() {
-        let fields = text.split([',', ';', '\t']).map(str::trim).collect::<Vec<_>>();
+        let fields = fields(text);
         let numbers =
             fields.iter().map(|field| field.parse::<f64>().ok().filter(|number| number.is_finite()));
         let numbers = numbers.collect::<Vec<_>>();
@@ -74,8 +74,18 @@ fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Optio
                 continue;
             }
         };
-        report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(messages::FORM_HELP);
+        let has_comma = wrong.is_some_and(|(field, _)| field.contains(','));
+        let help = if has_comma { messages::DECIMAL_COMMA_HELP } else { messages::FORM_HELP };
+        report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(help);
         return None;
     }
     Some(points)
+}
+
+/// What a line consists of, between the strongest separators in it: in `1,5; 2` decimals are written with a comma.
+fn fields(line: &str) -> Vec<&str> {
+    match [';', '\t', ','].into_iter().find(|separator| line.contains(*separator)) {
+        Some(separator) => line.split(separator).map(str::trim).collect(),
+        None => line.split_whitespace().collect(),
+    }
 }

@@ -25,6 +25,7 @@ fn points_stand_on_lines() {
     let expected = vec![(4, vec![0.0, 1.5]), (5, vec![0.25, -2e-3]), (6, vec![1.0, 7.0])];
     assert_eq!(read(text), Ok(expected));
     assert_eq!(read("1, 2"), Ok(vec![(1, vec![1.0, 2.0])]));
+    assert_eq!(read("x y\n 0   1\n.5 2e3 \n"), Ok(vec![(2, vec![0.0, 1.0]), (3, vec![0.5, 2e3])]));
 }
 
 #[test]
@@ -33,6 +34,8 @@ fn mistakes_are_named_by_their_line() {
     assert!(message("x, y\n0, 1\n1, two\n").contains("line 3 of `road.csv`: `two` is no number"));
     assert!(message("0, 1\nx, y\n").contains("line 2 of `road.csv`: `x` is no number"));
     assert!(message("0, 1, 2\n").contains("line 1 of `road.csv`: the point has 3 numbers, not 2"));
+    assert!(message("1,5; 2\n").contains("line 1 of `road.csv`: `1,5` is no number"));
+    assert!(message("1,5; 2\n").contains("write decimals with a point"));
     assert!(message("0, inf\n").contains("line 1 of `road.csv`: `inf` is no number"));
     assert!(message("0, 1\n1,\n").contains("line 2 of `road.csv`: `` is no number"));
 }
