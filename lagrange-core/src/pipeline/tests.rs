@@ -30,6 +30,14 @@ fn polar_coordinates_by_way_of_cartesian_ones_are_uncoupled() {
 }
 
 #[test]
+fn systems_of_too_many_velocities_are_refused_at_once() {
+    let text = "const n = 4001; coord x[n]; kinetic = sum(i in 0..n, 1/2 * dot(x[i])^2);";
+    let report = parse(text).expect("a correct declaration").derive(StrategyChoice::Cheapest);
+    let report = report.expect_err("it would take minutes").to_string();
+    assert!(report.contains("this system has 4001 velocities"), "{report}");
+}
+
+#[test]
 fn a_turn_about_the_vertical_is_cyclic_however_it_is_written() {
     let top = "
         param m, l, g;

@@ -21,6 +21,14 @@ pub(in crate::emit) fn hopeless(limit: usize) -> String {
     )
 }
 
+pub(in crate::emit) fn too_many_velocities(given: usize, most: usize) -> String {
+    format!("this system has {given} velocities, and equations of more than {most} take minutes to derive")
+}
+
+pub(in crate::emit) fn fewer_velocities() -> &'static str {
+    "declare a part of it, and compute forces between many such parts in a loop that hands them in as inputs"
+}
+
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(
         "the equations of motion have jumps or kinks on {all} surfaces, of which runs can locate {room}: steps across the others \

@@ -15,6 +15,9 @@ const SIZE_WORTH_A_WORD: usize = 80_000;
 /// Above this size code is not emitted: reading it alone takes minutes and as much memory as many machines have.
 const LARGEST: usize = 2_000_000;
 
+/// Above so many velocities nothing is derived: a list of all pairs of them takes minutes to walk through.
+const MOST_VELOCITIES: usize = 4_000;
+
 /// Seconds of an unoptimised `cargo check` for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
 /// Seconds that an optimised build takes in addition if every method is called.
@@ -52,6 +55,11 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
 /// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
 /// every two velocities that move the same part. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
+    if model.speeds.len() > MOST_VELOCITIES {
+        let message = messages::too_many_velocities(model.speeds.len(), MOST_VELOCITIES);
+        report.error(declaration.name.span, message).help(messages::fewer_velocities());
+        return None;
+    }
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
     let jacobians =
