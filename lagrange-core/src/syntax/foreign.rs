@@ -5,7 +5,7 @@ mod functions;
 mod rates;
 
 pub use functions::function;
-pub use rates::{Rate, is_word_for_rate, rate};
+pub use rates::{Rate, derives, is_word_for_rate, rate};
 
 /// Words that begin no statement, with the keyword that does in their place.
 const STATEMENTS: &[(&[&str], &str)] = &[
@@ -67,8 +67,8 @@ const STATEMENTS: &[(&[&str], &str)] = &[
 const STRANGERS: &[(&[&str], &str, &str)] = &[
     (
         &["fn", "def", "function", "lambda", "macro"],
-        "functions cannot be declared here",
-        "name an expression with `let name = …;`, and write it out for each argument",
+        "functions are declared in another way here",
+        "write `let f(x, y) = …;`",
     ),
     (
         &["for", "while", "loop", "repeat", "do"],

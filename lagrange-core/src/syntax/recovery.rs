@@ -174,11 +174,28 @@ impl Parser<'_> {
         if ["dot", "ddot"].contains(&word) {
             return Some((messages::unknown_statement(word), habits::rate_as_statement(word)));
         }
+        if let Some(rate) = self.stated_rate(word, cursor) {
+            return Some((messages::unknown_statement(word), habits::rate_of_state(&rate)));
+        }
         if let Some((message, help)) = foreign::stranger(word) {
             return Some((message.to_owned(), help.to_owned()));
         }
         let keyword = foreign::statement(word)?;
         Some((messages::unknown_statement(word), forms::meant_form(keyword)))
+    }
+
+    /// What the left side of an equation is called elsewhere, `der(a) =` or `a_dot =`, and `dot(a)` here.
+    fn stated_rate(&self, word: &str, cursor: &Cursor) -> Option<String> {
+        match cursor.group(Delimiter::Parenthesis) {
+            Some(of) if foreign::derives(word) && at_equals_past(1, cursor) => {
+                Some(format!("dot({})", of.stream()))
+            }
+            _ if at_equals_past(0, cursor) => {
+                let is_state = |name: &str| matches!(self.declared(name), Some(Declared::Other));
+                foreign::rate(word, is_state).map(|rate| rate.written())
+            }
+            _ => None,
+        }
     }
 
     /// Reports an equation or an inequality in a constraint.

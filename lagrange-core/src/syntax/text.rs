@@ -42,7 +42,7 @@ fn character_help(culprit: char) -> &'static str {
         '√' => "write `sqrt(x)`",
         '½' => "write `1/2`",
         '¼' => "write `1/4`",
-        '°' => "angles are in radians: write `30 * pi/180`",
+        '°' => "write `30 deg` for an angle; a temperature is in `K`",
         '∂' | '∇' => "derivatives by coordinates are found by themselves; `dot(x)` is the rate of x",
         '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
         '≤' => "write `<=`",

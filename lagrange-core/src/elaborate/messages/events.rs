@@ -14,8 +14,7 @@ pub(in crate::elaborate) const CONSTANT_EVENT_HELP: &str =
 
 pub(in crate::elaborate) const ASSIGNED_VALUE: &str = "the value after an event";
 pub(in crate::elaborate) const NOT_ASSIGNABLE: &str = "nothing can be assigned to this";
-pub(in crate::elaborate) const ASSIGNMENT_HELP: &str =
-    "an event changes coordinates and velocities: `x = e;` or `dot(x) = e;` with a coordinate `x`";
+pub(in crate::elaborate) const ASSIGNMENT_HELP: &str = "an event changes coordinates, velocities and states: `x = e;` or `dot(x) = e;` with a coordinate `x`, `a = e;` with a state `a`";
 
 pub(in crate::elaborate) fn assigned_twice(target: &str) -> String {
     format!("`{target}` is assigned twice by one event")

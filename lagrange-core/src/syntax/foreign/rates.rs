@@ -118,6 +118,11 @@ pub(super) fn derivative<'a>(function: &str, arguments: &'a [String]) -> Option<
     DERIVATIVES.contains(&function).then_some(Rate { of, order })
 }
 
+/// True if a function derives by time, here or elsewhere.
+pub fn derives(function: &str) -> bool {
+    DERIVATIVES.contains(&function)
+}
+
 /// True if a name is a word for a rate of something that is not named.
 pub fn is_word_for_rate(name: &str) -> bool {
     WORDS.contains(&name)

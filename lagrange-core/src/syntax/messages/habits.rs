@@ -67,6 +67,11 @@ pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
     }
 }
 
+/// Advice for the rate of a state in the spelling of another language.
+pub(in crate::syntax) fn rate_of_state(rate: &str) -> String {
+    format!("the rate of a state is stated as `{rate} = …;`")
+}
+
 // Constraints and events.
 
 pub(in crate::syntax) const EQUATION: &str = "a constraint is one expression, which stays zero";
