@@ -95,7 +95,7 @@ mod defaults {
             ),
             (
                 "coord x[2]: deg;",
-                "error at 1:13: there is no number here for this unit to scale: values of `x_0` are in units of the SI",
+                "error at 1:13: there is no number here for this unit to scale: values of `x[0]` are in units of the SI",
             ),
             (
                 "const a = 2; param _l: mm = 3 * a; coord x;",

@@ -140,7 +140,7 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
         evaluator.report.error(name.span, message).help(help);
         return;
     }
-    if report_too_early(evaluator, name) {
+    if report_too_early(evaluator, name) || report_array(evaluator, name, arguments) {
         return;
     }
     let known = evaluator.callables.iter().map(|(name, _)| name.clone());
@@ -152,6 +152,18 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
         (None, None) => messages::names::FUNCTIONS_ARE_LISTED.to_owned(),
     };
     evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
+}
+
+/// Reports an array that is called, if it is one.
+fn report_array(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId]) -> bool {
+    if !evaluator.declaration.arrays.iter().any(|array| array.name.text == name.text) {
+        return false;
+    }
+    let expressions = &evaluator.declaration.expressions;
+    let indices = arguments.iter().map(|argument| format!("[{}]", print::expression(expressions, *argument)));
+    let help = messages::names::element_help(&name.text, &indices.collect::<String>());
+    evaluator.report.error(name.span, messages::names::array_called(&name.text)).help(help);
+    true
 }
 
 /// Reports a function that is declared further down, if it is.

@@ -31,6 +31,11 @@ impl<'a> Complaints<'a> {
         Complaints { report, declaration, names, said: HashMap::default(), is_partial }
     }
 
+    /// Whether what could not be read is not known of names.
+    pub(super) fn is_partial(&self) -> bool {
+        self.is_partial
+    }
+
     /// Reports something of an expression; nothing the second time.
     pub(super) fn once(&mut self, of: AstId, origin: Origin, message: String) -> Option<&mut Diagnostic> {
         self.said.insert(of, ()).is_none().then(|| self.report.error(origin, message))
@@ -87,12 +92,21 @@ impl<'a> Complaints<'a> {
 
     /// Reports a name that means nothing, unless it may be declared where the text could not be read.
     pub(super) fn unknown(&mut self, name: &str, of: AstId, origin: Origin) {
+        self.unknown_as(name, messages::DECLARE_HELP.to_owned(), (of, origin));
+    }
+
+    /// The same of a name with an index behind it.
+    pub(super) fn unknown_array(&mut self, name: &str, of: AstId, origin: Origin) {
+        self.unknown_as(name, messages::declare_array(name), (of, origin));
+    }
+
+    fn unknown_as(&mut self, name: &str, declare: String, (of, origin): (AstId, Origin)) {
         if self.declaration.lacks_names || self.declaration.unreadable_words.contains(&name.to_owned()) {
             return;
         }
         let help = match nearest(name, self.names.iter().map(String::as_str)) {
             Some(nearest) => messages::did_you_mean(nearest),
-            None => messages::DECLARE_HELP.to_owned(),
+            None => declare,
         };
         if let Some(error) = self.once(of, origin, messages::unknown_name(name)) {
             error.help(help);

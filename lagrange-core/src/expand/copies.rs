@@ -131,7 +131,10 @@ impl<'a> Copier<'a> {
             Some(Some(value)) => self.expressions.add(Expression::Number(Number::from(value)), origin),
             None => match self.objection(name) {
                 Some((message, help)) => {
-                    if let Some(error) = self.complaints.once(id, origin, message) {
+                    // A list of values may have been meant as a vector.
+                    if !(self.elements.is_array(name) && self.complaints.is_partial())
+                        && let Some(error) = self.complaints.once(id, origin, message)
+                    {
                         error.help(help);
                     }
                     self.expressions.add(Expression::Invalid, origin)
@@ -151,7 +154,7 @@ impl<'a> Copier<'a> {
         let is_hidden = self.scopes.find(scope, &name.text).is_some();
         if is_hidden || !self.elements.is_indexed(&name.text) {
             if !is_hidden && !self.complaints.names.contains(&name.text) {
-                self.complaints.unknown(&name.text, *first, name.span.into());
+                self.complaints.unknown_array(&name.text, *first, name.span.into());
             } else if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&name.text)) {
                 error.help(messages::no_array_help(&name.text));
             }

@@ -226,12 +226,7 @@ impl Collector<'_, '_> {
         }
         let Some(sizes) = self.indices(name, scope) else { return };
         let Some(count) = count(&sizes) else {
-            let origin = self.counting.expressions.origin(name.indices[0]);
-            if let Some(error) = self.complaints.once(name.indices[0], origin, messages::no_size(&name.text))
-            {
-                error.help(messages::SIZE_HELP);
-            }
-            return;
+            return self.no_size(name, &sizes);
         };
         self.count = self.count.saturating_add(count);
         if self.count > MOST {
@@ -262,6 +257,16 @@ impl Collector<'_, '_> {
             return;
         }
         self.add(declared, None, indices);
+    }
+
+    fn no_size(&mut self, name: &Name, sizes: &[i64]) {
+        let Some((place, size)) = name.indices.iter().zip(sizes).find(|(_, size)| **size <= 0) else {
+            return;
+        };
+        let origin = self.counting.expressions.origin(*place);
+        if let Some(error) = self.complaints.once(*place, origin, messages::no_size(&name.text, *size)) {
+            error.help(messages::SIZE_HELP);
+        }
     }
 
     /// Once is enough.

@@ -32,6 +32,10 @@ pub(super) fn shadowed_variable(name: &str) -> String {
     format!("`{name}` is the variable of a loop around this one already")
 }
 
+pub(super) fn variable_is_parameter(name: &str) -> String {
+    format!("`{name}` is a parameter of the function, and cannot be the variable of a sum in it, too")
+}
+
 pub(super) fn variable_is_declared(name: &str) -> String {
     format!("`{name}` is declared, and cannot be the variable of a loop, too")
 }
@@ -66,6 +70,10 @@ pub(super) fn division_by_zero(place: &str) -> String {
 
 pub(super) fn unknown_name(name: &str) -> String {
     format!("unknown name `{name}`")
+}
+
+pub(super) fn declare_array(name: &str) -> String {
+    format!("declare it, `param {name}[n] = 1;`, with its number of elements")
 }
 
 pub(super) fn write(text: &str) -> String {
@@ -141,8 +149,8 @@ pub(super) fn array_in_loop(name: &str) -> String {
     format!("all elements of `{name}` are declared again in every turn of the loop")
 }
 
-pub(super) fn no_size(name: &str) -> String {
-    format!("`{name}` cannot have this number of elements")
+pub(super) fn no_size(name: &str, size: i64) -> String {
+    format!("`{name}` cannot have {size} elements: an array has at least one")
 }
 
 pub(super) fn list_length(given: usize, wanted: i64) -> String {

@@ -36,7 +36,7 @@ use scopes::Scopes;
 use statements::written_out;
 use unrolling::unroll;
 
-pub use warnings::once_for_each_array;
+pub use warnings::{name_elements, once_for_each_array};
 
 /// Statements, elements and terms that a declaration may stand for.
 const MOST: u64 = 200_000;

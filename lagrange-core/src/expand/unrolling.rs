@@ -142,7 +142,8 @@ pub(super) fn values(
     complaints: &mut Complaints<'_>,
 ) -> Option<std::ops::Range<i64>> {
     let message = match counting.scopes.find(scope, &variable.text) {
-        Some(_) => Some(messages::shadowed_variable(&variable.text)),
+        Some(Some(_)) => Some(messages::shadowed_variable(&variable.text)),
+        Some(None) => Some(messages::variable_is_parameter(&variable.text)),
         None if complaints.names.contains(&variable.text) => {
             Some(messages::variable_is_declared(&variable.text))
         }

@@ -2,12 +2,16 @@
 
 use std::collections::BTreeSet;
 
+use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Report, Severity};
-use crate::syntax::ast::Declaration;
+use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray};
+
+/// Where elements are found by the names that they have where arrays are written out.
+type Elements<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
 /// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an array of which an element is used.
 pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
-    let Declaration { arrays, counted, .. } = declaration;
+    let (elements, counted) = (elements(declaration), &declaration.counted);
     let unused =
         report.diagnostics().iter().filter_map(name_of_unused).map(str::to_owned).collect::<BTreeSet<_>>();
     let mut places = BTreeSet::new();
@@ -15,22 +19,63 @@ pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
         if diagnostic.severity == Severity::Error {
             return places.insert(place(diagnostic));
         }
-        let Some(name) = name_of_unused(diagnostic) else { return true };
-        if counted.contains(&name.to_owned()) {
+        let Some(name) = name_of_unused(diagnostic).map(str::to_owned) else { return true };
+        if counted.contains(&name) {
             return false;
         }
-        let Some(array) =
-            arrays.iter().find(|array| array.elements.iter().any(|element| element.name == name))
-        else {
-            return true;
-        };
+        let Some((array, _)) = elements.get(&&name[..]) else { return true };
         let is_first = array.elements.first().is_some_and(|first| first.name == name);
-        let is_unused = array.elements.iter().all(|element| unused.contains(&element.name));
         let (element, whole) = (format!("`{name}`"), format!("`{}`", array.name.text));
         diagnostic.message = diagnostic.message.replace(&element, &whole);
         diagnostic.severity = Severity::Unused(array.name.text.clone());
-        is_first && is_unused && !counted.contains(&array.name.text)
+        is_first
+            && !counted.contains(&array.name.text)
+            && array.elements.iter().all(|element| unused.contains(&element.name))
     });
+}
+
+/// Calls elements in messages what they are called in the declaration: `theta[2]`, not `theta_2`.
+pub fn name_elements(declaration: &Declaration, report: &mut Report) {
+    if declaration.arrays.is_empty() || report.diagnostics().is_empty() {
+        return;
+    }
+    let elements = elements(declaration);
+    report.revise(|diagnostic| {
+        let Diagnostic { message, related, help, .. } = diagnostic;
+        let notes = related.iter_mut().map(|(_, note)| note);
+        for text in notes.chain([message]).chain(help) {
+            *text = with_elements_as_written(text, &elements);
+        }
+        true
+    });
+}
+
+fn elements(declaration: &Declaration) -> Elements<'_> {
+    let arrays = declaration.arrays.iter();
+    let elements = arrays.flat_map(|array| array.elements.iter().map(move |element| (array, element)));
+    elements.map(|(array, element)| (&element.name[..], (array, element))).collect()
+}
+
+/// The text with the names of elements between backticks as they are written.
+fn with_elements_as_written(text: &str, elements: &Elements<'_>) -> String {
+    let quoted = text.split('`').enumerate().map(|(number, part)| match number % 2 {
+        0 => part.to_owned(),
+        _ => code_with_elements_as_written(part, elements),
+    });
+    quoted.collect::<Vec<_>>().join("`")
+}
+
+fn code_with_elements_as_written(code: &str, elements: &Elements<'_>) -> String {
+    let mut written = String::new();
+    let mut rest = code;
+    while let Some(first) = rest.chars().next() {
+        let is_in_name = |c: char| c.is_alphanumeric() || c == '_';
+        let is_of_run = |c: char| is_in_name(c) == is_in_name(first);
+        let run = rest.find(|c| !is_of_run(c)).map_or(rest, |end| &rest[..end]);
+        written.push_str(elements.get(&run).map_or(run, |(_, element)| &element.written));
+        rest = &rest[run.len()..];
+    }
+    written
 }
 
 fn name_of_unused(diagnostic: &Diagnostic) -> Option<&str> {

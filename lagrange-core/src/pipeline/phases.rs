@@ -9,7 +9,7 @@ use crate::diagnostics::Report;
 use crate::dimensions::{check_dimensions, in_coherent_units};
 use crate::elaborate::elaborate;
 use crate::emit;
-use crate::expand::{has_arrays, once_for_each_array, without_arrays};
+use crate::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
 use crate::inline::without_functions;
 use crate::model::{Model, Reduced};
 use crate::syntax::ast::Declaration;
@@ -44,6 +44,7 @@ pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (De
     let model = model.filter(|_| !report.has_errors());
     if is_written_out {
         once_for_each_array(&plain.declaration, report);
+        name_elements(&plain.declaration, report);
     }
     let mut declaration = plain.without(model.as_ref().map_or(&[], |model| &model.implied));
     declaration.attributes = emit::attributes_of_struct(&declaration, report.diagnostics());
@@ -57,6 +58,17 @@ fn name_units(model: &mut Model, units: &NamedUnits) {
 
 /// The equations of a model and those of its reduced types, which are taken out of it.
 pub(super) fn equations_of(
+    declaration: &Declaration,
+    model: &mut Model,
+    choice: StrategyChoice,
+    report: &mut Report,
+) -> Option<(Equations, Vec<DerivedPart>)> {
+    let equations = derived(declaration, model, choice, report);
+    name_elements(declaration, report);
+    equations
+}
+
+fn derived(
     declaration: &Declaration,
     model: &mut Model,
     choice: StrategyChoice,
@@ -78,6 +90,18 @@ pub(super) fn equations_of(
 
 /// The items of a system, then those of its reduced types with their conversions.
 pub(super) fn items_of(
+    system: (&Declaration, &mut Model, &Equations),
+    parts: Vec<DerivedPart>,
+    krate: &TokenStream,
+    report: &mut Report,
+) -> Option<TokenStream> {
+    let declaration = system.0;
+    let items = emitted(system, parts, krate, report);
+    name_elements(declaration, report);
+    items
+}
+
+fn emitted(
     (declaration, model, equations): (&Declaration, &mut Model, &Equations),
     parts: Vec<DerivedPart>,
     krate: &TokenStream,

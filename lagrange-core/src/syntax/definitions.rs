@@ -7,12 +7,14 @@ use super::cursor::{Cursor, group_origin};
 use super::identifiers::at_equals_past;
 use super::keywords::is_rust_keyword;
 use super::messages;
+use super::messages::arrays;
 use super::messages::forms::form;
 use super::messages::habits;
 use super::messages::units;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
 use super::units::at_unit;
+use crate::number::Number;
 
 /// A list of names with commas between them.
 #[derive(Clone, Copy)]
@@ -34,13 +36,29 @@ impl Parser<'_> {
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation(name, "param", cursor);
             }
-            let is_array = name.as_ref().is_ok_and(|name| !name.indices.is_empty());
+            let is_array = name.as_ref().map_or(true, |name| !name.indices.is_empty());
             let value = match at_equals_past(0, cursor) {
-                true => parser.equals(help, cursor).ok().map(|()| parser.default(is_array, cursor)),
+                true => parser.equals(help, cursor).ok().map(|()| {
+                    let is_array = is_array || parser.sized_by_list(&mut name, cursor);
+                    parser.default(is_array, cursor)
+                }),
                 false => None,
             };
             Ok(Definition { name: name?, value })
         })
+    }
+
+    /// Whether a list stands behind a name without numbers of elements, which is reported: the list says how many there are.
+    fn sized_by_list(&mut self, name: &mut Parsed<Name>, cursor: &Cursor) -> bool {
+        let (Ok(name), Some(group)) = (name, cursor.group(Delimiter::Bracket)) else { return false };
+        let sizes = sizes_of_list(group);
+        if sizes.contains(&0) {
+            return false;
+        }
+        self.fail_with_help(name.span, arrays::NO_SIZE, arrays::size_help(&name.text, &sizes));
+        let sizes = sizes.into_iter().map(|size| Expression::Number(Number::from(size)));
+        name.indices = sizes.map(|size| self.add(size, name.span.into()).id).collect();
+        true
     }
 
     /// Reports a unit of measurement in brackets behind the name of a parameter.
@@ -209,8 +227,8 @@ impl Parser<'_> {
     /// Reports names of functions and of their parameters with square brackets behind them.
     pub(super) fn refuse_elements<'n>(&mut self, mut names: impl Iterator<Item = &'n Name>) -> Parsed<()> {
         let Some(indexed) = names.find(|name| !name.indices.is_empty()) else { return Ok(()) };
-        let help = messages::arrays::FUNCTIONS_HELP;
-        Err(self.fail_with_help(indexed.span, messages::arrays::FUNCTIONS, help))
+        let help = arrays::FUNCTIONS_HELP;
+        Err(self.fail_with_help(indexed.span, arrays::FUNCTIONS, help))
     }
 
     /// `(x, y) = e` behind the name of a function.
@@ -312,4 +330,16 @@ fn at_list_end(cursor: &Cursor) -> bool {
 /// True if Rust accepts the word as the name of a field, whatever the language makes of it.
 fn can_be_field(word: &str) -> bool {
     word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
+}
+
+/// The numbers of elements of a list, and of the first list in it.
+fn sizes_of_list(list: &Group) -> Vec<i64> {
+    let tokens = list.stream().into_iter().collect::<Vec<_>>();
+    let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    let elements = tokens.split(is_comma).filter(|element| !element.is_empty());
+    let inner = match tokens.first() {
+        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => sizes_of_list(group),
+        _ => Vec::new(),
+    };
+    [elements.count() as i64].into_iter().chain(inner).collect()
 }

@@ -87,6 +87,14 @@ pub(in crate::elaborate) const RUST_CONSTANT_HELP: &str = "constants of Rust are
 pub(in crate::elaborate) const DECLARED_HERE: &str = "it is declared here";
 pub(in crate::elaborate) const DECLARE_FIRST: &str =
     "declare it before this line with `param`, `coord`, `input` or `let`";
+pub(in crate::elaborate) fn array_called(name: &str) -> String {
+    format!("`{name}` is an array, not a function")
+}
+
+pub(in crate::elaborate) fn element_help(name: &str, indices: &str) -> String {
+    format!("write `{name}{indices}`; the first element has the index 0")
+}
+
 pub(in crate::elaborate) const FUNCTIONS_ARE_LISTED: &str = "functions of Rust are not seen here: write the expression out with those that the documentation of `lagrange::system!` lists, or compute a number outside and pass it as an `input`";
 
 pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {

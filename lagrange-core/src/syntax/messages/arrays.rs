@@ -13,6 +13,12 @@ pub(in crate::syntax) const COMPARISON: &str = "`<`, `<=`, `>`, `>=`, `==` or `!
 pub(in crate::syntax) const LIST_END: &str = "`,` or `]`";
 pub(in crate::syntax) const LIST_HELP: &str =
     "write one value for each element: `param l[3] = [1, 0.5, 0.25];`";
+pub(in crate::syntax) const NO_SIZE: &str = "values are listed here, and the number of elements is missing";
 pub(in crate::syntax) const FUNCTIONS: &str = "functions and their parameters have no elements";
 pub(in crate::syntax) const FUNCTIONS_HELP: &str =
     "make the index another parameter, or write the expression out in a loop";
+
+pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
+    let sizes = sizes.iter().map(|size| format!("[{size}]")).collect::<String>();
+    format!("write it behind the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
+}
