@@ -163,19 +163,21 @@ fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: 
 
 /// Reports tables in energies and constraints whose second derivatives are not continuous, although accelerations are made of them.
 pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
-    let energies = elaborator.kinetic.iter().chain(&elaborator.potential).chain(&elaborator.lagrangian);
-    let terms = energies.map(|term| (term.value, Some(term.syntax), Origin::from(term.keyword)));
+    let moving = elaborator.kinetic.iter().chain(&elaborator.lagrangian).map(|term| (term, Derived::ByTime));
+    let potential = elaborator.potential.iter().map(|term| (term, Derived::ByPosition));
+    let terms = moving.chain(potential);
+    let terms = terms.map(|(term, derived)| (term.value, derived, Some(term.syntax), term.keyword));
     let constraints = elaborator.constraints.iter();
-    let residuals = constraints.map(|(constraint, span)| (constraint.value, None, Origin::from(*span)));
+    let residuals = constraints.map(|(constraint, span)| (constraint.value, Derived::ByTime, None, *span));
     let roots = terms.chain(residuals).collect::<Vec<_>>();
     let mut reported = Vec::new();
-    for (root, syntax, place) in roots {
-        for (call, table) in rough_tables(elaborator, root) {
+    for (root, derived, syntax, place) in roots {
+        for (call, table) in rough_tables(elaborator, root, derived) {
             if reported.contains(&table) {
                 continue;
             }
             let found = syntax.and_then(|syntax| elaborator.evaluator.place_of(syntax, call));
-            report_rough(elaborator, &table, found.unwrap_or(place));
+            report_rough(elaborator, &table, found.unwrap_or(place.into()));
             reported.push(table);
         }
     }
@@ -222,12 +224,33 @@ fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
     derivatives.map(|orders| default_name(&table.name.text, &parameters, orders)).collect()
 }
 
-/// Calls of tables without continuous second derivatives of which the value changes during motions, with the tables themselves.
-fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId) -> Vec<(ExprId, Opaque)> {
+/// What accelerations take derivatives by, of a term.
+#[derive(Clone, Copy)]
+enum Derived {
+    /// Positions alone: what changes with time only is a factor.
+    ByPosition,
+    /// Time, too.
+    ByTime,
+}
+
+impl Derived {
+    fn concerns(self, argument: Dependencies) -> bool {
+        match self {
+            Derived::ByPosition => argument.intersects(Dependencies::COORDINATE),
+            Derived::ByTime => argument.may_change(),
+        }
+    }
+}
+
+/// Calls of tables without continuous second derivatives of which derivatives are taken, with the tables themselves.
+fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: Derived) -> Vec<(ExprId, Opaque)> {
     let graph = &elaborator.evaluator.graph;
     let mut rough = Vec::new();
     for id in graph.reachable(&[root]) {
         let Node::Opaque(function, _) = graph.node(id) else { continue };
+        if !derived.concerns(graph.dependencies(id)) {
+            continue;
+        }
         // Tables of an unknown stand in its equation, and bend it.
         let equation = graph.unknown(function).map(|unknown| graph.reachable(&[unknown.residual]));
         for part in equation.unwrap_or_default().into_iter().chain([id]) {

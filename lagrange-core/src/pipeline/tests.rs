@@ -30,6 +30,16 @@ fn polar_coordinates_by_way_of_cartesian_ones_are_uncoupled() {
 }
 
 #[test]
+fn tables_of_time_are_factors_of_potential_energies() {
+    let spring = derived(
+        "table stiffness(s) = [(0, 1), (1, 3), (2, 4)], interpolation: linear, outside: clamp;
+         coord x; kinetic = 1/2 * dot(x)^2; potential = 1/2 * stiffness(t) * x^2;",
+    );
+    let acceleration = |t| NumericSystem::new(&spring).acceleration(t, &[2.0], &[0.0]);
+    assert_eq!([0.5, 1.5, 3.0].map(acceleration), [[-4.0], [-7.0], [-8.0]]);
+}
+
+#[test]
 fn systems_of_too_many_velocities_are_refused_at_once() {
     let text = "const n = 4001; coord x[n]; kinetic = sum(i in 0..n, 1/2 * dot(x[i])^2);";
     let report = parse(text).expect("a correct declaration").derive(StrategyChoice::Cheapest);
