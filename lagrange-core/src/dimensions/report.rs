@@ -30,13 +30,19 @@ pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report:
     }
     let mut corrections: Vec<Correction> = Vec::new();
     let mut said: HashMap<String, ()> = HashMap::default();
+    let mut wrong: HashMap<AstId, ()> = HashMap::default();
     for (contradiction, expression) in located {
         let origin = checker.expressions.origin(expression);
         let own = corrections_of(contradiction);
         let follows = own.iter().any(|correction| corrections.contains(correction));
         corrections.extend(own);
         let is_said = said.insert(format!("{:?} {:?}", origin.start, origin.end), ()).is_some();
-        if !follows && !is_said {
+        // Terms of one sum that all lack the same are one mistake.
+        let lack = format!("{:?} {:?}", contradiction.equation.reason.place, contradiction.missing);
+        let is_lacking_again = said.insert(lack, ()).is_some();
+        let holds_mistake = checker.expressions.parts(expression).iter().any(|part| wrong.contains(part));
+        wrong.insert(expression, ());
+        if !follows && !is_said && !is_lacking_again && !holds_mistake {
             report_contradiction(checker, contradiction, (expression, origin), report);
         }
     }

@@ -293,7 +293,8 @@ pub(super) const MISSING_ELSE: &str = "this `if` has no value when its condition
 pub(super) const MISSING_ELSE_HELP: &str = "add `else { … }`";
 pub(super) const COMPARISON: &str = "`<`, `<=`, `>` or `>=`";
 pub(super) const EQUALITY: &str = "conditions cannot ask whether numbers are equal";
-pub(super) const EQUALITY_HELP: &str = "compare with `<`, `<=`, `>` or `>=`";
+pub(super) const EQUALITY_HELP: &str =
+    "compare with `<`, `<=`, `>` or `>=`; of indices `if i == 2 { … }` may stand around statements";
 pub(super) const LOGIC: &str = "a condition is a single comparison, without `&&`, `||` and `!`";
 pub(super) const LOGIC_HELP: &str =
     "put one `if` into the other, or compare `min(a, b)` or `max(a, b)` with zero";

@@ -204,6 +204,7 @@ impl Parser<'_> {
     pub(super) fn unknown_unit(&mut self, word: &str, place: Origin) -> Reported {
         let known = names();
         let help = match (meant(word), nearest(word, known.iter().map(String::as_str))) {
+            (Some("K"), _) => words::KELVIN_HELP.to_owned(),
             (Some(unit), _) => words::write_unit(unit),
             (None, Some(unit)) => words::did_you_mean(unit),
             (None, None) => words::UNIT_HELP.to_owned(),

@@ -24,6 +24,9 @@ pub(in crate::syntax) fn unknown(word: &str) -> String {
     format!("{} is not a unit", quoted(word))
 }
 
+pub(in crate::syntax) const KELVIN_HELP: &str =
+    "write `K`, with 273.15 added to a temperature in degrees Celsius: units are factors";
+
 pub(in crate::syntax) fn write_unit(unit: &str) -> String {
     format!("write {}", quoted(unit))
 }
