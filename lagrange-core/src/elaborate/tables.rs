@@ -28,6 +28,10 @@ pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinit
         2 => surface(elaborator, table, points),
         _ => None,
     });
+    if source.as_ref().is_some_and(|source| !source.is_finite()) {
+        let error = elaborator.evaluator.report.error(table.name.span, words::too_steep(&table.name.text));
+        error.help(words::TOO_STEEP_HELP);
+    }
     let parameters = table.parameters.iter().map(|parameter| parameter.text.clone()).collect();
     let function = source.map(|source| {
         let source = Source::Table(source);

@@ -114,6 +114,21 @@ impl Table {
         self.interpolation == Interpolation::Natural && self.outside != Outside::Clamp
     }
 
+    /// Whether all polynomials between the points have finite coefficients.
+    pub fn is_finite(&self) -> bool {
+        let per_row = self.axes.last().map_or(1, Axis::pieces);
+        let is_between = |axis: &Axis, piece: usize| (1..axis.knots.len()).contains(&piece);
+        let are_between = |piece: usize| match &self.axes[..] {
+            [along_x, along_y] => {
+                is_between(along_x, piece / per_row) && is_between(along_y, piece % per_row)
+            }
+            axes => axes.iter().all(|axis| is_between(axis, piece)),
+        };
+        let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
+        let mut pieces = self.coefficients.chunks(size).enumerate();
+        pieces.all(|(piece, of_piece)| !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
+    }
+
     /// A value or a derivative, computed as emitted code computes it; NaN for NaN.
     pub fn value(&self, orders: &[u8], arguments: &[f64]) -> f64 {
         let size = self.interpolation.coefficients();

@@ -66,3 +66,10 @@ pub(in crate::elaborate) fn reaches(name: &str, axes: &[[f64; 2]]) -> String {
     let reach = axes.iter().map(|[first, last]| format!("from {first} to {last}")).collect::<Vec<_>>();
     format!("the table `{name}` reaches {}", reach.join(" and "))
 }
+
+pub(in crate::elaborate) fn too_steep(name: &str) -> String {
+    format!("the polynomials between the points of the table `{name}` hold numbers too large for `f64`")
+}
+
+pub(in crate::elaborate) const TOO_STEEP_HELP: &str =
+    "leave out points that nearly coincide, or choose larger units for its values";
