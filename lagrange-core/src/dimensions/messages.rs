@@ -5,6 +5,10 @@ pub(super) fn nothing_to_convert(name: &str) -> String {
     format!("there is no number here for this unit to scale: values of `{name}` are in units of the SI")
 }
 
+pub(super) fn in_brackets(quantity: &str) -> String {
+    format!("a unit of several factors stands in square brackets: `{quantity}`")
+}
+
 pub(super) fn write_coherent(name: &str, unit: &str) -> String {
     format!("write `{name}: {unit}`")
 }

@@ -11,7 +11,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
 use crate::syntax::ast::{AstId, BinaryOperator, Expression};
 use crate::syntax::print;
-use crate::units::{Dimension, described, noun, spelled};
+use crate::units::{Dimension, described, meaning, noun, spelled};
 
 /// Longer chains of reasons are cut.
 const MOST_NOTES: usize = 4;
@@ -143,6 +143,9 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         let number = print::expression(checker.expressions, expression);
         return messages::write_unit(&number, &spelled(expected));
     }
+    if let Some(unit) = unit_across_names(checker, expression) {
+        return messages::in_brackets(&unit);
+    }
     let names = equation.found.unknowns.keys().chain(equation.expected.unknowns.keys());
     // Each once: a name may stand on both sides.
     let names = names.copied().collect::<BTreeSet<_>>();
@@ -151,6 +154,26 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         true => messages::COMPARE_HELP.to_owned(),
         false => messages::units_are(&units),
     }
+}
+
+/// `3 [N/m]` of an expression that holds `3 N/m`, where `m` is a name of the declaration, too.
+fn unit_across_names(checker: &Checker<'_>, expression: AstId) -> Option<String> {
+    let expressions = checker.expressions;
+    expressions.parts(expression).into_iter().find_map(|part| {
+        let Expression::Binary(operator, _, left, right) = expressions.get(part) else { return None };
+        let sign = match operator {
+            BinaryOperator::Divide => '/',
+            BinaryOperator::Multiply => '*',
+            _ => return None,
+        };
+        let (Expression::Quantity(number, unit), Expression::Name(name)) =
+            (expressions.get(*left), expressions.get(*right))
+        else {
+            return None;
+        };
+        let number = print::expression(expressions, *number);
+        meaning(name).map(|_| format!("{number} [{unit}{sign}{name}]"))
+    })
 }
 
 fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
