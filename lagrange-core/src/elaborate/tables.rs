@@ -167,12 +167,12 @@ fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: 
 
 /// Reports tables in energies and constraints whose second derivatives are not continuous, although accelerations are made of them.
 pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
-    let moving = elaborator.kinetic.iter().chain(&elaborator.lagrangian).map(|term| (term, Derived::ByTime));
-    let potential = elaborator.potential.iter().map(|term| (term, Derived::ByPosition));
+    let moving = elaborator.kinetic.iter().chain(&elaborator.lagrangian).map(|term| (term, DerivedBy::Time));
+    let potential = elaborator.potential.iter().map(|term| (term, DerivedBy::Position));
     let terms = moving.chain(potential);
     let terms = terms.map(|(term, derived)| (term.value, derived, Some(term.syntax), term.keyword));
     let constraints = elaborator.constraints.iter();
-    let residuals = constraints.map(|(constraint, span)| (constraint.value, Derived::ByTime, None, *span));
+    let residuals = constraints.map(|(constraint, span)| (constraint.value, DerivedBy::Time, None, *span));
     let roots = terms.chain(residuals).collect::<Vec<_>>();
     let mut reported = Vec::new();
     for (root, derived, syntax, place) in roots {
@@ -230,24 +230,24 @@ fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
 
 /// What accelerations take derivatives by, of a term.
 #[derive(Clone, Copy)]
-enum Derived {
+enum DerivedBy {
     /// Positions alone: what changes with time only is a factor.
-    ByPosition,
+    Position,
     /// Time, too.
-    ByTime,
+    Time,
 }
 
-impl Derived {
+impl DerivedBy {
     fn concerns(self, argument: Dependencies) -> bool {
         match self {
-            Derived::ByPosition => argument.intersects(Dependencies::COORDINATE),
-            Derived::ByTime => argument.may_change(),
+            DerivedBy::Position => argument.intersects(Dependencies::COORDINATE),
+            DerivedBy::Time => argument.may_change(),
         }
     }
 }
 
 /// Calls of tables without continuous second derivatives of which derivatives are taken, with the tables themselves.
-fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: Derived) -> Vec<(ExprId, Opaque)> {
+fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: DerivedBy) -> Vec<(ExprId, Opaque)> {
     let graph = &elaborator.evaluator.graph;
     let mut rough = Vec::new();
     for id in graph.reachable(&[root]) {

@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray};
 
 /// Where elements are found by the names that they have where arrays are written out.
-type Elements<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
+type ElementsByName<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
 /// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an array of which an element is used.
 pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
@@ -50,14 +50,14 @@ pub fn name_elements(declaration: &Declaration, report: &mut Report) {
     });
 }
 
-fn elements(declaration: &Declaration) -> Elements<'_> {
+fn elements(declaration: &Declaration) -> ElementsByName<'_> {
     let arrays = declaration.arrays.iter();
     let elements = arrays.flat_map(|array| array.elements.iter().map(move |element| (array, element)));
     elements.map(|(array, element)| (&element.name[..], (array, element))).collect()
 }
 
 /// The text with the names of elements between backticks as they are written.
-fn with_elements_as_written(text: &str, elements: &Elements<'_>) -> String {
+fn with_elements_as_written(text: &str, elements: &ElementsByName<'_>) -> String {
     let quoted = text.split('`').enumerate().map(|(number, part)| match number % 2 {
         0 => part.to_owned(),
         _ => code_with_elements_as_written(part, elements),
@@ -65,7 +65,7 @@ fn with_elements_as_written(text: &str, elements: &Elements<'_>) -> String {
     quoted.collect::<Vec<_>>().join("`")
 }
 
-fn code_with_elements_as_written(code: &str, elements: &Elements<'_>) -> String {
+fn code_with_elements_as_written(code: &str, elements: &ElementsByName<'_>) -> String {
     let mut written = String::new();
     let mut rest = code;
     while let Some(first) = rest.chars().next() {
