@@ -104,7 +104,7 @@ fn steps() -> Vec<Step> {
             "messages about missing features",
             "test --package lagrange-tests --test ui missing_features",
         ),
-        Step::new("long motions", "test --release --package lagrange-tests --test trajectories"),
+        Step::new("long motions", "test --release --package lagrange-trajectories-tests"),
         Step::new("documentation", "doc --workspace --no-deps --all-features")
             .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),
