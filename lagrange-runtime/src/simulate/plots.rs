@@ -29,7 +29,8 @@ where
     M::Scalar: Into<f64>,
 {
     /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else one for all
-    /// coordinates and one for all velocities, also where there are not as many of the one as of the other.
+    /// coordinates and one for all velocities, also where there are not as many of the one as of the other. First-order states share a panel
+    /// of their own.
     ///
     /// Units that a declaration says stand behind names, here and in all plots, as in `x in m`: at the axis, and in the legend where curves have
     /// several.
@@ -39,18 +40,29 @@ where
     /// # Errors
     /// If the extension is another, or what the operating system says.
     pub fn plot_states(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
-        let count = M::COORDINATES.len();
-        let names = &self.names()[..M::State::ZERO.as_ref().len()];
-        let (coordinates, velocities) = names.split_at(count);
-        if count > SEPARATE || velocities.len() != count {
-            let panels =
-                vec![self.over_time("coordinates", coordinates)?, self.over_time("velocities", velocities)?];
-            return Figure { panels, columns: 1, size: WIDE }.save(path.as_ref());
+        const {
+            assert!(
+                M::FIRST_ORDER_STATES <= M::COORDINATES.len(),
+                "first-order states are among the positions"
+            );
         }
-        let pairs = coordinates.iter().zip(velocities).flat_map(|(q, v)| [q, v]);
-        let panels = pairs.map(|name| self.over_time(name, std::slice::from_ref(name)));
-        let (columns, size) = if count == 1 { (1, WIDE) } else { (2, SMALL) };
-        Figure { panels: panels.collect::<Result<_, _>>()?, columns, size }.save(path.as_ref())
+        let names = &self.names()[..M::State::ZERO.as_ref().len()];
+        let (positions, velocities) = names.split_at(M::COORDINATES.len());
+        let (coordinates, states) = positions.split_at(positions.len() - M::FIRST_ORDER_STATES);
+        let count = coordinates.len();
+        let is_grouped = count > SEPARATE || velocities.len() != count;
+        let mut panels = match is_grouped {
+            true => {
+                vec![self.over_time("coordinates", coordinates)?, self.over_time("velocities", velocities)?]
+            }
+            false => self.pairs(coordinates, velocities)?,
+        };
+        if let [first, others @ ..] = states {
+            let title = if others.is_empty() { first } else { "first-order states" };
+            panels.push(self.over_time(title, states)?);
+        }
+        let (columns, size) = if is_grouped || count == 1 { (1, WIDE) } else { (2, SMALL) };
+        Figure { panels, columns, size }.save(path.as_ref())
     }
 
     /// Plots columns against time, all in one panel.
@@ -119,6 +131,12 @@ where
         let panel =
             Panel { y_scale, ..panel::<M>(TIME_AXIS, &y, vec![Curve { name: name.to_string(), points }]) };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
+    }
+
+    /// A panel for each coordinate, with one for its velocity beside it.
+    fn pairs(&self, coordinates: &[String], velocities: &[String]) -> Result<Vec<Panel>, PlotError> {
+        let names = coordinates.iter().zip(velocities).flat_map(|(q, v)| [q, v]);
+        names.map(|name| self.over_time(name, std::slice::from_ref(name))).collect()
     }
 
     /// Columns against time.

@@ -23,8 +23,8 @@ use super::{OdeSystem, StateVector};
 /// The last positions may be first-order states z, as the current of a motor or the integral of a controller, whose rates
 /// ż(t, q, v, z) are any functions and which no velocity displaces. The state is then y = `[q…, z…, v…]`, of which q and z are one
 /// vector [`Coordinates`](Self::Coordinates) everywhere, and [`position_rates`](Self::position_rates) returns their rates behind those
-/// of q. Displacements leave them as they are, which [`position_change`](Self::position_change) says, and velocities have
-/// names, [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as take quaternions.
+/// of q. Displacements leave them as they are, which [`position_change`](Self::position_change) says, [`FIRST_ORDER_STATES`](Self::FIRST_ORDER_STATES)
+/// says how many they are, and velocities have names, [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as take quaternions.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -169,6 +169,9 @@ pub trait MechanicalSystem: OdeSystem {
     /// Names of the coordinates that velocities with names of their own are the rates of, one for each of
     /// [`VELOCITIES`](Self::VELOCITIES); empty for those that are the rate of none.
     const RATES_OF: &'static [&'static str] = &[];
+
+    /// Number of [first-order states](MechanicalSystem#first-order-states), which are the last of the positions. Plots show them by themselves.
+    const FIRST_ORDER_STATES: usize = 0;
 
     /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the state, of accelerations, inputs
     /// and outputs. The name of an array stands for its elements, and a column that is observed under one of the names has its unit. Names

@@ -207,6 +207,7 @@ where
     const COORDINATES: &'static [&'static str] = M::COORDINATES;
     const VELOCITIES: &'static [&'static str] = M::VELOCITIES;
     const RATES_OF: &'static [&'static str] = M::RATES_OF;
+    const FIRST_ORDER_STATES: usize = M::FIRST_ORDER_STATES;
     const UNITS: &'static [(&'static str, &'static str)] = M::UNITS;
 
     #[inline]

@@ -62,9 +62,13 @@ pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members)
         shape.velocities.iter().map(|velocity| velocity.coordinate.map_or("", |name| shape.written(name)));
     let normalise = normalise(shape, members);
     let (displacement, change) = (displacement(shape), position_change(shape, members));
+    let states = length(shape.states);
+    let states =
+        (shape.states > 0).then(|| quote!(const FIRST_ORDER_STATES: ::core::primitive::usize = #states;));
     Some(quote! {
         const VELOCITIES: &'static [&'static ::core::primitive::str] = &[#(#names),*];
         const RATES_OF: &'static [&'static ::core::primitive::str] = &[#(#rates_of),*];
+        #states
         #normalise
         #displacement
         #change

@@ -486,6 +486,7 @@ const _: () = {
         }
         const VELOCITIES: &'static [&'static ::core::primitive::str] = &["theta_dot"];
         const RATES_OF: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FIRST_ORDER_STATES: ::core::primitive::usize = 1;
         #[inline]
         fn displacement(&self, _: f64, from: &[f64; 2], to: &[f64; 2]) -> [f64; 1] {
             [to[0] - from[0]]

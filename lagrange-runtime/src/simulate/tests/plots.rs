@@ -6,6 +6,47 @@ use std::string::String;
 use super::{Oscillator, START};
 use crate::integrate::RungeKutta4;
 use crate::simulate::{PlotError, Simulate, Trajectory};
+use crate::system::{MechanicalSystem, OdeSystem, Unnamed};
+
+/// A bead that nothing moves, with two currents that decay.
+struct Circuit;
+
+impl OdeSystem for Circuit {
+    type Scalar = f64;
+    type State = [f64; 4];
+
+    fn rhs(&self, _t: f64, [_, a, b, v]: &[f64; 4]) -> [f64; 4] {
+        [*v, -a, -b, 0.0]
+    }
+}
+
+impl MechanicalSystem for Circuit {
+    type Coordinates = [f64; 3];
+    type Velocities = [f64; 1];
+    type Columns<C> = Unnamed<C>;
+    const COORDINATES: &'static [&'static str] = &["x", "primary", "secondary"];
+    const VELOCITIES: &'static [&'static str] = &["x_dot"];
+    const RATES_OF: &'static [&'static str] = &["x"];
+    const FIRST_ORDER_STATES: usize = 2;
+    const UNITS: &'static [(&'static str, &'static str)] =
+        &[("x", "m"), ("primary", "A"), ("secondary", "A")];
+
+    fn acceleration(&self, _t: f64, _q: &[f64; 3], _v: &[f64; 1]) -> [f64; 1] {
+        [0.0]
+    }
+
+    fn position_rates(&self, _t: f64, [_, a, b]: &[f64; 3], [v]: &[f64; 1]) -> [f64; 3] {
+        [*v, -a, -b]
+    }
+
+    fn position_change(&self, _t: f64, _q: &[f64; 3], [v]: &[f64; 1]) -> [f64; 3] {
+        [*v, 0.0, 0.0]
+    }
+
+    fn displacement(&self, _t: f64, [from, ..]: &[f64; 3], [to, ..]: &[f64; 3]) -> [f64; 1] {
+        [to - from]
+    }
+}
 
 fn run() -> Trajectory<Oscillator> {
     Oscillator.simulate(START).until(10.0).tolerance(1e-10).every(0.05).energy().run().expect("runs")
@@ -31,6 +72,15 @@ fn points(svg: &str, labels: &[&str]) -> usize {
 fn states_have_a_panel_each() {
     let svg = written("states", |path| run().plot_states(path));
     assert_eq!(points(&svg, &["x", "x_dot", "time t in s", "0.5"]), 2 * 201);
+}
+
+#[test]
+fn first_order_states_share_a_panel_with_their_unit() {
+    let run = Circuit.simulate([0.0, 1.0, 2.0, 3.0]).until(1.0).every(0.1).run().expect("runs");
+    let svg = written("circuit", |path| run.plot_states(path));
+    points(&svg, &["x in m", "x_dot", "first-order states in A", "primary", "secondary"]);
+    let axes = svg.lines().filter(|line| *line == "time t in s").count();
+    assert_eq!((axes, svg.contains("coordinates")), (3, false));
 }
 
 #[test]
