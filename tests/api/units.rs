@@ -22,7 +22,7 @@ lagrange::system! {
     }
     force x = (1 - mu) * push;
     output tip: m = p[n];
-    emit { prepared }
+    emit { prepared, momentum_rates, jacobian }
     reduce Held { freeze x = 0; }
 }
 
@@ -80,11 +80,11 @@ fn defaults_are_in_coherent_units() {
 #[test]
 fn columns_of_arrays_and_outputs_have_their_units() {
     let train = Train::default();
-    let run = train.simulate([0.0; 6]).until(0.1).outputs().energy().run().expect("runs");
+    let run = train.simulate([0.0; 6]).until(0.1).outputs().energy().momenta().run().expect("runs");
     let mut bytes = Vec::new();
     run.write_csv(&mut bytes).expect("memory takes everything");
     let text = String::from_utf8(bytes).expect("text");
     let head = "t in s,x in m,theta[0] in rad,theta[1] in rad,x_dot in m/s,theta_dot[0] in rad/s,theta_dot[1] in rad/s,\
-                tip.x in m,tip.y in m,energy in J";
+                tip.x in m,tip.y in m,energy in J,p_x in N*s,p_theta[0] in J*s,p_theta[1] in J*s";
     assert_eq!(text.lines().next(), Some(head));
 }

@@ -26,7 +26,7 @@ mod tests;
 
 use crate::diagnostics::Report;
 use crate::syntax::ast::{Declaration, Definition, StatementKind, acceleration_name};
-use crate::units::{Dimension, NamedUnit, NamedUnits, component_name, spelled};
+use crate::units::{Dimension, NamedUnit, NamedUnits, component_name, momentum_name, spelled};
 use checker::Checker;
 use defaults::name_state;
 use measure::Measure;
@@ -59,8 +59,15 @@ fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: 
         }
     }
     let second = Dimension::of(kinds::TIME);
+    let action = Dimension::of(kinds::ENERGY).times(&second);
     for position in declaration.coordinates() {
-        add(named, &position.text, of(&position.text));
+        let dimension = of(&position.text);
+        add(
+            named,
+            &momentum_name(&position.text),
+            dimension.as_ref().map(|dimension| action.over(dimension)),
+        );
+        add(named, &position.text, dimension);
     }
     for velocity in declaration.velocities() {
         let rate = velocity.coordinate.and_then(|coordinate| of(&coordinate.text));

@@ -23,8 +23,7 @@ use crate::syntax::ast::Name;
 pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (ode, mechanical) = (ode_impl(shape, members), mechanical_impl(shape, members));
     let energy = has(members, "energy").then(|| energy_impl(shape, members));
-    // Momenta of angular velocities are conjugate to no coordinates.
-    let is_canonical = shape.velocities_are_rates() && has(members, "momentum_rates");
+    let is_canonical = is_canonical(shape, members);
     let name = shape.name();
     let canonical = is_canonical.then(|| canonical_impl(shape, members, &name));
     let separable = members.is_separable.then(|| match members.constrained.is_empty() {
@@ -43,6 +42,11 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         quote!(#canonical #separable)
     });
     quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel)
+}
+
+/// Whether the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no coordinates.
+fn is_canonical(shape: &Shape<'_>, members: &Members) -> bool {
+    shape.velocities_are_rates() && has(members, "momentum_rates")
 }
 
 /// Whether there is a method of this name.
@@ -185,7 +189,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
     let lanes = with_lanes(shape, members);
-    let units = units_constant(shape, units_of_outputs(shape, members));
+    let units = units_constant(shape, units_of_outputs(shape, members), is_canonical(shape, members));
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::MechanicalSystem for #name #generics {

@@ -319,6 +319,23 @@ fn rates_of_places_at_rest_are_read_as_they_are_printed() {
 }
 
 #[test]
+fn momenta_and_parameters_have_units_where_any_are_declared() {
+    let declared = "param m: kg, k[2]: N/m, ratio: 1; coord x[2]: m, phi: rad; input f: N;
+                    kinetic = 1/2 * m * (dot(x[0])^2 + dot(x[1])^2) + 1/2 * ratio * (1 [kg*m^2]) * dot(phi)^2;
+                    potential = 1/2 * (k[0] * x[0]^2 + k[1] * x[1]^2); force x[0] = f;";
+    let emit = "emit { jacobian, momentum_rates }";
+    let text = expanded(&format!("{declared} {emit}"));
+    let has = |text: &str, part: &str| text.replace(' ', "").contains(part);
+    for part in [r#"("p_x","N*s"),("p_phi","J*s")"#, "Units:`m`inkg,`k`inN/m,`f`inN.", "constPARAMETERS"] {
+        assert!(has(&text, part), "{part}: {text}");
+    }
+    // Without the momenta there are no units of them, and without units there is nothing.
+    assert!(!has(&expanded(declared), "p_phi"));
+    let plain = expanded(&format!("param m; coord x; kinetic = 1/2 * m * dot(x)^2; {emit}"));
+    assert!(has(&plain, "constPARAMETERS") && !has(&plain, "Units:") && !has(&plain, "p_x"));
+}
+
+#[test]
 fn documentation_says_defaults_in_the_units_they_are_written_in_if_all_elements_have_them() {
     let statements = "param l: mm = 500, even[2]: cm = 4, lever[2]: cm = [4, -2.5]; coord x: m; kinetic = 1/2 * (1 kg) * dot(x)^2; \
                       output s = l + sum(i in 0..2, even[i] + lever[i]);";

@@ -19,7 +19,7 @@ use crate::diagnostics::Origin;
 use crate::number::Number;
 
 pub use dimension::{BASE_UNITS, Dimension};
-pub use named::{NamedUnit, NamedUnits, component_name};
+pub use named::{NamedUnit, NamedUnits, component_name, momentum_name};
 pub use spelling::{described, noun, spelled};
 pub use table::{UnitMeaning, meaning, meant, names};
 

@@ -36,3 +36,8 @@ impl NamedUnits {
 pub fn component_name(output: &str, index: usize) -> String {
     format!("{output}.{index}")
 }
+
+/// The name under which the unit of the momentum of a coordinate is kept.
+pub fn momentum_name(coordinate: &str) -> String {
+    format!("momentum of {coordinate}")
+}

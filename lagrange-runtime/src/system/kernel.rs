@@ -51,7 +51,8 @@ pub trait KernelSystem: MechanicalSystem + NamedSystem {
     /// The text in single precision.
     const KERNEL_F32: &'static str;
 
-    /// The names of the parameters, then those of the inputs, in the order of the declaration.
+    /// The names of the parameters, then those of the inputs, in the order of the declaration. Units that are known are in
+    /// [`MechanicalSystem::UNITS`].
     const PARAMETERS: &'static [&'static str];
 
     /// The parameters, then the inputs, as they are.

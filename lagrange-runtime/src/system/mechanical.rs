@@ -173,7 +173,7 @@ pub trait MechanicalSystem: OdeSystem {
     /// Number of [first-order states](MechanicalSystem#first-order-states), which are the last of the positions. Plots show them by themselves.
     const FIRST_ORDER_STATES: usize = 0;
 
-    /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the state, of accelerations, inputs
+    /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the state, of accelerations, momenta, inputs
     /// and outputs. The name of an array stands for its elements, and a column that is observed under one of the names has its unit. Names
     /// without one have an unknown unit, and plain numbers have `1`. Axes of plots and files say them; nothing is computed with them. Where
     /// there are any, times are in `s` and the energy is in `J`.

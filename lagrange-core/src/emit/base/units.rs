@@ -8,7 +8,7 @@ use crate::syntax::ast::Name;
 use crate::units::{NamedUnit, component_name};
 
 /// The unit of plain numbers, of which documentation says nothing.
-const PLAIN: &str = "1";
+pub(in crate::emit) const PLAIN: &str = "1";
 
 impl Shape<'_> {
     /// The unit of a declared name or of a velocity, if it is known.

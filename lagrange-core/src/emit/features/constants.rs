@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use super::units::units_of_parameters;
 use crate::emit::base::shape::{Shape, length};
 
 /// The constant that holds the equations.
@@ -17,8 +18,10 @@ pub(in crate::emit) fn equations_latex(equations: &str) -> TokenStream {
 /// The constant that says in which order the fields are differentiated by.
 pub(in crate::emit) fn parameter_names(shape: &Shape<'_>) -> TokenStream {
     let (names, count) = (shape.fields.iter().map(|name| shape.written(name)), length(shape.fields.len()));
+    let units = units_of_parameters(shape);
     quote! {
         /// Parameters, then inputs: the columns of `parameter_jacobian`.
+        #units
         pub const PARAMETERS: [&'static ::core::primitive::str; #count] = [#(#names),*];
     }
 }

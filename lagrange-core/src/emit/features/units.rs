@@ -1,24 +1,39 @@
 //! Units by name, for axes and files.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use crate::emit::base::fields::Field;
-use crate::emit::base::shape::{Shape, local};
+use crate::emit::base::shape::{Shape, doc, local};
+use crate::emit::base::units::PLAIN;
 use crate::syntax::ast::{Name, acceleration_name};
+use crate::units::momentum_name;
 
-/// `MechanicalSystem::UNITS`, if any unit is known: of the state, of accelerations, of parameters and inputs, and of outputs, which are given.
+/// `MechanicalSystem::UNITS`, if any unit is known: of the state, of accelerations, of parameters and inputs, of outputs, which are given, and
+/// of momenta where there are any. These come last, so that under a name that is declared, too, the declared unit is found.
 pub(in crate::emit) fn units_constant(
     shape: &Shape<'_>,
     outputs: Vec<(String, &str)>,
+    has_momenta: bool,
 ) -> Option<TokenStream> {
     let state = shape.state_fields();
     let accelerations = accelerations(shape, &state);
+    let momenta = if has_momenta { momenta(shape, &state) } else { Vec::new() };
     let fields = state.into_iter().chain(accelerations).chain(shape.number_fields());
     let named = fields.flat_map(|field| units_of(shape, &field)).chain(outputs);
+    let named = named.chain(momenta.iter().flat_map(|field| units_of(shape, field)));
     let entries = named.map(|(name, unit)| quote!((#name, #unit))).collect::<Vec<_>>();
     let text = quote!(&'static ::core::primitive::str);
     (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
+}
+
+/// Documentation of the units of parameters and inputs, as `` `m` in kg, `l` in m ``, if any are known that are not those of plain numbers.
+pub(in crate::emit) fn units_of_parameters(shape: &Shape<'_>) -> Option<TokenStream> {
+    let fields = shape.number_fields();
+    let units = fields.iter().flat_map(|field| units_of(shape, field)).filter(|(_, unit)| *unit != PLAIN);
+    let units = units.map(|(name, unit)| format!("`{name}` in {unit}")).collect::<Vec<_>>().join(", ");
+    let (blank, line) = (doc(""), doc(&format!("Units: {units}.")));
+    (!units.is_empty()).then(|| quote!(#blank #line))
 }
 
 /// Fields as there would be for accelerations, behind those of velocities.
@@ -36,6 +51,22 @@ fn accelerations(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
         sizes: field.sizes.clone(),
     });
     accelerations.collect()
+}
+
+/// Fields as there would be for the momenta of coordinates.
+fn momenta(shape: &Shape<'_>, state: &[Field]) -> Vec<Field> {
+    let mut coordinates = shape.coordinates.len();
+    let of_coordinates = state.iter().take_while(|field| {
+        let is_coordinate = coordinates > 0;
+        coordinates = coordinates.saturating_sub(field.names.len());
+        is_coordinate
+    });
+    let momenta = of_coordinates.map(|field| Field {
+        identifier: format_ident!("p_{}", field.identifier),
+        names: field.names.iter().map(|name| Name::new(momentum_name(&name.text), name.span)).collect(),
+        sizes: field.sizes.clone(),
+    });
+    momenta.collect()
 }
 
 /// The unit of a field by its name, or those of its elements by theirs where they differ.
