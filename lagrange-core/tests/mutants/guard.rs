@@ -16,6 +16,8 @@ const MOST_SECONDS: f64 = if cfg!(debug_assertions) { 30.0 } else { 2.0 };
 const MOST_BYTES: usize = 500_000_000;
 /// More failures are not looked for.
 const MOST_FAILURES: usize = 20;
+/// So many workers judge cases at a time.
+const WORKERS: usize = 2;
 /// The stack of the compiler's threads.
 const STACK: usize = 8 << 20;
 
@@ -51,10 +53,9 @@ pub(crate) struct Verdict {
 thread_local! {
     static IN_USE: Cell<usize> = const { Cell::new(0) };
     static MOST_IN_USE: Cell<usize> = const { Cell::new(0) };
-    static IS_GUARDED: Cell<bool> = const { Cell::new(false) };
+    /// Of a worker, what says that it waits because it asked for more than the limit. There is no limit for other threads.
+    static EXCEEDED: Cell<Option<&'static AtomicBool>> = const { Cell::new(None) };
 }
-/// Whether a thread waits because it asked for more than the limit.
-static EXCEEDED: AtomicBool = AtomicBool::new(false);
 
 /// The allocator of the platform, which never answers a thread that asks for too much.
 struct Limited;
@@ -66,11 +67,10 @@ fn count(size: usize) {
     let total = IN_USE.get().saturating_add(size);
     IN_USE.set(total);
     MOST_IN_USE.set(MOST_IN_USE.get().max(total));
-    if total > MOST_BYTES && IS_GUARDED.get() {
-        EXCEEDED.store(true, Ordering::SeqCst);
-        loop {
-            thread::sleep(Duration::from_secs(3600));
-        }
+    let Some(exceeded) = EXCEEDED.get().filter(|_| total > MOST_BYTES) else { return };
+    exceeded.store(true, Ordering::SeqCst);
+    loop {
+        thread::sleep(Duration::from_secs(3600));
     }
 }
 
@@ -104,12 +104,25 @@ struct Current {
     start: Duration,
 }
 
-/// Judges cases one after the other; `make` says what each is.
+/// Judges cases; `make` says what each is. Verdicts are in the order of the cases.
 pub(crate) fn run(cases: Range<usize>, make: impl Fn(usize) -> Case + Send + Sync + 'static) -> Vec<Verdict> {
     let make: Arc<dyn Fn(usize) -> Case + Send + Sync> = Arc::new(make);
+    let bound = |share: usize| cases.start + share * cases.len() / WORKERS;
+    thread::scope(|scope| {
+        let judged = |share| {
+            let (make, share) = (&make, bound(share)..bound(share + 1));
+            scope.spawn(move || one_by_one(share, make))
+        };
+        let shares = (0..WORKERS).map(judged).collect::<Vec<_>>();
+        shares.into_iter().flat_map(|share| share.join().expect("watching does not panic")).collect()
+    })
+}
+
+/// Judges cases one after the other.
+fn one_by_one(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -> Vec<Verdict> {
     let (mut next, mut verdicts, mut failures) = (cases.start, Vec::new(), 0);
     while next < cases.end && failures < MOST_FAILURES {
-        let found = watch(next..cases.end, &make);
+        let found = watch(next..cases.end, make);
         next += found.len();
         failures += found.iter().filter(|verdict| verdict.failure.is_some()).count();
         verdicts.extend(found);
@@ -123,8 +136,10 @@ fn watch(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -
     let (sender, receiver) = mpsc::channel();
     let (clocks, clock) = mpsc::channel();
     let worker = (Arc::clone(make), Arc::clone(&current));
+    // The allocator asks it as long as the thread lives, which may be left behind.
+    let has_exceeded: &AtomicBool = Box::leak(Box::default());
     let work = move || {
-        IS_GUARDED.set(true);
+        EXCEEDED.set(Some(has_exceeded));
         let clock = Clock::of_this_thread();
         clocks.send(clock.clone()).expect("somebody watches");
         for case in cases {
@@ -145,7 +160,7 @@ fn watch(cases: Range<usize>, make: &Arc<dyn Fn(usize) -> Case + Send + Sync>) -
             }
             Err(mpsc::RecvTimeoutError::Disconnected) => return verdicts,
             Err(mpsc::RecvTimeoutError::Timeout) => {
-                let Some(failure) = exceeded(&current, &clock) else { continue };
+                let Some(failure) = exceeded(has_exceeded, &current, &clock) else { continue };
                 verdicts.extend(receiver.try_iter());
                 let stuck = current.lock().expect("no panic").take();
                 verdicts.extend(stuck.map(|Current { case, text, .. }| Verdict {
@@ -171,8 +186,8 @@ fn told(verdict: &Verdict) {
 }
 
 /// The limit that the worker exceeds, if it does.
-fn exceeded(current: &Mutex<Option<Current>>, clock: &Clock) -> Option<String> {
-    if EXCEEDED.swap(false, Ordering::SeqCst) {
+fn exceeded(has_exceeded: &AtomicBool, current: &Mutex<Option<Current>>, clock: &Clock) -> Option<String> {
+    if has_exceeded.load(Ordering::SeqCst) {
         return Some(format!("more than {} MB", MOST_BYTES / 1_000_000));
     }
     let current = current.lock().expect("no panic");
