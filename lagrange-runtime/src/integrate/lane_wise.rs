@@ -1,39 +1,19 @@
 //! Small operations on numbers and states lane by lane.
 
 use super::method::MOST_LANES;
-use crate::scalar::{Mask, Number};
+use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{SideBySide, StateVector};
-
-/// The same number in every lane.
-#[inline(always)]
-pub(super) fn splat<S: SideBySide>(value: S::Element) -> S {
-    let mut lanes = S::ZERO;
-    for lane in 0..S::LANES {
-        lanes.set_lane(lane, value);
-    }
-    lanes
-}
-
-/// What a function makes of the number in each lane.
-#[inline(always)]
-pub(super) fn each<S: SideBySide>(value: S, function: impl Fn(S::Element) -> S::Element) -> S {
-    let mut lanes = value;
-    for lane in 0..S::LANES {
-        lanes.set_lane(lane, function(value.lane(lane)));
-    }
-    lanes
-}
 
 /// The larger of two numbers, the second if the first is NaN.
 #[inline(always)]
-pub(super) fn larger<S: Number>(one: S, other: S) -> S {
-    S::select(other.less(one), one, other)
+pub(super) fn larger<S: SideBySide<Element: Scalar>>(one: S, other: S) -> S {
+    one.zip(other, |one, other| if other < one { one } else { other })
 }
 
 /// The smaller of two numbers, the second if the first is NaN.
 #[inline(always)]
-pub(super) fn smaller<S: Number>(one: S, other: S) -> S {
-    S::select(one.less(other), one, other)
+pub(super) fn smaller<S: SideBySide<Element: Scalar>>(one: S, other: S) -> S {
+    one.zip(other, |one, other| if one < other { one } else { other })
 }
 
 /// Whether two numbers are the same.

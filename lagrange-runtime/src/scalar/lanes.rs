@@ -49,8 +49,9 @@ pub struct Lanes<T, const N: usize, const FUSED: bool = false>(pub [T; N]);
 pub struct LaneMask<const N: usize>(pub [bool; N]);
 
 impl<T: Scalar, const N: usize, const FUSED: bool> Lanes<T, N, FUSED> {
+    /// What a function makes of the number in each lane.
     #[inline(always)]
-    fn each(self, function: impl Fn(T) -> T) -> Self {
+    pub(crate) fn each(self, function: impl Fn(T) -> T) -> Self {
         let mut value = self;
         for i in 0..N {
             value.0[i] = function(self.0[i]);
@@ -58,8 +59,9 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Lanes<T, N, FUSED> {
         value
     }
 
+    /// What a function makes of the two numbers in each lane.
     #[inline(always)]
-    fn zip(self, other: Self, function: impl Fn(T, T) -> T) -> Self {
+    pub(crate) fn zip(self, other: Self, function: impl Fn(T, T) -> T) -> Self {
         let mut value = self;
         for i in 0..N {
             value.0[i] = function(self.0[i], other.0[i]);
@@ -85,7 +87,11 @@ macro_rules! implement_operators {
 
             #[inline(always)]
             fn $method(self, other: Self) -> Self {
-                self.zip(other, |one, other| one $sign other)
+                let mut value = self;
+                for i in 0..N {
+                    value.0[i] = self.0[i] $sign other.0[i];
+                }
+                value
             }
         })*
     };

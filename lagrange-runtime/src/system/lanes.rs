@@ -15,6 +15,15 @@ pub trait SideBySide: Number {
 
     /// Puts a number into this lane and leaves the others.
     fn set_lane(&mut self, lane: usize, value: Self::Element);
+
+    /// The same number in every lane.
+    fn splat(value: Self::Element) -> Self;
+
+    /// What a function makes of the number in each lane.
+    fn each(self, function: impl Fn(Self::Element) -> Self::Element) -> Self;
+
+    /// What a function makes of the two numbers in each lane.
+    fn zip(self, other: Self, function: impl Fn(Self::Element, Self::Element) -> Self::Element) -> Self;
 }
 
 impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FUSED> {
@@ -29,6 +38,21 @@ impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FU
     #[inline(always)]
     fn set_lane(&mut self, lane: usize, value: T) {
         self.0[lane] = value;
+    }
+
+    #[inline(always)]
+    fn splat(value: T) -> Self {
+        Lanes([value; N])
+    }
+
+    #[inline(always)]
+    fn each(self, function: impl Fn(T) -> T) -> Self {
+        Lanes::each(self, function)
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, function: impl Fn(T, T) -> T) -> Self {
+        Lanes::zip(self, other, function)
     }
 }
 

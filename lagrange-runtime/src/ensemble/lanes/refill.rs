@@ -14,6 +14,8 @@ use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarO
 
 /// Motions that fill a register of the widest instructions twice, or four times one of the usual.
 const LANES: usize = 8;
+/// Where products are not fused, which few processors are left to do: a register of theirs once, so that this costs little to compile.
+const LANES_APART: usize = 2;
 /// Stands in the place of the motion in a lane that has none.
 const FREE: usize = usize::MAX;
 
@@ -74,7 +76,11 @@ where
 
     #[inline(always)]
     fn compute<const FUSED: bool>(self) -> EndsOf<M> {
-        refilled::<M, L, Lanes<ScalarOf<M>, LANES, FUSED>, SAMPLED>(&self.queue, &self.method)
+        if FUSED {
+            refilled::<M, L, Lanes<ScalarOf<M>, LANES, true>, SAMPLED>(&self.queue, &self.method)
+        } else {
+            refilled::<M, L, Lanes<ScalarOf<M>, LANES_APART, false>, SAMPLED>(&self.queue, &self.method)
+        }
     }
 }
 
@@ -121,7 +127,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     {
         let last = self.motions.len() - 1;
         let mut motions = [FREE; MOST_LANES];
-        let mut equations = self.system.lanes(splat::<S>);
+        let mut equations = self.system.lanes(S::splat);
         let mut state = <M::Lanes<S> as Equations<S>>::State::ZERO;
         for (lane, place) in motions.iter_mut().enumerate().take(S::LANES) {
             let motion = self.motions[last.min(first + lane)];
@@ -188,19 +194,9 @@ where
 /// Whether motions at these times have ended or were given up.
 #[inline(always)]
 fn is_settled<S: SideBySide>(time: S, end: S::Element) -> S::Mask {
-    let end = splat::<S>(end);
+    let end = S::splat(end);
     let is_at_end = time.less_equal(end) & end.less_equal(time);
     is_at_end | !time.less_equal(time)
-}
-
-/// The same number in every lane.
-#[inline(always)]
-fn splat<S: SideBySide>(value: S::Element) -> S {
-    let mut lanes = S::ZERO;
-    for lane in 0..S::LANES {
-        lanes.set_lane(lane, value);
-    }
-    lanes
 }
 
 /// How far a queue is computed.

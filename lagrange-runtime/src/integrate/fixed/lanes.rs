@@ -2,7 +2,7 @@
 
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{Counts, are_finite, splat};
+use crate::integrate::lane_wise::{Counts, are_finite};
 use crate::integrate::method::{MOST_LANES, SuspectStep};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
@@ -33,8 +33,8 @@ where
         let suspects =
             SuspectStep { t: S::ZERO, y: Y::ZERO, h: S::ZERO, direction: Y::ZERO, change: S::ZERO };
         FixedLanes {
-            end: splat(end),
-            clock: Clock::new(splat(t), splat(step)),
+            end: S::splat(end),
+            clock: Clock::new(S::splat(t), S::splat(step)),
             state: Compensated::new(*y),
             suspicion: S::Mask::splat(false),
             suspects,

@@ -6,7 +6,7 @@
 use super::Verner98;
 use super::lanes_control::LanesControl;
 use super::lanes_dense::{StepEnd, VernerLastStep};
-use super::stage::{STAGES, Stage, at_stage};
+use super::stage::{STAGES, Stage, TableauRow};
 use super::stiffness::{Stiffness, are_many, is_at_limit};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
@@ -15,7 +15,7 @@ use super::tableau::{
 use super::tolerance::Tolerated;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{Counts, are_finite, is_equal, splat};
+use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
 use crate::linalg::vector::combined;
 use crate::scalar::{Mask, Number, Scalar};
@@ -65,18 +65,18 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
     {
         let Tolerated { relative, absolute } = self.tolerated();
         let settings = Settings {
-            tolerated: Tolerated { relative: splat(relative), absolute: splat(absolute) },
-            end: splat(end),
-            longest: [false, true].map(|is_at_rest| splat(self.longest(end - t, is_at_rest))),
+            tolerated: Tolerated { relative: S::splat(relative), absolute: S::splat(absolute) },
+            end: S::splat(end),
+            longest: [false, true].map(|is_at_rest| S::splat(self.longest(end - t, is_at_rest))),
             most_steps: self.max_steps,
             refuses_stiff: self.refuses_stiff,
         };
-        let (step, longest) = settings.first_step(equations, splat(t), y);
+        let (step, longest) = settings.first_step(equations, S::splat(t), y);
         VernerLanes {
             settings,
-            clock: Clock::new(splat(t), S::ZERO),
+            clock: Clock::new(S::splat(t), S::ZERO),
             state: Compensated::new(*y),
-            control: LanesControl::new(self.first_step.map_or(step, splat)),
+            control: LanesControl::new(self.first_step.map_or(step, S::splat)),
             longest,
             h: S::ZERO,
             rates: [E::State::ZERO; STAGES],
@@ -113,16 +113,25 @@ impl<S: Number> Settings<S> {
     }
 }
 
-/// Applies a method of a [`Stage`] to the one of a step with this index.
-macro_rules! at_step {
-    ($index:expr, $method:ident $arguments:tt) => {
-        at_stage!($index, $method $arguments, [
-            1: STAGE_1, 2: STAGE_2, 3: STAGE_3, 4: STAGE_4, 5: STAGE_5, 6: STAGE_6, 7: STAGE_7, 8: STAGE_8,
-            9: STAGE_9, 10: STAGE_10, 11: STAGE_11, 12: STAGE_12, 13: STAGE_13, 14: STAGE_14, 15: STAGE_15
-        ], START)
-    };
-}
-
+/// The stages of a step.
+const ROWS: [TableauRow; STAGES] = [
+    START.row(),
+    STAGE_1.row(),
+    STAGE_2.row(),
+    STAGE_3.row(),
+    STAGE_4.row(),
+    STAGE_5.row(),
+    STAGE_6.row(),
+    STAGE_7.row(),
+    STAGE_8.row(),
+    STAGE_9.row(),
+    STAGE_10.row(),
+    STAGE_11.row(),
+    STAGE_12.row(),
+    STAGE_13.row(),
+    STAGE_14.row(),
+    STAGE_15.row(),
+];
 /// The start of a step.
 const START: Stage<0> = Stage { node: 0.0, weights: [] };
 
@@ -136,9 +145,9 @@ where
     fn evaluate<E: Equations<S, State = Y>>(&mut self, equations: &E, h: S) {
         let (t, y) = (self.clock.time(), *self.state.value());
         // One place of call, as above.
-        for stage in 0..STAGES {
-            let point = at_step!(stage, point(&y, h, &self.rates));
-            self.rates[stage] = equations.rhs(at_step!(stage, time(t, h)), &point);
+        for (stage, row) in ROWS.iter().enumerate() {
+            let point = row.point(&y, h, &self.rates);
+            self.rates[stage] = equations.rhs(row.time(t, h), &point);
         }
     }
 
@@ -158,9 +167,9 @@ where
     #[cold]
     #[inline(never)]
     fn look_stiff(&mut self, h: S, before: &Y, is_taken: S::Mask) -> [bool; MOST_LANES] {
-        let ends = [STAGE_14.point(before, h, &self.rates), STAGE_15.point(before, h, &self.rates)];
+        let ends = [14, 15].map(|stage: usize| ROWS[stage].point(before, h, &self.rates));
         let lengths = (h, self.settings.end - self.clock.time());
-        let rounding = splat(SAME_STATE.part::<S::Element>());
+        let rounding = S::splat(SAME_STATE.part::<S::Element>());
         let [one, other] = [(&ends[0], &self.rates[14]), (&ends[1], &self.rates[15])];
         let is_at_limit = is_at_limit(lengths, one, other, rounding);
         let mut look_stiff = [false; MOST_LANES];

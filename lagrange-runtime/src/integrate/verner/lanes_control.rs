@@ -2,7 +2,7 @@
 
 use super::control::{LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT};
 use crate::integrate::corrected::is_finite;
-use crate::integrate::lane_wise::{each, larger, smaller, take};
+use crate::integrate::lane_wise::{larger, smaller, take};
 use crate::scalar::Scalar;
 use crate::system::SideBySide;
 
@@ -39,9 +39,10 @@ where
     #[inline(always)]
     pub(super) fn follow(&mut self, length: S, error: S, is_taken: S::Mask) {
         let safety = S::from_f64(LOG_SAFETY);
-        let log_error = each(larger(error, S::from_f64(NEGLIGIBLE)), Scalar::rough_log2);
+        let log_error = larger(error, S::from_f64(NEGLIGIBLE)).each(Scalar::rough_log2);
         let power = S::from_f64(-(1.0 / POWER - 0.75 * MEMORY));
-        let wanted = each(safety + S::from_f64(MEMORY) * self.error + power * log_error, Scalar::rough_exp2);
+        let log_wanted = safety + S::from_f64(MEMORY) * self.error + power * log_error;
+        let wanted = log_wanted.each(Scalar::rough_exp2);
         let growth = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), self.most_growth);
         let next = length * growth;
         let next = S::select(length.less(self.step), larger(next, self.step), next);
@@ -54,7 +55,7 @@ where
 
     /// Steps of these lengths that were taken are taken back where the mask is true, by these errors.
     pub(super) fn take_back(&mut self, length: S, error: S, are_taken_back: S::Mask) {
-        let log_error = each(larger(error, S::from_f64(NEGLIGIBLE)), Scalar::rough_log2);
+        let log_error = larger(error, S::from_f64(NEGLIGIBLE)).each(Scalar::rough_log2);
         self.step = S::select(are_taken_back, length * shrinking(error, log_error), self.step);
         self.most_growth = S::select(are_taken_back, S::ONE, self.most_growth);
     }
@@ -71,7 +72,7 @@ where
 /// By how much a step is shorter than one that was thrown away for this error, whose binary logarithm is given, too.
 #[inline(always)]
 fn shrinking<S: SideBySide<Element: Scalar>>(error: S, log_error: S) -> S {
-    let wanted = each(S::from_f64(LOG_SAFETY) - log_error / S::from_f64(POWER), Scalar::rough_exp2);
+    let wanted = (S::from_f64(LOG_SAFETY) - log_error / S::from_f64(POWER)).each(Scalar::rough_exp2);
     let shrinking = smaller(larger(wanted, S::from_f64(MOST_SHRINKING)), S::from_f64(LEAST_SHRINKING));
     S::select(is_finite(error), shrinking, S::from_f64(RETREAT))
 }

@@ -4,26 +4,28 @@ use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{
     STAGE_17, STAGE_18, STAGE_19, STAGE_20, STAGE_21, STAGE_22, STAGE_23, STAGE_24, STAGE_25,
 };
-use super::stage::{RATES, STAGES, at_stage};
+use super::stage::{RATES, STAGES, TableauRow};
 use super::stepper::{CHECKED, END, LARGEST_DEFECT};
 use super::tolerance::Tolerated;
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{chosen, is_equal, splat};
+use crate::integrate::lane_wise::{chosen, is_equal};
 use crate::scalar::Scalar;
 use crate::system::{Equations, SideBySide, StateVector};
 use crate::tolerance::DEFECT;
 
-/// Applies a method of a [`Stage`](super::stage::Stage) to the one of the interpolant with this index.
-macro_rules! at_inner {
-    ($index:expr, $method:ident $arguments:tt) => {
-        at_stage!($index, $method $arguments, [
-            17: STAGE_17, 18: STAGE_18, 19: STAGE_19, 20: STAGE_20, 21: STAGE_21, 22: STAGE_22, 23: STAGE_23,
-            24: STAGE_24
-        ], STAGE_25)
-    };
-}
-
+/// The stages that only the interpolant needs, which follow the one at the end.
+const ROWS: [TableauRow; RATES - END - 1] = [
+    STAGE_17.row(),
+    STAGE_18.row(),
+    STAGE_19.row(),
+    STAGE_20.row(),
+    STAGE_21.row(),
+    STAGE_22.row(),
+    STAGE_23.row(),
+    STAGE_24.row(),
+    STAGE_25.row(),
+];
 /// The parts of steps at which defects are looked at.
 const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart::new(CHECKED[1])];
 
@@ -86,7 +88,8 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
                     (S::from_f64(part.s).multiply_add(span.h, span.t), part.state(&span, rates))
                 }
                 _ => {
-                    (at_inner!(stage, time(span.t, span.h)), at_inner!(stage, point(&span.y, span.h, rates)))
+                    let row = &ROWS[stage - END - 1];
+                    (row.time(span.t, span.h), row.point(&span.y, span.h, rates))
                 }
             };
             let rate = equations.rhs(time, &point);
@@ -98,7 +101,7 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
             }
         }
         let rounding =
-            splat::<S>(DEFECT.part::<S::Element>()) * tolerated.norm(span.h, &rates[0], &span.y, reached.y);
+            S::splat(DEFECT.part::<S::Element>()) * tolerated.norm(span.h, &rates[0], &span.y, reached.y);
         largest / (S::from_f64(LARGEST_DEFECT) + rounding)
     }
 

@@ -31,52 +31,96 @@ impl<const N: usize> Stage<N> {
         h: S,
         rates: &[Y; R],
     ) -> Y {
-        let mut point = self.weighted(rates);
-        for (sum, y) in point.as_mut().iter_mut().zip(y.as_ref()) {
-            *sum = sum.multiply_add(h, *y);
-        }
-        point
+        moved(self.weighted(rates), y, h)
     }
 
     /// Σ wⱼ kⱼ
     #[inline(always)]
     pub(super) fn weighted<S: Number, Y: StateVector<S>, const R: usize>(&self, rates: &[Y; R]) -> Y {
-        weighted(rates, self.weights.map(|(rate, weight)| (rate, S::from_f64(weight))))
+        if size_of::<S>() > size_of::<f64>() {
+            // Opaque, or compilers write out all terms.
+            return weighted_in_blocks(rates, core::hint::black_box(&self.weights));
+        }
+        let mut sum = Y::ZERO;
+        for (rate, weight) in self.weights {
+            let weight = S::from_f64(weight);
+            for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
+                *sum = rate.multiply_add(weight, *sum);
+            }
+        }
+        sum
+    }
+
+    /// The stage as a row of a table.
+    pub(super) const fn row(&'static self) -> TableauRow {
+        TableauRow { node: self.node, weights: &self.weights }
     }
 }
 
-/// Applies a method of a [`Stage`] to the one with this index, or to the last one.
-macro_rules! at_stage {
-    ($index:expr, $method:ident $arguments:tt, [$($number:literal: $stage:ident),*], $last:ident) => {
-        match $index {
-            $($number => $stage.$method $arguments,)*
-            _ => $last.$method $arguments,
-        }
-    };
+/// A stage whose number of weights is no part of its type: all stages of numbers side by side go through the same instructions, of which
+/// there are many enough without a copy for each stage.
+pub(super) struct TableauRow {
+    node: f64,
+    weights: &'static [(usize, f64)],
 }
 
-pub(super) use at_stage;
+impl TableauRow {
+    /// As for a [`Stage`].
+    #[inline(always)]
+    pub(super) fn time<S: Number>(&self, t: S, h: S) -> S {
+        S::from_f64(self.node).multiply_add(h, t)
+    }
+
+    /// As for a [`Stage`].
+    #[inline(always)]
+    pub(super) fn point<S: Number, Y: StateVector<S>>(&self, y: &Y, h: S, rates: &[Y]) -> Y {
+        moved(weighted_in_blocks(rates, self.weights), y, h)
+    }
+}
+
+/// y + h · rate
+#[inline(always)]
+fn moved<S: Number, Y: StateVector<S>>(rate: Y, y: &Y, h: S) -> Y {
+    let mut point = rate;
+    for (rate, y) in point.as_mut().iter_mut().zip(y.as_ref()) {
+        *rate = rate.multiply_add(h, *y);
+    }
+    point
+}
+
+/// Components of a state whose sums are added up together: each sum waits for its last product, and registers hold no more of them.
+const BLOCK: usize = 4;
 
 /// Σ wⱼ kⱼ
 #[inline(always)]
-fn weighted<S: Number, Y: StateVector<S>, const N: usize, const R: usize>(
-    rates: &[Y; R],
-    weights: [(usize, S); N],
-) -> Y {
+fn weighted_in_blocks<S: Number, Y: StateVector<S>>(rates: &[Y], weights: &[(usize, f64)]) -> Y {
     let mut sum = Y::ZERO;
-    if size_of::<S>() > size_of::<f64>() {
-        for (component, sum) in sum.as_mut().iter_mut().enumerate() {
-            // Opaque, or compilers exchange the loops over components and over lanes, and go across the lanes.
-            let sum = core::hint::black_box(sum);
-            let terms = weights.iter().map(|(rate, weight)| (rates[*rate].as_ref()[component], *weight));
-            *sum = terms.fold(S::ZERO, |sum, (rate, weight)| rate.multiply_add(weight, sum));
-        }
-        return sum;
+    let mut first = 0;
+    let mut blocks = sum.as_mut().chunks_exact_mut(BLOCK);
+    for block in &mut blocks {
+        block.copy_from_slice(&block_of::<S, Y, BLOCK>(rates, weights, first));
+        first += BLOCK;
     }
+    for component in blocks.into_remainder() {
+        [*component] = block_of::<S, Y, 1>(rates, weights, first);
+        first += 1;
+    }
+    sum
+}
+
+/// Components of Σ wⱼ kⱼ from `first` on.
+#[inline(always)]
+fn block_of<S: Number, Y: StateVector<S>, const B: usize>(
+    rates: &[Y],
+    weights: &[(usize, f64)],
+    first: usize,
+) -> [S; B] {
+    let mut sums = [S::ZERO; B];
     for (rate, weight) in weights {
-        for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
+        let (rate, weight) = (&rates[*rate].as_ref()[first..first + B], S::from_f64(*weight));
+        for (sum, rate) in sums.iter_mut().zip(rate) {
             *sum = rate.multiply_add(weight, *sum);
         }
     }
-    sum
+    sums
 }
