@@ -74,7 +74,10 @@ impl<S: SideBySide> Clock<S> {
 
     /// Puts what is in the lane `from` of another clock into a lane of this one.
     #[inline(always)]
-    pub(super) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+    pub(super) fn take<O>(&mut self, lane: usize, other: &Clock<O>, from: usize)
+    where
+        O: SideBySide<Element = S::Element>,
+    {
         let mut numbers = [self.time, self.remainder, self.step];
         take(&mut numbers, lane, &[other.time, other.remainder, other.step], from);
         [self.time, self.remainder, self.step] = numbers;

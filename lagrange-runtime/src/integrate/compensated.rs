@@ -52,9 +52,12 @@ impl<Y> Compensated<Y> {
 
     /// Puts what is in the lane `from` of another sum into a lane of this one.
     #[inline(always)]
-    pub(super) fn take<S: SideBySide>(&mut self, lane: usize, other: &Self, from: usize)
+    pub(super) fn take<S, O, Z>(&mut self, lane: usize, other: &Compensated<Z>, from: usize)
     where
+        S: SideBySide,
         Y: StateVector<S>,
+        O: SideBySide<Element = S::Element>,
+        Z: StateVector<O>,
     {
         take(self.value.as_mut(), lane, other.value.as_ref(), from);
         take(self.remainder.as_mut(), lane, other.remainder.as_ref(), from);

@@ -41,7 +41,11 @@ pub(super) fn chosen<S: Number, Y: StateVector<S>>(mask: S::Mask, then: &Y, othe
 
 /// Puts what is in the lane `from` of other numbers into a lane of these.
 #[inline(always)]
-pub(super) fn take<S: SideBySide>(numbers: &mut [S], lane: usize, others: &[S], from: usize) {
+pub(super) fn take<S, O>(numbers: &mut [S], lane: usize, others: &[O], from: usize)
+where
+    S: SideBySide,
+    O: SideBySide<Element = S::Element>,
+{
     for (number, other) in numbers.iter_mut().zip(others) {
         number.set_lane(lane, other.lane(from));
     }

@@ -131,11 +131,29 @@ pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
 
+    /// Lanes that [`take`](LanesMethod::take) is to fill with motions which start at time `t`, with steps towards `end`, which may lie before `t`.
+    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>;
+
     /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
+
+    /// Puts the motion that is in the lane `from` of another stepper, started for the same end, into a lane of this one.
+    fn take<S, E, O, F>(
+        stepper: &mut Self::Stepper<S, E>,
+        lane: usize,
+        other: &Self::Stepper<O, F>,
+        from: usize,
+    ) where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+        O: SideBySide<Element = T>,
+        F: Equations<O>;
 
     /// Whether a motion of this system, which is under [suspicion](LanesStepper::suspicion) for this step, may go on in its lane.
     fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
@@ -214,15 +232,6 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
 
     /// What the motion in a lane took so far.
     fn work(&self, lane: usize) -> Work;
-
-    /// Puts the motion that is in the lane `from` of another stepper, started for the same end, into a lane of this one.
-    fn take(&mut self, lane: usize, other: &Self, from: usize);
-
-    /// Puts the motion that is in the lane `from` into another lane, too.
-    fn repeat(&mut self, lane: usize, from: usize) {
-        let same = *self;
-        self.take(lane, &same, from);
-    }
 }
 
 /// Something to do with a method if it can take motions side by side.

@@ -7,6 +7,8 @@ use crate::scalar::{Lanes, Number, Scalar};
 pub trait SideBySide: Number {
     /// The number in a lane.
     type Element: Number;
+    /// A number of the same kind, whose lane computes what one of these does.
+    type One: SideBySide<Element = Self::Element>;
     /// How many lanes there are.
     const LANES: usize;
 
@@ -28,6 +30,7 @@ pub trait SideBySide: Number {
 
 impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FUSED> {
     type Element = T;
+    type One = Lanes<T, 1, FUSED>;
     const LANES: usize = N;
 
     #[inline(always)]

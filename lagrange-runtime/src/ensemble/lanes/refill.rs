@@ -1,6 +1,7 @@
 //! A few motions at a time, one in each lane; a lane whose motion has ended takes the next one.
 //!
-//! Motions are started in full lanes and then wait there, since a start costs as much for one as for all.
+//! Motions are started one by one, each in a lane of its own: what methods do there once costs little, and a copy of it for all lanes would be a
+//! third of what is compiled.
 
 use std::vec::Vec;
 
@@ -117,33 +118,35 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         self.beginnings[motion].system(self.system)
     }
 
-    /// Starts as many motions as there are lanes, from `first` on; the last one several times if there are fewer.
+    /// A motion that was started in a lane of its own.
     #[inline(always)]
-    fn start<L, S>(&self, method: &L, first: usize) -> LanesGroupOf<M, L, S>
+    fn started<L, O>(&self, method: &L, motion: usize) -> StepperOf<M, L, O>
+    where
+        M: MechanicalSystem + LanesSystem,
+        L: LanesMethod<ScalarOf<M>>,
+        O: SideBySide<Element = ScalarOf<M>>,
+    {
+        let equations = self.system(motion).lanes(O::splat);
+        let mut state = <M::Lanes<O> as Equations<O>>::State::ZERO;
+        for (component, value) in state.as_mut().iter_mut().zip(self.beginnings[motion].state.as_ref()) {
+            *component = O::splat(*value);
+        }
+        method.start(&equations, self.from, &state, self.end)
+    }
+
+    /// Lanes without motions.
+    #[inline(always)]
+    fn lanes<L, S>(&self, method: &L) -> LanesGroupOf<M, L, S>
     where
         M: MechanicalSystem + LanesSystem,
         L: LanesMethod<ScalarOf<M>>,
         S: SideBySide<Element = ScalarOf<M>>,
     {
-        let last = self.motions.len() - 1;
-        let mut motions = [FREE; MOST_LANES];
-        let mut equations = self.system.lanes(S::splat);
-        let mut state = <M::Lanes<S> as Equations<S>>::State::ZERO;
-        for (lane, place) in motions.iter_mut().enumerate().take(S::LANES) {
-            let motion = self.motions[last.min(first + lane)];
-            if first + lane <= last {
-                *place = motion;
-            }
-            self.system(motion).set_lane(&mut equations, lane);
-            for (component, value) in state.as_mut().iter_mut().zip(self.beginnings[motion].state.as_ref()) {
-                component.set_lane(lane, *value);
-            }
-        }
-        let mut stepper = method.start(&equations, self.from, &state, self.end);
+        let mut stepper = method.lanes::<S, M::Lanes<S>>(self.from, self.end);
         if let Some(most) = self.most_steps {
             stepper.limit_steps(most);
         }
-        LanesGroup { equations, stepper, motions }
+        LanesGroup { equations: self.system.lanes(S::splat), stepper, motions: [FREE; MOST_LANES] }
     }
 }
 
@@ -158,34 +161,21 @@ where
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
-    let mut filling = Filling { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler: None };
+    let mut running = queue.lanes::<L, S>(method);
+    let sampler = queue.grid.filter(|_| SAMPLED).map(|grid| Sampler::new(grid, running.stepper.last_step()));
+    let mut filling = Filling { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
     filling.ends.resize_with(queue.beginnings.len(), || None);
-    let (mut running, mut waiting) = (None, None);
     loop {
         // One place of call each for starts, steps and samples, so that the right-hand side is inlined no more often.
-        if waiting.is_none() && filling.has_more() {
-            let group = queue.start::<L, S>(method, filling.next);
-            filling.next += S::LANES;
-            if running.is_none() {
-                filling.begin(&group);
-                running = Some(group);
-            } else {
-                waiting = Some(group);
-            }
-        }
-        let Some(running) = &mut running else { break };
-        if filling.busy < S::LANES {
-            filling.refill(running, &mut waiting);
-            if waiting.is_none() && filling.has_more() {
-                continue;
-            }
+        if filling.busy < S::LANES && filling.has_more() {
+            filling.refill(&mut running);
         }
         if filling.busy == 0 {
             break;
         }
-        filling.step(running);
+        filling.step(&mut running);
         if is_settled(running.stepper.time(), queue.end).any() || running.stepper.suspicion().any() {
-            filling.settle(running);
+            filling.settle(&mut running);
         }
     }
     filling.ends
@@ -228,17 +218,6 @@ where
         self.next < self.queue.motions.len() && !self.queue.counter.is_cancelled()
     }
 
-    /// Begins with these motions.
-    #[inline(always)]
-    fn begin(&mut self, group: &LanesGroupOf<M, L, S>) {
-        if SAMPLED {
-            self.sampler = self.queue.grid.map(|grid| Sampler::new(grid, group.stepper.last_step()));
-        }
-        for lane in (0..S::LANES).filter(|lane| group.motions[*lane] != FREE) {
-            self.fill(lane);
-        }
-    }
-
     /// A motion is put into this lane.
     fn fill(&mut self, lane: usize) {
         self.busy += 1;
@@ -259,26 +238,24 @@ where
         }
     }
 
-    /// Puts motions that wait into lanes that have none.
+    /// Starts motions in lanes that have none, as long as there are more.
     #[inline(always)]
-    fn refill(&mut self, running: &mut LanesGroupOf<M, L, S>, waiting: &mut Option<LanesGroupOf<M, L, S>>) {
+    fn refill(&mut self, running: &mut LanesGroupOf<M, L, S>) {
         for lane in 0..S::LANES {
-            let Some(group) = waiting else { return };
             if running.motions[lane] != FREE {
                 continue;
             }
-            let Some(from) = group.busy_lane() else {
-                *waiting = None;
-                return;
-            };
-            let motion = core::mem::replace(&mut group.motions[from], FREE);
-            running.motions[lane] = motion;
-            running.stepper.take(lane, &group.stepper, from);
+            if !self.has_more() {
+                self.replace(running, lane);
+                continue;
+            }
+            let motion = self.queue.motions[self.next];
+            self.next += 1;
+            let started = self.queue.started::<L, S::One>(self.method, motion);
+            L::take::<S, M::Lanes<S>, S::One, M::Lanes<S::One>>(&mut running.stepper, lane, &started, 0);
             self.queue.system(motion).set_lane(&mut running.equations, lane);
+            running.motions[lane] = motion;
             self.fill(lane);
-        }
-        if waiting.as_ref().is_some_and(|group| group.busy_lane().is_none()) {
-            *waiting = None;
         }
     }
 
@@ -327,7 +304,8 @@ where
     #[cold]
     fn replace(&self, running: &mut LanesGroupOf<M, L, S>, lane: usize) {
         if let Some(busy) = running.busy_lane() {
-            running.stepper.repeat(lane, busy);
+            let same = running.stepper;
+            L::take::<S, M::Lanes<S>, S, M::Lanes<S>>(&mut running.stepper, lane, &same, busy);
             self.queue.system(running.motions[busy]).set_lane(&mut running.equations, lane);
         }
     }

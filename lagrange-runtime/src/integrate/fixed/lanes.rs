@@ -27,15 +27,15 @@ where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
 {
-    /// Motions from the state `y` at time `t` in steps of this length towards `end`.
+    /// Motions that start at time `t` in steps of this length towards `end`; their states are zero as yet.
     #[inline(always)]
-    pub(in crate::integrate) fn start(step: S::Element, t: S::Element, y: &Y, end: S::Element) -> Self {
+    pub(in crate::integrate) fn new(step: S::Element, t: S::Element, end: S::Element) -> Self {
         let suspects =
             SuspectStep { t: S::ZERO, y: Y::ZERO, h: S::ZERO, direction: Y::ZERO, change: S::ZERO };
         FixedLanes {
             end: S::splat(end),
             clock: Clock::new(S::splat(t), S::splat(step)),
-            state: Compensated::new(*y),
+            state: Compensated::new(Y::ZERO),
             suspicion: S::Mask::splat(false),
             suspects,
             watches: [Watch::default(); MOST_LANES],
@@ -43,6 +43,12 @@ where
             most_steps: u64::MAX,
             counts: Counts::new(),
         }
+    }
+
+    /// The same motions from this state.
+    #[inline(always)]
+    pub(in crate::integrate) fn at(self, y: &Y) -> Self {
+        FixedLanes { state: Compensated::new(*y), ..self }
     }
 
     /// The times that were reached.
@@ -115,7 +121,11 @@ where
 
     /// Puts what is in the lane `from` of other motions into a lane of these.
     #[inline(always)]
-    pub(in crate::integrate) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+    pub(in crate::integrate) fn take<O, Z>(&mut self, lane: usize, other: &FixedLanes<O, Z>, from: usize)
+    where
+        O: SideBySide<Element = S::Element>,
+        Z: StateVector<O>,
+    {
         self.clock.take(lane, &other.clock, from);
         self.state.take(lane, &other.state, from);
         self.watches[lane] = other.watches[from];

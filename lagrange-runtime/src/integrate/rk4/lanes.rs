@@ -31,12 +31,36 @@ impl<T: Scalar> LanesMethod<T> for RungeKutta4<T> {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = RungeKuttaLanes<S, E::State>;
 
     #[inline(always)]
+    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+    {
+        RungeKuttaLanes { motions: FixedLanes::new(self.step, t, end), start: E::State::ZERO }
+    }
+
+    #[inline(always)]
     fn start<S, E>(&self, _equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        RungeKuttaLanes { motions: FixedLanes::start(self.step, t, y, end), start: E::State::ZERO }
+        RungeKuttaLanes { motions: FixedLanes::new(self.step, t, end).at(y), start: E::State::ZERO }
+    }
+
+    #[inline(always)]
+    fn take<S, E, O, F>(
+        stepper: &mut Self::Stepper<S, E>,
+        lane: usize,
+        other: &Self::Stepper<O, F>,
+        from: usize,
+    ) where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+        O: SideBySide<Element = T>,
+        F: Equations<O>,
+    {
+        stepper.motions.take(lane, &other.motions, from);
     }
 
     fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {
@@ -135,10 +159,5 @@ where
     fn work(&self, lane: usize) -> Work {
         let steps = self.motions.steps(lane);
         Work { steps, evaluations: 4 * steps, ..Work::default() }
-    }
-
-    #[inline(always)]
-    fn take(&mut self, lane: usize, other: &Self, from: usize) {
-        self.motions.take(lane, &other.motions, from);
     }
 }

@@ -40,18 +40,17 @@ where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
 {
-    /// Motions from the state `y` at time `t` in steps of this length towards `end`.
+    /// Motions in equal steps; their states and rates are zero as yet.
     #[inline(always)]
-    pub(super) fn start<E: Equations<S, State = Y>>(
-        (composition, step): (Composition<DRIFTS>, S::Element),
-        equations: &E,
-        t: S::Element,
-        y: &Y,
-        end: S::Element,
-    ) -> Self {
-        let motions = FixedLanes::<S, Y>::start(step, t, y, end);
-        let rate = equations.rhs(motions.time(), y);
-        SplittingLanes { motions, composition, rates: [rate; 2], increment: Y::ZERO, h: S::ZERO }
+    fn new(composition: Composition<DRIFTS>, motions: FixedLanes<S, Y>) -> Self {
+        SplittingLanes { motions, composition, rates: [Y::ZERO; 2], increment: Y::ZERO, h: S::ZERO }
+    }
+
+    /// The same motions from this state.
+    #[inline(always)]
+    fn at<E: Equations<S, State = Y>>(self, equations: &E, y: &Y) -> Self {
+        let rate = equations.rhs(self.motions.time(), y);
+        SplittingLanes { motions: self.motions.at(y), rates: [rate; 2], ..self }
     }
 
     /// Composes steps of these lengths from the rates where they begin.
@@ -214,13 +213,6 @@ where
         let steps = self.motions.steps(lane);
         Work { steps, evaluations: 1 + DRIFTS as u64 * steps, ..Work::default() }
     }
-
-    #[inline(always)]
-    fn take(&mut self, lane: usize, other: &Self, from: usize) {
-        self.motions.take(lane, &other.motions, from);
-        let [_, rate] = &mut self.rates;
-        take(rate.as_mut(), lane, other.rates[1].as_ref(), from);
-    }
 }
 
 /// Lets methods whose compositions these are take several motions side by side.
@@ -230,12 +222,38 @@ macro_rules! side_by_side {
             type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = SplittingLanes<S, E::State, $drifts>;
 
             #[inline(always)]
+            fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+            where
+                S: SideBySide<Element = T>,
+                E: Equations<S>,
+            {
+                SplittingLanes::new($composition, FixedLanes::new(self.step, t, end))
+            }
+
+            #[inline(always)]
             fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
             where
                 S: SideBySide<Element = T>,
                 E: Equations<S>,
             {
-                SplittingLanes::start(($composition, self.step), equations, t, y, end)
+                self.lanes::<S, E>(t, end).at(equations, y)
+            }
+
+            #[inline(always)]
+            fn take<S, E, O, F>(
+                stepper: &mut Self::Stepper<S, E>,
+                lane: usize,
+                other: &Self::Stepper<O, F>,
+                from: usize,
+            ) where
+                S: SideBySide<Element = T>,
+                E: Equations<S>,
+                O: SideBySide<Element = T>,
+                F: Equations<O>,
+            {
+                stepper.motions.take(lane, &other.motions, from);
+                let [_, rate] = &mut stepper.rates;
+                take(rate.as_mut(), lane, other.rates[1].as_ref(), from);
             }
 
             fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {

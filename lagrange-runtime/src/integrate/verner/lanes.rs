@@ -58,7 +58,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = VernerLanes<S, E::State>;
 
     #[inline(always)]
-    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
@@ -71,18 +71,49 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
             most_steps: self.max_steps,
             refuses_stiff: self.refuses_stiff,
         };
-        let (step, longest) = settings.first_step(equations, S::splat(t), y);
         VernerLanes {
             settings,
             clock: Clock::new(S::splat(t), S::ZERO),
-            state: Compensated::new(*y),
-            control: LanesControl::new(self.first_step.map_or(step, S::splat)),
-            longest,
+            state: Compensated::new(E::State::ZERO),
+            control: LanesControl::new(S::ZERO),
+            longest: S::ZERO,
             h: S::ZERO,
             rates: [E::State::ZERO; STAGES],
             counts: Counts::new(),
             stiffness: [Stiffness::default(); MOST_LANES],
         }
+    }
+
+    #[inline(always)]
+    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+    {
+        let lanes = self.lanes::<S, E>(t, end);
+        let (step, longest) = lanes.settings.first_step(equations, S::splat(t), y);
+        let control = LanesControl::new(self.first_step.map_or(step, S::splat));
+        VernerLanes { state: Compensated::new(*y), control, longest, ..lanes }
+    }
+
+    #[inline(always)]
+    fn take<S, E, O, F>(
+        stepper: &mut Self::Stepper<S, E>,
+        lane: usize,
+        other: &Self::Stepper<O, F>,
+        from: usize,
+    ) where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+        O: SideBySide<Element = T>,
+        F: Equations<O>,
+    {
+        stepper.clock.take(lane, &other.clock, from);
+        stepper.state.take(lane, &other.state, from);
+        stepper.control.take(lane, &other.control, from);
+        stepper.longest.set_lane(lane, other.longest.lane(from));
+        stepper.counts.take(lane, &other.counts, from);
+        stepper.stiffness[lane] = other.stiffness[from];
     }
 }
 
@@ -299,15 +330,5 @@ where
         let (steps, tried) = (self.counts.taken(lane), self.counts.tried(lane));
         let evaluations = FIRST_STAGES + tried * STAGES as u64;
         Work { steps, rejections: tried - steps, evaluations, ..Work::default() }
-    }
-
-    #[inline(always)]
-    fn take(&mut self, lane: usize, other: &Self, from: usize) {
-        self.clock.take(lane, &other.clock, from);
-        self.state.take(lane, &other.state, from);
-        self.control.take(lane, &other.control, from);
-        self.longest.set_lane(lane, other.longest.lane(from));
-        self.counts.take(lane, &other.counts, from);
-        self.stiffness[lane] = other.stiffness[from];
     }
 }

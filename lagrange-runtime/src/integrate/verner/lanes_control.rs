@@ -62,7 +62,10 @@ where
 
     /// Puts what is in the lane `from` of other controllers into a lane of these.
     #[inline(always)]
-    pub(super) fn take(&mut self, lane: usize, other: &Self, from: usize) {
+    pub(super) fn take<O>(&mut self, lane: usize, other: &LanesControl<O>, from: usize)
+    where
+        O: SideBySide<Element = S::Element>,
+    {
         let mut numbers = [self.step, self.error, self.most_growth];
         take(&mut numbers, lane, &[other.step, other.error, other.most_growth], from);
         [self.step, self.error, self.most_growth] = numbers;
