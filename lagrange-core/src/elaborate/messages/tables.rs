@@ -48,7 +48,9 @@ pub(in crate::elaborate) fn missing_point(name: &str, [x, y]: [f64; 2]) -> Strin
 }
 
 pub(in crate::elaborate) fn rough(name: &str) -> String {
-    format!("accelerations or their slopes would jump at the points of the table `{name}`, whose slope bends sharply there")
+    format!(
+        "accelerations or their slopes would jump at the points of the table `{name}`, whose slope bends sharply there"
+    )
 }
 
 pub(in crate::elaborate) fn name_of_derivative(name: &str, table: &str) -> String {
