@@ -129,14 +129,14 @@ fn lanes_have_the_bits_of_one_motion() {
         // One that goes nowhere changes nothing for the others.
         side_by_side[0].0[3] = f64::NAN;
         let beside_nan = four.rhs(Lanes([0.0; 4]), &side_by_side);
-        for lane in 0..3 {
+        for (lane, state) in group.iter().enumerate().take(3) {
             let [found, beside_nan] =
                 [found, beside_nan].map(|rates| rates.map(|rate| rate.0[lane].to_bits()));
             assert_eq!(found, beside_nan);
             let alone = arm.lanes(|parameter| Lanes::<f64, 1>([parameter]));
-            let alone = alone.rhs(Lanes([0.0]), &group[lane].map(|entry| Lanes([entry])));
+            let alone = alone.rhs(Lanes([0.0]), &state.map(|entry| Lanes([entry])));
             assert_eq!(found, alone.map(|rate| rate.0[0].to_bits()));
-            assert_eq!(one.rhs(0.0, &group[lane]), arm.rhs(0.0, &group[lane]));
+            assert_eq!(one.rhs(0.0, state), arm.rhs(0.0, state));
         }
         assert!(beside_nan[2].0[3].is_nan());
     }
@@ -154,7 +154,7 @@ fn energy_is_kept_with_an_unknown_in_the_potential() {
 
 #[test]
 fn other_numbers_have_the_same_solutions() {
-    let (double, single, plain) = (Sprung::<f64>::default(), Sprung::<f32>::default(), Single::default());
+    let (double, single, plain) = (Sprung::<f64>::default(), Sprung::<f32>::default(), Single);
     let lanes = plain.lanes(|parameter| parameter);
     for x in [-30.0_f32, -1.0, 0.0, 0.1, 2.0] {
         let a = double.acceleration(0.0, &[f64::from(x)], &[0.0])[0] as f32;
@@ -177,9 +177,9 @@ fn elements_of_arrays_have_equations_and_units_scale_the_start() {
 
 #[test]
 fn a_run_without_a_solution_ends_with_an_error() {
-    let failure = Snapping::default().simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
+    let failure = Snapping.simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
     let error = failure.expect_err("there is no root beyond x = 1").to_string();
     assert!(error.contains("NaN"), "{error}");
-    let event = Snapping::default().simulate([0.5, 1.0]).until(0.2).tolerance(1e-9).run();
+    let event = Snapping.simulate([0.5, 1.0]).until(0.2).tolerance(1e-9).run();
     assert!(event.expect("it is not there yet").last()[0] < 1.0);
 }

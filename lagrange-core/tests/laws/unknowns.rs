@@ -120,18 +120,18 @@ fn solution(equation: &str, parameters: &[(&str, f64)]) -> f64 {
 fn known_solutions_are_found_to_their_last_digits() {
     // By mpmath with 30 digits: Kepler's equation, then the law of Colebrook and White for 1/√f.
     for (e, mean, expected) in [
-        (0.1, 0.5, 0.552_479_986_906_570_353_2),
-        (0.9, 0.1, 0.630_843_527_563_153_499_3),
-        (0.5, 1.0, 1.498_701_133_517_848_314_1),
-        (0.9, 2.0, 2.522_365_434_000_244_892_1),
+        (0.1, 0.5, 0.552_479_986_906_570_4),
+        (0.9, 0.1, 0.630_843_527_563_153_5),
+        (0.5, 1.0, 1.498_701_133_517_848_4),
+        (0.9, 2.0, 2.522_365_434_000_245),
     ] {
         let found = solution("0 = y - e * sin(y) - mean, start: mean", &[("e", e), ("mean", mean)]);
         assert!((found - expected).abs() <= 4e-16 * (1.0 + expected), "{found} {expected}");
     }
     for (rough, reynolds, expected) in [
-        (1e-4, 1e5, 7.349_392_486_953_610_317_8),
-        (0.0, 4e3, 5.005_821_773_674_965_664_1),
-        (5e-2, 1e8, 3.738_457_408_165_473_516_6),
+        (1e-4, 1e5, 7.349_392_486_953_611),
+        (0.0, 4e3, 5.005_821_773_674_966),
+        (5e-2, 1e8, 3.738_457_408_165_473_3),
     ] {
         let equation = "0 = y + 2 * ln(rough / 3.7 + 2.51 * y / reynolds) / ln(10), start: 6";
         let found = solution(equation, &[("rough", rough), ("reynolds", reynolds)]);

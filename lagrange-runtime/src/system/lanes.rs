@@ -19,13 +19,26 @@ pub trait SideBySide: Number {
     fn set_lane(&mut self, lane: usize, value: Self::Element);
 
     /// The same number in every lane.
-    fn splat(value: Self::Element) -> Self;
+    #[inline(always)]
+    fn splat(value: Self::Element) -> Self {
+        Self::ZERO.each(|_| value)
+    }
 
     /// What a function makes of the number in each lane.
-    fn each(self, function: impl Fn(Self::Element) -> Self::Element) -> Self;
+    #[inline(always)]
+    fn each(self, function: impl Fn(Self::Element) -> Self::Element) -> Self {
+        self.zip(self, |element, _| function(element))
+    }
 
     /// What a function makes of the two numbers in each lane.
-    fn zip(self, other: Self, function: impl Fn(Self::Element, Self::Element) -> Self::Element) -> Self;
+    #[inline(always)]
+    fn zip(self, other: Self, function: impl Fn(Self::Element, Self::Element) -> Self::Element) -> Self {
+        let mut value = self;
+        for lane in 0..Self::LANES {
+            value.set_lane(lane, function(self.lane(lane), other.lane(lane)));
+        }
+        value
+    }
 }
 
 impl<T: Scalar, const N: usize, const FUSED: bool> SideBySide for Lanes<T, N, FUSED> {

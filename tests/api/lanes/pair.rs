@@ -63,6 +63,7 @@ impl Mask for PairMask {
 
 impl SideBySide for Pair {
     type Element = f64;
+    type One = Pair;
     const LANES: usize = 2;
 
     fn lane(self, lane: usize) -> f64 {
