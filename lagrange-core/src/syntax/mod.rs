@@ -43,6 +43,7 @@ mod literals;
 mod messages;
 mod mobilizers;
 mod names;
+mod options;
 mod parser;
 pub mod print;
 mod recovery;

@@ -7,13 +7,15 @@ use super::cursor::Cursor;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::solve as words;
+use super::options::StatementOptions;
 use super::parser::{Parsed, Parser};
-use super::recovery::Turn;
 use super::units::at_unit;
-use crate::diagnostics::{Origin, nearest};
+use crate::diagnostics::Origin;
 
 /// Labels of what is said behind the equation.
 const LABELS: [&str; 2] = ["start", "iterations"];
+const OPTIONS: StatementOptions =
+    StatementOptions { keyword: "solve", labels: LABELS, unknown: words::unknown_option };
 
 /// A value, its label and where that stands.
 type LabelledOption = (&'static str, AstId, Origin);
@@ -50,27 +52,11 @@ impl Parser<'_> {
     /// `, start: e, iterations: n`.
     fn options_of_unknown(&mut self, cursor: &mut Cursor) -> Parsed<Vec<LabelledOption>> {
         let mut options: Vec<LabelledOption> = Vec::new();
-        self.turns(cursor, |parser, cursor| {
-            if cursor.eat(',').is_none() {
-                return Ok(Turn::Last);
-            }
-            let (here, word) = (cursor.here(), cursor.eat_ident().map(|word| word.to_string()));
-            let known = word.as_deref().and_then(|word| LABELS.into_iter().find(|label| *label == word));
-            let Some(label) = known else {
-                let word = word.unwrap_or_default();
-                let help = nearest(&word, LABELS).map_or(form("solve").to_owned(), messages::meant);
-                return Err(parser.fail_with_help(here, words::unknown_option(&word), help));
-            };
-            if cursor.eat(':').is_none() {
-                let message = messages::expected("`:`", cursor.peek());
-                return Err(parser.fail_with_help(cursor.here(), message, form("solve")));
-            }
-            if let Some((.., first)) = options.iter().find(|(known, ..)| *known == label) {
-                let error = parser.report.error(here, messages::repeated_label(label));
-                error.related(*first, messages::FIRST_HERE).help(messages::REPEATED_ATTRIBUTE_HELP);
-            }
+        self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
+            let first = options.iter().find(|(known, ..)| *known == label);
+            parser.once(label, here, first.map(|(.., first)| *first));
             options.push((label, parser.item_value(cursor), here));
-            Ok(Turn::Next)
+            Ok(())
         })?;
         Ok(options)
     }

@@ -7,9 +7,10 @@ use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::messages::forms::form;
 use super::messages::tables as words;
+use super::options::StatementOptions;
 use super::parser::{Parsed, Parser};
 use super::recovery::Turn;
-use crate::diagnostics::{Origin, nearest};
+use crate::diagnostics::Origin;
 use crate::opaque::{Interpolation, Outside};
 
 /// What was said behind the points, with where.
@@ -21,6 +22,8 @@ struct TableOptions {
 
 /// Labels of what is said behind the points.
 const LABELS: [&str; 2] = ["interpolation", "outside"];
+const OPTIONS: StatementOptions =
+    StatementOptions { keyword: "table", labels: LABELS, unknown: words::unknown_option };
 
 impl Parser<'_> {
     /// `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
@@ -108,23 +111,8 @@ impl Parser<'_> {
     /// `, interpolation: natural, outside: extend`.
     fn options(&mut self, cursor: &mut Cursor) -> Parsed<TableOptions> {
         let mut options = TableOptions::default();
-        self.turns(cursor, |parser, cursor| {
-            if cursor.eat(',').is_none() {
-                return Ok(Turn::Last);
-            }
-            let (here, label) = (cursor.here(), cursor.eat_ident().map(|word| word.to_string()));
-            let known = label.as_deref().and_then(|label| LABELS.into_iter().find(|known| *known == label));
-            let Some(label) = known else {
-                let word = label.unwrap_or_default();
-                let help = nearest(&word, LABELS).map_or(form("table").to_owned(), messages::meant);
-                return Err(parser.fail_with_help(here, words::unknown_option(&word), help));
-            };
-            if cursor.eat(':').is_none() {
-                let message = messages::expected("`:`", cursor.peek());
-                return Err(parser.fail_with_help(cursor.here(), message, form("table")));
-            }
-            parser.option(label, here, &mut options, cursor)?;
-            Ok(Turn::Next)
+        self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
+            parser.option(label, here, &mut options, cursor)
         })?;
         if !cursor.at_statement_end() {
             return Err(self.no_operator(cursor, "`,` or `;`"));
@@ -143,10 +131,7 @@ impl Parser<'_> {
             "interpolation" => options.interpolation.map(|(_, first)| first),
             _ => options.outside.map(|(_, first)| first),
         };
-        if let Some(first) = first {
-            let error = self.report.error(place, messages::repeated_label(label));
-            error.related(first.into(), messages::FIRST_HERE).help(messages::REPEATED_ATTRIBUTE_HELP);
-        }
+        self.once(label, place, first.map(Into::into));
         let span = cursor.here().start;
         match label {
             "interpolation" => {
