@@ -25,6 +25,7 @@ fn settings_that_make_no_sense_are_errors() {
     assert_says(pendulum.ensemble(10).until(1.0).run(), ".start(");
     assert_says(pendulum.ensemble([[0.0; 4]]).start(start).until(1.0).run(), "a list of starts and");
     assert_says(ensemble(10).threads(0).run(), "a thread at least");
+    assert_says(ensemble(10).threads(100_000).run(), "4096 threads at most");
     assert_says(ensemble(10).motions_per_part(0).run(), "a part must hold");
     assert_says(ensemble(10).shard(Shard::of(2, 2)).run(), "no shard 2 of 2");
     assert_says(ensemble(10).shard(Shard::of(0, 2)).run(), "more than there are parts, 1");

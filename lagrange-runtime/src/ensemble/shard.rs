@@ -147,7 +147,8 @@ fn array(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
         })?;
         return Ok(Shard::of(place / step.max(1), count));
     }
-    if lookup(HYPER_QUEUE_TASK).is_some() {
+    // The number alone would be a slip of the pen for the variable by hand, and everything in each process.
+    if lookup(HYPER_QUEUE_TASK).is_some() || lookup(COUNT).is_some() {
         return Ok(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?));
     }
     Ok(Shard::WHOLE)

@@ -51,6 +51,7 @@ fn what_is_wrong_with_an_environment_is_said() {
         ("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"),
         ("PMI_SIZE", "PMI_RANK"),
         ("SLURM_STEP_NUM_TASKS", "SLURM_PROCID"),
+        ("LAGRANGE_SHARDS", "HQ_TASK_ID"),
     ] {
         let incomplete = shard(&[(there, "2")]).expect_err("is half of it");
         assert!(incomplete.contains(&std::format!("{missing} is not set")), "{incomplete}");
