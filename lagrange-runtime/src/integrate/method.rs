@@ -132,7 +132,7 @@ pub trait LanesMethod<T: Scalar>: Copy {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
 
     /// Lanes that [`take`](LanesMethod::take) is to fill with motions which start at time `t`, with steps towards `end`, which may lie before `t`.
-    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;

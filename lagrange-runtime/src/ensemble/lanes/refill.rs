@@ -142,7 +142,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         L: LanesMethod<ScalarOf<M>>,
         S: SideBySide<Element = ScalarOf<M>>,
     {
-        let mut stepper = method.lanes::<S, M::Lanes<S>>(self.from, self.end);
+        let mut stepper = method.empty_lanes::<S, M::Lanes<S>>(self.from, self.end);
         if let Some(most) = self.most_steps {
             stepper.limit_steps(most);
         }

@@ -31,7 +31,7 @@ impl<T: Scalar> LanesMethod<T> for RungeKutta4<T> {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = RungeKuttaLanes<S, E::State>;
 
     #[inline(always)]
-    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,

@@ -222,7 +222,7 @@ macro_rules! side_by_side {
             type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = SplittingLanes<S, E::State, $drifts>;
 
             #[inline(always)]
-            fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+            fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
             where
                 S: SideBySide<Element = T>,
                 E: Equations<S>,
@@ -236,7 +236,7 @@ macro_rules! side_by_side {
                 S: SideBySide<Element = T>,
                 E: Equations<S>,
             {
-                self.lanes::<S, E>(t, end).at(equations, y)
+                self.empty_lanes::<S, E>(t, end).at(equations, y)
             }
 
             #[inline(always)]

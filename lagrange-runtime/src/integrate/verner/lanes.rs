@@ -58,7 +58,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = VernerLanes<S, E::State>;
 
     #[inline(always)]
-    fn lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>,
@@ -90,7 +90,7 @@ impl<T: Scalar> LanesMethod<T> for Verner98<T> {
         S: SideBySide<Element = T>,
         E: Equations<S>,
     {
-        let lanes = self.lanes::<S, E>(t, end);
+        let lanes = self.empty_lanes::<S, E>(t, end);
         let (step, longest) = lanes.settings.first_step(equations, S::splat(t), y);
         let control = LanesControl::new(self.first_step.map_or(step, S::splat));
         VernerLanes { state: Compensated::new(*y), control, longest, ..lanes }
