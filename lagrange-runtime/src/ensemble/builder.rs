@@ -172,13 +172,11 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// Computes on so many threads, 4096 at most, instead of those of rayon's pool, which are as many as the machine has. Results do not depend
     /// on it.
     pub fn threads(mut self, threads: usize) -> Self {
-        let fault = match threads {
-            0 => Some("an ensemble needs a thread at least"),
-            1..=4096 => None,
-            _ => Some("an ensemble has 4096 threads at most"),
-        };
-        self.asked.fault = self.asked.fault.or(fault);
-        self.asked.threads = Some(threads);
+        match threads {
+            0 => self.asked.fault = self.asked.fault.or(Some("an ensemble needs a thread at least")),
+            1..=4096 => self.asked.threads = Some(threads),
+            _ => self.asked.fault = self.asked.fault.or(Some("an ensemble has 4096 threads at most")),
+        }
         self
     }
 
