@@ -15,6 +15,16 @@ pub fn gradient(graph: &mut Graph, root: ExprId, variables: &[ExprId]) -> Vec<Ex
 /// Σ weight · ∂root/∂x over the `(root, weight)` pairs of `seeds`, for every x of `variables`. The weights
 /// are not differentiated.
 pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprId]) -> Vec<ExprId> {
+    sweep(graph, seeds, variables, |_, _, _| {})
+}
+
+/// The same; `visit` is given everything on the way from the variables to the roots, the roots first, with the sum of derivatives by it.
+pub(super) fn sweep(
+    graph: &mut Graph,
+    seeds: &[(ExprId, ExprId)],
+    variables: &[ExprId],
+    mut visit: impl FnMut(&mut Graph, ExprId, ExprId),
+) -> Vec<ExprId> {
     let roots = seeds.iter().map(|(root, _)| *root).collect::<Vec<_>>();
     let is_variable = variables.iter().map(|&x| (x, ())).collect::<HashMap<_, _>>();
     let mut active: OrderedMap<ExprId, ()> = OrderedMap::default();
@@ -35,6 +45,7 @@ pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprI
         }
         let Some(terms) = contributions.remove(&id) else { continue };
         let bar = graph.sum(Number::ZERO, terms.into_iter().map(|term| (term, Number::ONE)));
+        visit(graph, id, bar);
         for (child, slope) in partials(graph, id) {
             if active.contains(&child) {
                 let term = graph.multiply(bar, slope);

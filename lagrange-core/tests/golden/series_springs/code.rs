@@ -71,8 +71,8 @@ const _: () = {
                 let joint_minus_x = joint - x;
                 let pos_0 = multiply_add(joint_sq * joint, hard, joint * soft);
                 let pos_1 = multiply_add(
-                    S::from_f64(3.0),
-                    joint_sq * hard,
+                    S::from_f64(3.0) * joint_sq,
+                    hard,
                     soft + stiff,
                 );
                 let abs_joint = abs(joint);
