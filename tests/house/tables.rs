@@ -233,6 +233,6 @@ const IMPORT: &[Layer] = &[
 ];
 
 const XTASK: &[Layer] = &[Layer {
-    modules: &["performance", "urdf"],
-    purpose: "measures, and rewrites the tables of `docs/performance.md`; imports robots",
+    modules: &["performance", "size", "urdf"],
+    purpose: "measures, and rewrites the tables of `docs/performance.md`; counts lines of code; imports robots",
 }];

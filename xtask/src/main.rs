@@ -1,10 +1,12 @@
 //! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
 //! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md;
 //! `cargo xtask performance spatial` does so for bodies in space alone.
+//! `cargo xtask size [REVISION]`: counts lines of library code by crate.
 //! `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
 #![forbid(unsafe_code)]
 
 mod performance;
+mod size;
 mod urdf;
 
 use std::env;
@@ -52,9 +54,14 @@ fn main() -> ExitCode {
         ["check"] => check(root),
         ["performance"] => code(performance::performance(root)),
         ["performance", "spatial"] => code(performance::spatial(root)),
+        ["size"] => code(size::size(root, None)),
+        ["size", revision] => code(size::size(root, Some(revision))),
         ["urdf", ref options @ ..] => code(urdf::urdf(options)),
         _ => {
-            eprintln!("usage: cargo xtask check | performance [spatial]\n       {}", urdf::USAGE);
+            eprintln!(
+                "usage: cargo xtask check | performance [spatial] | size [REVISION]\n       {}",
+                urdf::USAGE
+            );
             ExitCode::from(2)
         }
     }
