@@ -1,13 +1,13 @@
-//! The layers of every crate, the one place to edit when a module comes, goes or moves. After a change
+//! The layers of every crate: the one place to edit when a module is added, removed or moved. After a change,
 //! `UPDATE_ARCHITECTURE=1 cargo test -p lagrange-tests --test house` writes the tables to `ARCHITECTURE.md`.
 
-/// Layers of one package with sources, from the ground up. None, if the crate is one file.
+/// The layers of one package, lowest first; empty if the crate is one file.
 pub(crate) struct Library {
     pub(crate) name: &'static str,
     pub(crate) layers: &'static [Layer],
 }
 
-/// Modules that do not import each other, and what they are for.
+/// Modules that do not import each other, and their purpose.
 pub(crate) struct Layer {
     pub(crate) modules: &'static [&'static str],
     pub(crate) purpose: &'static str,
@@ -30,209 +30,223 @@ pub(crate) const LIBRARIES: [Library; 11] = [
 const LAGRANGE: &[Layer] = &[
     Layer {
         modules: &["event", "integrate"],
-        purpose: "what `lagrange-runtime` has of these, with the loops without heap beside",
+        purpose: "re-exports of `lagrange-runtime`, with the heap-free loops",
     },
     Layer {
         modules: &["adapt", "private", "trade"],
-        purpose: "systems handed to `differential-equations` and `diffsol`; what emitted code names; methods, \
-                  numbers and variants of a system measured against each other",
+        purpose: "adapters for `differential-equations` and `diffsol`; the names that emitted code \
+                  uses; comparison of methods, number types and variants of a system",
     },
 ];
 
 const CORE: &[Layer] = &[
     Layer {
         modules: &["collections", "diagnostics", "number"],
-        purpose: "containers in a fixed order; mistakes with places and help; exact rationals",
+        purpose: "containers with a fixed order; diagnostics with spans and help; exact rationals",
     },
     Layer {
         modules: &["elementary", "symbol", "units"],
-        purpose: "one row per elementary function; names with roles; units of measurement, what they measure and their exact factors",
+        purpose: "elementary functions, one row each; names with roles; units, their dimensions and \
+                  exact factors",
     },
     Layer {
         modules: &["opaque"],
-        purpose: "functions without a formula: those of the user's crate, tables, algebraic unknowns",
+        purpose: "functions without a formula: user functions, tables, algebraic unknowns",
     },
     Layer {
         modules: &["expr"],
-        purpose: "the graph, typed ids, and the only constructors of sums, products and choices",
+        purpose: "the expression graph, typed ids, and the only constructors of sums, products and \
+                  conditionals",
     },
     Layer { modules: &["functions"], purpose: "function values as expressions, and their derivatives" },
     Layer {
         modules: &["calculus", "formula", "solids"],
-        purpose: "derivatives, expansion, substitution and evaluation; text, LaTeX and Graphviz; one row per \
-                  solid: dimensions, moment of inertia, centre of mass, outline",
+        purpose: "derivatives, expansion, substitution and evaluation; output as text, LaTeX and \
+                  Graphviz; solids, one row each: dimensions, moment of inertia, centre of mass, \
+                  outline",
     },
     Layer {
         modules: &["simplify", "syntax"],
-        purpose: "named rules, `collect` and `quotient` for equations, `present` for readers, `proves_zero`; \
-                  tokens to syntax tree, and back to text",
+        purpose: "named rewrite rules, `collect` and `quotient` for equations, `present` for readers, \
+                  `proves_zero`; tokens to syntax tree and back to text",
     },
-    Layer { modules: &["expand"], purpose: "arrays, loops and sums, written out" },
+    Layer { modules: &["expand"], purpose: "expansion of arrays, loops and sums" },
     Layer {
         modules: &["inline", "tables"],
-        purpose: "functions that a declaration defines, put in the place of their calls; files of tables, read by who can",
+        purpose: "inlining of functions that a declaration defines; table files, read through a reader \
+                  supplied by the caller",
     },
     Layer {
         modules: &["bodies", "dimensions", "program"],
-        purpose: "rigid bodies, springs and joints, in the plane and in space, to plain statements, syntax to syntax; numbers in \
-                  coherent units, and what has which dimension; straight-line programs: lowering, passes, verifier, interpreter, operation counts",
+        purpose: "rigid bodies, springs and joints, in the plane and in space, rewritten as plain \
+                  statements; conversion to coherent units, dimension checks; straight-line programs: \
+                  lowering, passes, verifier, interpreter, operation counts",
     },
     Layer {
         modules: &["code", "model"],
-        purpose: "programs as source text of a target; what is known of a system, in expressions",
+        purpose: "programs as source text of a target language; the model of a system, as expressions",
     },
     Layer {
         modules: &["derive", "elaborate"],
-        purpose: "model to equations: quadratic form, elimination, structure; declaration to model, reduced \
-                  models",
+        purpose: "model to equations: quadratic form, elimination, structure; declaration to model, \
+                  reduced models",
     },
-    Layer { modules: &["emit"], purpose: "types, methods and documentation for a system" },
-    Layer { modules: &["pipeline"], purpose: "the whole of it" },
+    Layer { modules: &["emit"], purpose: "the types, methods and documentation generated for a system" },
+    Layer { modules: &["pipeline"], purpose: "all phases, in order" },
 ];
 
 const MATH: &[Layer] = &[
     Layer {
         modules: &["fused", "platform"],
-        purpose: "products and sums in one rounding, where the target can; functions of the standard library or `libm`",
+        purpose: "fused multiply-add where the target has it; functions of the standard library or \
+                  `libm`",
     },
-    Layer {
-        modules: &["pair", "reduction"],
-        purpose: "sums of two doubles; angles to a multiple of π/2 and a rest",
-    },
+    Layer { modules: &["pair", "reduction"], purpose: "double-double sums; reduction of angles modulo π/2" },
     Layer {
         modules: &["angle", "arc", "exponential", "length"],
-        purpose: "functions of one number, without a branch: sine and cosine; their inverses; powers of e and hyperbolic functions; lengths",
+        purpose: "branch-free functions of one number: sine and cosine; their inverses; exponential \
+                  and hyperbolic functions; `hypot`",
     },
-    Layer { modules: &["logarithm", "tangent"], purpose: "made of parts of those: logarithm; tangent" },
-    Layer { modules: &["batch"], purpose: "sine and cosine of several angles at a time" },
-    Layer { modules: &["elementary"], purpose: "the other functions of several numbers at a time" },
+    Layer { modules: &["logarithm", "tangent"], purpose: "the logarithm and the tangent, built from those" },
+    Layer { modules: &["batch"], purpose: "sine and cosine of several angles at once" },
+    Layer { modules: &["elementary"], purpose: "the other functions of several numbers at once" },
 ];
 
 const RUNTIME: &[Layer] = &[
-    Layer { modules: &["scalar"], purpose: "numbers that emitted code can compute with" },
+    Layer { modules: &["scalar"], purpose: "the number types that emitted code computes with" },
     Layer {
         modules: &["tolerance"],
-        purpose: "how many roundings count as none: one table, with reasons and the tests that tell",
+        purpose: "rounding tolerances: one table, with reasons and the tests that depend on them",
     },
     Layer {
         modules: &["body", "inertia", "linalg", "root", "table"],
-        purpose: "how a rigid body moves; how its mass is distributed; small matrices and vectors; tables and algebraic unknowns of declarations",
+        purpose: "motion of a rigid body; mass distributions; small matrices and vectors; algebraic \
+                  unknowns and tables of declarations",
     },
     Layer {
         modules: &["system"],
-        purpose: "traits that emitted types implement, and the plain data in their methods",
+        purpose: "the traits that emitted types implement, and the plain data in their methods",
     },
     Layer {
         modules: &["constraint", "scene"],
-        purpose: "residuals of constraints, projection onto them, motion where they depend on each other; what \
-                  there is to draw of a system: names and numbers only",
+        purpose: "constraint residuals, projection onto constraints, dependent constraints; a \
+                  description of what to draw: names and numbers, no graphics",
     },
     Layer {
         modules: &["integrate"],
-        purpose: "methods, one family a file: settings (`Method`) start what changes from step to step \
-                  (`Stepper`), which needs no heap",
+        purpose: "integration methods, one family per file: the settings (`Method`) start a heap-free \
+                  integration (`Stepper`)",
     },
     Layer {
         modules: &["contact", "event"],
-        purpose: "modes of contacts and friction: forces, impacts, what follows upon an event; zeros of \
-                  functions of time and state within a step, one by one in the order of time",
+        purpose: "contact and friction modes, forces, impacts and the transitions that events cause; \
+                  zeros of functions of time and state within a step, in the order of time",
     },
     Layer { modules: &["run"], purpose: "one loop over any `Stepper`: steps, events, restarts" },
     Layer {
         modules: &["simulate"],
-        purpose: "the front door (`std`): a builder, what is kept in columns, CSV and Parquet",
+        purpose: "the simulation builder (`std`); recorded columns, CSV and Parquet",
     },
     Layer {
         modules: &["ensemble"],
-        purpose: "many runs of the front door: over threads, in an order that does not show; ends, sums, files that are gone on with",
+        purpose: "many simulations on threads, with results independent of scheduling; final states, \
+                  reductions, resumable files",
     },
 ];
 
 const DEVICE: &[Layer] = &[
-    Layer { modules: &["error"], purpose: "why a device computes nothing" },
+    Layer { modules: &["error"], purpose: "errors of devices" },
+    Layer { modules: &["backend"], purpose: "OpenCL and CUDA: transfer of state columns, kernel calls" },
+    Layer { modules: &["number"], purpose: "the differences between `f64` and `f32`" },
+    Layer { modules: &["ends"], purpose: "final states, and the motions that failed" },
     Layer {
-        modules: &["backend"],
-        purpose: "OpenCL and CUDA: columns of motions to a device, calls of a kernel, and back",
+        modules: &["ensemble"],
+        purpose: "the request for an ensemble, and the source text of integration methods",
     },
-    Layer { modules: &["number"], purpose: "`f64` and `f32`: what is different in them" },
-    Layer { modules: &["ends"], purpose: "where motions ended, and which failed" },
-    Layer { modules: &["ensemble"], purpose: "what is asked of motions, and the text of methods" },
-    Layer { modules: &["device"], purpose: "devices, and how one is found" },
+    Layer { modules: &["device"], purpose: "devices and their discovery" },
 ];
 
 const MPI: &[Layer] = &[
-    Layer { modules: &["error", "sum"], purpose: "failures; what all processes come down to" },
-    Layer { modules: &["processes"], purpose: "the share of a process" },
-    Layer { modules: &["collect"], purpose: "parts of all processes, merged in their order" },
+    Layer { modules: &["error", "sum"], purpose: "errors; reductions over all processes" },
+    Layer { modules: &["processes"], purpose: "the share of each process" },
+    Layer { modules: &["collect"], purpose: "parts of all processes, merged in order" },
 ];
 
 const PLOT: &[Layer] = &[
     Layer {
         modules: &["axis", "lettering", "thin"],
-        purpose: "what axes span and where their marks are; letters as outlines of a font that is embedded; as many points of a curve as can be \
-                  told apart",
+        purpose: "ranges and ticks of axes; glyph outlines of the embedded font; reduction of curves \
+                  to distinguishable points",
     },
     Layer {
         modules: &["axes", "pixels"],
-        purpose: "axes on paper; areas, lines, images and letters in pixels, for all pictures; PNG files",
+        purpose: "axes on paper; areas, lines, images and letters as pixels, for all pictures; PNG \
+                  files",
     },
     Layer { modules: &["band", "image"], purpose: "areas between curves; images within figures" },
     Layer {
         modules: &["canvas", "cells"],
-        purpose: "what `plotters` draws, in pixels; values as coloured cells",
+        purpose: "a pixel backend for `plotters`; values as coloured cells",
     },
-    Layer { modules: &["panel"], purpose: "one pair of axes with what is over them" },
-    Layer { modules: &["figure"], purpose: "panels on any backend of plotters, as SVG or PNG" },
+    Layer { modules: &["panel"], purpose: "one pair of axes and its contents" },
+    Layer { modules: &["figure"], purpose: "panels on any backend of `plotters`, as SVG or PNG" },
 ];
 
 const DRAW: &[Layer] = &[
     Layer {
         modules: &["error", "picture", "text"],
-        purpose: "failures; marks in pixels; the notation of formulas",
+        purpose: "errors; marks in pixels; the notation of formulas",
     },
     Layer {
         modules: &["colour", "geometry", "load", "raster"],
-        purpose: "colours; vectors of the plane; forces and moments as handed out; pixels",
+        purpose: "colours; plane vectors; forces and moments; pixels",
     },
     Layer {
         modules: &["beside", "cut", "outline", "remainder"],
-        purpose: "pictures side by side; holes; shapes of bodies; what named forces leave open",
+        purpose: "pictures side by side; holes; outlines of bodies; the resultant of unnamed forces",
     },
     Layer {
         modules: &["element", "snapshot", "svg"],
-        purpose: "what a picture consists of in the world; a scene at one moment; SVG documents",
+        purpose: "elements of a picture in world coordinates; a scene at one moment; SVG documents",
     },
     Layer {
         modules: &["files", "load_label", "moment", "parallel", "sketch", "stretch", "view"],
-        purpose: "files; what is written beside loads; what users add and what they see; lines on each other; \
-                  reach of lines and the window of a film",
+        purpose: "files; labels of loads; user additions and their moment; offsets of coincident \
+                  lines; extents and the window of a film",
     },
-    Layer { modules: &["anchored", "marks"], purpose: "ends on the ground; elements as marks on paper" },
+    Layer {
+        modules: &["anchored", "marks"],
+        purpose: "ends fixed to the ground; elements as marks on paper",
+    },
     Layer {
         modules: &["stage", "tag"],
-        purpose: "scenes to elements; where the label of an element belongs",
+        purpose: "scenes to elements; label positions relative to their elements",
     },
-    Layer { modules: &["heading", "labels"], purpose: "titles and notes; labels that lie on nothing" },
-    Layer { modules: &["layout"], purpose: "all moments of a film with the same marks in the same order" },
-    Layer { modules: &["drawing"], purpose: "what is drawn of a system" },
+    Layer {
+        modules: &["heading", "labels"],
+        purpose: "titles and notes; placement of labels without overlap",
+    },
+    Layer { modules: &["layout"], purpose: "the same marks in the same order for all moments of a film" },
+    Layer { modules: &["drawing"], purpose: "the drawing of a system" },
     Layer { modules: &["film"], purpose: "animated SVG, GIF, HTML pages" },
-    Layer { modules: &["space"], purpose: "pictures and films of bodies in space, from meshes that move" },
+    Layer { modules: &["space"], purpose: "pictures and films of bodies in space, from moving meshes" },
 ];
 
 const IMPORT: &[Layer] = &[
     Layer {
         modules: &["decimal", "mistakes"],
-        purpose: "numbers as people wrote them; mistakes with line and element",
+        purpose: "decimal numbers as written; mistakes with line and element",
     },
     Layer {
         modules: &["names", "robot", "rotation"],
         purpose: "identifiers; links and joints as data; quarter turns",
     },
-    Layer { modules: &["declaration"], purpose: "robots as text to be read and edited" },
-    Layer { modules: &["urdf"], purpose: "URDF files to robots, with all mistakes; the front door" },
+    Layer { modules: &["declaration"], purpose: "robots as readable declarations" },
+    Layer { modules: &["urdf"], purpose: "URDF files to robots, reporting every mistake; the entry point" },
 ];
 
 const XTASK: &[Layer] = &[Layer {
     modules: &["performance", "size", "urdf"],
-    purpose: "measures, and rewrites the tables of `docs/performance.md`; counts lines of code; imports robots",
+    purpose: "measurements, written to `docs/performance.md`; lines of code by crate; import of \
+                  robots",
 }];
