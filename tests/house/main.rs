@@ -5,6 +5,7 @@
 //!    layers ([`tables`]) is the one that `ARCHITECTURE.md` shows ([`architecture`]).
 //! 3. Few types of one crate share a name ([`homonyms`]).
 //! 4. Imports are explicit, failures are handled, files are short, and no code is unsafe ([`habits`]).
+//! 5. Documentation is plain English ([`english`]).
 //!
 //! Sources become files and modules ([`sources`]), these become items and what names mean ([`names`],
 //! [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds what each file needs of
@@ -12,6 +13,7 @@
 
 mod architecture;
 mod circles;
+mod english;
 mod habits;
 mod homonyms;
 mod imports;
@@ -30,7 +32,7 @@ mod workspace;
 
 use crate::imports::Crate;
 use crate::tables::{LIBRARIES, Library};
-use crate::workspace::workspace;
+use crate::workspace::{Workspace, workspace};
 
 #[test]
 fn no_files_import_each_other_in_a_circle() {
@@ -63,6 +65,12 @@ fn every_file_keeps_the_habits() {
 #[test]
 fn few_names_are_defined_twice() {
     nothing_in(workspace().crates.iter().filter_map(homonyms::too_many));
+}
+
+#[test]
+fn documentation_is_plain_english() {
+    let Workspace { root, crates } = workspace();
+    nothing_in(english::openings(crates).into_iter().chain(english::phrases(root)));
 }
 
 fn each_library(rule: fn(&Crate, &Library) -> Vec<String>) -> Vec<String> {

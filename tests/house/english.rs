@@ -1,0 +1,109 @@
+//! Plain English in documentation: how first lines begin, and phrases that native writers avoid.
+
+use std::fs;
+use std::path::Path;
+
+use crate::imports::Crate;
+
+/// Words with which the first line of documentation does not begin: a function's is a verb, a type's a noun phrase.
+const OPENINGS: [&str; 12] =
+    ["As", "By", "How", "Of", "So", "Such", "The same", "Those", "What", "Where", "Whether", "Which"];
+
+/// First lines that begin with one of these words. The number may only fall.
+const MAX_OPENINGS: usize = 0;
+
+/// Phrases that no page contains.
+const PHRASES: [&str; 8] = [
+    "be it",
+    "in the place of",
+    "is none",
+    "lest",
+    "so that no",
+    "that is said",
+    "that which",
+    "those which",
+];
+
+/// Pages that keep to plain English.
+const PAGES: [&str; 7] = [
+    "ARCHITECTURE.md",
+    "README.md",
+    "docs/integration.md",
+    "docs/invariants.md",
+    "docs/tour.md",
+    "src/language.md",
+    "tests/README.md",
+];
+
+/// Complains if more first lines than before begin with one of [`OPENINGS`], or fewer than [`MAX_OPENINGS`] says.
+pub(crate) fn openings(crates: &[Crate]) -> Option<String> {
+    let files = crates.iter().flat_map(|krate| &krate.files);
+    let found = files.flat_map(|file| {
+        let lines = clumsy_openings(&file.text).into_iter();
+        lines.map(|(line, text)| format!("{}:{line}: {text}", file.path))
+    });
+    let found = found.collect::<Vec<_>>();
+    match found.len() {
+        MAX_OPENINGS => None,
+        count if count < MAX_OPENINGS => Some(format!("lower MAX_OPENINGS to {count}: it may only fall")),
+        count => Some(format!("{}\n{count} first lines, not {MAX_OPENINGS}", found.join("\n"))),
+    }
+}
+
+/// Finds the phrases to be avoided in pages.
+pub(crate) fn phrases(root: &Path) -> Vec<String> {
+    let complaints = |page: &str| {
+        let text = fs::read_to_string(root.join(page)).unwrap_or_default();
+        let lines = text.lines().enumerate();
+        let found = lines.filter_map(|(index, line)| {
+            let phrase = PHRASES.iter().find(|phrase| has_words(line, phrase))?;
+            Some(format!("{page}:{}: \"{phrase}\"", index + 1))
+        });
+        found.collect::<Vec<_>>()
+    };
+    PAGES.iter().flat_map(|page| complaints(page)).collect()
+}
+
+/// Returns the first lines of documentation in a source text that begin with a word to be avoided, with their numbers.
+fn clumsy_openings(text: &str) -> Vec<(usize, &str)> {
+    let documentation = |line: &str| -> bool { line.starts_with("/// ") || line.starts_with("//! ") };
+    let mut found = Vec::new();
+    let mut before = "";
+    for (index, line) in text.lines().map(str::trim_start).enumerate() {
+        let is_first = documentation(line) && !before.starts_with(&line[..3]);
+        let opening = is_first.then(|| &line[4..]).filter(|line| begins_clumsily(line));
+        found.extend(opening.map(|line| (index + 1, line)));
+        before = line;
+    }
+    found
+}
+
+fn begins_clumsily(line: &str) -> bool {
+    let rest = |word: &str| line.strip_prefix(word).map(|rest| rest.chars().next());
+    OPENINGS.iter().any(|word| rest(word).is_some_and(|next| !next.is_some_and(char::is_alphanumeric)))
+}
+
+/// True if a line contains words as whole words.
+fn has_words(line: &str, words: &str) -> bool {
+    line.match_indices(words).any(|(start, _)| {
+        let around = [line[..start].chars().next_back(), line[start + words.len()..].chars().next()];
+        !around.into_iter().flatten().any(char::is_alphanumeric)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::english::{clumsy_openings, has_words};
+
+    #[test]
+    fn first_lines_are_judged_and_only_these() {
+        let text = "//! Whether this is read.\n\n    /// Asks.\n    /// What follows is no first line.\n/// The sameness.\n/// Of.\n";
+        assert_eq!(clumsy_openings(text), [(1, "Whether this is read.")]);
+        assert_eq!(clumsy_openings("fn f() {}\n/// Of.\n"), [(2, "Of.")]);
+    }
+
+    #[test]
+    fn phrases_are_whole_words() {
+        assert!(has_words("a table, be it long,", "be it") && !has_words("maybe items", "be it"));
+    }
+}
