@@ -1,12 +1,12 @@
 //! Pictures as files.
 
-use std::fs;
 use std::path::Path;
 
 use crate::error::DrawError;
 use crate::picture::Picture;
 use crate::raster;
 use crate::svg;
+use lagrange_files::save_bytes;
 
 impl Picture {
     /// The picture as an SVG document.
@@ -14,7 +14,7 @@ impl Picture {
         svg::document(self)
     }
 
-    /// Writes the picture to a file. Its extension says what it is: `svg`, or `png` with two pixels to that of a screen.
+    /// Saves the picture to a file; an older one stays until the new one is whole. Its extension says what it is: `svg`, or `png` with two pixels to that of a screen.
     ///
     /// # Errors
     /// If the extension is another, the picture is too large for an image, or what the operating system says.
@@ -22,7 +22,7 @@ impl Picture {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         match extension.to_ascii_lowercase().as_str() {
-            "svg" => DrawError::written(path, fs::write(path, self.svg())),
+            "svg" => DrawError::written(path, save_bytes(path, self.svg())),
             "png" => raster::save(self, path),
             _ => Err(DrawError::extension(path, &["svg", "png"])),
         }

@@ -1,12 +1,12 @@
 //! Pictures in pixels.
 
-use std::fs::File;
 use std::io::BufWriter;
 use std::path::Path;
 
 use crate::error::DrawError;
 use crate::picture::{Anchor, Colour, Mark, Picture, Point, Segment, Style};
 use crate::text;
+use lagrange_files as files;
 use lagrange_plot::pixels::{Path as Line, PathBuilder, Pixels, Transform};
 
 /// PNG files are so many times finer than a screen of 96 dots to the inch.
@@ -31,8 +31,8 @@ pub(crate) fn rasterise(picture: &Picture, scale: f64) -> Result<Pixels, DrawErr
 /// Writes a picture as PNG.
 pub(super) fn save(picture: &Picture, path: &Path) -> Result<(), DrawError> {
     let pixels = rasterise(picture, FINENESS)?;
-    let file = File::create(path);
-    DrawError::written(path, file.and_then(|file| pixels.save(&mut BufWriter::new(file))))
+    let written = files::save(path, |error| error, |file| pixels.save(&mut BufWriter::new(file)));
+    DrawError::written(path, written)
 }
 
 fn draw(pixels: &mut Pixels, segments: &[Segment], style: &Style) {

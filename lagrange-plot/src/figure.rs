@@ -5,10 +5,10 @@
 //! people with any colour vision tell apart; more than seven curves run from blue to yellow.
 
 use std::fmt::{Display, Formatter};
-use std::fs::{self, File};
 use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
+use lagrange_files::{save, save_bytes};
 use plotters::backend::SVGBackend;
 use plotters::style::WHITE;
 use plotters_backend::DrawingBackend;
@@ -40,7 +40,7 @@ impl Figure {
         Figure { panels: vec![panel], columns: 1, size }
     }
 
-    /// Writes the figure to a file: SVG or PNG, by its extension.
+    /// Saves the figure to a file: SVG or PNG, by its extension. An older file stays until the new one is whole.
     ///
     /// # Errors
     /// If the extension is another one, or what the operating system or the library of plots says.
@@ -49,10 +49,10 @@ impl Figure {
             |result: io::Result<()>| result.map_err(|error| PlotError::Io { path: path.to_owned(), error });
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         match extension.to_ascii_lowercase().as_str() {
-            "svg" => written(fs::write(path, self.svg()?)),
+            "svg" => written(save_bytes(path, self.svg()?)),
             "png" => {
                 let pixels = self.pixels()?;
-                written(File::create(path).and_then(|file| pixels.save(&mut BufWriter::new(file))))
+                written(save(path, |error| error, |file| pixels.save(&mut BufWriter::new(file))))
             }
             _ => Err(PlotError::Extension(path.to_owned())),
         }

@@ -5,7 +5,7 @@ use std::io::{self, Write};
 pub use tiny_skia::{Path, PathBuilder, Transform};
 
 use tiny_skia::{
-    Color, FillRule, FilterQuality, LineCap, LineJoin, Paint, Pixmap, PixmapPaint, PixmapRef, Stroke,
+    FillRule, FilterQuality, IntSize, LineCap, LineJoin, Paint, Pixmap, PixmapPaint, PixmapRef, Stroke,
     StrokeDash,
 };
 
@@ -23,10 +23,15 @@ pub struct Pixels {
 pub type Colour = [u8; 4];
 
 impl Pixels {
-    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none without pixels, or with more than memory has places.
+    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none without pixels, or with more than
+    /// can lie in memory.
     pub fn white([width, height]: [u32; 2], scale: f64) -> Option<Pixels> {
-        let mut pixmap = Pixmap::new(width, height)?;
-        pixmap.fill(Color::WHITE);
+        let size = IntSize::from_wh(width, height)?;
+        let bytes = (width as usize).checked_mul(height as usize)?.checked_mul(4)?;
+        let mut rgba = Vec::new();
+        rgba.try_reserve_exact(bytes).ok()?;
+        rgba.resize(bytes, u8::MAX);
+        let pixmap = Pixmap::from_vec(rgba, size)?;
         Some(Pixels { pixmap, transform: Transform::from_scale(scale as f32, scale as f32) })
     }
 

@@ -240,3 +240,10 @@ fn other_extensions_are_refused() {
         matches!(figure(Vec::new()).save("/no/such/folder/a.svg".as_ref()), Err(PlotError::Io { path, .. }) if path.ends_with("a.svg"))
     );
 }
+
+#[test]
+fn pictures_larger_than_memory_are_none() {
+    for size in [[1 << 20, 1 << 20], [u32::MAX; 2], [0, 1], [1, 0]] {
+        assert_eq!(Pixels::white(size, 1.0), None, "{size:?}");
+    }
+}

@@ -7,6 +7,7 @@ use std::path::Path;
 use super::diagram::diagram;
 use super::report::Report;
 use crate::simulate::PlotError;
+use lagrange_files::save_bytes;
 
 impl Report {
     /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a directory, in files named for
@@ -24,7 +25,7 @@ impl Report {
         let name = self.file_name();
         for (extension, text) in [("csv", self.csv()), ("md", self.recommendation())] {
             let path = directory.join(format!("{name}.{extension}"));
-            fs::write(&path, text).map_err(at(&path))?;
+            save_bytes(&path, text).map_err(at(&path))?;
         }
         diagram(self).save(&directory.join(format!("{name}.svg")))
     }

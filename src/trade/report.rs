@@ -1,11 +1,12 @@
 //! What came of a trade, and what to choose.
 
 use std::format;
-use std::string::{String, ToString};
+use std::string::String;
 use std::vec::Vec;
 
 use super::measurement::{Measurement, Row};
 use crate::integrate::Work;
+use lagrange_files::csv_cell;
 
 /// Accuracies for which a choice is recommended.
 const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
@@ -71,7 +72,7 @@ impl Report {
         for row in &self.rows {
             let knob = if row.is_tolerance { "tolerance" } else { "step" };
             let Row { method, scalar, setting, .. } = row;
-            text += &format!("{},{scalar},{},{knob},{setting:e},", quoted(method), quoted(&row.variant));
+            text += &format!("{},{scalar},{},{knob},{setting:e},", csv_cell(method), csv_cell(&row.variant));
             text += &match &row.outcome {
                 Ok(Measurement { error, seconds, work }) => {
                     let Work { steps, rejections, evaluations, jacobians, iterations, .. } = work;
@@ -80,7 +81,7 @@ impl Report {
                         "{error:e},{time:.3},{steps},{rejections},{evaluations},{jacobians},{iterations},\n"
                     )
                 }
-                Err(failure) => format!(",,,,,,,{}\n", quoted(failure)),
+                Err(failure) => format!(",,,,,,,{}\n", csv_cell(failure)),
             };
         }
         text
@@ -96,14 +97,5 @@ impl Report {
     /// Runs that reached the end.
     pub(super) fn measured(&self) -> impl Iterator<Item = (&Row, Measurement)> {
         self.rows.iter().filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
-    }
-}
-
-/// A field that may hold commas and quotes.
-fn quoted(text: &str) -> String {
-    if text.contains([',', '"', '\n']) {
-        format!("\"{}\"", text.replace('"', "\"\""))
-    } else {
-        text.to_string()
     }
 }

@@ -1,9 +1,10 @@
 //! Files of pictures.
 
-use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::{env, fs};
 
-use lagrange::draw::{DrawError, Drawing, Picture};
+use lagrange::draw::{DrawError, Drawing, Film, Picture};
 
 use crate::scenes::{COLLECTION, CORNER, CROWDED, LADDER, SLOPE, ladder};
 
@@ -69,6 +70,52 @@ fn what_cannot_be_written_is_refused_with_its_path() {
         let message = error.to_string();
         assert!(message.starts_with("cannot write `") && message.contains(&*path(name).to_string_lossy()));
     }
+}
+
+const CHILD: &str = "LAGRANGE_TEST_FOLDER";
+
+/// Files may not grow beyond a kilobyte, as on a full disk.
+#[cfg(unix)]
+#[test]
+fn older_files_survive_a_full_disk() {
+    if let Some(folder) = env::var_os(CHILD) {
+        save_everything(folder.as_ref(), true);
+        return;
+    }
+    let folder = path("full");
+    drop(fs::remove_dir_all(&folder));
+    fs::create_dir_all(&folder).expect("can be made");
+    let files = || {
+        let entries = fs::read_dir(&folder).expect("is there").map(|entry| entry.expect("is there").path());
+        let mut files: Vec<_> = entries.map(|path| (fs::read(&path).expect("can be read"), path)).collect();
+        files.sort();
+        files
+    };
+    save_everything(&folder, false);
+    let before = files();
+    assert_eq!(before.len(), 5);
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "sh"]);
+    shell.arg(env::current_exe().expect("is known"));
+    // What it says could go to a file that may not grow.
+    shell
+        .args(["--exact", "files::older_files_survive_a_full_disk"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null());
+    assert!(shell.env(CHILD, &folder).status().expect("starts").success());
+    assert!(files() == before);
+}
+
+/// Saves a picture and a film in every format.
+fn save_everything(folder: &Path, is_full: bool) {
+    let states = [(0.0, [0.9, -1.0]), (0.1, [0.8, -1.0])];
+    let drawing = Drawing::of(&LADDER);
+    let pictures = drawing.pictures(states).expect("draws");
+    let film = Film::new(pictures.clone(), states.map(|(t, _)| t).into()).expect("is one");
+    let mut saved =
+        Vec::from(["svg", "png"].map(|end| pictures[0].save(folder.join(format!("picture.{end}")))));
+    saved.extend(["svg", "gif", "html"].map(|end| film.save(folder.join(format!("film.{end}")))));
+    assert!(saved.iter().all(|saved| saved.is_ok() != is_full), "{saved:?}");
 }
 
 #[test]

@@ -77,6 +77,13 @@ fn refuse_what_is_not_known_at_their_times() {
     for number in [0.0, -25.0, f64::NAN, f64::INFINITY] {
         assert!(drawing.film_at(number, &run).is_err(), "{number}");
     }
+    for (number, pictures) in [(1e9, "500000001"), (2e5, "100001"), (f64::MAX, "89884656743115")] {
+        let error = drawing.film_at(number, &run).expect_err("is no film").to_string();
+        assert!(
+            error.contains(&format!("at most 100000 pictures, and this would have {pictures}")),
+            "{error}"
+        );
+    }
 }
 
 #[test]

@@ -13,11 +13,12 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 11] = [
+pub(crate) const LIBRARIES: [Library; 12] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-device", layers: DEVICE },
     Library { name: "lagrange-draw", layers: DRAW },
+    Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },

@@ -21,12 +21,12 @@ mod palette;
 pub(crate) mod timeline;
 pub(crate) mod trajectory;
 
-use std::fs;
 use std::path::Path;
 
 use crate::error::DrawError;
 use crate::film::timeline::Timeline;
 use crate::picture::{Mark, Picture, Segment};
+use lagrange_files::save_bytes;
 
 /// Pictures of one scene, and when each is shown.
 ///
@@ -77,7 +77,7 @@ impl Film {
         &self.pictures
     }
 
-    /// Writes it to a file: animated SVG, GIF or an HTML page, by the extension.
+    /// Saves it to a file: animated SVG, GIF or an HTML page, by the extension. An older file stays until the new one is whole.
     ///
     /// # Errors
     /// If the extension is none of `svg`, `gif`, `html`, or the file cannot be written.
@@ -90,7 +90,7 @@ impl Film {
             "gif" => self.gif()?,
             _ => return Err(DrawError::extension(path, &["svg", "gif", "html"])),
         };
-        DrawError::written(path, fs::write(path, bytes))
+        DrawError::written(path, save_bytes(path, bytes))
     }
 }
 

@@ -20,9 +20,9 @@ where
     /// it shows the last. Where a control set inputs, forces are those of the inputs of each sample. If the run observed its [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
     ///
     /// # Errors
-    /// If a picture cannot be made, as [`pictures`](Drawing::pictures) says.
+    /// If there are more than 100 000 pictures, or one cannot be made, as [`pictures`](Drawing::pictures) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
-        let film = self.film_of(samples(trajectory, self.system()))?;
+        let film = self.film_of(samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -31,7 +31,7 @@ where
     /// each picture.
     ///
     /// # Errors
-    /// If the run was not dense, the number is not positive and finite, or a picture cannot be made.
+    /// If the run was not dense, the number is not positive and finite, there are more than 100 000 pictures, or one cannot be made.
     pub fn film_at(&self, pictures_a_second: f64, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
         self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
     }
@@ -75,12 +75,28 @@ impl Film {
     }
 }
 
+/// More pictures are no film: at sixty a second, these last for half an hour, and take gigabytes.
+const MAX_PICTURES: f64 = 1e5;
+
+fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
+    if pictures <= MAX_PICTURES {
+        return Ok(());
+    }
+    Err(refusal(&format!(
+        "a film has at most {MAX_PICTURES} pictures, and this would have {pictures:.0}: take fewer a second, or a shorter run"
+    )))
+}
+
 /// The samples of a trajectory, of those at the same time the last, each with the system as inputs made it then.
-pub(crate) fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Vec<Shot<M>> {
+pub(crate) fn samples<M: MechanicalSystem>(
+    trajectory: &Trajectory<M>,
+    system: &M,
+) -> Result<Vec<Shot<M>>, DrawError> {
     let times = trajectory.times();
-    let is_last = |index: usize| times.get(index + 1).is_none_or(|next| *next != times[index]);
-    let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(*index));
-    samples.map(|(index, sample)| (sample, trajectory.with_inputs_at(index, system))).collect()
+    let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
+    refuse_too_many((0..times.len()).filter(is_last).count() as f64)?;
+    let samples = trajectory.iter().enumerate().filter(|(index, _)| is_last(index));
+    Ok(samples.map(|(index, sample)| (sample, trajectory.with_inputs_at(index, system))).collect())
 }
 
 /// States of a dense trajectory at equal intervals, about so many a second, with its end.
@@ -98,6 +114,7 @@ where
     let (start, end) = (trajectory.start_time(), trajectory.end_time());
     let duration: f64 = (end - start).into();
     let intervals = (duration.abs() * pictures_a_second).round().max(1.0);
+    refuse_too_many(intervals + 1.0)?;
     let time = |index: u64| start + (end - start) * M::Scalar::from_f64(index as f64 / intervals);
     let state = |t| trajectory.at(t).map(|state| (t, state)).map_err(|error| refusal(&error.to_string()));
     let inner = (0..intervals as u64).map(time).map(state);

@@ -1,6 +1,5 @@
 //! Films of systems in space, as GIF, as an HTML page in which they can be turned, or as glTF.
 
-use std::fs;
 use std::path::Path;
 
 use super::drawing::SpatialDrawing;
@@ -14,6 +13,7 @@ use crate::film::Film;
 use crate::film::timeline::Timeline;
 use crate::film::trajectory::{ENERGY, samples, samples_at};
 use crate::picture::Picture;
+use lagrange_files::save_bytes;
 use lagrange_runtime::scene::SpatialScene;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
@@ -43,7 +43,7 @@ where
     /// # Errors
     /// If a picture cannot be made, as [`picture`](SpatialDrawing::picture) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<SpatialFilm, DrawError> {
-        let film = self.film_of(&samples(trajectory, self.system()))?;
+        let film = self.film_of(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -151,7 +151,7 @@ impl SpatialFilm {
         Film::of(self.pictures()?, self.timeline.clone()).gif()
     }
 
-    /// Writes it to a file: HTML page, GIF or glTF, by the extension.
+    /// Saves it to a file: HTML page, GIF or glTF, by the extension. An older file stays until the new one is whole.
     ///
     /// # Errors
     /// If the extension is none of `html`, `gif`, `glb`, or the file cannot be written.
@@ -164,6 +164,6 @@ impl SpatialFilm {
             "glb" => self.glb()?,
             _ => return Err(DrawError::extension(path, &["html", "gif", "glb"])),
         };
-        DrawError::written(path, fs::write(path, bytes))
+        DrawError::written(path, save_bytes(path, bytes))
     }
 }

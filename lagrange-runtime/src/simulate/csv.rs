@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::fmt::Debug;
-use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
@@ -10,20 +9,26 @@ use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::labelled;
 use crate::system::MechanicalSystem;
+use lagrange_files::{csv_cell, save};
 
 impl<M: MechanicalSystem> Trajectory<M> {
-    /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file is replaced.
+    /// Writes all columns to a file, as [`write_csv`](Trajectory::write_csv) does; an older file stays until the
+    /// new one is whole.
     ///
     /// # Errors
     /// What the operating system says, with the path.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
         let path = path.as_ref();
-        let written = File::create(path).and_then(|file| self.write_csv(file));
-        written.map_err(|error| cannot_write(path, &error))
+        save(
+            path,
+            |error| cannot_write(path, &error),
+            |file| self.write_csv(file).map_err(|error| cannot_write(path, &error)),
+        )
     }
 
     /// Writes all columns as comma-separated values: a line of names, the first being `t`, then a line for each sample. Names of columns
-    /// whose [unit](Trajectory::unit) is known end in it, as in `t in s,x in m`.
+    /// whose [unit](Trajectory::unit) is known end in it, as in `t in s,x in m`. Names that spreadsheets would take for formulas, since they
+    /// begin with `=`, `+`, `-`, `@` or a control character, have an apostrophe before them, which makes them text there.
     ///
     /// Every `f64` or `f32` is written with as many digits as it takes to read back the same bits, and other numbers in
     /// their `Debug` form.
@@ -40,7 +45,7 @@ impl<S: Copy + Debug> Table<S> {
         let mut writer = BufWriter::new(writer);
         write!(writer, "{}", label(TIME))?;
         for name in self.names() {
-            write!(writer, ",{}", quoted(&label(name)))?;
+            write!(writer, ",{}", csv_cell(&label(name)))?;
         }
         writeln!(writer)?;
         for (row, time) in self.times().iter().enumerate() {
@@ -57,13 +62,4 @@ impl<S: Copy + Debug> Table<S> {
 /// The same error with the path that it is about.
 pub(super) fn cannot_write(path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), std::format!("cannot write `{}`: {error}", path.display()))
-}
-
-/// A name as RFC 4180 wants it.
-fn quoted(name: &str) -> Cow<'_, str> {
-    if name.contains([',', '"', '\n', '\r']) {
-        std::format!("\"{}\"", name.replace('"', "\"\"")).into()
-    } else {
-        name.into()
-    }
 }

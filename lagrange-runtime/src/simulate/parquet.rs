@@ -1,7 +1,6 @@
 //! Apache Parquet files.
 
 use std::format;
-use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 use std::string::{String, ToString};
@@ -21,6 +20,7 @@ use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::unit;
 use crate::system::MechanicalSystem;
+use lagrange_files::save;
 
 /// What the schema is called.
 const SCHEMA: &str = "trajectory";
@@ -31,14 +31,14 @@ impl<M: MechanicalSystem> Trajectory<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does; an older file is
-    /// replaced.
+    /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does; an older file
+    /// stays until the new one is whole.
     ///
     /// # Errors
     /// What the operating system says, with the path, or what the writer says.
     pub fn save_parquet(&self, path: impl AsRef<Path>) -> Result<(), ParquetError> {
         let path = path.as_ref();
-        self.write_parquet(File::create(path).map_err(|error| cannot_write(path, &error))?)
+        save(path, |error| cannot_write(path, &error).into(), |file| self.write_parquet(file))
     }
 
     /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not compressed, the first being

@@ -34,6 +34,17 @@ fn csv_reads_back_to_the_bit() {
     }
 }
 
+#[test]
+fn names_in_csv_are_no_formulas() {
+    let names = ["=1+1", "+x", "-x", "@SUM(a, b)", "\tx", "\r=x", "'x", "x=1"];
+    let simulation = Oscillator.simulate(START).until(1.0).ends_only();
+    let simulation = names.iter().fold(simulation, |run, name| run.observe(name, |_, t, _| t));
+    let mut bytes = Vec::new();
+    simulation.run().expect("runs").write_csv(&mut bytes).expect("memory takes everything");
+    let expected = "t,x,x_dot,'=1+1,'+x,'-x,\"'@SUM(a, b)\",'\tx,\"'\r=x\",'x,x=1\n";
+    assert!(String::from_utf8(bytes).expect("text").starts_with(expected));
+}
+
 #[cfg(feature = "parquet")]
 #[test]
 fn parquet_reads_back_to_the_bit() {
@@ -70,4 +81,55 @@ fn a_file_that_cannot_be_written_is_an_error() {
         let error = run().save_parquet("/no/such/folder/run.parquet").expect_err("no folder");
         assert!(error.to_string().contains("cannot write `/no/such/folder/run.parquet`: "), "{error}");
     }
+}
+
+#[cfg(unix)]
+const CHILD: &str = "LAGRANGE_TEST_FOLDER";
+
+/// Files may not grow beyond a kilobyte, as on a full disk.
+#[cfg(unix)]
+#[test]
+fn older_files_survive_a_full_disk() {
+    use std::process::{Command, Stdio};
+    use std::{env, fs};
+
+    if let Some(folder) = env::var_os(CHILD) {
+        save_everything(folder.as_ref(), true);
+        return;
+    }
+    let folder = env::temp_dir().join(std::format!("lagrange_full_{}", std::process::id()));
+    fs::create_dir_all(&folder).expect("can be made");
+    let files = || {
+        let entries = fs::read_dir(&folder).expect("is there").map(|entry| entry.expect("is there").path());
+        let mut files: Vec<_> = entries.map(|path| (fs::read(&path).expect("can be read"), path)).collect();
+        files.sort();
+        files
+    };
+    save_everything(&folder, false);
+    let before = files();
+    assert!(!before.is_empty() && before.iter().all(|(bytes, _)| bytes.len() > 1024));
+    let mut shell = Command::new("sh");
+    shell.args(["-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "sh"]);
+    shell.arg(env::current_exe().expect("is known"));
+    shell.args(["--exact", "simulate::tests::files::older_files_survive_a_full_disk"]);
+    // What it says could go to a file that may not grow.
+    shell.stdout(Stdio::null()).stderr(Stdio::null()).env(CHILD, &folder);
+    assert!(shell.status().expect("starts").success());
+    let after = files();
+    fs::remove_dir_all(&folder).expect("is there");
+    assert!(after == before);
+}
+
+/// Saves a run in every format.
+#[cfg(unix)]
+fn save_everything(folder: &std::path::Path, is_full: bool) {
+    let trajectory = run();
+    let mut saved = Vec::from([trajectory.save_csv(folder.join("run.csv")).is_ok()]);
+    #[cfg(feature = "parquet")]
+    saved.push(trajectory.save_parquet(folder.join("run.parquet")).is_ok());
+    #[cfg(feature = "plot")]
+    for extension in ["svg", "png"] {
+        saved.push(trajectory.plot_states(folder.join("run").with_extension(extension)).is_ok());
+    }
+    assert!(saved.iter().all(|is_saved| *is_saved != is_full), "{saved:?}");
 }

@@ -1,0 +1,137 @@
+//! Files that are saved as a whole or not at all, and cells of tables in text.
+//!
+//! A file is written beside its place, under another name, and takes its place when the disk has all of it. Readers find the older file
+//! or the new one, whatever stops the writer: an error, a full disk, a signal or a power cut.
+#![forbid(unsafe_code)]
+
+use std::borrow::Cow;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Ends the names of files that are not whole.
+pub const UNFINISHED: &str = ".unfinished";
+
+/// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is after an error.
+///
+/// The new file has the permissions of the older one. Of a link the file that it leads to is replaced. A pipe or a device is written
+/// to directly. `wrong` makes an error of what the operating system says.
+///
+/// # Errors
+/// Those of `write`, and what the operating system says.
+pub fn save<T, E>(
+    path: &Path,
+    wrong: impl Fn(io::Error) -> E,
+    write: impl FnOnce(&File) -> Result<T, E>,
+) -> Result<T, E> {
+    match Place::of(path).map_err(&wrong)? {
+        Place::Device(file) => write(&file),
+        Place::File { path, older } => {
+            let unfinished = Unfinished::beside(&path).map_err(&wrong)?;
+            let written = write(&unfinished.file)?;
+            unfinished.put(&path, older).map_err(wrong)?;
+            Ok(written)
+        }
+    }
+}
+
+/// Saves these bytes, as [`save`] does.
+///
+/// # Errors
+/// What the operating system says.
+pub fn save_bytes(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
+    save(path, |error| error, |mut file| file.write_all(bytes.as_ref()))
+}
+
+/// Returns a text as a cell of comma-separated values (RFC 4180), with an apostrophe before what spreadsheets would take for a formula.
+pub fn csv_cell(text: &str) -> Cow<'_, str> {
+    let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
+    let text = if is_formula { format!("'{text}").into() } else { Cow::from(text) };
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\"")).into()
+    } else {
+        text
+    }
+}
+
+/// Where a file is to be.
+enum Place {
+    /// What can only be written to.
+    Device(File),
+    /// A file, with the permissions of the older one that it replaces.
+    File { path: PathBuf, older: Option<fs::Permissions> },
+}
+
+impl Place {
+    /// # Errors
+    /// If there is something at the path that may not be written.
+    fn of(path: &Path) -> io::Result<Place> {
+        let older = match OpenOptions::new().write(true).open(path) {
+            Ok(older) => older,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                return Ok(Place::File { path: path.into(), older: None });
+            }
+            Err(error) => return Err(error),
+        };
+        let metadata = older.metadata()?;
+        if !metadata.is_file() {
+            return Ok(Place::Device(older));
+        }
+        Ok(Place::File { path: fs::canonicalize(path)?, older: Some(metadata.permissions()) })
+    }
+}
+
+/// A file that is not whole; it is deleted when this is dropped.
+struct Unfinished {
+    path: PathBuf,
+    file: File,
+}
+
+/// Characters of a name that the other name begins with. Names of 255 bytes have room for it.
+const MAX_CHARACTERS: usize = 50;
+
+impl Unfinished {
+    /// A new file beside this path, under a name that nobody else has.
+    fn beside(path: &Path) -> io::Result<Unfinished> {
+        static COUNT: AtomicU64 = AtomicU64::new(0);
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name: String = name.chars().take(MAX_CHARACTERS).collect();
+        loop {
+            let number = COUNT.fetch_add(1, Ordering::Relaxed);
+            let path = path.with_file_name(format!("{name}.{}-{number}{UNFINISHED}", process::id()));
+            match OpenOptions::new().read(true).write(true).create_new(true).open(&path) {
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                opened => return opened.map(|file| Unfinished { path, file }),
+            }
+        }
+    }
+
+    /// Puts the file, which is whole now, in its place.
+    fn put(&self, path: &Path, older: Option<fs::Permissions>) -> io::Result<()> {
+        if let Some(permissions) = older {
+            self.file.set_permissions(permissions)?;
+        }
+        self.file.sync_all()?;
+        fs::rename(&self.path, path)?;
+        sync_folder(path);
+        Ok(())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        // After it was put in its place there is none under this name.
+        drop(fs::remove_file(&self.path));
+    }
+}
+
+/// Has the disk keep the names in the folder of this file. Not every system can; the file itself is whole.
+fn sync_folder(path: &Path) {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    drop(File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all()));
+}
+
+#[cfg(test)]
+mod tests;
