@@ -110,7 +110,7 @@ impl Subject for Chain {
 /// Ends of single runs, one after the other.
 fn by_hand<M: Subject>(system: &M, tolerance: f64) -> f64 {
     let ends = (0..M::MOTIONS).map(|index| {
-        let run = system.simulate(M::start(&mut Random::new(SEED, index))).until(UNTIL);
+        let run = system.simulate(M::start(&mut Random::start(SEED, index))).until(UNTIL);
         run.tolerance(tolerance).ends_only().run().expect("runs").last()
     });
     ends.collect::<Vec<_>>()[M::MOTIONS - 1].as_ref()[0]

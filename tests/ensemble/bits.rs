@@ -41,7 +41,7 @@ fn ends_are_those_of_single_runs() {
     for index in 0..NUMBER {
         let mut pendulum = DoublePendulum::default();
         masses(index, &mut pendulum);
-        let start = start(index, &mut Random::new(7, index));
+        let start = start(index, &mut Random::start(7, index));
         let trajectory = pendulum.simulate(start).until(3.0).tolerance(1e-9).run().expect("runs");
         assert_eq!(ends.state(index), Some(trajectory.last()));
         assert_eq!(ends.theta2()[index].to_bits(), trajectory.last()[1].to_bits());

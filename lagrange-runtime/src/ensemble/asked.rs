@@ -156,7 +156,7 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
 
     /// The system of a motion, if it is not that of all, and where it starts.
     pub(super) fn origin(&self, index: usize) -> (Option<M>, M::State) {
-        let start = self.start.as_ref().map(|start| start(index, &mut Random::new(self.seed, index)));
+        let start = self.start.as_ref().map(|start| start(index, &mut Random::start(self.seed, index)));
         let varied = self.variation.as_ref().map(|variation| variation(index, self.system));
         (varied, start.unwrap_or(M::State::ZERO))
     }

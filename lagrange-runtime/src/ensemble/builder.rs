@@ -44,7 +44,7 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     }
 
     /// Gives each motion a system of its own: a copy of that of all, which is changed by its index. Parameters drawn at random take
-    /// numbers from [`Random::new`] with another seed than that of the starts.
+    /// numbers from [`Random::parameters`], which are others than those of the starts, under the same seed, too.
     ///
     /// Every parameter of the system, changed or not, then becomes a column of [`Ends`](super::Ends) and of files under its name, unless
     /// something is [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs, or the fields of a system

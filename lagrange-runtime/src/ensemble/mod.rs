@@ -94,7 +94,7 @@ pub use self::moments::Moments;
 pub use self::motion::Motion;
 pub use self::pack::Pack;
 pub use self::progress::Done;
-pub use self::random::Random;
+pub use self::random::{OfNoise, OfParameters, OfStart, Purpose, Random};
 pub use self::reduce::Reduce;
 pub use self::reduction::Reduced;
 pub use self::samples::Samples;

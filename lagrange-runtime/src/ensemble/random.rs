@@ -6,32 +6,93 @@
 //! Source: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3, and the vectors of Random123.
 
 use core::f64::consts::TAU;
+use core::fmt::Debug;
+use core::marker::PhantomData;
 use core::ops::Range;
 
-/// The random numbers of one motion: a sequence that its index and the seed of the ensemble determine, on every platform.
+/// The random numbers of one motion for one purpose P: a sequence that its index and the seed of the ensemble determine, on every platform.
+///
+/// Starts, parameters and noise have sequences of their own, under the same seed, too, so that what is drawn for one is independent of
+/// what is drawn for another:
+///
+/// | numbers of | are |
+/// |---|---|
+/// | [`start`](super::Motions::start) | given to its closure, and [`Random::start`] anywhere else |
+/// | [`parameters`](super::Motions::parameters) | [`Random::parameters`] |
+/// | inputs, controllers, measurements | [`Random::noise`] |
 ///
 /// A sequence is never changed within a version of this crate that is compatible: the generator is Philox4x32-10, keyed by the seed, with
-/// the index in the upper half of its counter; uniform numbers are the upper 53 bits of 64; normal ones are those of Box and Muller by the
-/// elementary functions of the crate `libm`, and not by those of the platform.
+/// the index in the upper half of its counter and the purpose in the upper byte of the lower half; uniform numbers are the upper 53 bits of
+/// 64; normal ones are those of Box and Muller by the elementary functions of the crate `libm`, and not by those of the platform.
 ///
 /// ```
 /// use lagrange::ensemble::Random;
 ///
-/// let mut random = Random::new(7, 41);
-/// let (angle, noise) = (random.uniform(-1.0..1.0), random.normal());
-/// let mut again = Random::new(7, 41);
-/// assert_eq!((again.uniform(-1.0..1.0), again.normal()), (angle, noise));
+/// let mut random = Random::parameters(7, 41);
+/// let (mass, length) = (random.uniform(1.0..2.0), random.normal());
+/// let mut again = Random::parameters(7, 41);
+/// assert_eq!((again.uniform(1.0..2.0), again.normal()), (mass, length));
+/// assert_ne!(Random::start(7, 41).uniform(1.0..2.0), mass);
+/// ```
+///
+/// A function that draws for one purpose takes no numbers of another:
+///
+/// ```compile_fail,E0308
+/// use lagrange::ensemble::{OfParameters, Random};
+///
+/// fn mass(random: &mut Random<OfParameters>) -> f64 {
+///     random.uniform(1.0..2.0)
+/// }
+///
+/// mass(&mut Random::start(7, 41));
 /// ```
 #[derive(Clone, Debug)]
-pub struct Random {
+pub struct Random<P: Purpose = OfStart> {
     key: [u32; 2],
     index: u64,
-    /// How many blocks were taken.
+    /// The number of the next block: the purpose, and how many were taken.
     blocks: u64,
     /// The second half of the last block, if it is still to come.
     word: Option<u64>,
     /// The second of a pair of normal numbers, if it is still to come.
     normal: Option<f64>,
+    purpose: PhantomData<P>,
+}
+
+/// What random numbers are for, each with sequences of its own.
+pub trait Purpose: sealed::Sealed + Clone + Debug {}
+
+mod sealed {
+    /// Purposes are those of this module.
+    pub trait Sealed {
+        /// What tells the sequences of a purpose from others, below 256.
+        const NUMBER: u64;
+    }
+}
+
+macro_rules! purposes {
+    ($($number:literal: $(#[$doc:meta])* $name:ident;)*) => {
+        $(
+            $(#[$doc])*
+            #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+            pub enum $name {}
+
+            impl Purpose for $name {}
+
+            impl sealed::Sealed for $name {
+                const NUMBER: u64 = $number;
+            }
+        )*
+    };
+}
+
+purposes! {
+    0: /// Of [`Random`]: where motions start.
+    OfStart;
+    1: /// Of [`Random`]: parameters of motions.
+    OfParameters;
+    2: /// Of [`Random`]: noise of inputs, controllers and measurements.
+    OfNoise;
 }
 
 const ROUNDS: u32 = 10;
@@ -41,10 +102,39 @@ const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 /// 2⁻⁵³
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
-impl Random {
-    /// The numbers of the motion `index` of an ensemble with this seed, from the first on.
-    pub fn new(seed: u64, index: usize) -> Self {
-        Random { key: halves(seed), index: index as u64, blocks: 0, word: None, normal: None }
+impl Random<OfStart> {
+    /// The numbers of the start of the motion `index` of an ensemble with this seed, from the first on.
+    pub fn start(seed: u64, index: usize) -> Self {
+        Random::of(seed, index)
+    }
+}
+
+impl Random<OfParameters> {
+    /// The numbers of the parameters of the motion `index` of an ensemble with this seed, from the first on.
+    pub fn parameters(seed: u64, index: usize) -> Self {
+        Random::of(seed, index)
+    }
+}
+
+impl Random<OfNoise> {
+    /// The numbers of noise in the motion `index` of an ensemble with this seed, from the first on.
+    pub fn noise(seed: u64, index: usize) -> Self {
+        Random::of(seed, index)
+    }
+}
+
+impl<P: Purpose> Random<P> {
+    fn of(seed: u64, index: usize) -> Self {
+        // No sequence has as many blocks as there are between those of two purposes.
+        let blocks = P::NUMBER << (u64::BITS - 8);
+        Random {
+            key: halves(seed),
+            index: index as u64,
+            blocks,
+            word: None,
+            normal: None,
+            purpose: PhantomData,
+        }
     }
 
     /// The next 64 bits.

@@ -62,7 +62,7 @@ fn rows_do_not_depend_on_chunks() {
 
 /// Numbers of very different magnitudes, both signs and zeros.
 fn numbers() -> Vec<f64> {
-    let mut random = Random::new(1, 2);
+    let mut random = Random::start(1, 2);
     let number = |_| random.normal() * 10_f64.powi(random.uniform(-3.0..3.0) as i32);
     (0..999).map(number).chain([0.0, -0.0, 1e-300]).collect()
 }

@@ -23,14 +23,14 @@ fn ten_rounds_give_the_published_vectors() {
 
 #[test]
 fn the_first_bits_are_those_of_the_published_vector() {
-    let mut random = Random::new(0, 0);
+    let mut random = Random::start(0, 0);
     assert_eq!([random.bits(), random.bits()], [0xe169_c58d_6627_e8d5, 0x9b00_dbd8_bc57_ac4c]);
 }
 
 /// Bits that must be the same everywhere and forever.
 #[test]
 fn numbers_are_the_same_on_every_platform() {
-    let mut random = Random::new(7, 41);
+    let mut random = Random::start(7, 41);
     let numbers = [random.normal(), random.normal(), random.normal(), random.uniform(-1.0..3.0)];
     assert_eq!(numbers.map(f64::to_bits), NUMBERS, "{numbers:?}");
 }
@@ -38,18 +38,46 @@ fn numbers_are_the_same_on_every_platform() {
 const NUMBERS: [u64; 4] =
     [0x3fd6_aa8d_1f8b_450c, 0x3fb0_52c1_ef21_7c34, 0xbf8c_46a2_04a1_da3c, 0x3fb3_8292_3c32_c480];
 
+/// The first bits of every purpose.
+fn first_bits(seed: u64, index: usize) -> [u64; 3] {
+    [
+        Random::start(seed, index).bits(),
+        Random::parameters(seed, index).bits(),
+        Random::noise(seed, index).bits(),
+    ]
+}
+
+/// Of what is drawn under one seed nothing depends on the rest: five standard deviations of a correlation of so many.
 #[test]
-fn motions_and_seeds_have_numbers_of_their_own() {
-    let firsts = |seed| (0..100).map(move |index| Random::new(seed, index).bits());
+fn purposes_are_independent_of_each_other() {
+    let number = 20_000;
+    let mut products = [0.0; 3];
+    for index in 0..number {
+        let (a, b, c) = (
+            Random::start(7, index).normal(),
+            Random::parameters(7, index).normal(),
+            Random::noise(7, index).normal(),
+        );
+        for (product, value) in products.iter_mut().zip([a * b, b * c, c * a]) {
+            *product += value;
+        }
+    }
+    let correlations = products.map(|product| product / number as f64);
+    assert!(correlations.iter().all(|value| value.abs() < 5.0 / (number as f64).sqrt()), "{correlations:?}");
+}
+
+#[test]
+fn motions_seeds_and_purposes_have_numbers_of_their_own() {
+    let firsts = |seed| (0..100).flat_map(move |index| first_bits(seed, index));
     let mut all: std::vec::Vec<u64> = (0..100).flat_map(firsts).collect();
     all.sort_unstable();
     all.dedup();
-    assert_eq!(all.len(), 10_000);
+    assert_eq!(all.len(), 3 * 10_000);
 }
 
 #[test]
 fn moments_are_those_of_the_distributions() {
-    let mut random = Random::new(3, 0);
+    let mut random = Random::start(3, 0);
     let (mut uniform, mut normal, mut cubes) = (Moments::new(), Moments::new(), Moments::new());
     for _ in 0..200_000 {
         uniform.add(random.uniform(2.0..5.0));
@@ -70,5 +98,5 @@ fn moments_are_those_of_the_distributions() {
 #[test]
 fn a_range_of_neighbours_gives_its_start() {
     let (start, end) = (1.0_f64, 1.0_f64.next_up());
-    assert!((0..100).all(|index| Random::new(0, index).uniform(start..end) == start));
+    assert!((0..100).all(|index| Random::start(0, index).uniform(start..end) == start));
 }
