@@ -1,6 +1,8 @@
 //! The share of one of several processes.
 
 use core::ops::Range;
+use std::collections::BTreeMap;
+use std::ffi::OsString;
 use std::format;
 use std::string::String;
 
@@ -16,6 +18,24 @@ pub struct Shard {
 
 /// Looks up a variable.
 type Lookup<'a> = &'a dyn Fn(&str) -> Option<String>;
+
+/// Ends of names by which launchers tell processes apart; a number behind them is the place of one of several.
+const PLACES: [&str; 12] = [
+    "RANK",
+    "RANKID",
+    "PROCID",
+    "PROCNO",
+    "TASK_ID",
+    "TASKID",
+    "TASK_INDEX",
+    "ARRAY_INDEX",
+    "ARRAYID",
+    "JOBINDEX",
+    "COMPLETION_INDEX",
+    "APP_PE",
+];
+/// Variables of Slurm are known, whatever they are called.
+const SLURM: &str = "SLURM_";
 
 /// Variables with the index of a process and with the number of processes, in the order in which they are asked for.
 const LAUNCHERS: [[&str; 2]; 3] = [
@@ -57,17 +77,21 @@ impl Shard {
     /// Without any of them it is [everything](Shard::WHOLE).
     ///
     /// # Errors
-    /// If variables are incomplete, are no numbers, or lie beyond their count.
+    /// If variables are incomplete, are no numbers, or lie beyond their count; or if there are none of these, but one that looks like the
+    /// place of a process that another launcher started, such as `PBS_ARRAY_INDEX`: everything would be computed by each process.
     pub fn from_environment() -> Result<Self, EnsembleError> {
-        Shard::from_variables(&|name| {
-            std::env::var_os(name).map(|value| value.to_string_lossy().into_owned())
-        })
+        let text = |text: OsString| text.to_string_lossy().into_owned();
+        Shard::from_variables(&std::env::vars_os().map(|(name, value)| (text(name), text(value))).collect())
     }
 
-    fn from_variables(lookup: Lookup<'_>) -> Result<Self, EnsembleError> {
+    fn from_variables(variables: &BTreeMap<String, String>) -> Result<Self, EnsembleError> {
+        let lookup: Lookup<'_> = &|name| variables.get(name).cloned();
         let shard = match lookup(BY_HAND) {
             Some(text) => by_hand(&text)?,
-            None => from_launchers(lookup)?,
+            None => match from_launchers(lookup)? {
+                Some(shard) => shard,
+                None => from_none(variables)?,
+            },
         };
         shard.check()?;
         Ok(shard)
@@ -117,25 +141,51 @@ fn by_hand(text: &str) -> Result<Shard, EnsembleError> {
     })
 }
 
-fn from_launchers(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
+/// Everything, unless a launcher that is not known seems to have started this as one of several.
+fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleError> {
+    let is_place = |name: &str| {
+        PLACES
+            .iter()
+            .any(|place| name.strip_suffix(place).is_some_and(|rest| rest.is_empty() || rest.ends_with('_')))
+    };
+    // Zero of an index that begins with one says that there is no array.
+    let is_none = |name: &str, value: &str| name == "LSB_JOBINDEX" && value == "0";
+    let mut places = variables.iter().filter(|(name, value)| {
+        is_place(name) && !name.starts_with(SLURM) && value.parse::<u64>().is_ok() && !is_none(name, value)
+    });
+    match places.next() {
+        None => Ok(Shard::WHOLE),
+        Some((name, value)) => Err(EnsembleError::Setting(format!(
+            "the environment has {name}=`{value}`, by which a launcher that is not known here seems to tell several processes apart: say which \
+             share this is by {BY_HAND}, such as `3/8`, the fourth of eight, or `0/1` for everything"
+        ))),
+    }
+}
+
+/// The share that a known launcher gave; none without one.
+fn from_launchers(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     let array = array(lookup)?;
-    let mut inner = Shard::WHOLE;
+    let mut inner = None;
     for [index, count] in LAUNCHERS {
         let is_launched = lookup(count).is_some() || (index != BATCH && lookup(index).is_some());
         if is_launched {
-            inner = Shard::of(number(lookup, index)?, number(lookup, count)?);
+            inner = Some(Shard::of(number(lookup, index)?, number(lookup, count)?));
             break;
         }
     }
+    if inner.is_none() && array.is_none() {
+        return Ok(None);
+    }
+    let (inner, array) = (inner.unwrap_or_default(), array.unwrap_or_default());
     inner.check()?;
     array.check()?;
     let count = array.count.checked_mul(inner.count);
     let count = count.ok_or_else(|| EnsembleError::Setting("there are more shards than numbers".into()))?;
-    Ok(Shard::of(array.index * inner.count + inner.index, count))
+    Ok(Some(Shard::of(array.index * inner.count + inner.index, count)))
 }
 
-/// The place in an array of jobs.
-fn array(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
+/// The place in an array of jobs, if there is one.
+fn array(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     if lookup(ARRAY_TASK).is_some() {
         let (id, count) = (number(lookup, ARRAY_TASK)?, number(lookup, "SLURM_ARRAY_TASK_COUNT")?);
         let (first, step) =
@@ -145,13 +195,13 @@ fn array(lookup: Lookup<'_>) -> Result<Shard, EnsembleError> {
                 "the environment has {ARRAY_TASK}=`{id}`, which is below {first}, the first"
             ))
         })?;
-        return Ok(Shard::of(place / step.max(1), count));
+        return Ok(Some(Shard::of(place / step.max(1), count)));
     }
     // The number alone would be a slip of the pen for the variable by hand, and everything in each process.
     if lookup(HYPER_QUEUE_TASK).is_some() || lookup(COUNT).is_some() {
-        return Ok(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?));
+        return Ok(Some(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?)));
     }
-    Ok(Shard::WHOLE)
+    Ok(None)
 }
 
 fn number(lookup: Lookup<'_>, name: &str) -> Result<u64, EnsembleError> {

@@ -6,10 +6,8 @@ use super::Shard;
 
 /// The shard of an environment, or what is said about it.
 fn shard(variables: &[(&str, &str)]) -> Result<(u64, u64), String> {
-    let lookup = |name: &str| {
-        variables.iter().find(|(known, _)| *known == name).map(|(_, value)| (*value).to_string())
-    };
-    let found = Shard::from_variables(&lookup).map(|shard| (shard.index(), shard.count()));
+    let variables = variables.iter().map(|(name, value)| (name.to_string(), value.to_string())).collect();
+    let found = Shard::from_variables(&variables).map(|shard| (shard.index(), shard.count()));
     found.map_err(|error| error.to_string())
 }
 
@@ -39,6 +37,44 @@ fn tasks_of_an_array_start_several_processes() {
     assert_eq!(shard(&array), Ok((2, 3)));
     let ranks = [("OMPI_COMM_WORLD_RANK", "1"), ("OMPI_COMM_WORLD_SIZE", "4")];
     assert_eq!(shard(&[&array[..], &ranks].concat()), Ok((9, 12)));
+}
+
+/// Each process would compute everything.
+#[test]
+fn a_launcher_that_is_not_known_is_not_passed_over() {
+    for place in [
+        "PBS_ARRAY_INDEX",
+        "PBS_ARRAYID",
+        "SGE_TASK_ID",
+        "LSB_JOBINDEX",
+        "PMIX_RANK",
+        "PALS_RANKID",
+        "ALPS_APP_PE",
+        "FLUX_TASK_RANK",
+        "MV2_COMM_WORLD_RANK",
+        "JSM_NAMESPACE_RANK",
+        "OAR_ARRAY_INDEX",
+        "_CONDOR_PROCNO",
+        "AWS_BATCH_JOB_ARRAY_INDEX",
+        "CLOUD_RUN_TASK_INDEX",
+        "BATCH_TASK_INDEX",
+        "JOB_COMPLETION_INDEX",
+        "RANK",
+    ] {
+        let error = shard(&[("HOME", "/root"), (place, "3")]).expect_err("is not known");
+        assert!(error.contains(&std::format!("{place}=`3`")) && error.contains("LAGRANGE_SHARD"), "{error}");
+        assert_eq!(shard(&[(place, "3"), ("LAGRANGE_SHARD", "3/8")]), Ok((3, 8)));
+        assert_eq!(shard(&[(place, "3"), ("PMI_RANK", "1"), ("PMI_SIZE", "3")]), Ok((1, 3)));
+    }
+    for (name, value) in [
+        ("SGE_TASK_ID", "undefined"),
+        ("LSB_JOBINDEX", "0"),
+        ("FRANK", "1"),
+        ("SLURM_LOCALID", "0"),
+        ("PRANK_ID", "2"),
+    ] {
+        assert_eq!(shard(&[(name, value)]), Ok((0, 1)), "{name}");
+    }
 }
 
 #[test]
