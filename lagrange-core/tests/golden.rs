@@ -89,3 +89,58 @@ fn first_difference(known: &str, found: &str) -> String {
         format!("line {}:\n  - {}\n  + {found}", number + 1, known.unwrap_or_default())
     })
 }
+
+/// The declarations of all golden systems with their names.
+fn declarations() -> Vec<(String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
+    let systems = fs::read_dir(&root).expect("a directory").map(|entry| entry.expect("an entry").path());
+    let read = |path: PathBuf| {
+        let text = fs::read_to_string(path.join("declaration.lag")).expect("a declaration");
+        (path.display().to_string(), text)
+    };
+    systems.map(read).collect()
+}
+
+#[test]
+fn comments_and_layout_leave_the_fingerprint_as_it_is() {
+    let fingerprint = |text: &str| parse(text).expect("a correct declaration").fingerprint();
+    let spread = |line: &str| match line.trim_start().starts_with("//") {
+        true => format!("{line}, or so"),
+        false => line.replace(", ", " , /* and */\n\n ").replace(';', "; // so far\n"),
+    };
+    for (name, text) in declarations() {
+        let spread = text.lines().map(spread).collect::<Vec<_>>().join("\n");
+        assert_eq!(fingerprint(&spread), fingerprint(&text), "{name}");
+    }
+}
+
+/// Of so many places where a declaration could be changed one is.
+const ONE_IN: usize = if cfg!(large) { 1 } else { 29 };
+
+/// A number or a sign that is changed by itself, and can be.
+#[test]
+fn another_meaning_has_another_fingerprint() {
+    let mut changed = 0;
+    for (name, text) in declarations() {
+        let system = parse(&text).expect("a correct declaration");
+        let head = text.find("struct").expect("a head");
+        let can_change = |(place, sign): &(usize, char)| *place > head && "0123456789+-*/".contains(*sign);
+        for (place, sign) in text.char_indices().filter(can_change).step_by(ONE_IN) {
+            let others: &[&str] = match sign {
+                '0'..='9' => &["7", "4"],
+                '+' => &["-"],
+                '-' => &["+"],
+                '*' => &["/"],
+                _ => &["*"],
+            };
+            for other in others {
+                let text = [&text[..place], other, &text[place + 1..]].concat();
+                let Ok(another) = parse(&text) else { continue };
+                let is_same = another.statements() == system.statements();
+                assert_eq!(another.fingerprint() == system.fingerprint(), is_same, "{name}: {text}");
+                changed += usize::from(!is_same);
+            }
+        }
+    }
+    assert!(changed > 500 / ONE_IN, "{changed}");
+}

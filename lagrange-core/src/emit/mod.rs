@@ -14,6 +14,7 @@ mod traits;
 pub use assemble::{kernel, system};
 pub use base::attributes::attributes_of_struct;
 pub use base::docs::{documentation, equations_latex};
+pub use base::fingerprint::fingerprint;
 pub use base::sides::on_sides;
 pub use base::size::report_hopeless_model;
 pub use base::statements::statements;

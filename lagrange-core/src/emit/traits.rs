@@ -1,9 +1,10 @@
 //! The traits of `lagrange::system` that an emitted system implements, by way of its methods.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use super::base::fields::places;
+use super::base::fingerprint::fingerprint;
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
 use super::base::shape::{Shape, length, local};
@@ -189,6 +190,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (rates, oriented) = (position_rates(shape, members), orientation_members(shape, members));
     let parameter = parameter_member(shape);
     let lanes = with_lanes(shape, members);
+    let fingerprint = Literal::u64_unsuffixed(fingerprint(shape.declaration));
     let units = units_constant(shape, units_of_outputs(shape, members), is_canonical(shape, members));
     quote! {
         #[automatically_derived]
@@ -198,6 +200,7 @@ fn mechanical_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             type Columns<C> = #columns<C>;
             const COORDINATES: &'static [&'static ::core::primitive::str] = &[#(#coordinates),*];
             #units
+            const FINGERPRINT: ::core::primitive::u64 = #fingerprint;
             #[inline]
             fn acceleration(
                 &self,

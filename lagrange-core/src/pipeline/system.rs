@@ -66,6 +66,11 @@ impl System {
         emit::statements(&self.declaration)
     }
 
+    /// Returns the number by which emitted types tell declarations apart, `FINGERPRINT`. Layout, comments and pictures do not change it.
+    pub fn fingerprint(&self) -> u64 {
+        emit::fingerprint(&self.declaration)
+    }
+
     /// Derives the equations of motion.
     ///
     /// # Errors

@@ -54,6 +54,8 @@ pub struct Declaration {
     pub accuracy: Accuracy,
     /// Statements in source order, without those that could not be read.
     pub statements: Vec<Statement>,
+    /// The statement by which this is a reduced type of another declaration.
+    pub reduction: Option<Statement>,
     /// Rigid bodies and frames in source order; known also where plain statements have taken the place of theirs.
     pub bodies: Vec<DeclaredBody>,
     /// Whether these move in space; known where plain statements have taken the place of theirs.
@@ -181,6 +183,8 @@ impl Declaration {
             frozen.into_iter().any(|item| item.coordinate.text == name.text)
         };
         let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
+        let is_this = |kind: &StatementKind| matches!(kind, StatementKind::Reduce(other) if other.name.text == reduction.name.text);
+        declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
         declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
         for statement in &mut declaration.statements {
             if let StatementKind::Coordinates(names) | StatementKind::States(names) = &mut statement.kind {

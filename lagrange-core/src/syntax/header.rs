@@ -50,6 +50,7 @@ fn declaration(
         scalar,
         accuracy: attributes.accuracy.map(|(level, _)| level).unwrap_or_default(),
         statements: Vec::new(),
+        reduction: None,
         expressions: Expressions::default(),
         bodies: Vec::new(),
         is_in_space: false,

@@ -179,6 +179,11 @@ pub trait MechanicalSystem: OdeSystem {
     /// there are any, times are in `s` and the energy is in `J`.
     const UNITS: &'static [(&'static str, &'static str)] = &[];
 
+    /// A number that tells what the declaration says from what others say: equations, defaults, constants, events, tables with their numbers,
+    /// and the level of accuracy. Comments, layout and pictures do not change it, and code of functions of one's own crate cannot.
+    /// Zero for systems that are written by hand. Files of ensembles keep it, so that those of a declaration that was changed are not mixed.
+    const FINGERPRINT: u64 = 0;
+
     /// The accelerations at time `t`, positions `q` and velocities `v`; not finite where the mass matrix
     /// is singular in some states only. Masses of emitted types must not be zero: what all terms of an equation share is
     /// divided out, and a pendulum without mass would move as one with it.

@@ -209,6 +209,7 @@ where
     const RATES_OF: &'static [&'static str] = M::RATES_OF;
     const FIRST_ORDER_STATES: usize = M::FIRST_ORDER_STATES;
     const UNITS: &'static [(&'static str, &'static str)] = M::UNITS;
+    const FINGERPRINT: u64 = M::FINGERPRINT;
 
     #[inline]
     fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Velocities {

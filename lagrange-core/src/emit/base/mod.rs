@@ -6,6 +6,7 @@ pub(in crate::emit) mod callees;
 pub(super) mod docs;
 pub(super) mod exclusion;
 pub(super) mod fields;
+pub(in crate::emit) mod fingerprint;
 pub(super) mod lanes_shape;
 pub(super) mod lints;
 pub(super) mod members;

@@ -259,6 +259,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = BeadOnRoadColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x"];
+        const FINGERPRINT: ::core::primitive::u64 = 2079058540020161516;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

@@ -367,6 +367,7 @@ const _: () = {
             ("tip.x", "m"),
             ("tip.y", "m"),
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 16353244810247407374;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

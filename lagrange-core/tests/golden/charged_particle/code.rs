@@ -283,6 +283,7 @@ const _: () = {
         type Velocities = [f32; 3];
         type Columns<C> = ChargedParticleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "y", "z"];
+        const FINGERPRINT: ::core::primitive::u64 = 1070212168592270867;
         #[inline]
         fn acceleration(&self, t: f32, positions: &[f32; 3], v: &[f32; 3]) -> [f32; 3] {
             self.acceleration(t, positions, v)

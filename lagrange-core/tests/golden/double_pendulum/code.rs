@@ -387,6 +387,7 @@ const _: () = {
             ("l2", "m"),
             ("g", "m/s^2"),
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 694020329973207837;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

@@ -598,6 +598,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = DrivenWheelColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["s"];
+        const FINGERPRINT: ::core::primitive::u64 = 5091839350589530418;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

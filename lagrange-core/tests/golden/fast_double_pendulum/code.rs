@@ -454,6 +454,7 @@ const _: () = {
             "theta1",
             "theta2",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 11375429752052773372;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

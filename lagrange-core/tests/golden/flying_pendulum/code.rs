@@ -1462,6 +1462,7 @@ const _: () = {
             "hook_qy",
             "hook_qz",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 1188035545452573961;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 11], v: &[f64; 9]) -> [f64; 9] {
             self.acceleration(t, q, v)

@@ -344,6 +344,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = FrictionPatchColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["s"];
+        const FINGERPRINT: ::core::primitive::u64 = 4471870307528955108;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

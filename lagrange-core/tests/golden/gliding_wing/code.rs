@@ -338,6 +338,7 @@ const _: () = {
         type Velocities = [S; 2];
         type Columns<C> = GlidingWingColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["z", "alpha"];
+        const FINGERPRINT: ::core::primitive::u64 = 3408905973838231633;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             self.acceleration(t, q, v)

@@ -377,6 +377,7 @@ const _: () = {
             "theta",
             "psi",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 16260293178597113532;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             self.acceleration(t, q, v)

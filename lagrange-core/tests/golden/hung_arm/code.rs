@@ -788,6 +788,7 @@ const _: () = {
             "z",
             "q",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 4202435592529770351;
         #[inline]
         fn acceleration(&self, t: f64, positions: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
             self.acceleration(t, positions, v)

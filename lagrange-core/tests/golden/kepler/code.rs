@@ -342,6 +342,7 @@ const _: () = {
         type Velocities = [S; 2];
         type Columns<C> = KeplerColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["r", "phi"];
+        const FINGERPRINT: ::core::primitive::u64 = 1097449540437580892;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 2], v: &[S; 2]) -> [S; 2] {
             self.acceleration(t, q, v)

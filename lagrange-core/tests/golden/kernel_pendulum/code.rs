@@ -486,6 +486,7 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
         type Velocities = [S; 1];
         type Columns<C> = PendulumColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 12624292535769081534;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 1], v: &[S; 1]) -> [S; 1] {
             self.acceleration(t, q, v)

@@ -297,6 +297,7 @@ const _: () = {
         type Velocities = [f64; 2];
         type Columns<C> = WinchColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 14593268254366086852;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

@@ -476,6 +476,7 @@ const _: () = {
             "theta",
             "current",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 16527272910017222182;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

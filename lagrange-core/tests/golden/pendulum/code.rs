@@ -238,6 +238,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = PendulumColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 6337903344932996905;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

@@ -267,6 +267,7 @@ const _: () = {
         type Velocities = [S; 1];
         type Columns<C> = RodColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 3352551223871662014;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 1], v: &[S; 1]) -> [S; 1] {
             self.acceleration(t, q, v)

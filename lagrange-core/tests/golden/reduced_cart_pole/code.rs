@@ -272,6 +272,7 @@ const _: () = {
         type Velocities = [f64; 2];
         type Columns<C> = CartPoleColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 8400207761191193533;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)
@@ -588,6 +589,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = ParkedColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 11973907379972613236;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)
@@ -1005,6 +1007,7 @@ const _: () = {
         type Velocities = [f64; 2];
         type Columns<C> = LinearColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 14212579825385221619;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

@@ -549,6 +549,7 @@ const _: () = {
             "q2",
             "q3",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 3517158794311022743;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             self.acceleration(t, q, v)

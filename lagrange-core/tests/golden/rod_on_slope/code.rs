@@ -739,6 +739,7 @@ const _: () = {
         type Velocities = [f64; 3];
         type Columns<C> = RodOnSlopeColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x", "y", "a"];
+        const FINGERPRINT: ::core::primitive::u64 = 7325929191695969984;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 3], v: &[f64; 3]) -> [f64; 3] {
             self.acceleration(t, q, v)

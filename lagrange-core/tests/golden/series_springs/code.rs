@@ -470,6 +470,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = SeriesSpringsColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["x"];
+        const FINGERPRINT: ::core::primitive::u64 = 12157355281214247698;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)

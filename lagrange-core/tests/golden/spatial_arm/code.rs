@@ -731,6 +731,7 @@ const _: () = {
             "turn",
             "lift",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 3164220976481450985;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

@@ -487,6 +487,7 @@ const _: () = {
             "u[1][0]",
             "u[1][1]",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 312477746585671471;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 4], v: &[f64; 4]) -> [f64; 4] {
             self.acceleration(t, q, v)
@@ -920,6 +921,7 @@ const _: () = {
             "u[1][0]",
             "u[1][1]",
         ];
+        const FINGERPRINT: ::core::primitive::u64 = 9119656166495325480;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 2], v: &[f64; 2]) -> [f64; 2] {
             self.acceleration(t, q, v)

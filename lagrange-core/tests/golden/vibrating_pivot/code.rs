@@ -288,6 +288,7 @@ const _: () = {
         type Velocities = [f64; 1];
         type Columns<C> = KapitzaColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
+        const FINGERPRINT: ::core::primitive::u64 = 4457823168720754829;
         #[inline]
         fn acceleration(&self, t: f64, q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
             self.acceleration(t, q, v)
