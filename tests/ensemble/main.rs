@@ -4,6 +4,8 @@
 mod bits;
 #[cfg(feature = "parquet")]
 mod files;
+#[cfg(feature = "parquet")]
+mod folders;
 mod lanes;
 mod pictures;
 mod refusals;

@@ -39,8 +39,15 @@ pub enum EnsembleError {
         /// What the operating system or the format says.
         source: io::Error,
     },
-    /// The folder holds a file that belongs to no ensemble.
+    /// The folder holds a file that is called like a part and is none.
     ForeignFile(PathBuf),
+    /// A part is not what was written, or not in its place.
+    Damaged {
+        /// Which file.
+        path: PathBuf,
+        /// What is wrong with it.
+        why: String,
+    },
     /// The folder holds a part of another ensemble.
     OtherEnsemble {
         /// Which file.
@@ -70,9 +77,13 @@ impl Display for EnsembleError {
             EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
             EnsembleError::ForeignFile(path) => write!(
                 f,
-                "`{}` is not a part of an ensemble: save into a folder of its own, or into that of the same ensemble to go on",
+                "`{}` is called like a part of an ensemble and is none of this version, or its end is damaged: save into another folder, or \
+                 delete it to have it computed again",
                 path.display()
             ),
+            EnsembleError::Damaged { path, why } => {
+                write!(f, "`{}` is damaged: {why}; delete it to have it computed again", path.display())
+            }
             EnsembleError::OtherEnsemble { path, differs: [there, here] } => {
                 write!(f, "`{}` is a part of another ensemble: ", path.display())?;
                 match (there.as_str(), here.as_str()) {
@@ -81,7 +92,7 @@ impl Display for EnsembleError {
                     (there, "") => write!(f, "it says `{there}`, which is not so here")?,
                     (there, here) => write!(f, "it says `{there}`, here it is `{here}`")?,
                 }
-                f.write_str("; save into another folder")
+                f.write_str("; put back what was changed, or save into another folder")
             }
             EnsembleError::Locked { path, holder } => write!(
                 f,

@@ -40,7 +40,7 @@
 //! | keep samples | [`every`](Ensemble::every); `run` then hands out [`Samples`] |
 //! | keep a sum | [`reduce`](Ensemble::reduce) to [`Moments`], a [`Histogram`] or what implements [`Reduce`] |
 //! | see them | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |
-//! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed |
+//! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed, and `verify` |
 //! | look at one motion | [`motion`](Ensemble::motion) |
 //! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); sums over processes by MPI: the crate `lagrange-mpi` |
 //!
@@ -99,7 +99,7 @@ pub use self::reduce::Reduce;
 pub use self::reduction::Reduced;
 pub use self::samples::Samples;
 #[cfg(feature = "parquet")]
-pub use self::save::Saved;
+pub use self::save::{Saved, Verified, verify};
 pub use self::shard::Shard;
 pub use self::starts::Starts;
 

@@ -166,6 +166,14 @@ where
         self.run_over(index, (system, state), [time, time], Unasked::EndsOnly)
     }
 
+    /// What is kept of a motion that is given up after so many steps.
+    #[cfg(feature = "parquet")]
+    pub(super) fn first_steps(&self, index: usize, origin: (&M, M::State), steps: u64) -> Ran<M> {
+        let span = [self.asked.from, self.asked.end];
+        let run = self.asked.plain(index, origin, span, Unasked::EveryStep).max_steps(steps);
+        run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run()
+    }
+
     fn run_over(
         &self,
         index: usize,

@@ -5,6 +5,8 @@ use std::format;
 use std::vec::Vec;
 
 use super::asked::{Asked, SharedSystem};
+#[cfg(feature = "parquet")]
+use super::engine::BLOCK;
 use super::error::EnsembleError;
 use crate::scalar::Number;
 use crate::simulate::Grid;
@@ -14,6 +16,20 @@ impl<M: SharedSystem> Asked<'_, M> {
     /// # Errors
     /// If what is kept of so many motions cannot lie in memory, as far as the operating system tells beforehand.
     pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
+        self.refuse(
+            motions,
+            "keep them in files by `.save_parquet(…)`, sum them up by `.reduce(…)`, or compute a shard of them",
+        )
+    }
+
+    /// # Errors
+    /// If the samples of a block of these motions, which lie in memory together while they are saved, cannot.
+    #[cfg(feature = "parquet")]
+    pub(super) fn refuse_too_many_in_a_block(&self, motions: usize) -> Result<(), EnsembleError> {
+        self.refuse(motions.min(BLOCK), "say a longer interval, or save in runs that follow each other")
+    }
+
+    fn refuse(&self, motions: usize, instead: &str) -> Result<(), EnsembleError> {
         let bytes = self.least_bytes(motions);
         // More than a number of this type can say is more than there is.
         if has_room(bytes as usize) {
@@ -21,8 +37,7 @@ impl<M: SharedSystem> Asked<'_, M> {
         }
         let what = if self.interval.is_some() { "samples" } else { "ends" };
         Err(EnsembleError::Setting(format!(
-            "the {what} of {motions} motions take {:.1} GB of memory at least, which cannot be had: keep them in files by \
-             `.save_parquet(…)`, sum them up by `.reduce(…)`, or compute a shard of them",
+            "the {what} of {motions} motions take {:.1} GB of memory at least, which cannot be had: {instead}",
             bytes / 1e9
         )))
     }

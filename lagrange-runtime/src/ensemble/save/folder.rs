@@ -1,130 +1,135 @@
 //! The folder that parts are saved in, of which nobody else writes the same parts.
 
 use core::ops::Range;
+use std::collections::BTreeSet;
+use std::format;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
-use std::string::String;
 use std::vec::Vec;
-use std::{format, vec};
 
 use super::lock::Lock;
-use super::part;
+use super::part::Label;
 use super::settings::difference;
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::shard::Shard;
+use lagrange_files::{UNFINISHED, save};
 
-/// A folder into which this process alone writes the parts of a shard.
+/// A folder with parts, into which nothing is written before it is [locked](Folder::lock).
 pub(super) struct Folder {
     path: PathBuf,
-    _lock: Lock,
+    /// Parts that were looked into.
+    checked: BTreeSet<usize>,
 }
 
 /// What a file in a folder is, by its name.
 enum Kind {
     Part(usize),
-    /// A part that is not whole.
-    Unfinished,
+    /// What was written of a part when its process was killed.
+    Unfinished(usize),
     /// Of a shard of so many.
-    Lock(Option<u64>),
-    Foreign,
+    Lock(u64),
+    /// What is called nearly like a part, and would be read with them.
+    Misnamed,
+    Other,
 }
 
 const PART: &str = "part-";
 const ENDING: &str = ".parquet";
-const UNFINISHED: &str = ".parquet.unfinished";
 const LOCK: &str = ".lock";
 
 impl Folder {
-    /// Opens or makes a folder.
+    /// A folder, which need not be there.
+    pub(super) fn open(path: &Path) -> Self {
+        Folder { path: path.into(), checked: BTreeSet::new() }
+    }
+
+    /// Makes the folder if there is none, and keeps others from writing the parts of this shard until the lock is dropped.
     ///
     /// # Errors
     /// If somebody else writes the same parts there.
-    pub(super) fn open(path: &Path, shard: Shard) -> Result<Self, EnsembleError> {
-        fs::create_dir_all(path).map_err(|source| EnsembleError::File { path: path.into(), source })?;
+    pub(super) fn lock(&self, shard: Shard, parts: &Range<usize>) -> Result<Lock, EnsembleError> {
+        fs::create_dir_all(&self.path)
+            .map_err(|source| EnsembleError::File { path: self.path.clone(), source })?;
         let (index, count) = (shard.index(), shard.count());
-        let lock = Lock::take(path.join(format!("shard-{index}-of-{count}{LOCK}")))?;
-        let folder = Folder { path: path.into(), _lock: lock };
-        for (path, kind) in folder.files()? {
-            // Shards of another number are others.
-            if let Kind::Lock(Some(other)) = kind
-                && other != count
-            {
-                Lock::clear(&path)?;
+        let lock = Lock::take(self.path.join(format!("shard-{index}-of-{count}{LOCK}")))?;
+        for (path, kind) in self.files()? {
+            match kind {
+                // Shards of another number are others.
+                Kind::Lock(other) if other != count => drop(Lock::take(path)?),
+                // Where it cannot be deleted, it is no part.
+                Kind::Unfinished(part) if parts.contains(&part) => drop(fs::remove_file(path)),
+                _ => {}
             }
         }
-        Ok(folder)
+        Ok(lock)
     }
 
-    /// Which of all parts are there. Those of this shard, and one of others, were looked into.
+    /// Which of all parts are there. Those of this shard, and one of others, were checked, each once.
     ///
     /// # Errors
-    /// If there are files that are none, or parts of another ensemble.
-    pub(super) fn parts(
-        &self,
+    /// If one of these is damaged, or of another ensemble, or there are files that are called like parts and are none.
+    pub(super) fn find(
+        &mut self,
         shard: &Range<usize>,
-        number: usize,
-        settings: &str,
-    ) -> Result<Vec<bool>, EnsembleError> {
-        let mut is_found = vec![false; number];
-        let mut has_other = false;
-        for (path, kind) in self.files()? {
-            let index = match kind {
-                Kind::Part(index) => index,
-                Kind::Unfinished | Kind::Lock(_) => continue,
-                Kind::Foreign => return Err(EnsembleError::ForeignFile(path)),
-            };
-            if shard.contains(&index) || !has_other {
-                has_other |= !shard.contains(&index);
-                let there = part::settings(&path).ok_or_else(|| EnsembleError::ForeignFile(path.clone()))?;
-                if let Some(differs) = difference(&there, settings) {
-                    return Err(EnsembleError::OtherEnsemble { path, differs });
-                }
+        expected: &Label,
+    ) -> Result<BTreeSet<usize>, EnsembleError> {
+        let parts = self.parts()?;
+        let mut has_other = self.checked.iter().any(|index| !shard.contains(index));
+        for (path, index) in &parts {
+            if *index >= expected.number {
+                refuse_other(path, &Label::read(path)?, expected)?;
+                return Err(EnsembleError::ForeignFile(path.clone()));
             }
-            match is_found.get_mut(index) {
-                Some(is_found) => *is_found = true,
-                None => return Err(EnsembleError::ForeignFile(path)),
+            if (shard.contains(index) || !has_other) && self.checked.insert(*index) {
+                has_other |= !shard.contains(index);
+                refuse_other(path, &Label::read(path)?, &Label { part: *index, ..expected.clone() })?;
             }
         }
-        Ok(is_found)
+        Ok(parts.into_iter().map(|(_, index)| index).collect())
     }
 
-    /// How many parts there are.
-    pub(super) fn count(&self) -> Result<usize, EnsembleError> {
-        Ok(self.files()?.iter().filter(|(_, kind)| matches!(kind, Kind::Part(_))).count())
+    /// The parts that are there, in their order.
+    ///
+    /// # Errors
+    /// If a file is called nearly like a part.
+    pub(super) fn parts(&self) -> Result<Vec<(PathBuf, usize)>, EnsembleError> {
+        let mut parts = Vec::new();
+        for (path, kind) in self.files()? {
+            match kind {
+                Kind::Part(index) => parts.push((path, index)),
+                Kind::Misnamed => return Err(EnsembleError::ForeignFile(path)),
+                Kind::Unfinished(_) | Kind::Lock(_) | Kind::Other => {}
+            }
+        }
+        Ok(parts)
     }
 
-    /// Writes a part under another name and renames it when it is whole.
+    /// Writes a part, as a whole or not at all.
     ///
     /// `write` is given the file, and what makes an error of what the operating system says about it.
     ///
     /// # Errors
-    /// Those of `write`, and what the operating system says. What was written is deleted.
+    /// Those of `write`, and what the operating system says.
     pub(super) fn write<T>(
         &self,
         index: usize,
         write: impl FnOnce(&File, &dyn Fn(io::Error) -> EnsembleError) -> Result<T, EnsembleError>,
     ) -> Result<T, EnsembleError> {
-        let [path, unfinished] =
-            [ENDING, UNFINISHED].map(|ending| self.path.join(format!("{PART}{index:06}{ending}")));
+        let path = self.path.join(format!("{PART}{index:06}{ENDING}"));
         let wrong = |source| EnsembleError::File { path: path.clone(), source };
-        let written = File::create(&unfinished).map_err(wrong).and_then(|file| {
-            let written = write(&file, &wrong)?;
-            file.sync_all().and_then(|()| fs::rename(&unfinished, &path)).map_err(wrong)?;
-            Ok(written)
-        });
-        if written.is_err() {
-            // The first error is the one that matters.
-            drop(fs::remove_file(&unfinished));
-        }
-        written
+        save(&path, wrong, |file| write(file, &wrong))
     }
 
-    /// The files in the order of their names.
+    /// The files in the order of their names, none if there is no folder.
     fn files(&self) -> Result<Vec<(PathBuf, Kind)>, EnsembleError> {
         let wrong = |source| EnsembleError::File { path: self.path.clone(), source };
+        let entries = match fs::read_dir(&self.path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+            entries => entries.map_err(wrong)?,
+        };
         let mut files = Vec::new();
-        for entry in fs::read_dir(&self.path).map_err(wrong)? {
+        for entry in entries {
             let path = entry.map_err(wrong)?.path();
             let kind = kind(&path);
             files.push((path, kind));
@@ -134,29 +139,38 @@ impl Folder {
     }
 }
 
+/// # Errors
+/// If the label of a file is not what is expected of it.
+pub(super) fn refuse_other(path: &Path, label: &Label, expected: &Label) -> Result<(), EnsembleError> {
+    if let Some(differs) = difference(&label.settings, &expected.settings) {
+        return Err(EnsembleError::OtherEnsemble { path: path.into(), differs });
+    }
+    if label == expected {
+        return Ok(());
+    }
+    let why = format!("it is part {} of {}, under the name of another", label.part, label.number);
+    Err(EnsembleError::Damaged { path: path.into(), why })
+}
+
 /// What a file is.
 fn kind(path: &Path) -> Kind {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    if let Some(shard) = name.strip_suffix(LOCK) {
-        return lock(shard);
+    if let Some(count) = name.strip_suffix(LOCK).and_then(shards) {
+        return Kind::Lock(count);
     }
-    let number = |ending: &str| {
-        let digits: &str = name.strip_prefix(PART)?.strip_suffix(ending)?;
-        let index: usize = digits.parse().ok()?;
-        (format!("{index:06}") == digits).then_some(index)
+    let Some((digits, rest)) = name.strip_prefix(PART).and_then(|rest| rest.split_once(ENDING)) else {
+        return Kind::Other;
     };
-    match (number(ENDING), number(UNFINISHED)) {
-        (Some(index), _) => Kind::Part(index),
-        (None, Some(_)) => Kind::Unfinished,
-        (None, None) => Kind::Foreign,
+    let index = digits.parse().ok().filter(|index: &usize| format!("{index:06}") == digits);
+    match (index, rest) {
+        (Some(index), "") => Kind::Part(index),
+        (None, "") => Kind::Misnamed,
+        (Some(index), rest) if rest.ends_with(UNFINISHED) => Kind::Unfinished(index),
+        _ => Kind::Other,
     }
 }
 
-fn lock(name: &str) -> Kind {
-    let count = name.strip_prefix("shard-").and_then(|rest: &str| rest.split_once("-of-"));
-    let numbers: Option<[String; 2]> = count.map(|(index, count)| [index.into(), count.into()]);
-    match numbers {
-        Some([_, count]) => Kind::Lock(count.parse().ok()),
-        None => Kind::Foreign,
-    }
+/// The number of shards in the name of a lock.
+fn shards(name: &str) -> Option<u64> {
+    name.strip_prefix("shard-")?.split_once("-of-")?.1.parse().ok()
 }

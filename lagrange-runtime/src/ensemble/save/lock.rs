@@ -1,8 +1,11 @@
 //! Files that keep other processes off.
+//!
+//! The operating system keeps a lock on such a file while its process lives, in whichever container or namespace that is, and the file says
+//! whose it is. Between machines file systems do not always keep locks, so that what another machine left is never taken over.
 
 use std::format;
-use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Read, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::process;
 use std::string::{String, ToString};
@@ -12,36 +15,28 @@ use crate::ensemble::error::EnsembleError;
 /// A file that says that this process writes; it is deleted when this is dropped.
 pub(super) struct Lock {
     path: PathBuf,
+    /// What the operating system keeps locked.
+    _file: File,
 }
 
 impl Lock {
-    /// Takes the lock.
+    /// Takes the lock, that of a process of this machine that is gone, too.
     ///
     /// # Errors
     /// If another process has it, or may have.
     pub(super) fn take(path: PathBuf) -> Result<Self, EnsembleError> {
-        loop {
-            match create(&path) {
-                Ok(()) => return Ok(Lock { path }),
-                Err(error) if error.kind() == ErrorKind::AlreadyExists => Lock::clear(&path)?,
-                Err(source) => return Err(EnsembleError::File { path, source }),
+        let taken = loop {
+            match attempt(&path) {
+                Ok(Attempt::Taken(file)) => break Ok(file),
+                Ok(Attempt::Deleted) => {}
+                Ok(Attempt::Held(holder)) => return Err(EnsembleError::Locked { path, holder }),
+                Err(source) => break Err(source),
             }
+        };
+        match taken {
+            Ok(file) => Ok(Lock { path, _file: file }),
+            Err(source) => Err(EnsembleError::File { path, source }),
         }
-    }
-
-    /// Removes a lock whose process is gone.
-    ///
-    /// # Errors
-    /// If it is not sure that it is.
-    pub(super) fn clear(path: &Path) -> Result<(), EnsembleError> {
-        let holder = fs::read_to_string(path).unwrap_or_default();
-        let wrong = |source| EnsembleError::File { path: path.into(), source };
-        if is_gone(&holder) && remove(path, &holder).map_err(wrong)? {
-            return Ok(());
-        }
-        let holder =
-            if holder.trim().is_empty() { "another process".into() } else { holder.trim().to_string() };
-        Err(EnsembleError::Locked { path: path.into(), holder })
     }
 }
 
@@ -52,82 +47,144 @@ impl Drop for Lock {
     }
 }
 
-fn create(path: &Path) -> io::Result<()> {
-    let mut file: File = OpenOptions::new().write(true).create_new(true).open(path)?;
-    let written = file.write_all(this().as_bytes());
+/// What came of one attempt to take a lock.
+enum Attempt {
+    Taken(File),
+    /// Somebody else has it, who calls himself like this.
+    Held(String),
+    /// It was given up, with its file, between two looks at it.
+    Deleted,
+}
+
+fn attempt(path: &Path) -> io::Result<Attempt> {
+    let (mut file, is_new) = match open(path)? {
+        Some(opened) => opened,
+        None => return Ok(Attempt::Deleted),
+    };
+    let is_locked = match file.try_lock() {
+        Ok(()) => true,
+        // Where nothing can be locked, whoever makes the file has the lock.
+        Err(TryLockError::Error(_)) => is_new,
+        Err(TryLockError::WouldBlock) => false,
+    };
+    // Not every system lets others read what is locked.
+    let mut holder = String::new();
+    drop(file.read_to_string(&mut holder));
+    if !(is_locked && is_gone(&holder)) {
+        let holder = holder.trim();
+        return Ok(Attempt::Held(if holder.is_empty() { "another process" } else { holder }.to_string()));
+    }
+    if !is_at(&file, path)? {
+        return Ok(Attempt::Deleted);
+    }
+    say(&mut file, path)?;
+    Ok(Attempt::Taken(file))
+}
+
+/// The file, and whether it was made; none if it was deleted meanwhile.
+fn open(path: &Path) -> io::Result<Option<(File, bool)>> {
+    let mut options = OpenOptions::new();
+    options.read(true).write(true);
+    match options.clone().create_new(true).open(path) {
+        Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+        made => return made.map(|file| Some((file, true))),
+    }
+    match options.open(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        opened => opened.map(|file| Some((file, false))),
+    }
+}
+
+/// True if this is the file at the path, and not one that was deleted from there.
+#[cfg(unix)]
+fn is_at(file: &File, path: &Path) -> io::Result<bool> {
+    use std::os::unix::fs::MetadataExt;
+    let there = match fs::metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
+        there => there?,
+    };
+    let this = file.metadata()?;
+    Ok((this.dev(), this.ino()) == (there.dev(), there.ino()))
+}
+
+/// Elsewhere a file that is open is not deleted from its path.
+#[cfg(not(unix))]
+fn is_at(_: &File, _: &Path) -> io::Result<bool> {
+    Ok(true)
+}
+
+/// Writes into the file who this is; without room for it there is no file.
+fn say(file: &mut File, path: &Path) -> io::Result<()> {
+    let written =
+        file.set_len(0).and_then(|()| file.rewind()).and_then(|()| file.write_all(this().as_bytes()));
     if written.is_err() {
         drop(fs::remove_file(path));
     }
     written
 }
 
-/// Removes a lock that a process left that is gone; whether it was that one, and not that of somebody who was faster.
-fn remove(path: &Path, holder: &str) -> io::Result<bool> {
-    let aside = path.with_extension(format!("{}.lock", process::id()));
-    match fs::rename(path, &aside) {
-        Ok(()) => {}
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(true),
-        Err(error) => return Err(error),
-    }
-    if fs::read_to_string(&aside)? == holder {
-        return fs::remove_file(&aside).map(|()| true);
-    }
-    fs::rename(&aside, path).map(|()| false)
-}
-
-/// How this process calls itself.
-fn this() -> String {
-    format!("process {} on {}\n", process::id(), host())
-}
-
-/// Whether it is sure that the process that calls itself like this is gone: it ran on this machine, and Linux does not know it any more, or
-/// only that it ended.
+/// True if the process that calls itself like this is gone, since this one could take its lock: it never said who it is, or
+/// it ran on this machine, which keeps locks.
 fn is_gone(holder: &str) -> bool {
-    let id = holder.strip_prefix("process ").and_then(|rest| rest.split_once(" on "));
-    id.is_some_and(|(id, on)| {
-        let is_number = !id.is_empty() && id.bytes().all(|byte| byte.is_ascii_digit());
-        let knows = Path::new("/proc/self").exists();
-        is_number && knows && on.trim_end() == host() && has_ended(&Path::new("/proc").join(id))
-    })
+    let boot = |text: &str| Some(text.split_once(BOOT)?.1.split_once(';')?.0.to_string());
+    let this = this();
+    holder.is_empty() || (boot(holder).is_some() && boot(holder) == boot(&this) && holder != this)
 }
 
-/// Whether a process that Linux keeps here has ended, and waits at most for its parent to ask how: its state, behind its name in brackets, is Z.
-fn has_ended(process: &Path) -> bool {
-    match fs::read_to_string(process.join("stat")) {
-        Ok(stat) => stat.rsplit_once(") ").is_some_and(|(_, rest)| rest.starts_with(['Z', 'X'])),
-        Err(error) => error.kind() == ErrorKind::NotFound && !process.exists(),
-    }
-}
+const BOOT: &str = " (boot ";
 
-/// This machine, since it was started.
-fn host() -> String {
+/// How this process calls itself: its number and machine, and where they are known when the machine was started, its namespace of numbers
+/// and when it started there.
+fn this() -> String {
     let read = |path| fs::read_to_string(path).unwrap_or_default().trim().to_string();
     let [name, boot] = ["/proc/sys/kernel/hostname", "/proc/sys/kernel/random/boot_id"].map(read);
-    if name.is_empty() { "a machine without a name".into() } else { format!("{name} ({boot})") }
+    let name = if name.is_empty() { "a machine without a name" } else { &name };
+    let id = process::id();
+    if boot.is_empty() {
+        return format!("process {id} on {name}\n");
+    }
+    let namespace = fs::read_link("/proc/self/ns/pid").unwrap_or_default();
+    let stat = read("/proc/self/stat");
+    // The twenty-second of the fields, the second of which is a name in brackets.
+    let start = stat.rsplit_once(") ").and_then(|(_, rest)| rest.split(' ').nth(19)).unwrap_or_default();
+    format!("process {id} on {name}{BOOT}{boot}; {}; start {start})\n", namespace.display())
 }
 
 #[cfg(all(test, target_os = "linux"))]
 mod tests {
     use std::format;
-    use std::process::Command;
-    use std::thread;
-    use std::time::Duration;
+    use std::fs::{self, File};
+    use std::string::String;
 
-    use super::{is_gone, this};
+    use super::{Lock, is_gone, this};
+    use crate::ensemble::error::EnsembleError;
 
     #[test]
-    fn a_process_is_gone_when_it_has_ended_before_anybody_asks() {
-        assert!(!is_gone(&this()));
-        let mut child = Command::new("sleep").arg("600").spawn().expect("starts");
-        let holder =
-            this().replace(&format!("process {} ", std::process::id()), &format!("process {} ", child.id()));
-        assert!(!is_gone(&holder));
-        child.kill().expect("can be killed");
-        while !is_gone(&holder) {
-            thread::sleep(Duration::from_millis(1));
+    fn only_a_process_of_this_machine_can_be_known_to_be_gone() {
+        let id = format!("process {} ", std::process::id());
+        assert!(this().starts_with(&id) && !is_gone(&this()));
+        let other = this().replace(&id, "process 4711 ");
+        assert!(is_gone("") && is_gone(&other) && is_gone(&other.replace(" on ", " on a container on ")));
+        assert!(!is_gone(&other.replace("(boot ", "(boot 0")));
+        assert!(!is_gone("process 4711 on elsewhere\n") && !is_gone("mine"));
+    }
+
+    /// Whatever a lock says, nobody has it whom the operating system does not know.
+    #[test]
+    fn a_lock_is_held_by_who_holds_it() {
+        let path = std::env::temp_dir().join(format!("lagrange_lock_{}.lock", std::process::id()));
+        let other = this().replace("process ", "process 1");
+        for says in [String::new(), other.clone()] {
+            fs::write(&path, &says).expect("can be written");
+            let file = File::open(&path).expect("is there");
+            file.lock().expect("can be locked");
+            let held = Lock::take(path.clone()).err();
+            assert!(matches!(held, Some(EnsembleError::Locked { .. })), "{held:?}");
+            drop(file);
+            let lock = Lock::take(path.clone()).expect("is free");
+            assert_eq!(fs::read_to_string(&path).expect("is there"), this());
+            drop(lock);
+            assert!(!path.exists());
         }
-        child.wait().expect("is a child");
-        assert!(is_gone(&holder));
-        assert!(!is_gone(&holder.replace(" on ", " on another ")));
     }
 }

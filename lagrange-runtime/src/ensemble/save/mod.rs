@@ -3,19 +3,22 @@
 mod folder;
 mod lock;
 mod part;
+mod seal;
 mod settings;
 mod sheet;
 #[cfg(test)]
 mod tests;
+mod verify;
 
 use core::fmt::Debug;
 use core::ops::Range;
+use std::collections::BTreeSet;
 use std::path::Path;
-use std::vec::Vec;
 
 use self::folder::Folder;
-use self::part::PartFile;
+use self::part::{Label, PartFile};
 use self::sheet::Sheet;
+pub use self::verify::{Verified, verify};
 use super::asked::SharedSystem;
 use super::builder::{Ensemble, Keep};
 use super::engine::Engine;
@@ -65,29 +68,51 @@ where
     /// most a part. A file is written under another name and renamed when it is whole. Files that are there are not computed again: an
     /// ensemble that was cancelled or killed goes on where it was, and the files in the end have the same bytes.
     ///
-    /// Files say which ensemble they are of: the type of the system, what was asked for, the seed, and the bits of start, rates and
-    /// parameters of the first, the middle and the last motion, by which closures are told apart. While a shard is written a file
-    /// `shard-0-of-1.lock` keeps other processes off; what a killed process left is taken over where Linux says that the process is gone.
+    /// Files say which ensemble they are of: the declaration of the system by its [fingerprint](crate::system::MechanicalSystem::FINGERPRINT),
+    /// what was asked for, the method and its settings, the seed, and the bits of start, rates, parameters and first steps of the first, the
+    /// middle and the last motion, by which closures and functions of your crate are told apart. They say, too, which part they are, and have a
+    /// checksum of all their bytes. Parts that are found are checked for that; [`verify`] does it without computing anything.
+    ///
+    /// While a shard is written a file `shard-0-of-1.lock` keeps other processes off; what a process of this machine left that is gone is
+    /// taken over. A folder in which nothing is missing is only read. Files with other names are passed over.
     ///
     /// # Errors
-    /// As of [`run`](Self::run); if a file cannot be written, as on a full disk; if the folder holds files that are none of these, or parts
-    /// of another ensemble; if another process writes the same. What is finished is kept.
+    /// As of [`run`](Self::run); if a file cannot be written, as on a full disk; if the folder holds parts that are damaged, of another
+    /// ensemble, or none; if another process writes the same. What is finished is kept.
     pub fn save_parquet(self, folder: impl AsRef<Path>) -> Result<Saved, EnsembleError> {
         let parts = self.asked.parts()?;
+        self.asked.refuse_too_many_in_a_block(self.asked.motions()?.len())?;
         let settings = self.settings()?;
-        let folder = Folder::open(folder.as_ref(), self.asked.shard)?;
-        let number = self.asked.number_of_parts();
-        let is_found = folder.parts(&parts, number, &settings)?;
-        let engine = self.engine()?;
-        let counter = self.counter(&self.asked.motions()?);
-        let missing: Vec<usize> = parts.clone().filter(|part| !is_found[*part]).collect();
-        let found = parts.len() - missing.len();
-        let mut saved = Saved { written: 0, found, missing: 0, failed: 0 };
-        parts.filter(|part| is_found[*part]).for_each(|part| counter.count(self.asked.part(part).len()));
-        for part in missing {
-            let motions = self.asked.part(part);
+        let mut folder = Folder::open(folder.as_ref());
+        let label = Label { settings, part: parts.start, number: self.asked.number_of_parts() };
+        let mut found = folder.find(&parts, &label)?;
+        let is_whole = found.range(parts.clone()).count() == parts.len();
+        // A folder of which nothing is missing is only read.
+        let lock = if is_whole { None } else { Some(folder.lock(self.asked.shard, &parts)?) };
+        if lock.is_some() {
+            found = folder.find(&parts, &label)?;
+        }
+        let mut saved = self.save_missing(&folder, &found, &parts, &label)?;
+        saved.missing = label.number.saturating_sub(folder.parts()?.len());
+        Ok(saved)
+    }
+
+    /// Computes and saves the parts that were not found.
+    fn save_missing(
+        &self,
+        folder: &Folder,
+        found: &BTreeSet<usize>,
+        parts: &Range<usize>,
+        label: &Label,
+    ) -> Result<Saved, EnsembleError> {
+        let (engine, counter) = (self.engine()?, self.counter(&self.asked.motions()?));
+        let of_shard = found.range(parts.clone());
+        let mut saved = Saved { written: 0, found: of_shard.clone().count(), missing: 0, failed: 0 };
+        of_shard.for_each(|part| counter.count(self.asked.part(*part).len()));
+        for part in parts.clone().filter(|part| !found.contains(part)) {
+            let (motions, label) = (self.asked.part(part), Label { part, ..label.clone() });
             let failed = folder.write(part, |file, wrong| {
-                let mut part = PartFile::new(file, &settings);
+                let mut part = PartFile::new(file, &label);
                 self.sheets(&engine, &counter, motions, |sheet| part.add(sheet).map_err(wrong))?;
                 part.finish().map_err(wrong)
             })?;
@@ -95,7 +120,6 @@ where
             saved.failed += failed as u64;
         }
         counter.finish()?;
-        saved.missing = number - folder.count()?;
         Ok(saved)
     }
 

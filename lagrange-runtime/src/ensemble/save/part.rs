@@ -18,24 +18,74 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
+use super::seal::{KEY, UNSEALED, is_intact, seal};
 use super::sheet::Sheet;
 use crate::ensemble::asked::SharedSystem;
+use crate::ensemble::error::EnsembleError;
 use crate::simulate::units;
 
 /// What the schema is called.
 const SCHEMA: &str = "motions";
 /// Under which name the settings are kept.
 const SETTINGS: &str = "lagrange.ensemble";
+/// Under which name it is kept which part a file is.
+const PART: &str = "lagrange.part";
 const INDEX: &str = "index";
 const TIME: &str = "t";
 const CAUSE: &str = "cause";
 /// A row group is written when so many rows wait: a megabyte a column.
 const ROWS_PER_GROUP: usize = 1 << 17;
 
+/// What a part says of itself.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct Label {
+    /// Which ensemble it is of.
+    pub(super) settings: String,
+    /// Which of the parts it is,
+    pub(super) part: usize,
+    /// and how many there are.
+    pub(super) number: usize,
+}
+
+impl Label {
+    /// Reads the label of a file, all of whose bytes are checked before.
+    ///
+    /// # Errors
+    /// If it is no part, is damaged or cannot be read.
+    pub(super) fn read(path: &Path) -> Result<Label, EnsembleError> {
+        let wrong = |source| EnsembleError::File { path: path.into(), source };
+        let file = File::open(path).map_err(wrong)?;
+        match is_intact(&file).map_err(wrong)? {
+            Some(true) => Label::of(file).ok_or_else(|| EnsembleError::ForeignFile(path.into())),
+            Some(false) => {
+                let why = "its content is not what was written".into();
+                Err(EnsembleError::Damaged { path: path.into(), why })
+            }
+            None => Err(EnsembleError::ForeignFile(path.into())),
+        }
+    }
+
+    fn of(file: File) -> Option<Label> {
+        let reader = SerializedFileReader::new(file).ok()?;
+        let pairs = reader.metadata().file_metadata().key_value_metadata()?;
+        let value = |key: &str| pairs.iter().find(|pair| pair.key == key)?.value.clone();
+        let place = value(PART)?;
+        let (part, number) = place.split_once(" of ")?;
+        Some(Label { settings: value(SETTINGS)?, part: part.parse().ok()?, number: number.parse().ok()? })
+    }
+
+    /// What the metadata of a file hold of it, and a place for the checksum.
+    fn pairs(&self) -> [KeyValue; 3] {
+        let place = format!("{} of {}", self.part, self.number);
+        [(SETTINGS, self.settings.as_str()), (PART, &place), (KEY, UNSEALED)]
+            .map(|(key, value)| KeyValue::new(key.to_string(), value.to_string()))
+    }
+}
+
 /// A file that rows are added to, of which only a row group lies in memory.
 pub(super) struct PartFile<'f, M: SharedSystem> {
     file: &'f File,
-    settings: &'f str,
+    label: &'f Label,
     /// None before the first row group.
     writer: Option<SerializedFileWriter<BufWriter<&'f File>>>,
     waiting: Sheet<M>,
@@ -46,8 +96,8 @@ impl<'f, M: SharedSystem> PartFile<'f, M>
 where
     M::Scalar: Into<f64>,
 {
-    pub(super) fn new(file: &'f File, settings: &'f str) -> Self {
-        PartFile { file, settings, writer: None, waiting: Sheet::new(), failed: 0 }
+    pub(super) fn new(file: &'f File, label: &'f Label) -> Self {
+        PartFile { file, label, writer: None, waiting: Sheet::new(), failed: 0 }
     }
 
     /// Adds the rows of the motions that follow.
@@ -56,13 +106,14 @@ where
         if self.waiting.len() >= ROWS_PER_GROUP { self.write_group() } else { Ok(()) }
     }
 
-    /// Writes what waits and the end of the file. How many motions failed.
+    /// Writes what waits, the end of the file and its checksum. How many motions failed.
     pub(super) fn finish(mut self) -> io::Result<usize> {
         if self.waiting.len() > 0 {
             self.write_group()?;
         }
         if let Some(writer) = self.writer {
             writer.into_inner().map_err(into_io)?.flush()?;
+            seal(self.file)?;
         }
         Ok(self.failed)
     }
@@ -72,24 +123,17 @@ where
         self.failed += sheet.failed();
         let writer = match &mut self.writer {
             Some(writer) => writer,
-            none => none.insert(writer(self.file, &sheet, self.settings)?),
+            none => none.insert(writer(self.file, &sheet, self.label)?),
         };
         write_group(writer, &sheet).map_err(into_io)
     }
-}
-
-/// The settings that a file holds; `None` if it is not a part.
-pub(super) fn settings(path: &Path) -> Option<String> {
-    let reader = SerializedFileReader::new(File::open(path).ok()?).ok()?;
-    let pairs = reader.metadata().file_metadata().key_value_metadata()?;
-    pairs.iter().find(|pair| pair.key == SETTINGS)?.value.clone()
 }
 
 /// A file with the columns of these rows.
 fn writer<'f, M: SharedSystem>(
     file: &'f File,
     sheet: &Sheet<M>,
-    settings: &str,
+    label: &Label,
 ) -> io::Result<SerializedFileWriter<BufWriter<&'f File>>> {
     let columns = sheet.columns(TIME);
     let names: Vec<_> = columns.iter().map(|(name, _)| *name).collect();
@@ -99,7 +143,7 @@ fn writer<'f, M: SharedSystem>(
         return Err(io::Error::new(ErrorKind::InvalidInput, text));
     }
     let schema = schema(&names).map_err(into_io)?;
-    let properties = properties::<M>(&names, sheet.parameters(), settings);
+    let properties = properties::<M>(&names, sheet.parameters(), label);
     SerializedFileWriter::new(BufWriter::new(file), Arc::new(schema), Arc::new(properties)).map_err(into_io)
 }
 
@@ -137,9 +181,8 @@ fn write_column<T: DataType>(
 
 /// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Parameters do, the first columns, and times
 /// behind them, and indices are one more than those before, or the same.
-fn properties<M: SharedSystem>(names: &[&str], parameters: usize, settings: &str) -> WriterProperties {
-    let settings = KeyValue::new(SETTINGS.to_string(), settings.to_string());
-    let metadata = [settings].into_iter().chain(units::<M>(names.iter().copied()));
+fn properties<M: SharedSystem>(names: &[&str], parameters: usize, label: &Label) -> WriterProperties {
+    let metadata = label.pairs().into_iter().chain(units::<M>(names.iter().copied()));
     let builder = WriterProperties::builder()
         .set_dictionary_enabled(false)
         .set_column_encoding(path(INDEX), Encoding::DELTA_BINARY_PACKED)

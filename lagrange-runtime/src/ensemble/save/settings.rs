@@ -11,12 +11,13 @@ use crate::ensemble::builder::{Ensemble, Keep};
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::lanes::is_fused;
 use crate::ensemble::motion::caught;
+use crate::ensemble::rows::samples;
 use crate::integrate::Method;
 use crate::simulate::Drive;
 use crate::system::OdeSystem;
 
 /// The number of what follows, to be raised when it changes.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
@@ -35,6 +36,7 @@ where
         let mut lines = Vec::from([
             format!("ensemble of lagrange {}, format {FORMAT}", env!("CARGO_PKG_VERSION")),
             format!("system {}", type_name::<M>()),
+            format!("equations, constants, events and tables with the fingerprint {:016x}", M::FINGERPRINT),
             format!("motions {}", asked.number),
             format!("motions per part {}", asked.motions_per_part),
             format!("seed {}", asked.seed),
@@ -47,7 +49,7 @@ where
         }
         lines.extend(asked.words.iter().map(|words| format!("run {}", words.escape_debug())));
         for index in [0, asked.number / 2, asked.number - 1] {
-            lines.push(caught(index, || self.probe(index))?);
+            lines.extend(caught(index, || [self.probe(index), self.outset(index)])?);
         }
         Ok(lines.join("\n"))
     }
@@ -59,20 +61,44 @@ where
         let rates = self.drive.close(system, |closed| closed.rhs(self.asked.from, &state));
         let parameters: Vec<_> =
             (0..).map_while(|index| system.parameter(index)).map(|(_, value)| value).collect();
-        let bits = [state.as_ref(), rates.as_ref(), &parameters].map(|values| {
-            let bits = values.iter().map(|value| format!("{:016x}", Into::<f64>::into(*value).to_bits()));
-            bits.collect::<Vec<_>>().join(" ")
-        });
-        format!("motion {index} starts at {} with rates {} and parameters {}", bits[0], bits[1], bits[2])
+        let [start, rates, parameters] = [state.as_ref(), rates.as_ref(), &parameters].map(bits);
+        format!("motion {index} starts at {start} with rates {rates} and parameters {parameters}")
+    }
+
+    /// The bits of the last time and columns of a motion that was given up after its first steps.
+    fn outset(&self, index: usize) -> String {
+        let (varied, state) = self.asked.origin(index);
+        let system = varied.as_ref().unwrap_or(self.asked.system);
+        let ran = self.first_steps(index, (system, state), STEPS);
+        let (table, _) = samples(&ran);
+        let row = [table.times()].into_iter().chain(table.columns()).filter_map(<[_]>::last).copied();
+        let row: Vec<_> = row.collect();
+        format!("motion {index} comes to {} in its first steps", bits(&row))
     }
 }
 
+/// Numbers by their bits.
+fn bits<S: Copy + Into<f64>>(values: &[S]) -> String {
+    let bits = values.iter().map(|value| format!("{:016x}", Into::<f64>::into(*value).to_bits()));
+    bits.collect::<Vec<_>>().join(" ")
+}
+
+/// So many steps tell by their bits what no name tells: methods, functions of the user's crate, inputs and columns.
+const STEPS: u64 = 8;
+
+/// What lines about single motions begin with. They differ where others do, too, which say more.
+const MOTION: &str = "motion ";
+
 /// The first line of each that the other has not, if there are such; nothing if the other has all.
 pub(super) fn difference(there: &str, here: &str) -> Option<[String; 2]> {
-    let only = |one: &str, other: &str| {
-        let line = one.lines().find(|line| other.lines().all(|known| known != *line));
-        line.unwrap_or_default().to_string()
+    let differing = |is_motion: bool| {
+        let lines = |text| str::lines(text).filter(|line| line.starts_with(MOTION) == is_motion).collect();
+        let [there, here]: [Vec<&str>; 2] = [lines(there), lines(here)];
+        let only = |one: &[&str], other: &[&str]| {
+            one.iter().find(|line| !other.contains(line)).map(ToString::to_string).unwrap_or_default()
+        };
+        // The same lines in another order are another ensemble: columns have another order.
+        (there != here).then(|| [only(&there, &here), only(&here, &there)])
     };
-    // The same lines in another order are another ensemble: columns have another order.
-    (there != here).then(|| [only(there, here), only(here, there)])
+    differing(false).or_else(|| differing(true))
 }

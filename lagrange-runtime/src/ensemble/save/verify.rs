@@ -1,0 +1,37 @@
+//! Folders of parts, looked through without computing anything.
+
+use std::path::Path;
+
+use super::folder::{Folder, refuse_other};
+use super::part::Label;
+use crate::ensemble::error::EnsembleError;
+
+/// What [`verify`] found.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub struct Verified {
+    /// Parts that are there, with all bytes that were written.
+    pub parts: usize,
+    /// Parts that are not there yet.
+    pub missing: usize,
+}
+
+/// Checks every byte of all parts that [`save_parquet`](crate::ensemble::Ensemble::save_parquet) wrote into a folder, and that they are parts of
+/// one ensemble in their places. Nothing is written.
+///
+/// # Errors
+/// If a part is damaged, under the name of another, of another ensemble than the first or no part; if there are none, or a file
+/// cannot be read.
+pub fn verify(folder: impl AsRef<Path>) -> Result<Verified, EnsembleError> {
+    let (mut first, mut parts) = (None::<Label>, 0);
+    for (path, index) in Folder::open(folder.as_ref()).parts()? {
+        let label = Label::read(&path)?;
+        let first = first.get_or_insert_with(|| label.clone());
+        refuse_other(&path, &label, &Label { part: index, ..first.clone() })?;
+        parts += 1;
+    }
+    let none =
+        || EnsembleError::Setting(std::format!("there are no parts in `{}`", folder.as_ref().display()));
+    let Label { number, .. } = first.ok_or_else(none)?;
+    Ok(Verified { parts, missing: number.saturating_sub(parts) })
+}
