@@ -135,6 +135,7 @@ where
         add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
         mut then: impl FnMut(Reduced<M, R>),
     ) -> Result<(), EnsembleError> {
+        self.asked.refuse_too_many_at_once(1)?;
         let counter = self.counter(&self.asked.motions()?);
         let engine = self.engine()?;
         let compute = |chunk: Range<usize>| {

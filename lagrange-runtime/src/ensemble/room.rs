@@ -5,8 +5,6 @@ use std::format;
 use std::vec::Vec;
 
 use super::asked::{Asked, SharedSystem};
-#[cfg(feature = "parquet")]
-use super::engine::BLOCK;
 use super::error::EnsembleError;
 use crate::scalar::Number;
 use crate::simulate::Grid;
@@ -23,10 +21,9 @@ impl<M: SharedSystem> Asked<'_, M> {
     }
 
     /// # Errors
-    /// If the samples of a block of these motions, which lie in memory together while they are saved, cannot.
-    #[cfg(feature = "parquet")]
-    pub(super) fn refuse_too_many_in_a_block(&self, motions: usize) -> Result<(), EnsembleError> {
-        self.refuse(motions.min(BLOCK), "say a longer interval, or save in runs that follow each other")
+    /// If the samples of so many motions, which lie in memory together while they are saved or summed up, cannot.
+    pub(super) fn refuse_too_many_at_once(&self, motions: usize) -> Result<(), EnsembleError> {
+        self.refuse(motions, "say a longer interval, or compute runs that follow each other")
     }
 
     fn refuse(&self, motions: usize, instead: &str) -> Result<(), EnsembleError> {

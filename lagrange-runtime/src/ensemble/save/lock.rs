@@ -27,9 +27,9 @@ impl Lock {
     pub(super) fn take(path: PathBuf) -> Result<Self, EnsembleError> {
         let taken = loop {
             match attempt(&path) {
-                Ok(Attempt::Taken(file)) => break Ok(file),
-                Ok(Attempt::Deleted) => {}
-                Ok(Attempt::Held(holder)) => return Err(EnsembleError::Locked { path, holder }),
+                Ok(LockAttempt::Taken(file)) => break Ok(file),
+                Ok(LockAttempt::Deleted) => {}
+                Ok(LockAttempt::Held(holder)) => return Err(EnsembleError::Locked { path, holder }),
                 Err(source) => break Err(source),
             }
         };
@@ -48,7 +48,7 @@ impl Drop for Lock {
 }
 
 /// What came of one attempt to take a lock.
-enum Attempt {
+enum LockAttempt {
     Taken(File),
     /// Somebody else has it, who calls himself like this.
     Held(String),
@@ -56,11 +56,8 @@ enum Attempt {
     Deleted,
 }
 
-fn attempt(path: &Path) -> io::Result<Attempt> {
-    let (mut file, is_new) = match open(path)? {
-        Some(opened) => opened,
-        None => return Ok(Attempt::Deleted),
-    };
+fn attempt(path: &Path) -> io::Result<LockAttempt> {
+    let Some((mut file, is_new)) = open(path)? else { return Ok(LockAttempt::Deleted) };
     let is_locked = match file.try_lock() {
         Ok(()) => true,
         // Where nothing can be locked, whoever makes the file has the lock.
@@ -72,13 +69,13 @@ fn attempt(path: &Path) -> io::Result<Attempt> {
     drop(file.read_to_string(&mut holder));
     if !(is_locked && is_gone(&holder)) {
         let holder = holder.trim();
-        return Ok(Attempt::Held(if holder.is_empty() { "another process" } else { holder }.to_string()));
+        return Ok(LockAttempt::Held(if holder.is_empty() { "another process" } else { holder }.to_string()));
     }
     if !is_at(&file, path)? {
-        return Ok(Attempt::Deleted);
+        return Ok(LockAttempt::Deleted);
     }
     say(&mut file, path)?;
-    Ok(Attempt::Taken(file))
+    Ok(LockAttempt::Taken(file))
 }
 
 /// The file, and whether it was made; none if it was deleted meanwhile.

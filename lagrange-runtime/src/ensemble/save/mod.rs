@@ -21,7 +21,7 @@ use self::sheet::Sheet;
 pub use self::verify::{Verified, verify};
 use super::asked::SharedSystem;
 use super::builder::{Ensemble, Keep};
-use super::engine::Engine;
+use super::engine::{BLOCK, Engine};
 use super::error::EnsembleError;
 use super::progress::Counter;
 use crate::integrate::Method;
@@ -71,7 +71,7 @@ where
     /// Files say which ensemble they are of: the declaration of the system by its [fingerprint](crate::system::MechanicalSystem::FINGERPRINT),
     /// what was asked for, the method and its settings, the seed, and the bits of start, rates, parameters and first steps of the first, the
     /// middle and the last motion, by which closures and functions of your crate are told apart. They say, too, which part they are, and have a
-    /// checksum of all their bytes. Parts that are found are checked for that; [`verify`] does it without computing anything.
+    /// checksum of all their bytes. Parts that are found are checked for that; [`verify`](fn@verify) does it without computing anything.
     ///
     /// While a shard is written a file `shard-0-of-1.lock` keeps other processes off; what a process of this machine left that is gone is
     /// taken over. A folder in which nothing is missing is only read. Files with other names are passed over.
@@ -81,7 +81,7 @@ where
     /// ensemble, or none; if another process writes the same. What is finished is kept.
     pub fn save_parquet(self, folder: impl AsRef<Path>) -> Result<Saved, EnsembleError> {
         let parts = self.asked.parts()?;
-        self.asked.refuse_too_many_in_a_block(self.asked.motions()?.len())?;
+        self.asked.refuse_too_many_at_once(self.asked.motions()?.len().min(BLOCK))?;
         let settings = self.settings()?;
         let mut folder = Folder::open(folder.as_ref());
         let label = Label { settings, part: parts.start, number: self.asked.number_of_parts() };

@@ -123,3 +123,14 @@ fn samples_beyond_a_row_group_begin_another() {
     assert_eq!((groups, rows.len()), (Vec::from([2]), 66 * 2049));
     assert!(rows.iter().zip((0..66).flat_map(|i| [i; 2049])).all(|(row, i)| row.get_long(0).ok() == Some(i)));
 }
+
+/// Nothing is computed: memory is asked for first.
+#[test]
+fn samples_that_cannot_lie_in_memory_together_are_refused() {
+    let pendulum = Pendulum { g: 1.0 };
+    let ensemble = pendulum.ensemble(1).start(|_, _| [1.0, 0.0]).until(1e6).every(0.125);
+    assert!(ensemble.asked.refuse_too_many_at_once(1).is_ok());
+    let error = ensemble.asked.refuse_too_many_at_once(1 << 40).expect_err("has no room").to_string();
+    let words = ["the samples of 1099511627776 motions take", "say a longer interval"];
+    assert!(words.iter().all(|words| error.contains(words)), "{error}");
+}
