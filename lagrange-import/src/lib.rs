@@ -12,4 +12,4 @@ mod robot;
 mod rotation;
 pub mod urdf;
 
-pub use mistakes::Mistake;
+pub use mistakes::{Mistake, listing};

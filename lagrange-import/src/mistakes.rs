@@ -25,6 +25,28 @@ impl Mistake {
     }
 }
 
+/// Errors, and warnings, that a listing shows at most.
+const MAX_LISTED: usize = 50;
+
+/// Lists mistakes as compilers do, each behind the name of the file, with the number of those that are too many to read.
+pub fn listing(file: &str, mistakes: &[Mistake]) -> String {
+    let mut counts = [0, 0];
+    let mut lines = String::new();
+    for mistake in mistakes {
+        let count = &mut counts[usize::from(mistake.is_error)];
+        *count += 1;
+        if *count <= MAX_LISTED {
+            lines.push_str(&format!("{file}:{mistake}\n"));
+        }
+    }
+    for (count, name) in counts.iter().zip(["warnings", "errors"]) {
+        if *count > MAX_LISTED {
+            lines.push_str(&format!("{file}: not shown: {} more {name}\n", count - MAX_LISTED));
+        }
+    }
+    lines
+}
+
 /// `12:5: error: joint "elbow", <axis>: …`, with help on a line of its own.
 impl fmt::Display for Mistake {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

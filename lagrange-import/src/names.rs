@@ -1,6 +1,6 @@
 //! Names of a file as identifiers that a declaration can introduce, each once.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use lagrange_core::syntax::{can_be_declared, is_rust_keyword};
 
@@ -14,6 +14,8 @@ pub(crate) const FREE: [&str; 13] =
 #[derive(Debug, Default)]
 pub(crate) struct Identifiers {
     taken: HashSet<String>,
+    /// The number from which on a name may be free, where many would have the same.
+    numbers: HashMap<String, usize>,
 }
 
 impl Identifiers {
@@ -23,12 +25,20 @@ impl Identifiers {
     pub(crate) fn take(&mut self, name: &str, kind: &str, endings: &[&str]) -> String {
         let base = identifier(name, kind);
         let with_kind = format!("{base}_{kind}");
-        let first = [base, with_kind.clone()];
-        let numbered = (2..).map(|count: usize| format!("{with_kind}_{count}"));
-        let mut wishes = first.into_iter().chain(numbered);
-        let identifier = wishes.find(|wish| self.is_free(wish, endings)).unwrap_or(with_kind);
+        let plain = [base, with_kind.clone()].into_iter().find(|wish| self.is_free(wish, endings));
+        let identifier = plain.unwrap_or_else(|| self.numbered(&with_kind, endings));
         self.taken.extend(endings.iter().map(|ending| format!("{identifier}_{ending}")));
         self.taken.insert(identifier.clone());
+        identifier
+    }
+
+    /// Counts on from the number that was given last, so that many equal names take no longer than others.
+    fn numbered(&mut self, name: &str, endings: &[&str]) -> String {
+        let first = self.numbers.get(name).copied().unwrap_or(2);
+        let mut numbered = (first..).map(|number| (number, format!("{name}_{number}")));
+        let free = numbered.find(|(_, wish)| self.is_free(wish, endings));
+        let (number, identifier) = free.unwrap_or_else(|| (first, name.to_owned()));
+        self.numbers.insert(name.to_owned(), number + 1);
         identifier
     }
 

@@ -2,6 +2,9 @@
 
 use crate::decimal::Decimal;
 
+/// Products of moments of inertia below this fraction of the largest ones may be what is left of numbers that cancel.
+const NEGLIGIBLE: f64 = 1e-12;
+
 /// A tree of links. Joints stand in an order in which each is carried by the root or by what one before it places.
 #[derive(Clone, Debug)]
 pub(crate) struct Robot {
@@ -104,6 +107,18 @@ pub(crate) struct Mimic {
     pub(crate) offset: Decimal,
 }
 
+impl Link {
+    /// True if the link resists turns about every axis.
+    pub(crate) fn has_all_moments(&self) -> bool {
+        let Some(inertial) = &self.inertial else { return false };
+        let [xx, yy, zz, xy, xz, yz] = inertial.tensor.each_ref().map(Decimal::value);
+        let minor = xx * yy - xy * xy;
+        let determinant = zz * minor - xx * yz * yz - yy * xz * xz + 2.0 * xy * xz * yz;
+        let size = xx.max(yy).max(zz);
+        xx > 0.0 && minor > NEGLIGIBLE * size * size && determinant > NEGLIGIBLE * size * size * size
+    }
+}
+
 impl Robot {
     /// For each link, whether it or anything that it carries has mass.
     pub(crate) fn carries_mass(&self) -> Vec<bool> {
@@ -122,5 +137,22 @@ impl Robot {
             fixed[joint.child] = fixed[joint.parent] && joint.kind.is_rigid();
         }
         fixed
+    }
+
+    /// The first link that moves and that has, with all that is fixed to it, no inertia about some axis.
+    ///
+    /// Without such a link every motion has inertia.
+    pub(crate) fn first_without_moment(&self, is_free: bool) -> Option<usize> {
+        // The link that carries all that is fixed to it.
+        let mut carriers = (0..self.links.len()).collect::<Vec<_>>();
+        for joint in self.joints.iter().filter(|joint| joint.kind.is_rigid()) {
+            carriers[joint.child] = carriers[joint.parent];
+        }
+        let mut has_moments = vec![false; self.links.len()];
+        has_moments[self.root] = !is_free;
+        for (link, &carrier) in self.links.iter().zip(&carriers) {
+            has_moments[carrier] |= link.has_all_moments();
+        }
+        (0..self.links.len()).find(|&link| carriers[link] == link && !has_moments[link])
     }
 }

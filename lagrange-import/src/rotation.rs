@@ -24,6 +24,19 @@ pub(crate) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
     ])
 }
 
+/// The rotation of a quaternion x, y, z, w of any length; `None` if that is zero.
+pub(crate) fn from_quaternion(components: [f64; 4]) -> Option<Rotation> {
+    if components == [0.0; 4] {
+        return None;
+    }
+    let [x, y, z, w] = direction(components);
+    Some(snapped([
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+        [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+        [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+    ]))
+}
+
 fn snapped(rotation: Rotation) -> Rotation {
     let is_axis = |row: &[f64; 3]| row.iter().all(|entry| (entry - entry.round()).abs() < SNAPPED);
     let rounded = |row: [f64; 3]| if is_axis(&row) { row.map(f64::round) } else { row };
@@ -54,7 +67,7 @@ pub(crate) fn from_z_to([x, y, z]: [f64; 3]) -> Rotation {
 }
 
 /// The direction of a vector that is not zero.
-pub(crate) fn direction(vector: [f64; 3]) -> [f64; 3] {
+pub(crate) fn direction<const N: usize>(vector: [f64; N]) -> [f64; N] {
     let largest = vector.iter().fold(0.0_f64, |largest, component| largest.max(component.abs()));
     let scaled = vector.map(|component| component / largest);
     let length = scaled.iter().map(|component| component * component).sum::<f64>().sqrt();

@@ -2,8 +2,8 @@
 
 use std::fs;
 
-use lagrange_import::Mistake;
 use lagrange_import::urdf::{Import, Options, import};
+use lagrange_import::{Mistake, listing};
 
 pub(crate) const USAGE: &str =
     "cargo xtask urdf robot.urdf [--name NAME] [--free] [--inputs] [--trust-inertia]";
@@ -13,7 +13,7 @@ pub(crate) fn urdf(arguments: &[&str]) -> Result<(), String> {
     let (path, options) = read_arguments(arguments)?;
     let bytes = fs::read(&path).map_err(|error| format!("{path}: {error}"))?;
     let text = String::from_utf8(bytes).map_err(|error| format!("{path}: {error}"))?;
-    let report = |mistakes: &[Mistake]| mistakes.iter().for_each(|mistake| eprintln!("{path}:{mistake}"));
+    let report = |mistakes: &[Mistake]| eprint!("{}", listing(&path, mistakes));
     match import(&text, &options) {
         Ok(Import { declaration, warnings, .. }) => {
             report(&warnings);

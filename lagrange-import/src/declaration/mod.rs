@@ -78,17 +78,16 @@ impl<'r> Writer<'r> {
     fn new(robot: &'r Robot, style: &Style) -> Writer<'r> {
         let mut identifiers = Identifiers::default();
         let is_ground = robot.links[robot.root].inertial.is_none() && !style.is_free;
-        let is_freed = |link: usize| {
-            let mut placing = robot.joints.iter().filter(|joint| joint.child == link);
-            let is_free_joint =
-                placing.any(|joint| is_ground && joint.parent == robot.root && is_plainly_floating(joint));
-            is_free_joint || link == robot.root && style.is_free
-        };
+        let mut is_freed = vec![false; robot.links.len()];
+        is_freed[robot.root] = style.is_free;
+        for joint in robot.joints.iter().filter(|joint| is_ground && joint.parent == robot.root) {
+            is_freed[joint.child] |= is_plainly_floating(joint);
+        }
         let links = robot.links.iter().enumerate().map(|(index, link)| {
             if index == robot.root && is_ground {
                 return GROUND.to_owned();
             }
-            identifiers.take(&link.name, "link", if is_freed(index) { &FREE } else { &[] })
+            identifiers.take(&link.name, "link", if is_freed[index] { &FREE } else { &[] })
         });
         let links = links.collect();
         let at_rest = match style.is_free {
@@ -100,8 +99,7 @@ impl<'r> Writer<'r> {
     }
 
     fn head(&mut self, style: &Style) {
-        let name = self.robot.name.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "'");
-        self.page.comment("///", &format!("Robot `{name}`."));
+        self.page.comment("///", &format!("Robot `{}`.", plain(&self.robot.name)));
         self.page.line("#[derive(Clone, Debug)]");
         self.page.line(&format!("pub struct {};", style.name));
         self.page.gap();
@@ -258,7 +256,32 @@ fn is_plainly_floating(joint: &Joint) -> bool {
     joint.kind == Kind::Floating && joint.at.iter().chain(&joint.turned).all(Decimal::is_zero)
 }
 
-/// A name of a file in a comment.
+/// A name of a file in a comment: on one line, and with escapes for what cannot be seen.
 fn plain(name: &str) -> String {
-    name.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "'")
+    let mut plain = String::new();
+    for character in name.split_whitespace().collect::<Vec<_>>().join(" ").chars() {
+        match character {
+            '`' => plain.push('\''),
+            _ if is_invisible(character) => plain.extend(character.escape_unicode()),
+            _ => plain.push(character),
+        }
+    }
+    plain
+}
+
+/// True of characters that show nothing or change how others are shown, of which the compiler refuses some in comments.
+fn is_invisible(character: char) -> bool {
+    character.is_control()
+        || matches!(
+            character,
+            '\u{ad}'
+                | '\u{61c}'
+                | '\u{180e}'
+                | '\u{200b}'..='\u{200f}'
+                | '\u{2028}'..='\u{202e}'
+                | '\u{2060}'..='\u{206f}'
+                | '\u{feff}'
+                | '\u{fff0}'..='\u{fffb}'
+                | '\u{e0000}'..='\u{e0fff}'
+        )
 }

@@ -4,7 +4,7 @@ use lagrange_core::diagnostics::nearest;
 use roxmltree::Node;
 
 use super::messages;
-use super::source::Source;
+use super::source::{Source, attribute_of};
 use crate::decimal::Decimal;
 use crate::robot::{Kind, Limit};
 
@@ -57,7 +57,7 @@ pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Opti
     if damping.is_some() && matches!(kind, Kind::Planar | Kind::Floating) {
         source.warning(node, messages::DAMPING_LEFT_OUT);
     }
-    let name = node.attribute("name").unwrap_or_default();
+    let name = attribute_of(node, "name").unwrap_or_default();
     let place = node.range().start;
     Some(NamedJoint { name, kind, parent, child, at, turned, axis, limit, damping, friction, mimic, place })
 }
@@ -95,8 +95,8 @@ fn axis<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> [Decimal; 3] {
     let x = || [Decimal::of(1.0), Decimal::zero(), Decimal::zero()];
     let Some(child) = source.child(node, "axis") else { return x() };
     source.allow_only(child, &["xyz"], &[]);
-    let Some(axis) = source.text(child, "xyz").and_then(|_| source.triple(child, "xyz")) else { return x() };
-    let is_unused = ["fixed", "floating"].contains(&node.attribute("type").unwrap_or_default());
+    let Some(axis) = source.text(child, "xyz").and_then(|_| source.numbers(child, "xyz")) else { return x() };
+    let is_unused = ["fixed", "floating"].contains(&attribute_of(node, "type").unwrap_or_default());
     if axis.iter().all(|component| component.value().abs() < SHORTEST_AXIS) && !is_unused {
         source.error(child, messages::AXIS_ZERO);
         return x();
@@ -136,7 +136,7 @@ fn mimic<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Option<NamedMim
     let child = source.child(node, "mimic")?;
     source.allow_only(child, &["joint", "multiplier", "offset"], &[]);
     let joint = name_at(source, child, "joint");
-    let mut number = |attribute: &str, default: f64| match child.attribute(attribute) {
+    let mut number = |attribute: &str, default: f64| match attribute_of(child, attribute) {
         None => Some(Decimal::of(default)),
         Some(_) => source.optional_number(child, attribute),
     };

@@ -4,7 +4,7 @@ use lagrange_core::elaborate::is_physical;
 use roxmltree::Node;
 
 use super::messages;
-use super::source::Source;
+use super::source::{Source, attribute_of, elements, tagged};
 use crate::decimal::Decimal;
 use crate::robot::{Inertial, Link, Shape};
 use crate::rotation::{roll_pitch_yaw, turned_tensor};
@@ -22,9 +22,9 @@ const SOLIDS: [(&str, &[&str], &str); 3] = [
 pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
     source.allow_only(node, &["name", "type"], &["inertial", "visual", "collision"]);
     let inertial = source.child(node, "inertial").and_then(|inertial| self::inertial(source, inertial));
-    let is_shape = |child: &Node<'_, '_>| child.has_tag_name("visual") || child.has_tag_name("collision");
-    let shapes = node.children().filter(is_shape).filter_map(|child| shape(source, child)).collect();
-    let name = node.attribute("name").unwrap_or_default().to_owned();
+    let is_shape = |child: &Node<'_, '_>| ["visual", "collision"].contains(&child.tag_name().name());
+    let shapes = elements(node).filter(is_shape).filter_map(|child| shape(source, child)).collect();
+    let name = attribute_of(node, "name").unwrap_or_default().to_owned();
     Link { name, inertial, shapes, place: node.range().start }
 }
 
@@ -62,14 +62,16 @@ fn inertial<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Inertial>
 
 /// A primitive; nothing of a mesh.
 fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
+    source.allow_only(node, &["name", "group"], &["origin", "geometry", "material"]);
     let [at, turned] = source.origin(node);
     let geometry = source.required_child(node, "geometry", "<geometry><box size=\"x y z\"/></geometry>")?;
     let kinds = SOLIDS.map(|(tag, ..)| tag);
     source.allow_only(geometry, &[], &[kinds[0], kinds[1], kinds[2], "mesh", "capsule"]);
-    let Some((solid, attributes, word)) = SOLIDS.iter().find_map(|(tag, attributes, word)| {
-        Some((geometry.children().find(|child| child.has_tag_name(*tag))?, *attributes, *word))
-    }) else {
-        if !geometry.children().any(|child| child.is_element()) {
+    let Some((solid, attributes, word)) = SOLIDS
+        .iter()
+        .find_map(|(tag, attributes, word)| Some((tagged(geometry, tag).next()?, *attributes, *word)))
+    else {
+        if elements(geometry).next().is_none() {
             source.error(geometry, messages::NO_GEOMETRY);
         }
         return None;
@@ -78,7 +80,7 @@ fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
     let dimensions = dimensions(source, solid, attributes)?;
     let words = dimensions.iter().map(ToString::to_string).collect::<Vec<_>>();
     let solid = format!("{word}({})", words.join(", "));
-    Some(Shape { is_visual: node.has_tag_name("visual"), solid, at, turned })
+    Some(Shape { is_visual: node.tag_name().name() == "visual", solid, at, turned })
 }
 
 /// Positive numbers, in the order of the attributes.
@@ -87,7 +89,7 @@ fn dimensions<'d>(source: &mut Source<'d>, solid: Node<'_, 'd>, attributes: &[&s
     for &attribute in attributes {
         source.text(solid, attribute)?;
         let numbers = match attribute {
-            "size" => source.triple(solid, attribute).map(Vec::from),
+            "size" => source.numbers::<3>(solid, attribute).map(Vec::from),
             _ => source.optional_number(solid, attribute).map(|number| vec![number]),
         }?;
         if numbers.iter().any(|number| number.value() < 0.0) {

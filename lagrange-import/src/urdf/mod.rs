@@ -46,22 +46,33 @@
 //! | `planar` | `planar` with the coordinates `NAME_x`, `NAME_y`, `NAME_angle` in the plane across the axis: x, y and z of the joint's frame after the smallest turn that takes z to the axis |
 //! | `floating` | `free` if that is the same, otherwise three `prismatic` joints `NAME_x`, `NAME_y`, `NAME_z` and a `ball` joint `NAME` |
 //! | `fixed` | `weld` |
-//! | orientations | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are these numbers where all of their row or column are |
+//! | orientations, as `rpy` or as `quat_xyzw` of any length | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are these numbers where all of their row or column are |
 //! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate: limits of a motion are events, dry friction is a `friction` statement, which are for a person to decide about |
 //! | damping of `<dynamics>` | `damping` |
 //! | `<mimic>` | a constraint between the two coordinates |
 //! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
 //! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
 //!
-//! Anything else is left out with a warning. A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.
-//! Mistakes are collected, each with its line and element: nothing is written then.
+//! Anything else is left out with a warning, unless leaving it out may change the motion: unknown attributes of origins, axes, masses and
+//! inertia, and such elements at other places or misspelt, are mistakes. Elements and attributes of other namespaces, such as `<drake:joint>`,
+//! are for other programs: they are left out, with one warning for each prefix.
+//!
+//! A joint that moves no mass would have no equation of motion: it is held at zero, with a warning. A link that can move without inertia
+//! otherwise, such as a free base without mass on which one joint turns, is a mistake.
+//!
+//! Mistakes are collected, each with its line and element: nothing is written then. [`listing`](crate::listing) shows the first of them.
+//! Characters of names that cannot be seen, or that change the direction of text, are written as escapes.
 
+mod collector;
+mod inertia;
 mod joints;
 mod links;
 mod messages;
 mod source;
 mod tree;
 
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::diagnostics::Report;
 use lagrange_core::pipeline::parse;
 use roxmltree::{Document, Node};
 
@@ -69,7 +80,7 @@ use crate::declaration::{Declared, Style, declaration};
 use crate::mistakes::Mistake;
 use crate::names::type_name;
 use crate::robot::Robot;
-use source::Source;
+use source::{Source, attribute_of, tagged};
 
 pub use crate::declaration::Motion;
 
@@ -103,7 +114,7 @@ pub struct Import {
 /// Everything that is wrong with the file, with the warnings.
 pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     let document = Document::parse(text).map_err(|error| vec![malformed(&error)])?;
-    let mut source = Source::new(&document);
+    let mut source = Source::new(text);
     let Some(robot) = robot(&mut source, document.root_element(), options) else {
         return Err(source.into_mistakes());
     };
@@ -114,17 +125,32 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     };
     let Declared { text, statements, motions } = declaration(&robot, &style);
     // What is written is read once, so that nobody is handed what the language refuses.
-    if let Err(report) = parse(&statements) {
-        source.error(document.root_element(), messages::not_accepted(&report.to_string()));
-        return Err(source.into_mistakes());
+    let without_moment = robot.first_without_moment(options.is_free);
+    if let Err(report) = accepted(&statements, without_moment.is_some()) {
+        match without_moment {
+            Some(link) => inertia::report_missing(&mut source, &robot, link, &report),
+            None => source.error(document.root_element(), messages::not_accepted(&report.to_string())),
+        };
     }
-    Ok(Import { declaration: text, motions, warnings: source.into_mistakes() })
+    let is_accepted = source.error_count() == 0;
+    let mistakes = source.into_mistakes();
+    if is_accepted { Ok(Import { declaration: text, motions, warnings: mistakes }) } else { Err(mistakes) }
+}
+
+/// Reads statements, and derives the equations of motion where a link may move without inertia, which only they show.
+fn accepted(statements: &str, is_doubtful: bool) -> Result<(), Report> {
+    let system = parse(statements)?;
+    if is_doubtful { system.derive(StrategyChoice::Cheapest).map(drop) } else { Ok(()) }
 }
 
 fn malformed(error: &roxmltree::Error) -> Mistake {
     let position = error.pos();
     let (line, column) = (position.row, position.col);
-    Mistake { line, column, element: String::new(), message: error.to_string(), help: None, is_error: true }
+    let help = match error {
+        roxmltree::Error::UnknownNamespace(prefix, _) => Some(messages::undeclared_prefix(prefix)),
+        _ => None,
+    };
+    Mistake { line, column, element: String::new(), message: error.to_string(), help, is_error: true }
 }
 
 /// `None` after a mistake.
@@ -140,17 +166,17 @@ fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> 
         return None;
     }
     source.allow_only(root, &["name", "version"], &KNOWN);
+    check_version(source, root);
     let name = source.text(root, "name").unwrap_or_default().to_owned();
-    let tagged = |tag: &'static str| root.children().filter(move |child| child.has_tag_name(tag));
-    let links = tagged("link").map(|node| links::link(source, node)).collect::<Vec<_>>();
-    let joints = tagged("joint").map(|node| joints::joint(source, node)).collect::<Vec<_>>();
+    let links = tagged(root, "link").map(|node| links::link(source, node)).collect::<Vec<_>>();
+    let joints = tagged(root, "joint").map(|node| joints::joint(source, node)).collect::<Vec<_>>();
     if links.is_empty() {
         source.error(root, messages::NO_LINKS);
     }
     let is_complete = joints.iter().all(Option::is_some);
     let joints = joints.into_iter().flatten().collect();
     let mut robot = tree::tree(source, name, (links, joints), is_complete)?;
-    report_impossible_inertia(source, &robot, options);
+    inertia::report_impossible(source, &robot, options);
     if source.error_count() > 0 {
         return None;
     }
@@ -158,21 +184,13 @@ fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> 
     (source.error_count() == 0).then_some(robot)
 }
 
-/// What a robot may hold; from the third on it says nothing about motion.
-const KNOWN: [&str; 7] = ["link", "joint", "material", "transmission", "gazebo", "sensor", "ros2_control"];
-
-/// Inertia of what is fixed to the ground has no effect.
-fn report_impossible_inertia(source: &mut Source<'_>, robot: &Robot, options: &Options) {
-    let fixed = robot.fixed_in_root();
-    for (link, is_fixed) in robot.links.iter().zip(fixed) {
-        let Some(inertial) = link.inertial.as_ref().filter(|inertial| !inertial.is_physical) else {
-            continue;
-        };
-        let place = (inertial.place, format!("{}, <inertia>", messages::element("link", &link.name)));
-        if is_fixed && !options.is_free || options.trusts_inertia {
-            source.warning_at(place, messages::IMPOSSIBLE_INERTIA);
-        } else {
-            source.error_at(place, messages::IMPOSSIBLE_INERTIA).help(messages::IMPOSSIBLE_INERTIA_HELP);
-        }
+/// Elements mean other things in versions to come.
+fn check_version<'d>(source: &mut Source<'d>, root: Node<'_, 'd>) {
+    let Some(version) = attribute_of(root, "version") else { return };
+    if !["1", "1.0", "1.1", "1.2"].contains(&version.trim()) {
+        source.error_in(root, "version", messages::unknown_version(version)).help(messages::VERSION_HELP);
     }
 }
+
+/// What a robot may hold; from the third on it says nothing about motion.
+const KNOWN: [&str; 7] = ["link", "joint", "material", "transmission", "gazebo", "sensor", "ros2_control"];

@@ -1,83 +1,69 @@
 //! Elements of a file: what they must and may hold, with mistakes collected at their lines.
 
 use lagrange_core::diagnostics::nearest;
-use roxmltree::{Document, Node};
+use roxmltree::{Attribute, Node};
 
+use super::collector::Collector;
 use super::messages;
 use crate::decimal::Decimal;
 use crate::mistakes::Mistake;
+use crate::rotation::{angles_of, from_quaternion};
 
-/// A document, and what is wrong with it so far.
+/// Elements that say how a robot moves. At another place, or misspelt, they are not passed over.
+const MECHANICAL: [&str; 11] = [
+    "link", "joint", "inertial", "origin", "mass", "inertia", "parent", "child", "axis", "mimic", "dynamics",
+];
+/// Those of which every attribute counts. Other programs have some of their own for joints and their dynamics.
+const EXACT: [&str; 7] = ["origin", "mass", "inertia", "parent", "child", "axis", "mimic"];
+
+/// A file that is read, and what is wrong with it so far.
 pub(super) struct Source<'d> {
-    document: &'d Document<'d>,
-    mistakes: Vec<Mistake>,
+    collector: Collector<'d>,
 }
 
 impl<'d> Source<'d> {
-    pub(super) fn new(document: &'d Document<'d>) -> Source<'d> {
-        Source { document, mistakes: Vec::new() }
+    pub(super) fn new(text: &'d str) -> Source<'d> {
+        Source { collector: Collector::new(text) }
     }
 
     /// The line of a place.
     pub(super) fn line(&self, place: usize) -> u32 {
-        self.document.text_pos_at(place).row
+        self.collector.line(place)
     }
 
-    /// Mistakes and warnings, from the first line to the last; warnings that say the same of elements of one tag are one.
-    pub(super) fn into_mistakes(mut self) -> Vec<Mistake> {
-        self.mistakes.sort_by_key(|mistake| (mistake.line, mistake.column));
-        let mut told = Vec::<(Mistake, usize)>::new();
-        for mistake in self.mistakes {
-            let is_same = |other: &Mistake| (tag(other), &other.message) == (tag(&mistake), &mistake.message);
-            match told.iter_mut().find(|(other, _)| !mistake.is_error && !other.is_error && is_same(other)) {
-                Some((_, others)) => *others += 1,
-                None => told.push((mistake, 0)),
-            }
-        }
-        let counted = told.into_iter().map(|(mut mistake, others)| {
-            mistake.message.push_str(&messages::and_others(others));
-            mistake
-        });
-        counted.collect()
+    pub(super) fn into_mistakes(self) -> Vec<Mistake> {
+        self.collector.into_mistakes()
     }
 
     pub(super) fn error_count(&self) -> usize {
-        self.mistakes.iter().filter(|mistake| mistake.is_error).count()
+        self.collector.error_count()
     }
 
     pub(super) fn error(&mut self, node: Node<'_, '_>, message: impl Into<String>) -> &mut Mistake {
-        self.add((node.range().start, described(node)), message.into(), true)
+        self.error_at((node.range().start, described(node)), message)
     }
 
     pub(super) fn warning(&mut self, node: Node<'_, '_>, message: impl Into<String>) -> &mut Mistake {
-        self.add((node.range().start, described(node)), message.into(), false)
+        self.warning_at((node.range().start, described(node)), message)
     }
 
     /// A mistake at a place of which the element is known in words.
     pub(super) fn error_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
-        self.add(place, message.into(), true)
+        self.collector.add(place, message.into(), true)
     }
 
     pub(super) fn warning_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
-        self.add(place, message.into(), false)
+        self.collector.add(place, message.into(), false)
     }
 
-    fn error_in(&mut self, node: Node<'_, '_>, attribute: &str, message: String) -> &mut Mistake {
-        let written = node.attribute_node(attribute).map(|attribute| attribute.range().start);
-        self.add((written.unwrap_or(node.range().start), described(node)), message, true)
-    }
-
-    fn add(&mut self, (place, element): (usize, String), message: String, is_error: bool) -> &mut Mistake {
-        let position = self.document.text_pos_at(place);
-        let (line, column) = (position.row, position.col);
-        self.mistakes.push(Mistake { line, column, element, message, help: None, is_error });
-        let last = self.mistakes.len() - 1;
-        &mut self.mistakes[last]
+    pub(super) fn error_in(&mut self, node: Node<'_, '_>, name: &str, message: String) -> &mut Mistake {
+        let written = attribute_node(node, name).map(|attribute| attribute.range().start);
+        self.error_at((written.unwrap_or(node.range().start), described(node)), message)
     }
 
     /// The child of that tag; a second one is a mistake.
     pub(super) fn child<'a>(&mut self, node: Node<'a, 'd>, tag: &str) -> Option<Node<'a, 'd>> {
-        let mut children = node.children().filter(|child| child.has_tag_name(tag));
+        let mut children = tagged(node, tag);
         let first = children.next();
         for other in children {
             self.error(other, messages::TWICE);
@@ -100,7 +86,7 @@ impl<'d> Source<'d> {
     }
 
     pub(super) fn text<'a>(&mut self, node: Node<'a, 'd>, attribute: &str) -> Option<&'a str> {
-        let text = node.attribute(attribute);
+        let text = attribute_of(node, attribute);
         if text.is_none() {
             self.error(node, messages::missing_attribute(attribute));
         }
@@ -113,7 +99,7 @@ impl<'d> Source<'d> {
     }
 
     pub(super) fn optional_number(&mut self, node: Node<'_, 'd>, attribute: &str) -> Option<Decimal> {
-        let text = node.attribute(attribute)?.trim();
+        let text = attribute_of(node, attribute)?.trim();
         let number = Decimal::parse(text);
         if number.is_none() {
             self.error_in(node, attribute, messages::no_number(attribute, text));
@@ -121,11 +107,17 @@ impl<'d> Source<'d> {
         number
     }
 
-    /// Three numbers; `None` if there is no such attribute, or after a mistake.
-    pub(super) fn triple(&mut self, node: Node<'_, 'd>, attribute: &str) -> Option<[Decimal; 3]> {
-        let words = node.attribute(attribute)?.split_whitespace().collect::<Vec<_>>();
-        let Ok(words) = <[&str; 3]>::try_from(words.as_slice()) else {
-            self.error_in(node, attribute, messages::no_triple(attribute, words.len()));
+    /// Three numbers, or four; `None` if there is no such attribute, or after a mistake.
+    pub(super) fn numbers<const N: usize>(
+        &mut self,
+        node: Node<'_, 'd>,
+        attribute: &str,
+    ) -> Option<[Decimal; N]> {
+        let text = attribute_of(node, attribute)?;
+        let words = text.split_whitespace().take(N).collect::<Vec<_>>();
+        let count = text.split_whitespace().count();
+        let Some(words) = <[&str; N]>::try_from(words).ok().filter(|_| count == N) else {
+            self.error_in(node, attribute, messages::wrong_count(attribute, N, count));
             return None;
         };
         let numbers = words.map(Decimal::parse);
@@ -134,48 +126,140 @@ impl<'d> Source<'d> {
         {
             self.error_in(node, attribute, messages::no_number(attribute, wrong));
         }
-        let [x, y, z] = numbers;
-        Some([x?, y?, z?])
+        let numbers = numbers.into_iter().collect::<Option<Vec<_>>>()?;
+        numbers.try_into().ok()
     }
 
-    /// Place and orientation of an `<origin>`: zero where nothing is said.
+    /// Place and orientation of an `<origin>`, the latter by roll, pitch and yaw: zero without one.
     pub(super) fn origin(&mut self, node: Node<'_, 'd>) -> [[Decimal; 3]; 2] {
         let zero = || [Decimal::zero(), Decimal::zero(), Decimal::zero()];
         let Some(origin) = self.child(node, "origin") else { return [zero(), zero()] };
-        self.allow_only(origin, &["xyz", "rpy"], &[]);
-        ["xyz", "rpy"].map(|attribute| self.triple(origin, attribute).unwrap_or_else(zero))
+        self.allow_only(origin, &["xyz", "rpy", "quat_xyzw"], &[]);
+        let turned = match (attribute_of(origin, "rpy"), attribute_of(origin, "quat_xyzw")) {
+            (Some(_), Some(_)) => {
+                self.error(origin, messages::TURNED_TWICE).help(messages::TURNED_TWICE_HELP);
+                None
+            }
+            (None, Some(_)) => self.quaternion(origin, "quat_xyzw"),
+            _ => self.numbers(origin, "rpy"),
+        };
+        [self.numbers(origin, "xyz").unwrap_or_else(zero), turned.unwrap_or_else(zero)]
     }
 
-    /// Warns of attributes and elements that are none of these: what is misspelt would go unnoticed.
-    pub(super) fn allow_only(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
-        for attribute in node.attributes().filter(|attribute| !attributes.contains(&attribute.name())) {
-            let (place, name) = (attribute.range().start, attribute.name());
-            let warning = self.warning_at((place, described(node)), messages::unknown_attribute(name));
-            nearest(name, attributes.iter().copied())
-                .into_iter()
-                .for_each(|near| warning.help(messages::did_you_mean(near)));
+    /// Roll, pitch and yaw of a quaternion of any length, its real part last.
+    fn quaternion(&mut self, node: Node<'_, 'd>, attribute: &str) -> Option<[Decimal; 3]> {
+        let components = self.numbers::<4>(node, attribute)?;
+        let rotation = from_quaternion(components.each_ref().map(Decimal::value));
+        if rotation.is_none() {
+            self.error_in(node, attribute, messages::QUATERNION_ZERO.to_owned())
+                .help(messages::IDENTITY_HELP);
         }
-        let children = node.children().filter(Node::is_element);
-        for child in children.filter(|child| !elements.contains(&child.tag_name().name())) {
-            let name = child.tag_name().name();
+        Some(angles_of(rotation?).map(Decimal::of))
+    }
+
+    /// Warns of attributes and elements that are none of these. Those that may change the motion are errors.
+    pub(super) fn allow_only(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
+        self.report_foreign(node);
+        for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
+            if !attributes.contains(&attribute.name()) {
+                self.report_attribute(node, attribute, attributes);
+            }
+        }
+        for child in self::elements(node).filter(|child| !elements.contains(&child.tag_name().name())) {
+            self.report_element(child, elements);
+        }
+    }
+
+    fn report_attribute(&mut self, node: Node<'_, 'd>, attribute: Attribute<'_, 'd>, known: &[&str]) {
+        let (place, name, tag) = (attribute.range().start, attribute.name(), node.tag_name().name());
+        let near = nearest(name, known.iter().copied());
+        let here = (place, described(node));
+        if EXACT.contains(&tag) || tag == "dynamics" && near.is_some() {
+            let help = near.map_or_else(|| messages::known_attributes(known), messages::did_you_mean);
+            self.error_at(here, messages::unreadable_attribute(name)).help(help);
+        } else {
+            let warning = self.warning_at(here, messages::unknown_attribute(name));
+            near.into_iter().for_each(|near| warning.help(messages::did_you_mean(near)));
+        }
+    }
+
+    fn report_element(&mut self, child: Node<'_, 'd>, known: &[&str]) {
+        let name = child.tag_name().name();
+        let near = nearest(name, known.iter().copied());
+        let is_misplaced = MECHANICAL.contains(&name) && !is_identity(child);
+        let is_misspelt = near.is_some_and(|near| MECHANICAL.contains(&near)) && !MECHANICAL.contains(&name);
+        let suggestion = near.map(|near| messages::did_you_mean(&format!("<{near}>")));
+        if is_misplaced || is_misspelt {
+            let help = suggestion.filter(|_| is_misspelt);
+            let help = help.unwrap_or_else(|| messages::UNREADABLE_ELEMENT_HELP.to_owned());
+            self.error(child, messages::UNREADABLE_ELEMENT).help(help);
+        } else {
             let warning = self.warning(child, messages::UNKNOWN_ELEMENT);
-            nearest(name, elements.iter().copied())
-                .into_iter()
-                .for_each(|near| warning.help(messages::did_you_mean(&format!("<{near}>"))));
+            suggestion.into_iter().for_each(|suggestion| warning.help(suggestion));
+        }
+    }
+
+    /// Warns of attributes and elements of other namespaces, once for each prefix.
+    fn report_foreign(&mut self, node: Node<'_, 'd>) {
+        let foreign = |namespace: &str| messages::foreign(node.lookup_prefix(namespace));
+        for attribute in node.attributes() {
+            if let Some(namespace) = attribute.namespace().filter(|namespace| !is_of_xml(namespace)) {
+                let place = (attribute.range().start, String::new());
+                self.warning_at(place, foreign(namespace));
+            }
+        }
+        for child in node.children().filter(|child| child.is_element() && !is_own(*child)) {
+            let prefix = child.tag_name().namespace().and_then(|namespace| child.lookup_prefix(namespace));
+            self.warning_at((child.range().start, String::new()), messages::foreign(prefix));
         }
     }
 }
 
-/// The last part of an element in words, without names: `<axis>` of `joint "elbow", <axis>`.
-fn tag(mistake: &Mistake) -> &str {
-    let last = mistake.element.rsplit(", ").next().unwrap_or_default();
-    if last.starts_with('<') { last } else { last.split(' ').next().unwrap_or_default() }
+/// True of namespaces of XML itself, which say nothing of the robot.
+fn is_of_xml(namespace: &str) -> bool {
+    ["http://www.w3.org/XML/", "http://www.w3.org/2001/XMLSchema"]
+        .iter()
+        .any(|own| namespace.starts_with(own))
+}
+
+/// True if an element is of the namespace of the whole file: those of others are for other programs.
+fn is_own(node: Node<'_, '_>) -> bool {
+    node.tag_name().namespace() == node.document().root_element().tag_name().namespace()
+}
+
+/// The elements of the file's namespace within another.
+pub(super) fn elements<'a, 'd>(node: Node<'a, 'd>) -> impl Iterator<Item = Node<'a, 'd>> {
+    node.children().filter(|child| child.is_element() && is_own(*child))
+}
+
+/// The value of an attribute that URDF speaks of. The library would also find those of other namespaces.
+pub(super) fn attribute_of<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
+    attribute_node(node, name).map(|attribute| attribute.value())
+}
+
+fn attribute_node<'a, 'd>(node: Node<'a, 'd>, name: &str) -> Option<Attribute<'a, 'd>> {
+    node.attributes().find(|attribute| attribute.namespace().is_none() && attribute.name() == name)
+}
+
+/// Those of a tag.
+pub(super) fn tagged<'a, 'd>(node: Node<'a, 'd>, tag: &str) -> impl Iterator<Item = Node<'a, 'd>> {
+    elements(node).filter(move |child| child.tag_name().name() == tag)
+}
+
+/// True of an `<origin>` at which nothing is displaced or turned, whichever element it stands in.
+fn is_identity(node: Node<'_, '_>) -> bool {
+    let is_zero = |word: &str| Decimal::parse(word).is_some_and(|number| number.is_zero());
+    node.tag_name().name() == "origin"
+        && node.attributes().all(|attribute| {
+            ["xyz", "rpy"].contains(&attribute.name()) && attribute.value().split_whitespace().all(is_zero)
+        })
 }
 
 /// An element in words: `link "arm", <mass>`.
 pub(super) fn described(node: Node<'_, '_>) -> String {
-    let tag = node.tag_name().name();
-    let named = |node: Node<'_, '_>| Some(messages::element(node.tag_name().name(), node.attribute("name")?));
+    let tag = messages::shortened(node.tag_name().name());
+    let named =
+        |node: Node<'_, '_>| Some(messages::element(node.tag_name().name(), attribute_of(node, "name")?));
     let is_part = |node: &Node<'_, '_>| ["link", "joint"].contains(&node.tag_name().name());
     let outer = node.ancestors().skip(1).find(is_part).and_then(named);
     match (is_part(&node).then(|| named(node)).flatten(), outer) {

@@ -17,14 +17,15 @@ pub(super) fn tree(
     is_complete: bool,
 ) -> Option<Robot> {
     let before = source.error_count();
-    let link_named = named(source, "link", links.iter().map(|link| (link.name.as_str(), link.place)));
-    let joint_named = named(source, "joint", joints.iter().map(|joint| (joint.name, joint.place)));
+    let mut link_named =
+        Named::new(source, "link", links.iter().map(|link| (link.name.as_str(), link.place)));
+    let mut joint_named = Named::new(source, "joint", joints.iter().map(|joint| (joint.name, joint.place)));
     let mut end = |end: &NameAt<'_>, role: &str| {
-        found(source, end, &link_named, messages::unknown_link(role, end.name))
+        link_named.find(source, end, || messages::unknown_link(role, end.name))
     };
     let ends = joints.iter().map(|joint| end(&joint.parent, "parent").zip(end(&joint.child, "child")));
     let ends = ends.collect::<Vec<_>>();
-    let leaders = joints.iter().map(|joint| leader(source, joint, &joint_named)).collect::<Vec<_>>();
+    let leaders = joints.iter().map(|joint| leader(source, joint, &mut joint_named)).collect::<Vec<_>>();
     report_mimic_circles(source, &joints, &leaders);
     let ends = ends.into_iter().collect::<Option<Vec<_>>>()?;
     report_placed_twice(source, &links, &joints, &ends);
@@ -47,62 +48,85 @@ pub(super) fn tree(
     (source.error_count() == before).then_some(Robot { name, links, root, joints })
 }
 
-/// The index of a name; one that is not known is reported.
-fn found(
-    source: &mut Source<'_>,
-    name: &NameAt<'_>,
-    known: &HashMap<&str, usize>,
-    message: String,
-) -> Option<usize> {
-    let found = known.get(name.name).copied();
-    if found.is_none() {
-        let mut names = known.keys().copied().collect::<Vec<_>>();
-        names.sort_unstable();
-        let mistake = source.error_at(name.place.clone(), message);
-        nearest(name.name, names).into_iter().for_each(|near| mistake.help(messages::did_you_mean(near)));
-    }
-    found
+/// Names for which the nearest known one is looked for: behind so many, nobody reads what is suggested.
+const MAX_SUGGESTIONS: usize = 50;
+
+/// What has a name in the file.
+struct Named<'n> {
+    indices: HashMap<&'n str, usize>,
+    /// In their order; made when the first name is not found.
+    sorted: Vec<&'n str>,
+    suggestions: usize,
 }
 
-/// Indices by name; names that stand twice are reported.
-fn named<'n>(
-    source: &mut Source<'_>,
-    tag: &str,
-    items: impl Iterator<Item = (&'n str, usize)>,
-) -> HashMap<&'n str, usize> {
-    let mut known = HashMap::<&str, (usize, usize)>::new();
-    for (index, (name, place)) in items.enumerate() {
-        let here = (place, messages::element(tag, name));
-        if name.is_empty() {
-            source.error_at(here, messages::EMPTY_NAME);
-        } else if let Some((_, before)) = known.get(name) {
-            let line = source.line(*before);
-            source.error_at(here, messages::repeated(tag, line));
-        } else {
-            known.insert(name, (index, place));
+impl<'n> Named<'n> {
+    /// Items with their places; names that stand twice are reported.
+    fn new(source: &mut Source<'_>, tag: &str, items: impl Iterator<Item = (&'n str, usize)>) -> Named<'n> {
+        let mut known = HashMap::<&str, (usize, usize)>::new();
+        for (index, (name, place)) in items.enumerate() {
+            let here = (place, messages::element(tag, name));
+            if name.is_empty() {
+                source.error_at(here, messages::EMPTY_NAME);
+            } else if let Some((_, before)) = known.get(name) {
+                let line = source.line(*before);
+                source.error_at(here, messages::repeated(tag, line));
+            } else {
+                known.insert(name, (index, place));
+            }
         }
+        let indices = known.into_iter().map(|(name, (index, _))| (name, index)).collect();
+        Named { indices, sorted: Vec::new(), suggestions: 0 }
     }
-    known.into_iter().map(|(name, (index, _))| (name, index)).collect()
+
+    /// The index of a name; one that is not known is reported.
+    fn find(
+        &mut self,
+        source: &mut Source<'_>,
+        name: &NameAt<'_>,
+        message: impl Fn() -> String,
+    ) -> Option<usize> {
+        let found = self.indices.get(name.name).copied();
+        if found.is_none() {
+            let mistake = source.error_at(name.place.clone(), message());
+            self.suggest(name.name).into_iter().for_each(|near| mistake.help(messages::did_you_mean(near)));
+        }
+        found
+    }
+
+    fn suggest(&mut self, name: &str) -> Option<&'n str> {
+        self.suggestions += 1;
+        if self.sorted.is_empty() {
+            self.sorted = self.indices.keys().copied().collect();
+            self.sorted.sort_unstable();
+        }
+        (self.suggestions <= MAX_SUGGESTIONS).then(|| nearest(name, self.sorted.iter().copied())).flatten()
+    }
 }
 
 /// The joint that another mimics.
-fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &HashMap<&str, usize>) -> Option<usize> {
+fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &mut Named<'_>) -> Option<usize> {
     let name = &joint.mimic.as_ref()?.joint;
     if name.name == joint.name {
         source.error_at(name.place.clone(), messages::MIMICS_ITSELF);
         return None;
     }
-    found(source, name, joints, messages::unknown_joint(name.name))
+    joints.find(source, name, || messages::unknown_joint(name.name))
 }
 
 /// Reports joints that mimic each other in a circle, each circle at its first joint.
 fn report_mimic_circles(source: &mut Source<'_>, joints: &[NamedJoint<'_>], leaders: &[Option<usize>]) {
-    for (index, joint) in joints.iter().enumerate() {
-        let Some(mimic) = &joint.mimic else { continue };
-        let chain = std::iter::successors(leaders[index], |&leader| leaders[leader]).take(joints.len());
-        let circle: Vec<usize> = chain.take_while(|&leader| leader > index).collect();
-        let last = circle.last().copied().unwrap_or(index);
-        if leaders[last] == Some(index) && !circle.is_empty() {
+    // The joint from which each was reached first; who comes back to one of the same walk has gone round.
+    let mut reached_from = vec![None; joints.len()];
+    for start in 0..joints.len() {
+        let mut next = Some(start);
+        while let Some(joint) = next.filter(|&joint| reached_from[joint].is_none()) {
+            reached_from[joint] = Some(start);
+            next = leaders[joint];
+        }
+        let Some(last) = next.filter(|&last| reached_from[last] == Some(start)) else { continue };
+        let circle = std::iter::successors(leaders[last], |&joint| leaders[joint]);
+        let first = circle.take_while(|&joint| joint != last).fold(last, usize::min);
+        if let Some(mimic) = &joints[first].mimic {
             source.error_at(mimic.joint.place.clone(), messages::MIMIC_CIRCLE);
         }
     }
@@ -163,8 +187,9 @@ fn report_loop(
     joints: &[NamedJoint<'_>],
     (ends, order): (&[(usize, usize)], &[usize]),
 ) {
-    let unreached = (0..joints.len()).find(|joint| !order.contains(joint));
-    if let Some(joint) = unreached {
+    let mut is_reached = vec![false; joints.len()];
+    order.iter().for_each(|&joint| is_reached[joint] = true);
+    if let Some(joint) = is_reached.iter().position(|is_reached| !is_reached) {
         let message = messages::in_loop(&links[ends[joint].1].name);
         let place = (joints[joint].place, messages::element("joint", joints[joint].name));
         source.error_at(place, message).help(messages::TREE_HELP);

@@ -2,7 +2,9 @@
 
 mod dynamics;
 mod edits;
+mod elements;
 mod files;
+mod judge;
 mod mistakes;
 mod reference;
 mod writing;

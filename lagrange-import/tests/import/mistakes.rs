@@ -1,12 +1,12 @@
 //! What is said of files that are wrong: line, element, what is wrong, what helps.
 
-use lagrange_import::Mistake;
 use lagrange_import::urdf::{Options, import};
+use lagrange_import::{Mistake, listing};
 
 use crate::files::{path, read};
 
 /// All that is said of a file, without help.
-fn said(text: &str) -> Vec<String> {
+pub(crate) fn said(text: &str) -> Vec<String> {
     match import(text, &Options::default()) {
         Ok(imported) => imported.warnings.iter().map(first_line).collect(),
         Err(mistakes) => mistakes.iter().map(first_line).collect(),
@@ -17,7 +17,7 @@ fn first_line(mistake: &Mistake) -> String {
     mistake.to_string().lines().next().unwrap_or_default().to_owned()
 }
 
-const GOOD: &str = r#"<robot name="r">
+pub(crate) const GOOD: &str = r#"<robot name="r">
 <link name="base"/>
 <link name="arm">
 <inertial>
@@ -81,12 +81,16 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "<origin xyz=\"0 0 0.1\"/>",
         "<origin xzy=\"0 0 0.1\"/>",
-        &["5:9: warning: link \"arm\", <origin>: the attribute `xzy` is not known and left out"],
+        &[
+            "5:9: error: link \"arm\", <origin>: the attribute `xzy` is not known, and leaving it out may change the motion",
+        ],
     ),
     (
         "<inertial>\n",
         "<inertail></inertail><inertial>\n",
-        &["4:1: warning: link \"arm\", <inertail>: this is not known and left out"],
+        &[
+            "4:1: error: link \"arm\", <inertail>: this is not known at this place, and leaving it out may change the motion",
+        ],
     ),
     (
         "<inertial>\n",
@@ -242,7 +246,7 @@ fn other_files_are_no_robots() {
 fn every_mistake_of_a_file_is_told() {
     let text = read("wrong.urdf");
     let mistakes = import(&text, &Options::default()).expect_err("all is wrong");
-    let told = mistakes.iter().map(|mistake| format!("wrong.urdf:{mistake}\n")).collect::<String>();
+    let told = listing("wrong.urdf", &mistakes);
     if std::env::var_os("UPDATE_GOLDEN").is_some() {
         std::fs::write(path("wrong.mistakes"), &told).expect("written");
     }
