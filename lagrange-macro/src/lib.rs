@@ -4,6 +4,8 @@
 //! text. Use the macro as `lagrange::system!`, which is where its language is documented.
 #![forbid(unsafe_code)]
 
+mod files;
+
 use std::path::PathBuf;
 
 use lagrange_core::tables::FileText;
@@ -23,8 +25,5 @@ pub fn system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
 /// A file of the crate that is compiled, by its path from where that crate is.
 fn file(path: &str) -> Result<FileText, String> {
     let folder = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from).unwrap_or_default();
-    let path = folder.join(path);
-    let text = std::fs::read_to_string(&path).map_err(|error| error.to_string())?;
-    let path = path.into_os_string().into_string().map_err(|_| "its path is not UTF-8".to_owned())?;
-    Ok(FileText { path, text })
+    files::read(&folder, path)
 }

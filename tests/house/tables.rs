@@ -20,7 +20,7 @@ pub(crate) const LIBRARIES: [Library; 12] = [
     Library { name: "lagrange-draw", layers: DRAW },
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-import", layers: IMPORT },
-    Library { name: "lagrange-macro", layers: &[] },
+    Library { name: "lagrange-macro", layers: MACRO },
     Library { name: "lagrange-math", layers: MATH },
     Library { name: "lagrange-mpi", layers: MPI },
     Library { name: "lagrange-plot", layers: PLOT },
@@ -95,6 +95,8 @@ const CORE: &[Layer] = &[
     Layer { modules: &["emit"], purpose: "the types, methods and documentation generated for a system" },
     Layer { modules: &["pipeline"], purpose: "all phases, in order" },
 ];
+
+const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "files that declarations name, read" }];
 
 const MATH: &[Layer] = &[
     Layer {

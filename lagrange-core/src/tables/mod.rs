@@ -1,7 +1,7 @@
 //! Files of tables: read, and taken apart into numbers.
 //!
 //! Nothing here touches a file system: who reads declarations says how files are read. A file has a point on each line, its numbers
-//! separated by commas, semicolons, tabs or blanks; the first line may name the columns, and lines that begin with `#` are comments.
+//! separated by commas, semicolons, tabs or blanks; the first line may name the columns, and what stands behind `#` is a comment.
 
 mod messages;
 
@@ -18,6 +18,29 @@ pub struct FileText {
     pub path: String,
     /// What it says.
     pub text: String,
+}
+
+/// Bytes of a file at most: enough for the largest table, and read by an unoptimised macro in seconds.
+pub const MAX_BYTES: u64 = 16 << 20;
+
+/// Mark with which some programs begin a text in UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// Returns the text of a file in UTF-8.
+///
+/// # Errors
+/// What the bytes are instead, in words that follow the name of the file.
+pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(messages::UTF_16.to_owned());
+    }
+    if bytes.contains(&0) {
+        return Err(messages::BINARY.to_owned());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        messages::not_utf_8(1 + before.iter().filter(|byte| **byte == b'\n').count())
+    })
 }
 
 /// Reads files: from the path that a declaration gives to the text, or to the reason why there is none.
@@ -53,33 +76,59 @@ pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut 
 
 /// The points in a text, each behind the number of its line; nothing but a report if one of them is none.
 fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
-    let lines = text.lines().enumerate().map(|(number, line)| (number + 1, line.trim()));
-    let lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
+    let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+    let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));
+    let lines = lines.filter(|(_, line)| !line.is_empty());
     let mut points = Vec::new();
     for (position, (line, text)) in lines.enumerate() {
         let fields = fields(text);
-        let numbers =
-            fields.iter().map(|field| field.parse::<f64>().ok().filter(|number| number.is_finite()));
-        let numbers = numbers.collect::<Vec<_>>();
-        if position == 0 && numbers.iter().all(Option::is_none) {
-            // Names of the columns.
+        if position == 0 && are_names(&fields) {
             continue;
         }
-        let wrong = fields.iter().zip(&numbers).find(|(_, number)| number.is_none());
-        let complaint = match wrong {
-            Some((field, _)) => messages::no_number(field),
-            None if fields.len() != columns => messages::wrong_columns(fields.len(), columns),
-            None => {
-                points.push((line, numbers.into_iter().flatten().collect()));
-                continue;
+        match point(&fields, columns) {
+            Ok(point) => points.push((line, point)),
+            Err((complaint, help)) => {
+                report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(help);
+                return None;
             }
-        };
-        let has_comma = wrong.is_some_and(|(field, _)| field.contains(','));
-        let help = if has_comma { messages::DECIMAL_COMMA_HELP } else { messages::FORM_HELP };
-        report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(help);
-        return None;
+        }
     }
     Some(points)
+}
+
+/// What stands before a comment.
+fn uncommented(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default().trim()
+}
+
+/// True if a line names columns: what begins as a number does is a point, however it goes on.
+fn are_names(fields: &[&str]) -> bool {
+    let begins_number = |field: &str| field.starts_with(|c: char| c.is_numeric() || "+-−.,".contains(c));
+    fields.iter().any(|field| !field.is_empty())
+        && fields.iter().all(|field| !begins_number(field) && field.parse::<f64>().is_err())
+}
+
+/// The numbers of a point, or what is wrong with them and what helps.
+fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static str)> {
+    let mut numbers = Vec::with_capacity(columns);
+    for field in fields {
+        let help = if field.contains(',') { messages::DECIMAL_COMMA_HELP } else { messages::FORM_HELP };
+        match field.parse::<f64>() {
+            Ok(number) if number.is_finite() => numbers.push(number),
+            Ok(_) if field.contains(|c: char| c.is_ascii_digit()) => {
+                return Err((messages::too_large(field), messages::UNITS_HELP));
+            }
+            _ => return Err((messages::no_number(field), help)),
+        }
+    }
+    match numbers.len() {
+        found if found == columns => Ok(numbers),
+        // In `1,5, 2,5` every number seems to be two.
+        found if found == 2 * columns => {
+            Err((messages::wrong_columns(found, columns), messages::DECIMAL_COMMA_HELP))
+        }
+        found => Err((messages::wrong_columns(found, columns), messages::FORM_HELP)),
+    }
 }
 
 /// What a line consists of, between the strongest separators in it: in `1,5; 2` decimals are written with a comma.

@@ -1,0 +1,43 @@
+//! Files that a declaration names, read from the package that is compiled.
+//!
+//! A build must come to an end, whatever a path leads to: pipes and devices would be waited for, or never end.
+
+use std::fs::{self, File};
+use std::io::Read;
+use std::path::Path;
+
+use lagrange_core::tables::{FileText, MAX_BYTES, decoded};
+
+/// Reads a regular file of a folder, of at most [`MAX_BYTES`].
+///
+/// # Errors
+/// The reason why it cannot be read.
+pub(crate) fn read(folder: &Path, path: &str) -> Result<FileText, String> {
+    let path = folder.join(path);
+    let metadata = fs::metadata(&path).map_err(|error| error.to_string())?;
+    if metadata.is_dir() {
+        return Err("it is a folder".to_owned());
+    }
+    // Also what only looks like a file: those of the kernel have no length, and some are waited for.
+    if !metadata.is_file() {
+        return Err("it is no file, but a device, a pipe or a socket".to_owned());
+    }
+    let too_large = || format!("it has more than {} MB, too much for a table", MAX_BYTES >> 20);
+    if metadata.len() > MAX_BYTES {
+        return Err(too_large());
+    }
+    let mut bytes = Vec::new();
+    if metadata.len() > 0 {
+        // It may grow while it is read.
+        let file = File::open(&path).map_err(|error| error.to_string())?;
+        file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
+    }
+    if bytes.len() as u64 > MAX_BYTES {
+        return Err(too_large());
+    }
+    let path = path.into_os_string().into_string().map_err(|_| "its path is not in UTF-8".to_owned())?;
+    Ok(FileText { path, text: decoded(bytes)? })
+}
+
+#[cfg(test)]
+mod tests;
