@@ -34,38 +34,60 @@ pub(super) fn note(text: &str, size: [f64; 2]) -> Heading {
     Heading { size: NOTE * size, lines }
 }
 
+/// A word of a title and its width in letters of size 1, behind a blank and without it.
+struct Word<'t> {
+    text: &'t str,
+    width: f64,
+    behind_blank: f64,
+}
+
+impl Word<'_> {
+    fn new(text: &str) -> Word<'_> {
+        Word { text, width: width(text, 1.0), behind_blank: width(&format!(" {text}"), 1.0) }
+    }
+
+    /// More opened than closed braces in it.
+    fn braces(&self) -> isize {
+        self.text.matches('{').count() as isize - self.text.matches('}').count() as isize
+    }
+}
+
 /// A title in the largest letters in which it fits above a picture of this size.
 pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
     let room = across - 2.0 * BORDER;
+    // Measured once: long titles are broken at many sizes.
+    let words = title.split_whitespace().map(Word::new).collect::<Vec<_>>();
     let mut size = FONT;
     loop {
-        let lines = wrapped(title, size, room);
-        let is_narrow = lines.iter().all(|line| LEEWAY * width(line, size) <= room);
+        let lines = wrapped(&words, room / (LEEWAY * size));
+        let is_narrow = lines.iter().all(|(_, width)| LEEWAY * width * size <= room);
         let is_low = lines.len() <= 1 || lines.len() as f64 * LINE * size <= SHARE * down;
         // Without any room the picture is refused for its size.
         if (is_narrow && is_low && lines.len() <= MOST) || size < LEAST || room.is_nan() {
-            return Heading { size, lines };
+            return Heading { size, lines: lines.into_iter().map(|(line, _)| line).collect() };
         }
         size *= SMALLER;
     }
 }
 
-/// Broken at blanks where a line would be too long.
-fn wrapped(title: &str, size: f64, room: f64) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in title.split_whitespace() {
+/// Broken at blanks where a line would be longer than this in letters of size 1, each line with its width.
+fn wrapped(words: &[Word<'_>], longest: f64) -> Vec<(String, f64)> {
+    let mut lines: Vec<(String, f64)> = Vec::new();
+    let mut braces = 0;
+    for word in words {
         match lines.last_mut() {
             // Blanks within braces belong to a subscript.
-            Some(line) if line.matches('{').count() > line.matches('}').count() => {
+            Some((line, width)) if braces > 0 || *width + word.behind_blank <= longest => {
                 line.push(' ');
-                line.push_str(word);
+                line.push_str(word.text);
+                *width += word.behind_blank;
             }
-            Some(line) if LEEWAY * width(&format!("{line} {word}"), size) <= room => {
-                line.push(' ');
-                line.push_str(word);
+            _ => {
+                lines.push((word.text.to_string(), word.width));
+                braces = 0;
             }
-            _ => lines.push(word.to_string()),
         }
+        braces += word.braces();
     }
     lines
 }

@@ -3,6 +3,7 @@
 use crate::beside::SEPARATOR;
 use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
 use crate::text::{self, Run};
+use lagrange_plot::characters::escaped;
 use lagrange_plot::lettering::FAMILY;
 
 /// The document.
@@ -11,16 +12,17 @@ pub(crate) fn document(picture: &Picture) -> String {
     format!("{}{marks}</svg>\n", opening(picture))
 }
 
-/// The start of the document: its size, title and description, and what all marks share.
+/// The start of the document: its size, title and description, and what all marks share. Blanks at the ends of pieces of a text stay, which
+/// some viewers leave out otherwise.
 pub(crate) fn opening(picture: &Picture) -> String {
     let [width, height] = picture.size.map(number);
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
-         viewBox=\"0 0 {width} {height}\" role=\"img\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" \
+         viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" \
          stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
-        escape(&text::plain(&picture.title)),
-        escape(&description(picture)),
+        escaped(&text::plain(&picture.title)),
+        escaped(&description(picture)),
     )
 }
 
@@ -66,7 +68,7 @@ pub(crate) fn mark(mark: &Mark) -> String {
             number(*size),
             anchored(*anchor),
             paint("fill", Some(*colour)),
-            content(text),
+            content(text, *size),
         ),
     }
 }
@@ -115,31 +117,35 @@ fn paint(attribute: &str, colour: Option<Colour>) -> String {
 }
 
 /// What stands between the tags of a text: symbols in italics, subscripts smaller and lower.
-pub(crate) fn content(text: &str) -> String {
+///
+/// Sizes are in the units of the picture, which every viewer understands: not all take a percentage, or an em of a part of a text.
+fn content(text: &str, size: f64) -> String {
     let mut content = String::new();
     let mut is_lowered = false;
     for run in text::runs(text) {
-        content += &element(&run, is_lowered);
+        content += &element(&run, size, is_lowered);
         is_lowered = run.is_subscript;
     }
     content
 }
 
-/// One piece; `is_lowered` says whether the one before was a subscript.
-fn element(run: &Run, is_lowered: bool) -> String {
+/// One piece of a text in letters of this size; `is_lowered` is true if the one before was a subscript.
+fn element(run: &Run, size: f64, is_lowered: bool) -> String {
     let (factor, lowered) = text::SUBSCRIPT;
+    let lowered = number(size * lowered);
     let mut attributes = String::new();
+    if run.is_subscript && !is_lowered {
+        attributes += &format!(" dy=\"{lowered}\"");
+    } else if is_lowered && !run.is_subscript {
+        attributes += &format!(" dy=\"-{lowered}\"");
+    }
     if run.is_subscript {
-        // An em is the size of the smaller font.
-        let (lowered, percent) = (number(lowered / factor), number(100.0 * factor));
-        attributes += &format!(" dy=\"{lowered}em\" font-size=\"{percent}%\"");
-    } else if is_lowered {
-        attributes += &format!(" dy=\"-{lowered}em\"");
+        attributes += &format!(" font-size=\"{}\"", number(size * factor));
     }
     if run.is_symbol() {
         attributes += " font-style=\"italic\"";
     }
-    let text = escape(&run.text);
+    let text = escaped(&run.text);
     if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") }
 }
 
@@ -150,41 +156,5 @@ pub(crate) fn number(value: f64) -> String {
     if text == "-0" { "0".into() } else { text.into() }
 }
 
-/// Text in which nothing is taken for a tag. Characters that no document may hold are left out.
-pub(crate) fn escape(text: &str) -> String {
-    let mut escaped = String::new();
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            character if character.is_control() => escaped.push(' '),
-            character => escaped.push(character),
-        }
-    }
-    escaped
-}
-
 #[cfg(test)]
-mod tests {
-    use super::{content, escape, number};
-
-    #[test]
-    fn numbers_have_two_decimals_at_most() {
-        let pairs = [(1.0, "1"), (-0.001, "0"), (0.126, "0.13"), (1200.0, "1200"), (-2.5, "-2.5")];
-        for (value, written) in pairs {
-            assert_eq!(number(value), written);
-        }
-    }
-
-    #[test]
-    fn names_cannot_break_a_document() {
-        assert_eq!(escape("a<b & \"c\"\u{0}"), "a&lt;b &amp; &quot;c&quot; ");
-        let text = format!("<text>{}</text>", content("<v>_P'&_{<Q>}"));
-        let document = roxmltree::Document::parse(&text).expect("is well formed");
-        let words: String = document.descendants().filter_map(|node| node.text()).collect();
-        assert!(words.contains("<v>") && words.contains("<Q>"));
-    }
-}
+pub(crate) mod tests;

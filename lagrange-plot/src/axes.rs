@@ -5,6 +5,7 @@ use plotters::style::{FontTransform, IntoFont, RGBColor, ShapeStyle, TextStyle};
 use plotters_backend::{DrawingBackend, DrawingErrorKind};
 
 use crate::axis::Axis;
+use crate::characters::shown;
 use crate::lettering::FAMILY;
 use crate::thin::Point;
 
@@ -115,12 +116,12 @@ pub(crate) fn draw_abscissa<B: DrawingBackend>(
             backend.draw_path([(x, frame.top), (x, frame.bottom)], &line(GRID, 10))?;
         }
         backend.draw_path([(x, frame.bottom), (x, frame.bottom + points(TICK))], &line(INK, 10))?;
-        backend.draw_text(&mark.label, &style, (x, frame.bottom + points(TICK + 3)))?;
+        write(backend, &mark.label, &style, (x, frame.bottom + points(TICK + 3)))?;
     }
     let below = frame.bottom + points(28);
-    backend.draw_text(name, &style, ((frame.left + frame.right) / 2, below))?;
+    write(backend, name, &style, ((frame.left + frame.right) / 2, below))?;
     let style = text(HPos::Right, VPos::Top, FontTransform::None);
-    if axis.note.is_empty() { Ok(()) } else { backend.draw_text(&axis.note, &style, (frame.right, below)) }
+    if axis.note.is_empty() { Ok(()) } else { write(backend, &axis.note, &style, (frame.right, below)) }
 }
 
 /// Where an ordinate stands.
@@ -150,18 +151,28 @@ pub(crate) fn draw_ordinate<B: DrawingBackend>(
             backend.draw_path([(frame.left, y), (frame.right, y)], &line(GRID, 10))?;
         }
         backend.draw_path([(out(TICK), y), (edge, y)], &line(INK, 10))?;
-        backend.draw_text(&mark.label, &style, (out(TICK + 3), y))?;
+        write(backend, &mark.label, &style, (out(TICK + 3), y))?;
     }
     let middle = (frame.top + frame.bottom) / 2;
     let upright = text(HPos::Center, VPos::Top, FontTransform::Rotate270);
     let column = out(if side == Side::Left { NAME } else { NAME - FONT });
-    backend.draw_text(name, &upright, (column, middle))?;
+    write(backend, name, &upright, (column, middle))?;
     let style = text(HPos::Left, VPos::Bottom, FontTransform::None);
     if axis.note.is_empty() {
         Ok(())
     } else {
-        backend.draw_text(&axis.note, &style, (frame.left, frame.top - points(4)))
+        write(backend, &axis.note, &style, (frame.left, frame.top - points(4)))
     }
+}
+
+/// Writes what pictures show of a text.
+pub(crate) fn write<B: DrawingBackend>(
+    backend: &mut B,
+    text: &str,
+    style: &TextStyle<'_>,
+    at: (i32, i32),
+) -> Drawn<B> {
+    backend.draw_text(&shown(text).collect::<String>(), style, at)
 }
 
 pub(crate) fn line(color: RGBColor, width: u32) -> ShapeStyle {

@@ -23,8 +23,15 @@ pub(crate) struct Canvas {
 
 /// The size of a font as the SVG backend understands it, in terms of what it is given.
 pub(crate) const FONT: f64 = 1.0 / 1.24;
-/// How far that backend moves the base line below the point to which the top of a text belongs, in terms of the size of the font.
-const TOP: f64 = 0.76;
+/// How far that backend moves the base line below the point to which the top of a text belongs: as it writes it, and in terms of the size of
+/// the font.
+const TOP: (&str, f64) = ("0.76em", 0.76);
+/// Likewise below the middle.
+const MIDDLE: (&str, f64) = ("0.5ex", 0.5 * SMALL);
+/// Likewise below the bottom.
+const BOTTOM: (&str, f64) = ("-0.5ex", -0.5 * SMALL);
+/// All that it writes.
+pub(crate) const LOWERED: [(&str, f64); 3] = [TOP, MIDDLE, BOTTOM];
 
 impl Canvas {
     /// A white picture of a size in points, with this many points a pixel; none if it is too large.
@@ -130,10 +137,10 @@ impl DrawingBackend for Canvas {
             HPos::Center => -0.5,
             HPos::Right => -1.0,
         } * lettering::width(text, Slope::Upright);
-        let base = match anchor.v_pos {
+        let (_, base) = match anchor.v_pos {
             VPos::Top => TOP,
-            VPos::Center => 0.5 * SMALL,
-            VPos::Bottom => -0.5 * SMALL,
+            VPos::Center => MIDDLE,
+            VPos::Bottom => BOTTOM,
         };
         let degrees = match style.transform() {
             FontTransform::None => 0.0,

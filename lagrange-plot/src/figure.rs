@@ -13,8 +13,9 @@ use plotters::backend::SVGBackend;
 use plotters::style::WHITE;
 use plotters_backend::DrawingBackend;
 
-use crate::axes::{Drawn, FINENESS, Frame};
-use crate::canvas::Canvas;
+use crate::axes::{Drawn, FINENESS, FONT, Frame, points};
+use crate::canvas::{self, Canvas, LOWERED};
+use crate::characters::escaped;
 use crate::image::Placed;
 use crate::panel::Panel;
 use crate::pixels::Pixels;
@@ -30,6 +31,8 @@ pub struct Figure {
     pub size: (u32, u32),
 }
 
+/// Corners and ends of curves must not stick out.
+const ROUND: &str = "stroke-linejoin=\"round\" stroke-linecap=\"round\"";
 /// Points to the pixel of PNG files, which are so twice as fine as a screen of 96 dots to the inch.
 const POINTS_A_PIXEL: u32 = 5;
 
@@ -69,12 +72,21 @@ impl Figure {
         drawn::<SVGBackend>(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
         self.draw(&mut backend)?;
         drop(backend);
-        let text = self.with_images(text)?;
-        // Points are finer than what a size is given in, and corners of curves must not stick out.
+        let text = in_points(self.with_images(text)?);
+        // Points are finer than what a size is given in.
         let size = |points: u32| format!("=\"{points}\"");
         let wanted = |points: u32| format!("=\"{}\"", points / FINENESS);
         let text = text.replacen(&size(width), &wanted(width), 1).replacen(&size(height), &wanted(height), 1);
-        Ok(text.replacen("<svg ", "<svg stroke-linejoin=\"round\" stroke-linecap=\"round\" ", 1))
+        let text = text.replacen("<svg ", &format!("<svg role=\"img\" {ROUND} "), 1);
+        // A title is the first element, for those who cannot see the picture and for those who point at it.
+        let title = escaped(&self.title());
+        Ok(text.replacen('>', &format!(">\n<title>{title}</title>"), 1))
+    }
+
+    /// What there is to see, panel by panel.
+    fn title(&self) -> String {
+        let titles = self.panels.iter().map(Panel::title).filter(|title| !title.is_empty());
+        titles.collect::<Vec<_>>().join("; ")
     }
 
     /// The figure in pixels.
@@ -122,6 +134,14 @@ impl Figure {
         let rows = self.panels.len().div_ceil(self.columns) as u32;
         (FINENESS * columns * self.size.0, FINENESS * rows * self.size.1)
     }
+}
+
+/// Writes in points how far the base lines of texts are lowered: ems and heights of small letters are other ones in every font and viewer.
+fn in_points(svg: String) -> String {
+    let size = canvas::FONT * f64::from(points(FONT));
+    LOWERED.iter().fold(svg, |svg, (written, part)| {
+        svg.replace(&format!(" dy=\"{written}\""), &format!(" dy=\"{}\"", (part * size).round()))
+    })
 }
 
 fn drawn<B: DrawingBackend>(result: Drawn<B>) -> Result<(), PlotError>

@@ -10,6 +10,8 @@ use std::sync::LazyLock;
 use tiny_skia::{Path, PathBuilder};
 use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
 
+use crate::characters::shown;
+
 /// The family that is asked for where viewers have fonts of their own: the embedded one in full, or what is set about as wide.
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
@@ -64,8 +66,6 @@ struct Letter {
 
 impl Letter {
     fn of(character: char, slope: Slope) -> Letter {
-        // Documents have a blank for these, too.
-        let character = if character.is_control() { ' ' } else { character };
         let faces: &[&'static Face<'static>] = match slope {
             Slope::Upright => &[&UPRIGHT],
             Slope::Italic => &[&ITALIC, &UPRIGHT],
@@ -113,7 +113,7 @@ pub fn is_accent(character: char) -> bool {
 /// Calls with each letter and its place, y downwards, and returns the width of all.
 fn set(text: &str, slope: Slope, mut each: impl FnMut(Letter, (f32, f32))) -> f32 {
     let (mut end, mut last): (f32, Option<(Letter, f32)>) = (0.0, None);
-    for character in text.chars() {
+    for character in shown(text) {
         let letter = Letter::of(character, slope);
         let place = last.filter(|_| is_accent(character)).and_then(|(base, x)| {
             let (across, down) = base.accented(letter)?;

@@ -14,6 +14,7 @@ mod band;
 mod canvas;
 #[cfg(feature = "figures")]
 mod cells;
+pub mod characters;
 #[cfg(feature = "figures")]
 mod figure;
 #[cfg(feature = "figures")]

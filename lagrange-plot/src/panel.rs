@@ -6,7 +6,7 @@ use plotters_backend::DrawingBackend;
 
 use crate::axes::{
     Drawn, FINENESS, FONT, Frame, Side, around, draw_abscissa, draw_border, draw_ordinate, line, points,
-    rounded, text,
+    rounded, text, write,
 };
 use crate::axis::{Axis, Scale};
 use crate::band::Band;
@@ -46,6 +46,8 @@ pub struct Curve {
     pub points: Vec<Point>,
 }
 
+/// Names in a title at most.
+const MAX_TITLED: usize = 7;
 /// The line before a name in a legend.
 const SWATCH: i32 = 18;
 const LINE: i32 = 18;
@@ -88,6 +90,21 @@ impl Panel {
             curve.draw(backend, &frame, (&x, &y), self.color(index))?;
         }
         self.draw_legend(backend, panel)
+    }
+
+    /// What there is to see, in words.
+    pub(crate) fn title(&self) -> String {
+        let names = self.names();
+        let more = names.len().saturating_sub(MAX_TITLED);
+        let named = names.iter().take(MAX_TITLED).copied().collect::<Vec<_>>().join(", ");
+        let names = if more > 0 { format!("{named} and {more} more") } else { named };
+        let ordinate = match (names.is_empty(), self.y.is_empty()) {
+            (true, _) => self.y.clone(),
+            (false, true) => names,
+            (false, false) => format!("{} ({names})", self.y),
+        };
+        let parts = [ordinate, self.x.clone()].into_iter().filter(|part| !part.is_empty());
+        parts.collect::<Vec<_>>().join(" over ")
     }
 
     /// What lies below everything that is drawn.
@@ -173,7 +190,7 @@ impl Panel {
                 Band::draw_sample(backend, index, (left, y - half), (right, y + half), COLORS[0])?;
             }
             let style = text(HPos::Left, VPos::Center, FontTransform::None);
-            backend.draw_text(name, &style, (left + points(SWATCH + 6), y))?;
+            write(backend, name, &style, (left + points(SWATCH + 6), y))?;
         }
         Ok(())
     }

@@ -176,6 +176,7 @@ const MPI: &[Layer] = &[
 ];
 
 const PLOT: &[Layer] = &[
+    Layer { modules: &["characters"], purpose: "characters that pictures show, and how documents hold them" },
     Layer {
         modules: &["axis", "lettering", "thin"],
         purpose: "ranges and ticks of axes; glyph outlines of the embedded font; reduction of curves \

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::film::timeline::{Curve, Timeline};
-use crate::svg::{escape, number};
+use crate::svg::number;
+use lagrange_plot::characters::escaped;
 
 /// Width and height, in pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];
@@ -47,7 +48,7 @@ impl Chart<'_> {
 
     pub(super) fn svg(&self) -> String {
         let [width, height] = SIZE;
-        let names: Vec<String> = self.timeline.curves.iter().map(|curve| escape(&curve.name)).collect();
+        let names: Vec<String> = self.timeline.curves.iter().map(|curve| escaped(&curve.name)).collect();
         let names = names.join(", ");
         let curves: String = self.timeline.curves.iter().enumerate().map(|curve| self.curve(curve)).collect();
         format!(

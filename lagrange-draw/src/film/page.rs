@@ -9,6 +9,7 @@ use crate::film::{Film, points};
 use crate::picture::Segment;
 use crate::svg;
 use crate::text;
+use lagrange_plot::characters::escaped;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -86,12 +87,12 @@ impl Page<'_> {
 
     fn name(&self) -> String {
         let title = text::plain(self.title);
-        if title.is_empty() { UNTITLED.to_string() } else { svg::escape(&title) }
+        if title.is_empty() { UNTITLED.to_string() } else { escaped(&title) }
     }
 
     fn figure(&self, chart: &Chart<'_>) -> String {
         let entry = |(index, curve): (usize, &Curve)| {
-            let name = svg::escape(&curve.name);
+            let name = escaped(&curve.name);
             format!(
                 "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
                  {name} <output id=\"value-{index}\"></output></li>",

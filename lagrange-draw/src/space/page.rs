@@ -13,6 +13,7 @@ use crate::film::timeline::Timeline;
 use crate::picture::{Colour, Picture};
 use crate::svg;
 use crate::text;
+use lagrange_plot::characters::escaped;
 
 const STYLE: &str = include_str!("page/space.css");
 const VIEWER: &str = concat!(
@@ -96,7 +97,7 @@ impl Scene<'_> {
              <button id=\"reset\" type=\"button\" title=\"First view\">Reset view</button></div>\n\
              <div id=\"flat\">{}</div>\n\
              <p id=\"no-space\" hidden>Things can be turned where a browser has WebGL 2; this is the first picture.</p>",
-            svg::escape(&name),
+            escaped(&name),
             caption("title", &look.title),
             caption("note", &recording.note),
             picture.svg(),
@@ -242,7 +243,7 @@ fn hex(Colour([red, green, blue, _]): Colour) -> String {
 /// Text as elements of HTML: symbols in italics, subscripts as such.
 fn rich(text: &str) -> String {
     let piece = |run: text::Run| {
-        let text = svg::escape(&run.text);
+        let text = escaped(&run.text);
         match (run.is_subscript, run.is_symbol()) {
             (true, _) => format!("<sub>{text}</sub>"),
             (false, true) => format!("<i>{text}</i>"),

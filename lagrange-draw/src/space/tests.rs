@@ -1,6 +1,7 @@
 //! Pictures of a scene that is written by hand.
 
 mod glb;
+mod hostile;
 mod page;
 mod walker;
 

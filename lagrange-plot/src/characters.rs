@@ -1,0 +1,54 @@
+//! Characters of texts that pictures show, and how documents hold them.
+//!
+//! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control characters and for U+FFFE and U+FFFF, not
+//! even as references. Pixels and documents show the same ones, so that widths are those of what is written.
+
+/// The characters of a text that a picture shows: a blank for each tab and end of a line, nothing for other control characters and for code
+/// points that are no characters.
+pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
+    text.chars().filter_map(|character| match character {
+        '\t' | '\n' | '\r' | '\u{85}' => Some(' '),
+        _ if character.is_control() || is_noncharacter(character) => None,
+        _ => Some(character),
+    })
+}
+
+/// True of the 66 code points that Unicode reserves for programs.
+fn is_noncharacter(character: char) -> bool {
+    let code = u32::from(character);
+    code & 0xfffe == 0xfffe || (0xfdd0..=0xfdef).contains(&code)
+}
+
+/// The text in XML or HTML, where nothing in it is taken for a tag.
+pub fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for character in shown(text) {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\'' => escaped.push_str("&#39;"),
+            character => escaped.push(character),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{escaped, shown};
+
+    #[test]
+    fn documents_hold_every_character_that_is_shown() {
+        for code in (0..0x11_0000).filter_map(char::from_u32) {
+            let kept = shown(&code.to_string()).collect::<Vec<_>>();
+            // The production `Char` of XML 1.0.
+            let is_allowed = matches!(code, '\t' | '\n' | '\r' | ' '..='\u{d7ff}' | '\u{e000}'..='\u{fffd}' | '\u{10000}'..);
+            assert!(is_allowed || kept.is_empty(), "{code:?}");
+            assert!(kept.is_empty() || kept == [code] || kept == [' '], "{code:?}");
+            assert!(!kept.is_empty() || code.is_control() || u32::from(code) >= 0xfdd0, "{code:?}");
+        }
+        assert_eq!(escaped("a<b\u{0}>\t\u{fffe}&\"'\u{1b}[0m\r\n"), "a&lt;b&gt; &amp;&quot;&#39;[0m  ");
+    }
+}
