@@ -28,12 +28,18 @@ pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinit
         2 => surface(elaborator, table, points),
         _ => None,
     });
-    if source.as_ref().is_some_and(|source| !source.is_finite()) {
-        let error = elaborator.evaluator.report.error(table.name.span, words::too_steep(&table.name.text));
-        error.help(words::TOO_STEEP_HELP);
+    if let Some((source, values)) = &source {
+        let name = &table.name;
+        if !source.is_finite() {
+            let error = elaborator.evaluator.report.error(name.span, words::too_steep(&name.text));
+            error.help(words::TOO_STEEP_HELP);
+        } else if !source.goes_through(values) {
+            let error = elaborator.evaluator.report.error(name.span, words::too_uneven(&name.text));
+            error.help(words::TOO_UNEVEN_HELP);
+        }
     }
     let parameters = table.parameters.iter().map(|parameter| parameter.text.clone()).collect();
-    let function = source.map(|source| {
+    let function = source.map(|(source, _)| {
         let source = Source::Table(source);
         Opaque::value_of(OpaqueFunction { name: table.name.text.clone(), parameters, source })
     });
@@ -105,7 +111,12 @@ fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     Some(number)
 }
 
-fn curve(elaborator: &mut Elaborator<'_>, table: &TableDefinition, points: &[Point]) -> Option<Table> {
+/// A table of one argument, with its values.
+fn curve(
+    elaborator: &mut Elaborator<'_>,
+    table: &TableDefinition,
+    points: &[Point],
+) -> Option<(Table, Vec<f64>)> {
     for pair in points.windows(2) {
         let [before, after] = [pair[0].components[0], pair[1].components[0]];
         if before >= after {
@@ -115,15 +126,16 @@ fn curve(elaborator: &mut Elaborator<'_>, table: &TableDefinition, points: &[Poi
         }
     }
     let points = points.iter().map(|point| (point.components[0], point.components[1])).collect::<Vec<_>>();
-    Some(Table::curve(&points, table.interpolation, table.outside))
+    let values = points.iter().map(|(_, value)| *value).collect();
+    Some((Table::curve(&points, table.interpolation, table.outside), values))
 }
 
-/// A table of two arguments, from the points of a grid in any order.
+/// A table of two arguments, from the points of a grid in any order, with its values in rows.
 fn surface(
     elaborator: &mut Elaborator<'_>,
     table: &TableDefinition,
     mut points: Vec<Point>,
-) -> Option<Table> {
+) -> Option<(Table, Vec<f64>)> {
     let axis = |argument: usize| {
         let mut knots = points.iter().map(|point| point.components[argument]).collect::<Vec<_>>();
         knots.sort_by(f64::total_cmp);
@@ -155,9 +167,9 @@ fn surface(
         report.error(table.name.span, words::missing_point(&table.name.text, at)).help(words::GRID_HELP);
         return None;
     }
-    let values =
-        points.chunks(axes[1].len()).map(|row| row.iter().map(|point| point.components[2]).collect());
-    Some(Table::surface(axes, &values.collect::<Vec<Vec<f64>>>(), table.interpolation, table.outside))
+    let values = points.iter().map(|point| point.components[2]).collect::<Vec<_>>();
+    let rows = values.chunks(axes[1].len()).map(<[f64]>::to_vec).collect::<Vec<_>>();
+    Some((Table::surface(axes, &rows, table.interpolation, table.outside), values))
 }
 
 fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: &str) -> &'a mut Diagnostic {

@@ -33,6 +33,9 @@ pub struct Axis {
 /// Rounding errors, of the largest knot, up to which distances are equal: what is mistaken for the piece beside is continued by it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// Distance from a value, as a fraction of the largest one, that rounding explains where points are spaced as people space them.
+const MISSED: f64 = 1e-9;
+
 impl Axis {
     /// Knots, which must ascend.
     pub fn new(knots: Vec<f64>) -> Axis {
@@ -129,22 +132,44 @@ impl Table {
         pieces.all(|(piece, of_piece)| !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
     }
 
+    /// True if each polynomial leads to the value at which the next one begins. Values are in rows, as in [`Table::surface`].
+    ///
+    /// Between points at distances of many orders of magnitude a spline swings so far that rounding leaves nothing of a value.
+    pub fn goes_through(&self, values: &[f64]) -> bool {
+        let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        let is_met = |found: f64, value: f64| (found - value).abs() <= MISSED * largest;
+        let ends = |axis: &Axis| 1..axis.knots.len();
+        let end = |axis: &Axis, piece: usize| (piece, axis.knots[piece] - axis.knots[piece - 1]);
+        match &self.axes[..] {
+            [axis] => ends(axis).all(|i| is_met(self.piece_value(&[0], &[end(axis, i)]), values[i])),
+            [along_x, along_y] => ends(along_x).all(|i| {
+                let row = &values[i * along_y.knots.len()..];
+                ends(along_y)
+                    .all(|j| is_met(self.piece_value(&[0, 0], &[end(along_x, i), end(along_y, j)]), row[j]))
+            }),
+            _ => false,
+        }
+    }
+
     /// A value or a derivative, computed as emitted code computes it; NaN for NaN.
     pub fn value(&self, orders: &[u8], arguments: &[f64]) -> f64 {
+        let places = self.axes.iter().zip(arguments).map(|(axis, x)| axis.find(*x));
+        let places = places.collect::<Option<Vec<_>>>();
+        places.map_or(f64::NAN, |places| self.piece_value(orders, &places))
+    }
+
+    /// A value or a derivative of a polynomial at distances from where it begins.
+    fn piece_value(&self, orders: &[u8], places: &[(usize, f64)]) -> f64 {
         let size = self.interpolation.coefficients();
-        match (&self.axes[..], orders, arguments) {
-            ([axis], [order], [x]) => {
-                let Some((piece, s)) = axis.find(*x) else { return f64::NAN };
-                polynomial(&self.coefficients[piece * size..][..size], usize::from(*order), s)
+        match (&self.axes[..], orders, places) {
+            ([_], [order], [(piece, s)]) => {
+                polynomial(&self.coefficients[piece * size..][..size], usize::from(*order), *s)
             }
-            ([along_x, along_y], [by_x, by_y], [x, y]) => {
-                let (Some((i, s)), Some((j, r))) = (along_x.find(*x), along_y.find(*y)) else {
-                    return f64::NAN;
-                };
+            ([_, along_y], [by_x, by_y], [(i, s), (j, r)]) => {
                 let piece = (i * along_y.pieces() + j) * size * size;
                 let rows = self.coefficients[piece..][..size * size].chunks(size);
-                let along_x = rows.map(|row| polynomial(row, usize::from(*by_y), r)).collect::<Vec<_>>();
-                polynomial(&along_x, usize::from(*by_x), s)
+                let along_x = rows.map(|row| polynomial(row, usize::from(*by_y), *r)).collect::<Vec<_>>();
+                polynomial(&along_x, usize::from(*by_x), *s)
             }
             _ => f64::NAN,
         }

@@ -141,3 +141,28 @@ fn even_grids_are_recognised_and_give_the_same_values() {
         assert!((a - b).abs() < 1e-14, "{a} or {b} at {x}");
     }
 }
+
+/// Where a spline swings by many orders of magnitude between its points, nothing is left of their values.
+#[test]
+fn pieces_that_miss_the_next_point_by_rounding_are_found() {
+    let (even, values) = POINTS.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();
+    let uneven = |scale: f64| vec![1.0, 2.0, 3.0 * scale, 6.0 * scale, 7.0 * scale, 8.0 * scale];
+    for (name, interpolation) in Interpolation::ALL {
+        let curve = |knots: Vec<f64>| {
+            let points = knots.into_iter().zip(values.iter().copied()).collect::<Vec<_>>();
+            Table::curve(&points, interpolation, Outside::Error).goes_through(&values)
+        };
+        assert!(curve(even.clone()) && curve(uneven(1e3)), "{name}");
+        assert_eq!(curve(uneven(1e18)), interpolation != Interpolation::Natural, "{name}");
+        if interpolation != Interpolation::Monotone {
+            let surface = |knots: Vec<f64>| {
+                let rows = vec![values.clone(), values.clone(), values.iter().rev().copied().collect()];
+                let table =
+                    Table::surface([vec![0.0, 1.0, 3.0], knots], &rows, interpolation, Outside::Error);
+                table.goes_through(&rows.concat())
+            };
+            assert!(surface(even.clone()), "{name}");
+            assert_eq!(surface(uneven(1e18)), interpolation == Interpolation::Linear, "{name}");
+        }
+    }
+}

@@ -22,6 +22,15 @@ pub(in crate::elaborate) const UNREAD: &str = "this file has not been read";
 pub(in crate::elaborate) const UNREAD_HELP: &str =
     "files are read by `lagrange::system!` and by `pipeline::parse_with`";
 
+pub(in crate::elaborate) const TOO_UNEVEN_HELP: &str =
+    "write `interpolation: linear`, or space the points more evenly";
+
+pub(in crate::elaborate) fn too_uneven(name: &str) -> String {
+    format!(
+        "the points of the table `{name}` are spaced so unevenly that the curve between them misses their values by rounding"
+    )
+}
+
 pub(in crate::elaborate) fn too_few(name: &str, count: usize) -> String {
     let points = if count == 1 { "point" } else { "points" };
     format!("the table `{name}` has {count} {points}")
