@@ -10,6 +10,8 @@
 //!
 //! `LAGRANGE_MUTANTS_COMPILED=200` builds that many of the accepted ones with `cargo check`, warnings denied.
 //!
+//! `LAGRANGE_TABLES=100000` tries that many files of tables (`table_files`).
+//!
 //! A test binary of its own, since it replaces the allocator.
 
 mod compiled;
@@ -17,6 +19,8 @@ mod corpus;
 mod guard;
 mod mutation;
 mod random;
+mod table_files;
+mod table_judge;
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -13,7 +13,7 @@ use crate::judge::{judged, options};
 const COUNT: usize = 100;
 
 /// Pieces that files are likely to hold at the wrong places.
-const PIECES: [&str; 22] = [
+const PIECES: [&str; 30] = [
     "",
     "0",
     "-1",
@@ -36,6 +36,14 @@ const PIECES: [&str; 22] = [
     "type=\"fixed\"",
     "<mimic joint=\"Finger-A\"/>",
     "関",
+    "\u{202e}",
+    "&#x2067;",
+    "&#0;",
+    "drake:",
+    "<drake:joint/>",
+    " xmlns=\"x\"",
+    "quat_xyzw=\"0 1 0 1\"",
+    "rpy=\"1 2 3\"",
 ];
 
 /// Numbers from a seed (Marsaglia's xorshift, with 64 bits).

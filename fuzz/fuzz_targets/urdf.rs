@@ -1,0 +1,11 @@
+//! Whatever the text of a robot, it is refused with words, or what is imported compiles. Options go by its length.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+
+#[path = "../../lagrange-import/tests/import/judge.rs"]
+mod judge;
+
+fuzz_target!(|bytes: &[u8]| {
+    judge::judged(&String::from_utf8_lossy(bytes), &judge::options(bytes.len()));
+});
