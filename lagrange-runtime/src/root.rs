@@ -1,6 +1,6 @@
 //! Zeros of functions that emitted code cannot write out: the algebraic unknowns of declarations.
 
-use crate::scalar::{Mask, Number};
+use crate::scalar::{Mask, Number, spacing_at_one};
 
 /// Residuals up to this many times what rounding may leave of them count as zero.
 const TOLERANCE: f64 = 4.0;
@@ -35,14 +35,6 @@ pub fn newton<S: Number>(start: S, iterations: u32, equation: impl Fn(S) -> [S; 
         }
     }
     root
-}
-
-/// The distance from one to the next number.
-#[inline(always)]
-fn spacing_at_one<S: Number>() -> S {
-    // A third has no finite binary expansion; rounding it leaves this much.
-    let three = S::from_f64(3.0);
-    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }
 
 #[cfg(test)]

@@ -202,10 +202,7 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     /// The distance from one to the next number, as [`f64::EPSILON`].
     #[inline]
     fn epsilon() -> Self {
-        // A third has no finite binary expansion; rounding it leaves this much.
-        let three = Self::from_f64(3.0);
-        let rounded = three * (Self::from_f64(4.0) / three - Self::ONE) - Self::ONE;
-        if rounded < Self::ZERO { -rounded } else { rounded }
+        spacing_at_one()
     }
 
     /// `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target is, for [`Lanes`]: where it is no instruction
@@ -267,6 +264,14 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         let power = if power < -hundred { -hundred } else { power };
         (power * Self::from_f64(core::f64::consts::LN_2)).exp()
     }
+}
+
+/// The distance from one to the next number, of numbers side by side, too.
+#[inline(always)]
+pub(crate) fn spacing_at_one<S: Number>() -> S {
+    // A third has no finite binary expansion; rounding it leaves this much.
+    let three = S::from_f64(3.0);
+    (three * (S::from_f64(4.0) / three - S::ONE) - S::ONE).abs()
 }
 
 #[cfg(test)]

@@ -22,7 +22,8 @@ const BERNSTEIN: [[f64; POINTS]; POINTS] = bernstein();
 const CUT_OFF: f64 = 4.0;
 /// and a polynomial is trusted where these are a smaller part of its largest value than this.
 const TRUSTED: f64 = 1e-3;
-/// A piece is not cut into smaller parts than this in search of a change of sign.
+/// A piece is not cut into smaller parts than this in search of a change of sign, nor than two
+/// roundings of it.
 const NARROWEST: f64 = 1e-12;
 /// A polynomial that is not trusted may be wrong by this part of its largest value.
 const DOUBT: f64 = 0.25;
@@ -101,8 +102,9 @@ impl<S: Scalar> Polynomial<S> {
     ///
     /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial can be trusted.
     pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> SignChange<S> {
-        let (error, narrowest) = (self.error(), S::from_f64(NARROWEST));
-        let half = S::from_f64(0.5);
+        let (error, half) = (self.error(), S::from_f64(0.5));
+        // Half of two roundings of one still leads on from every place.
+        let narrowest = S::from_f64(NARROWEST).max(S::epsilon() + S::epsilon());
         let is_known = is_zero || self.part(sign, x, S::ONE)[0].abs() <= self.rounding;
         let mut was_clear = !(is_known && self.is_trusted());
         let (mut width, mut is_near, mut is_unclear) = (S::ONE - x, false, false);

@@ -1,8 +1,14 @@
 //! Time in equal steps without accumulation of rounding errors.
+//!
+//! A time and its remainder are the exact sum of all steps but for the rounding of the remainder,
+//! which is at most half the distance between neighbouring times. So the state of a step belongs to
+//! the time where it ended, as well as times are spaced. Steps that are shorter than that distance
+//! may leave the time where it was: [`Clock::is_stopped`] finds such steps, and methods refuse
+//! them.
 
-use super::lane_wise::take;
-use crate::scalar::Number;
-use crate::system::SideBySide;
+use super::lane_wise::{is_equal, take};
+use crate::scalar::{Number, Scalar, spacing_at_one};
+use crate::system::{SideBySide, StepFailure};
 
 /// A time and the part of it that rounding cut off.
 #[derive(Clone, Copy, Debug)]
@@ -37,21 +43,31 @@ impl<S: Number> Clock<S> {
         self.time
     }
 
-    /// Goes on by one step, or to `limit` if that is not farther; returns how far that is.
+    /// Goes on by one step, or to `limit` if that is not farther, as well as times are spaced;
+    /// returns how far that is.
+    ///
+    /// With less than a rounding of the limit to go behind it a step ends there. Otherwise its end
+    /// might be rounded to the limit before all of the way is gone, or a step be left that is
+    /// nothing but rounding.
     #[inline(always)]
     pub(super) fn advance(&mut self, limit: S) -> S {
-        let left = (limit - self.time) - self.remainder;
-        let is_last = left.abs().less_equal(self.step.abs() * S::from_f64(1.0 + STRETCH));
-        let step = S::select(left.less(S::ZERO), -self.step.abs(), self.step.abs());
+        let (left, length) = ((limit - self.time) - self.remainder, self.step.abs());
+        let epsilon = spacing_at_one::<S>();
+        let stretched = length * (S::from_f64(1.0 + STRETCH) + epsilon + epsilon);
+        let is_last = left.abs().less_equal(epsilon.multiply_add(limit.abs(), stretched));
+        let step = S::select(limit.less(self.time), -length, length);
         let wanted = self.remainder + step;
         let before = self.time;
         let rounded = before + wanted;
-        // Rounding must not end what has steps to go.
-        let is_limit = rounded.less_equal(limit) & limit.less_equal(rounded);
-        let time = S::select(is_limit, before, rounded);
-        self.time = S::select(is_last, limit, time);
-        self.remainder = S::select(is_last, S::ZERO, wanted + (before - time));
+        self.time = S::select(is_last, limit, rounded);
+        self.remainder = S::select(is_last, S::ZERO, wanted + (before - rounded));
         S::select(is_last, left, step)
+    }
+
+    /// Where steps from this clock to another one left the time where it was.
+    #[inline(always)]
+    pub(super) fn is_stopped(&self, after: &Self) -> S::Mask {
+        is_equal(self.time, after.time)
     }
 
     /// The first clock where the mask is true, the second elsewhere.
@@ -63,6 +79,29 @@ impl<S: Number> Clock<S> {
             step: S::select(mask, then.step, otherwise.step),
         }
     }
+}
+
+/// The length of the shortest steps that count in the rounding of this time, whatever the remainder
+/// is.
+#[inline(always)]
+pub(super) fn least_step<S: Number>(time: S) -> S {
+    let epsilon = spacing_at_one::<S>();
+    (epsilon + epsilon) * time.abs()
+}
+
+/// Checks that steps of the length `h` lead on from both ends of a run, and so from everywhere in
+/// between.
+///
+/// # Errors
+/// If times there are farther apart.
+pub(super) fn check_step<S: Scalar>(h: S, start: S, end: S) -> Result<(), StepFailure<S>> {
+    let lost = [start, end].into_iter().find(|time| is_lost(h, *time));
+    lost.map_or(Ok(()), |time| Err(StepFailure::StepLost { step: h, time }))
+}
+
+/// True if a step of this length from a time, or to it, is lost in the rounding of that time.
+pub(super) fn is_lost<S: Scalar>(h: S, time: S) -> bool {
+    time + h == time || time - h == time
 }
 
 impl<S: SideBySide> Clock<S> {
@@ -83,3 +122,6 @@ impl<S: SideBySide> Clock<S> {
         [self.time, self.remainder, self.step] = numbers;
     }
 }
+
+#[cfg(test)]
+mod tests;

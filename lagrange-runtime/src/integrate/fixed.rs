@@ -2,7 +2,7 @@
 
 mod lanes;
 
-use crate::integrate::clock::Clock;
+use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
 use crate::integrate::method::{Stepper, Work};
@@ -105,7 +105,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
     ///
     /// # Errors
-    /// If `h` is not positive and finite, or something else is not finite, or if the state violates constraints.
+    /// If `h` is not positive and finite or is lost in the rounding of time, or something else is
+    /// not finite, or if the state violates constraints.
     pub fn start(
         mut formula: F,
         h: M::Scalar,
@@ -118,6 +119,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
             return Err(StepFailure::Setting("the length of steps must be positive and finite"));
         }
         check_finite(end, y)?;
+        check_step(h, t, end)?;
         let state = admitted(system, t, y)?;
         let variables = Compensated::new(formula.variables(system, t, &state));
         let clock = Clock::new(t, if end < t { -h } else { h });
@@ -140,7 +142,11 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
         let (t, before) = (self.clock.time(), self.clock);
         let h = self.clock.advance(limit);
-        let stepped = self.advance(system, t, h);
+        let stepped = if before.is_stopped(&self.clock) {
+            Err(StepFailure::StepLost { step: h.abs(), time: t })
+        } else {
+            self.advance(system, t, h)
+        };
         if stepped.is_err() {
             self.clock = before;
         }

@@ -52,7 +52,7 @@ fn ahead<M: OdeSystem + ?Sized>(
     let (rates, left) = (system.rhs(t, y), (end - t).abs());
     let mut distance = M::Scalar::epsilon() * t.abs().max(left);
     let farthest = part * left;
-    while distance > M::Scalar::ZERO && distance <= farthest {
+    while distance > M::Scalar::ZERO && distance <= farthest && distance.is_finite() {
         let h = if end < t { -distance } else { distance };
         let (later, there) = (t + h, combined(y, h, &rates));
         let found = system.undefined(later, &there, &system.rhs(later, &there));

@@ -2,6 +2,7 @@
 
 use crate::scalar::Scalar;
 use crate::system::{StepFailure, Undefined};
+use crate::tolerance::SAME_INSTANT;
 
 /// Which times of a run are kept, besides its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -38,7 +39,9 @@ impl<S: Scalar> Grid<S> {
         if !end.is_finite() {
             return Err(StepFailure::Undefined(Undefined::EndTime { value: end }));
         }
-        if start + interval == start || end - interval == end {
+        // Otherwise instants next to each other would be the same, or taken to be.
+        let rounding = SAME_INSTANT.times(2).part::<S>() * start.abs().max(end.abs());
+        if interval.abs() <= rounding {
             return Err(StepFailure::Setting("the interval of sampling is lost in the rounding of time"));
         }
         Ok(Grid { start, interval, end, index: 1 })

@@ -47,8 +47,17 @@ pub(crate) fn explain<S: Debug>(
              its rates are too large for that; tolerate a larger absolute error"
         ),
         StepFailure::StepUnderflow { step } => {
-            write!(f, "a step of {step:?} is lost in the rounding of time; the motion may be singular here")
+            write!(
+                f,
+                "a step of {step:?} is lost in the rounding of time; the motion may be singular here, or too fast for times so far \
+                 from zero"
+            )
         }
+        StepFailure::StepLost { step, time } => write!(
+            f,
+            "steps of {step:?} are lost in the rounding of the time {time:?}: take longer steps, or count time from nearer to the \
+             start"
+        ),
         StepFailure::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
         StepFailure::TooManySamples { samples, most } => write!(
             f,

@@ -30,6 +30,13 @@ pub enum StepFailure<S> {
         /// That step.
         step: S,
     },
+    /// Steps of the length that was set are lost in the rounding of time.
+    StepLost {
+        /// That length.
+        step: S,
+        /// The time, of the way that the run was to go.
+        time: S,
+    },
     /// As many steps were taken as are allowed.
     TooManySteps {
         /// How many that is.

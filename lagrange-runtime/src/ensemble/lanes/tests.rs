@@ -323,6 +323,24 @@ fn stiff_motions_are_refused_as_they_are_alone() {
     assert!(matches!(ends.failures()[0].cause, StepFailure::Stiff { .. }), "{:?}", ends.failures());
 }
 
+/// Lanes in which time would stand still are given up before their first step.
+#[test]
+fn steps_lost_in_the_rounding_of_time_are_refused_as_they_are_alone() {
+    const SPRING: Spring<f64> = Spring { stiffness: 1.0 };
+    let springs = |start: f64, end: f64| {
+        SPRING.ensemble(3).start(|index, _| [1e-3 * index as f64, 1.0]).from(start).until(end)
+    };
+    for (start, end, step) in [(0.0, 1.0, 1e-300), (0.0, -1.0, 1e-17), (1e15, 1e15 + 2.0, 0.01)] {
+        assert_same_failures(move || springs(start, end).method(RungeKutta4 { step }), &[0, 1, 2]);
+        assert_same_failures(move || springs(start, end).method(StormerVerlet { step }), &[0, 1, 2]);
+        assert_same_failures(move || springs(start, end).method(BlanesMoan4 { step }), &[0, 1, 2]);
+        let ends = springs(start, end).method(RungeKutta4 { step }).run().expect("runs");
+        assert!(matches!(ends.failures()[0].cause, StepFailure::StepLost { .. }), "{:?}", ends.failures());
+    }
+    assert_same_failures(move || springs(1e9, 1e9 + 1.0).method(StormerVerlet { step: 0.01 }), &[]);
+    assert_same_failures(move || springs(1e9, 1e9 + 1.0), &[]);
+}
+
 #[test]
 fn single_precision_goes_in_lanes_too() {
     let system = DoublePendulum::<f32>::default();

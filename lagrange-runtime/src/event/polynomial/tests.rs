@@ -81,3 +81,21 @@ fn where_it_heads_for_is_seen_at_its_start() {
     assert!((of(|x| -x).rise(-1.0) - 1.0).abs() < 1e-12);
     assert!([1.0, -1.0].iter().all(|sign| of(|x| -x * x).rise(*sign) == 0.0), "it starts at rest");
 }
+
+/// Places of short numbers next to one are so far apart that a part could be too narrow to lead on.
+#[test]
+fn the_search_ends_in_short_numbers_too() {
+    let mut ends = 0;
+    for bits in 0..2000_u16 {
+        // A parabola that falls through zero within some roundings of its end.
+        let (drop, slope) = (f32::from(bits % 40) * 1e-5 - 2e-4, 0.01 + f32::from(bits) * 1e-4);
+        let values = points::<f32>().map(|x| slope * (drop + (1.0 - x) * (1.0 + 0.02 * (1.0 - x))));
+        for x in [0.0, 0.5, 0.999_937_3, 0.999_999_94] {
+            if let SignChange::Between(from, to) = Polynomial::new(&values).next_change(1.0, x, false) {
+                assert!(x <= from && from < to && to <= 1.0, "{drop} {slope}: {from} {to}");
+                ends += 1;
+            }
+        }
+    }
+    assert!(ends > 100, "{ends}");
+}

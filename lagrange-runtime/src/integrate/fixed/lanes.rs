@@ -1,8 +1,8 @@
 //! Steps of equal length for several motions side by side.
 
-use crate::integrate::clock::Clock;
+use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{Counts, are_finite};
+use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{MOST_LANES, SuspectStep};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
@@ -27,14 +27,16 @@ where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
 {
-    /// Motions that start at time `t` in steps of this length towards `end`; their states are zero as yet.
+    /// Motions that start at time `t` in steps of this length towards `end`; their states are zero
+    /// as yet. They are given up if such steps are lost in the rounding of time.
     #[inline(always)]
     pub(in crate::integrate) fn new(step: S::Element, t: S::Element, end: S::Element) -> Self {
         let suspects =
             SuspectStep { t: S::ZERO, y: Y::ZERO, h: S::ZERO, direction: Y::ZERO, change: S::ZERO };
+        let start = check_step(step, t, end).map_or(S::Element::NAN, |()| t);
         FixedLanes {
             end: S::splat(end),
-            clock: Clock::new(S::splat(t), S::splat(step)),
+            clock: Clock::new(S::splat(start), S::splat(step)),
             state: Compensated::new(Y::ZERO),
             suspicion: S::Mask::splat(false),
             suspects,
@@ -103,12 +105,13 @@ where
         step: impl FnOnce(S, Y) -> SuspectStep<S, Y>,
     ) {
         let (t, y) = (self.clock.time(), *self.state.value());
+        let are_stopped = self.clock.is_stopped(&clock) & !is_equal(t, self.end);
         self.state.add(increment);
         self.clock = clock;
         let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);
-        let are_finite = are_finite(self.state.value());
-        if are_spent || !are_finite.all() {
-            self.give_up(are_finite);
+        let go_on = are_finite(self.state.value()) & !are_stopped;
+        if are_spent || !go_on.all() {
+            self.give_up(go_on);
         }
         self.suspicion = S::Mask::splat(false);
         if self.are_watched || hints.any() {
@@ -133,11 +136,11 @@ where
         self.counts.take(lane, &other.counts, from);
     }
 
-    /// Gives motions up that are not finite or took more steps than they may.
+    /// Gives motions up that do not go on or took more steps than they may.
     #[cold]
-    fn give_up(&mut self, are_finite: S::Mask) {
+    fn give_up(&mut self, go_on: S::Mask) {
         for lane in 0..S::LANES {
-            if !are_finite.lane(lane) || self.counts.tried(lane) > self.most_steps {
+            if !go_on.lane(lane) || self.counts.tried(lane) > self.most_steps {
                 self.clock.set_time(lane, S::Element::NAN);
             }
         }

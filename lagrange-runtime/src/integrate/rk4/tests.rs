@@ -260,13 +260,28 @@ fn steps_without_length_are_refused() {
 
 #[test]
 fn late_times_take_as_many_steps_as_early_ones() {
-    for start in [0.0_f32, 3e5, 1e6] {
+    let rate = Integral(|_: f32| 1.0);
+    let method = RungeKutta4 { step: 0.01 };
+    for start in [0.0_f32, 1e3, 3e4] {
         let mut steps = 0;
-        let rate = Integral(|_: f32| 1.0);
-        let method = RungeKutta4 { step: 0.01 };
         let [end] = integrate(&rate, start, [0.0], start + 5.0, &method, |_, _| steps += 1).expect("finite");
         assert!((end - 5.0).abs() < 1e-5 && (500..=502).contains(&steps), "{start}: {end} in {steps}");
     }
+    let late = integrate(&rate, 1e6, [0.0], 1e6 + 5.0, &method, |_, _| {}).expect_err("lost");
+    assert_eq!(late.cause, StepFailure::StepLost { step: 0.01, time: 1e6 });
+}
+
+#[test]
+fn steps_that_no_time_can_tell_are_refused() {
+    for step in [1e-300, 1e-17] {
+        let refused = rk4(&Oscillator, 0.0, [0.3, -1.2], 1.0, step).expect_err("no end");
+        assert_eq!(refused.cause, StepFailure::StepLost { step, time: 1.0 });
+    }
+    let what = rk4(&Oscillator, 1e15, [0.3, -1.2], 1e15 + 4.0, 0.01).expect_err("lost").to_string();
+    assert!(
+        what.starts_with("steps of 0.01 are lost in the rounding of the time 1000000000000000"),
+        "{what}"
+    );
 }
 
 #[test]

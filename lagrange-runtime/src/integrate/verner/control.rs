@@ -37,6 +37,11 @@ impl<S: Scalar> Control<S> {
         Control { step, error: S::from_f64(LEAST_ERROR), was_rejected: false }
     }
 
+    /// True if the last step was thrown away.
+    pub(super) fn was_rejected(&self) -> bool {
+        self.was_rejected
+    }
+
     /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
     pub(super) fn accept(&mut self, taken: S, error: S) {
         let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);

@@ -13,7 +13,7 @@ use super::tableau::{
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
 use super::tolerance::Tolerated;
-use crate::integrate::clock::Clock;
+use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
 use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, Work};
@@ -24,8 +24,6 @@ use crate::tolerance::SAME_STATE;
 
 /// Rates that the choice of a first step needs.
 const FIRST_STAGES: u64 = 2;
-/// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
-const FINEST: f64 = 4096.0;
 
 /// Integrations by [`Verner98`] side by side; Y is the state.
 #[derive(Clone, Copy, Debug)]
@@ -267,7 +265,8 @@ where
         let length = self.control.step.min(self.longest);
         let mut clock = self.clock.with_step(length);
         let h = clock.advance(end);
-        let is_lost_in_time = (t + S::from_f64(FINEST) * length).less_equal(t) & !is_equal(t, end);
+        let is_lost_in_time =
+            (length.less(least_step(t)) | self.clock.is_stopped(&clock)) & !is_equal(t, end);
         let is_lost = is_lost_in_time | !S::ZERO.less(length);
 
         self.evaluate(equations, h);

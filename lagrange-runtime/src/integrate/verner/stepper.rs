@@ -10,7 +10,7 @@ use super::tableau::{
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
 use crate::constraint::UNDETERMINED;
-use crate::integrate::clock::Clock;
+use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::method::{Stepper, Work};
@@ -20,8 +20,6 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::DEFECT;
 
-/// Time is summed with compensation, but steps that are lost even if taken so many times make no sense.
-const FINEST: f64 = 4096.0;
 /// So many steps, each next to nothing beside time, say that constraints which are about to depend on each other keep the motion.
 const MOST_CRAWLING: u32 = 1000;
 /// Steps longer than this part of the longest stable one are limited by it.
@@ -43,6 +41,7 @@ pub(super) const END: usize = 16;
 #[derive(Clone, Debug)]
 pub struct VernerStepper<M: OdeSystem + ?Sized> {
     settings: Verner98<M::Scalar>,
+    start: M::Scalar,
     /// From the start to the end that was in view there.
     span: M::Scalar,
     control: Control<M::Scalar>,
@@ -102,6 +101,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let (clock, state) = (Clock::new(t, M::Scalar::ZERO), Compensated::new(*y));
         let mut stepper = VernerStepper {
             settings,
+            start: t,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
             stiffness: Stiffness::default(),
@@ -119,23 +119,31 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         Ok(stepper)
     }
 
-    /// Counts steps below ε^(3/4) of time under constraints. Nothing moves that fast; what asks for such steps is noise, which
-    /// constraints magnify where they are about to depend on each other.
+    /// Counts steps below ε^(3/4) of the time that has passed under constraints. Nothing moves that
+    /// fast; what asks for such steps is noise, which constraints magnify where they are about to
+    /// depend on each other.
     fn look_for_crawling(&mut self, h: M::Scalar) {
         let root = M::Scalar::epsilon().sqrt();
-        let is_crawling = M::IS_CONSTRAINED && h.abs() < root * root.sqrt() * self.clock.time().abs();
+        let passed = (self.clock.time() - self.start).abs();
+        let is_crawling = M::IS_CONSTRAINED && h.abs() < root * root.sqrt() * passed;
         self.crawled = if is_crawling { self.crawled + 1 } else { 0 };
     }
 
-    /// The next step to try, or that it is lost in rounding.
+    /// The next step to try, or that it is lost in rounding. Only a step that reaches the limit is
+    /// shorter than the least that counts in the rounding of time, and none after one of that
+    /// length was thrown away.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
-        let length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
-        let t = self.clock.time();
-        let mut clock = self.clock.with_step(if limit < t { -length } else { length });
+        let (t, least) = (self.clock.time(), least_step(self.clock.time()));
+        if let Some(step) = self.settings.longest_step.filter(|longest| *longest < least) {
+            return Err(StepFailure::StepLost { step, time: t });
+        }
+        let wanted = self.control.step;
+        let longest = self.settings.longest(self.span, self.is_at_rest).max(least);
+        let length = if self.control.was_rejected() { wanted } else { wanted.max(least) }.min(longest);
+        let mut clock = self.clock.with_step(length);
         let h = clock.advance(limit);
-        let is_lost = t + M::Scalar::from_f64(FINEST) * length == t && t != limit;
-        let is_step = length > M::Scalar::ZERO;
-        if is_lost || !is_step {
+        let is_step = length > M::Scalar::ZERO && length >= least;
+        if !is_step || self.clock.is_stopped(&clock) {
             return Err(StepFailure::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })

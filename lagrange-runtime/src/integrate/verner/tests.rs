@@ -330,9 +330,21 @@ fn an_overflow_ends_soon() {
 #[test]
 fn short_numbers_go_on_at_late_times() {
     let growth = Equation(|_: f32, y: f32| 0.0 * y + 0.5);
-    let method = Verner98 { longest_step: Some(0.01), ..Verner98::tolerance(1e-5_f32) };
-    let [end] = integrate(&growth, 1e6, [0.0], 1e6 + 5.0, &method, |_, _| {}).expect("finite");
-    assert!((end - 2.5).abs() < 1e-5, "{end}");
+    let grown = |start: f32, longest_step| {
+        let method = Verner98 { longest_step, ..Verner98::tolerance(1e-5_f32) };
+        let (mut last, mut advances) = (f32::NEG_INFINITY, true);
+        let end = integrate(&growth, start, [0.0], start + 5.0, &method, |t, _| {
+            advances &= t > last;
+            last = t;
+        });
+        assert!(advances, "{start}");
+        end.map_err(|error| error.cause)
+    };
+    for (start, longest_step) in [(1e6, None), (1e6, Some(0.5)), (3e4, Some(0.01)), (-3e4, Some(0.01))] {
+        let [end] = grown(start, longest_step).expect("finite");
+        assert!((end - 2.5).abs() < 1e-5, "{start}: {end}");
+    }
+    assert_eq!(grown(1e6, Some(0.01)), Err(StepFailure::StepLost { step: 0.01, time: 1e6 }));
 }
 
 #[test]

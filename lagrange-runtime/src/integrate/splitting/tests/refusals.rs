@@ -206,10 +206,15 @@ fn late_times_cost_no_more_than_their_rounding() {
 }
 
 #[test]
-fn steps_shorter_than_the_rounding_of_time_still_go_on() {
-    let method = StormerVerlet { step: 1e-8 };
-    let [angle, _] = integrate(&PENDULUM, 1e9, [1.0, 1.0], 1e9 + 1e-4, &method, |_, _| {}).expect("finite");
+fn steps_shorter_than_the_rounding_of_time_are_refused() {
+    let fall = |step| {
+        integrate(&PENDULUM, 1e9, [1.0, 1.0], 1e9 + 1e-4, &StormerVerlet { step }, |_, _| {})
+            .map_err(|error| (error.cause, error.state))
+    };
+    let [angle, _] = fall(1e-6).expect("finite");
     assert!((angle - 1.0 - 1e-4).abs() < 2e-7, "{angle}");
+    let refused = StepFailure::StepLost { step: 1e-8, time: 1e9 };
+    assert_eq!(fall(1e-8), Err((refused, [1.0, 1.0])));
 }
 
 #[test]
