@@ -11,11 +11,12 @@
 //! | [`DEPENDENT_PIVOT`] | 1000 | one, the largest entries of a scaled matrix | what those before leave of a dependent pivot is the rounding of all of them | × 1/4096: `dependent_constraints_and_dead_points_do_not_matter` |
 //! | [`PULL`] | 8 | the largest coordinate | a pull is a difference of positions, each rounded, less what the constraints take of it | × 1/64: `corrections_that_overshoot_are_shortened` |
 //! | [`RESIDUAL`] | 16 | the largest scale of a residual | where a gradient vanishes its scale is rounding itself, and a proportion to it says nothing | — |
-//! | [`TOUCHING`] | 4096 | what gaps and rates would be if each coordinate were off by its size | starts are computed by formulas of their own; a gap that is a coordinate has no other terms beside which it could be small | × 4096: `a_ball_comes_to_rest_where_its_bounces_accumulate` |
+//! | [`TOUCHING`] | 4096 | what gaps and rates would be if each coordinate were off by its size, or time by what has passed of a run | starts are computed by formulas of their own; a gap that is a coordinate has no other terms beside which it could be small | × 4096: `a_ball_comes_to_rest_where_its_bounces_accumulate` |
 //! | [`CLOSED_GAP`] | 64 | the terms that make the gap | a Newton correction leaves a few roundings of the terms | — |
 //! | [`SLIT`] | 16 | the terms that make the gap | bodies that touch without pressing are put so far apart: less than a closed gap, more than rounding | — |
 //! | [`HOP`] | 256 | the terms that make the gap | how long a hop takes that is lower would be rounding; more than a closed gap | — |
-//! | [`HOP_TIME`] | 64 | the time that has passed | hops that last less are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | — |
+//! | [`INSTANT`] | 8 | time | the time of an event is known to a few roundings, and gaps and rates there to what changes meanwhile | — |
+//! | [`HOP_TIME`] | 64 | time; what has passed of a run | hops that last less are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | — |
 //! | [`BALANCED`] | 16 | the terms of a rate or of a limit | a sum of a handful of terms | — |
 //! | [`BALANCED_BY_SEARCH`] | 2¹⁶ | the same | Lemke's method exchanges many variables, and each exchange rounds what the last one left | — |
 //! | [`HELD_TOGETHER`] | 2²⁰ | the same | the shortest of undetermined impulses leave out equations that depend on others but for rounding | — |
@@ -70,6 +71,8 @@ pub(crate) const CLOSED_GAP: Roundings = Roundings(64.0);
 pub(crate) const SLIT: Roundings = Roundings(16.0);
 /// A hop too low to be resolved.
 pub(crate) const HOP: Roundings = Roundings(256.0);
+/// How well the time of an event is known.
+pub(crate) const INSTANT: Roundings = Roundings(8.0);
 /// A hop too short to be resolved.
 pub(crate) const HOP_TIME: Roundings = Roundings(64.0);
 /// Rates and limits that are met.
@@ -91,7 +94,6 @@ pub(crate) const SURFACE: Roundings = Roundings(32.0);
 /// How far steps keep away from a restart.
 pub(crate) const RESTART: Roundings = Roundings(2.0);
 /// Instants that are the same.
-#[cfg(feature = "std")]
 pub(crate) const SAME_INSTANT: Roundings = Roundings(4.0);
 /// The smallest default tolerance.
 #[cfg(feature = "std")]

@@ -84,9 +84,9 @@ fn events_are_listed_in_the_order_of_declaration() {
 #[test]
 fn assignments_see_the_state_before_all_of_them() {
     use lagrange::event::Action;
-    let answer = Crate::default().react(1, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it reacts");
+    let answer = Crate::default().react(1, 0.0, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it reacts");
     assert_eq!(answer.action, Action::Replace([0.5, 0.25, -0.7, -0.4]));
-    let end = Crate::default().react(3, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it stops");
+    let end = Crate::default().react(3, 0.0, 0.0, &[1.5, 0.25, 0.7, -0.4]).expect("it stops");
     assert_eq!(end.action, Action::Stop);
 }
 
@@ -94,7 +94,7 @@ fn assignments_see_the_state_before_all_of_them() {
 #[test]
 fn the_event_of_a_reaction_switches_that_reaction() {
     let sliding = Crate { floor: Contact::Closed, rub: Friction::SlipsForwards, ..Crate::default() };
-    let answer = sliding.react(4, 0.0, &[0.0, 0.0, sliding.belt, 0.0]).expect("it reacts");
+    let answer = sliding.react(4, 0.0, 0.0, &[0.0, 0.0, sliding.belt, 0.0]).expect("it reacts");
     assert_eq!(
         answer.system.map(|system| (system.floor, system.rub)),
         Some((Contact::Closed, Friction::Sticks))

@@ -39,6 +39,7 @@ mod state_equations;
 mod states;
 mod switches;
 mod tables;
+mod time_spans;
 mod torques;
 mod traits;
 mod units;

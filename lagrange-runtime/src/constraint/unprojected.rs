@@ -60,8 +60,8 @@ impl<M: OdeSystem> OdeSystem for Unprojected<M> {
         self.0.event_values(t, y, values);
     }
 
-    fn react(&self, event: usize, t: M::Scalar, y: &M::State) -> Reacted<Self> {
-        let Response { action, system, kind } = self.0.react(event, t, y)?;
+    fn react(&self, event: usize, t: M::Scalar, elapsed: M::Scalar, y: &M::State) -> Reacted<Self> {
+        let Response { action, system, kind } = self.0.react(event, t, elapsed, y)?;
         Ok(Response { action, system: system.map(Unprojected), kind })
     }
 

@@ -10,7 +10,7 @@ use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, StepFailure, Violation, reach, split};
-use crate::tolerance::TOUCHING;
+use crate::tolerance::{INSTANT, TOUCHING};
 
 const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
                          way (the paradox of Painlevé)";
@@ -38,7 +38,7 @@ where
         return Err(StepFailure::NotFinite);
     }
     terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
-    let position = Position::of(system, &terms, (t, &q, &v));
+    let position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));
     }
@@ -55,23 +55,26 @@ pub(super) struct Position<const K: usize> {
 }
 
 impl<const K: usize> Position<K> {
-    /// Judged by rounding; contacts and friction that already hold are given half of all digits.
+    /// Judged by rounding, after the time `elapsed` in a run; contacts and friction that already
+    /// hold are given half of all digits.
     pub(super) fn of<M: ContactSystem<N, K>, const N: usize>(
         system: &M,
         terms: &Terms<M::Scalar, N, K>,
-        (t, q, v): (M::Scalar, &M::Coordinates, &[M::Scalar; N]),
+        [t, elapsed]: [M::Scalar; 2],
+        (q, v): (&M::Coordinates, &[M::Scalar; N]),
     ) -> Self {
         let (modes, rounding) = (system.modes(), TOUCHING.part::<M::Scalar>());
         let share = |k: usize| if holds(modes[k]) { M::Scalar::epsilon().sqrt() } else { rounding };
         let [own, lengths] = [*q, lengths(q)].map(|by| reach(system, t, q, &by));
         let speeds = sizes(v);
+        let delay = (rounding * elapsed).max(INSTANT.part::<M::Scalar>() * t.abs());
         let near: [M::Scalar; K] = array::from_fn(|k| {
-            let size = terms.size_of(k, &lengths) + terms.speed_of(k, v) * t.abs();
-            share(k) * terms.size_of(k, &own) + rounding * size
+            let size = rounding * terms.size_of(k, &lengths) + terms.speed_of(k, v) * delay;
+            share(k) * terms.size_of(k, &own) + size
         });
         let slow: [M::Scalar; K] = array::from_fn(|k| {
-            let size = terms.size_of(k, &speeds) + terms.acceleration_of(k) * t.abs();
-            share(k) * terms.speed_of(k, v) + rounding * size
+            let size = rounding * terms.size_of(k, &speeds) + terms.acceleration_of(k) * delay;
+            share(k) * terms.speed_of(k, v) + size
         });
         let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));
         Position {

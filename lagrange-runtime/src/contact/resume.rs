@@ -24,13 +24,15 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{StepFailure, reach};
 use crate::tolerance::{HOP, HOP_TIME};
 
-/// A part of the time that has passed: what bounces take less than is not resolved.
+/// A part of the time since the run started: what bounces take less than is not resolved.
 const SHORT: f64 = 1e-9;
 
 /// A system at a state.
 pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
+    /// Since the run started.
+    pub(super) elapsed: M::Scalar,
     pub(super) q: M::Coordinates,
     pub(super) v: [M::Scalar; N],
 }
@@ -50,7 +52,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
 
     /// Which gaps and rates are zero at these velocities.
     pub(super) fn position(&self, terms: &Terms<M::Scalar, N, K>, v: &[M::Scalar; N]) -> Position<K> {
-        Position::of(self.system, terms, (self.t, &self.q, v))
+        Position::of(self.system, terms, [self.t, self.elapsed], (&self.q, v))
     }
 
     /// From these velocities on, which an impact has left that made the rates `is_still` zero. `before` is known of the velocities
@@ -102,15 +104,17 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             let hop = Hop { speed: after.rates[k], pull: -balance.rate(k, &forces) };
             (leaves && hop.returns()).then_some(hop)
         });
-        let limit = self.t.abs() * M::Scalar::from_f64(SHORT).max(HOP_TIME.part::<M::Scalar>());
-        let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit);
+        let unresolved = HOP_TIME.part::<M::Scalar>();
+        let limit = self.elapsed * M::Scalar::from_f64(SHORT).max(unresolved);
+        let instant = unresolved * self.t.abs();
+        let is_short = |k: usize| hops[k].as_ref().is_some_and(|hop| hop.time() <= limit.max(instant));
         let size = reach(self.system, self.t, &self.q, &self.q);
         let approached = |k: usize| position.is_touching[k] && before.rates[k] < M::Scalar::ZERO;
         let left = part_left(before, after, array::from_fn(|k| is_short(k) || approached(k)));
         array::from_fn(|k| {
             let hop = hops[k].as_ref()?;
             let time = if left < one { hop.time() / (one - left) } else { hop.time() };
-            let is_resolved = !(left < one && time <= limit);
+            let is_resolved = !(left < one && (time <= limit || hop.time() <= instant));
             let is_low = hop.height() <= HOP.part::<M::Scalar>() * after.size_of(k, &size);
             (!is_resolved || is_low).then_some(time)
         })

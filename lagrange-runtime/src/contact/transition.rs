@@ -11,8 +11,9 @@ use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 /// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
 /// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
 ///
-/// Bounces whose series would end within 10⁻⁹ of the time that has passed, or whose height is near the rounding of the
-/// gap, are taken together: the contact closes, and the time at which the series ends is told.
+/// Bounces whose series would end within 10⁻⁹ of the time `elapsed` since the run started, or whose
+/// height or duration is near the rounding of the gap or of time, are taken together: the contact
+/// closes, and the time at which the series ends is told.
 ///
 /// # Errors
 /// If no impulses, or no forces after it, fit, or if a coefficient of restitution is not from 0 to 1.
@@ -20,6 +21,7 @@ pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,
     t: M::Scalar,
+    elapsed: M::Scalar,
     y: &M::State,
 ) -> Reacted<M>
 where
@@ -32,7 +34,7 @@ where
     let mut held = *y;
     correct(system, t, &mut held)?;
     let (q, v) = split::<M>(&held);
-    let instant = Instant { system, t, q, v };
+    let instant = Instant { system, t, elapsed, q, v };
     match modes[k] {
         Mode::Contact(Contact::Open) => instant.hit(k),
         Mode::Contact(Contact::Closed) => instant.end(k, Rule::Absent),

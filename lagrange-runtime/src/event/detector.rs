@@ -9,7 +9,7 @@ use crate::integrate::EventSource::Given;
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
-use crate::tolerance::SAME_EVENT;
+use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
@@ -118,7 +118,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         check(self.functions.map(|function| function.here))?;
         let (from, to) = (stepper.last_time(), stepper.time());
         if core::mem::take(&mut self.is_replaced) {
-            let shortly = from + S::from_f64(SHORTLY) * (to - from);
+            let shortly = shortly(from, to);
             self.learn_shortly(values(shortly, &stepper.interpolate(system, shortly)))?;
             self.check_repetitions()?;
         }
@@ -355,6 +355,13 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
         Err(StepFailure::EventsAccumulate { events: self.repetitions, event: Given(self.last) })
     }
+}
+
+/// A time right after the start of a step that can be told from it.
+fn shortly<S: Scalar>(from: S, to: S) -> S {
+    let (way, rounding) = (to - from, SAME_INSTANT.part::<S>() * from.abs());
+    let part = (S::from_f64(SHORTLY) * way.abs()).max(rounding);
+    if part < way.abs() { from + way.sign() * part } else { to }
 }
 
 /// To which part of a step, or of time, zeros within it are located.

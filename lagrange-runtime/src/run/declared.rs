@@ -11,6 +11,8 @@ use crate::tolerance::SURFACE;
 /// The events that the declaration of the system M states.
 pub struct DeclaredEvents<M: OdeSystem> {
     pending: Pending<M::Scalar, M::State, MOST_LOCATED>,
+    /// When the run started.
+    start: M::Scalar,
     /// The last change of a side.
     change: Option<Change<M::Scalar>>,
 }
@@ -39,7 +41,7 @@ impl<M: OdeSystem> DeclaredEvents<M> {
             *direction = event.direction;
         }
         let detector = Detector::new(directions, t, values(system, t, y)).with_switches(M::EVENTS);
-        DeclaredEvents { pending: Pending::new(detector), change: None }
+        DeclaredEvents { pending: Pending::new(detector), start: t, change: None }
     }
 
     /// Counts how often a switch returns to its surface without having left it.
@@ -98,7 +100,7 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 
     fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
-        system.react(event.event, event.time, &event.state)
+        system.react(event.event, event.time, (event.time - self.start).abs(), &event.state)
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {

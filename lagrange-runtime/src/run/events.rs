@@ -3,7 +3,7 @@
 use crate::event::Occurrence;
 use crate::integrate::Stepper;
 use crate::scalar::Number;
-use crate::system::{OdeSystem, Reacted, StepFailure};
+use crate::system::{Action, OdeSystem, Reacted, Response, StepFailure};
 
 /// Whose event it is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -112,8 +112,8 @@ impl<M: OdeSystem> Events<M> for NoEvents {
         None
     }
 
-    fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
-        system.react(event.event, event.time, &event.state)
+    fn react(&mut self, _system: &M, _origin: Origin, _event: &Found<M>) -> Reacted<M> {
+        Ok(Response::new(Action::Continue))
     }
 
     fn restart(&mut self, _system: &M, _t: M::Scalar, _y: &M::State) {}

@@ -327,7 +327,7 @@ impl OdeSystem for Halving {
         values[0] = *time - 0.5;
     }
 
-    fn react(&self, _event: usize, _t: f64, [time, _]: &[f64; 2]) -> Reacted<Self> {
+    fn react(&self, _event: usize, _t: f64, _elapsed: f64, [time, _]: &[f64; 2]) -> Reacted<Self> {
         Ok(Response::new(Action::Replace([*time, 1.0])))
     }
 }

@@ -177,12 +177,20 @@ pub trait OdeSystem {
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
-    /// What the declared event of this index does to the state `y` at which it happened.
+    /// What the declared event of this index does to the state `y` at which it happened, at time
+    /// `t` in a run that has taken the time `elapsed` so far: what takes a negligible part of that
+    /// need not be resolved, wherever time is counted from.
     ///
     /// # Errors
     /// If the motion cannot go on.
     #[inline]
-    fn react(&self, _event: usize, _t: Self::Scalar, _y: &Self::State) -> Reacted<Self>
+    fn react(
+        &self,
+        _event: usize,
+        _t: Self::Scalar,
+        _elapsed: Self::Scalar,
+        _y: &Self::State,
+    ) -> Reacted<Self>
     where
         Self: Sized,
     {

@@ -170,8 +170,8 @@ impl<W: Wrapper> OdeSystem for W {
         self.present(t, y, |inner| inner.event_values(t, &part::<W>(y), values));
     }
 
-    fn react(&self, event: usize, t: InnerNumber<W>, y: &W::State) -> Reacted<W> {
-        let answer = self.present(t, y, |inner| inner.react(event, t, &part::<W>(y)));
+    fn react(&self, event: usize, t: InnerNumber<W>, elapsed: InnerNumber<W>, y: &W::State) -> Reacted<W> {
+        let answer = self.present(t, y, |inner| inner.react(event, t, elapsed, &part::<W>(y)));
         let Response { action, system, kind } = answer?;
         let action = match action {
             Action::Continue => Action::Continue,

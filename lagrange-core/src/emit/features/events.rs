@@ -73,7 +73,10 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
         .then(|| quote!(#krate::contact::event_values(self, #time, #state, #values);));
     let switches = (!shape.switches.is_empty())
         .then(|| quote!(#krate::event::side_values(self, #time, #state, #values);));
-    let (reactions, begin) = (reactions(shape, members, &event), begin(shape, members));
+    // Only what touches may come to rest meanwhile.
+    let name = local("elapsed");
+    let elapsed = if shape.touching.is_empty() { quote!(_) } else { quote!(#name) };
+    let (reactions, begin) = (reactions(shape, members, &event, &elapsed), begin(shape, members));
     let timed = timed_members(shape, members);
     quote! {
         const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
@@ -87,6 +90,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
             &self,
             #event: ::core::primitive::usize,
             #time: #scalar,
+            #elapsed: #scalar,
             #state: &[#scalar; #all],
         ) -> #krate::system::Reacted<Self> {
             match #event {
@@ -99,7 +103,7 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
 }
 
 /// An arm for each event that does more than go on, and one for all others.
-fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream {
+fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident, elapsed: &TokenStream) -> TokenStream {
     let (krate, state) = (shape.krate, &members.names.state);
     let time = &members.names.time;
     let answer = |reaction: TokenStream| quote!(::core::result::Result::Ok(#krate::event::Response::new(#krate::event::Action::#reaction)));
@@ -118,7 +122,7 @@ fn reactions(shape: &Shape<'_>, members: &Members, event: &Ident) -> TokenStream
     let events = shape.events_of_reactions();
     let touching = events.iter().flatten().map(|index| {
         let index = length(*index);
-        quote!(#index => #krate::contact::react(self, #index, #time, #state),)
+        quote!(#index => #krate::contact::react(self, #index, #time, #elapsed, #state),)
     });
     let others = match shape.switches.is_empty() {
         true => answer(quote!(Continue)),

@@ -315,6 +315,7 @@ const _: () = {
             &self,
             event: ::core::primitive::usize,
             t: f64,
+            _: f64,
             y: &[f64; 2],
         ) -> ::lagrange::system::Reacted<Self> {
             match event {

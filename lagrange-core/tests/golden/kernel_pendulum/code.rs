@@ -457,6 +457,7 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
             &self,
             event: ::core::primitive::usize,
             t: S,
+            _: S,
             y: &[S; 2],
         ) -> ::lagrange::system::Reacted<Self> {
             match event {

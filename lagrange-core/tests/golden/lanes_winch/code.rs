@@ -268,6 +268,7 @@ const _: () = {
             &self,
             event: ::core::primitive::usize,
             t: f64,
+            _: f64,
             y: &[f64; 4],
         ) -> ::lagrange::system::Reacted<Self> {
             match event {

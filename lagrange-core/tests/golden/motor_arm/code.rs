@@ -444,6 +444,7 @@ const _: () = {
             &self,
             event: ::core::primitive::usize,
             t: f64,
+            _: f64,
             y: &[f64; 3],
         ) -> ::lagrange::system::Reacted<Self> {
             match event {

@@ -11,7 +11,7 @@ fn after<M: OdeSystem<Scalar = f64>>(
     t: f64,
     y: M::State,
 ) -> (M::State, M, EventKind<f64>) {
-    match system.react(k, t, &y).expect("an ordinary impact") {
+    match system.react(k, t, t, &y).expect("an ordinary impact") {
         Response { action: Action::Replace(y), system: Some(system), kind } => (y, system, kind),
         other => panic!("{:?} {:?}", other.action, other.kind),
     }
@@ -62,7 +62,7 @@ fn a_plastic_impact_closes_a_contact_that_is_pressed() {
 
 #[test]
 fn grazing_does_nothing() {
-    let answer = Ball { lift: 30.0, ..Ball::new(0.5) }.react(0, 1.0, &[-1e-16, 0.0]).expect("nothing");
+    let answer = Ball { lift: 30.0, ..Ball::new(0.5) }.react(0, 1.0, 1.0, &[-1e-16, 0.0]).expect("nothing");
     assert_eq!(answer.kind, EventKind::Zero);
     assert!(answer.system.is_none());
     assert_eq!(answer.action, Action::Replace([0.0, 0.0]), "put back onto the floor");
@@ -71,14 +71,14 @@ fn grazing_does_nothing() {
 #[test]
 fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_refused_by_name() {
     for e in [-0.5, -1e-300, 1.0 + f64::EPSILON, f64::NAN, f64::INFINITY] {
-        let refused = Ball::new(e).react(0, 1.0, &[0.0, -1.0]);
+        let refused = Ball::new(e).react(0, 1.0, 1.0, &[0.0, -1.0]);
         let Err(StepFailure::Restitution { contact: "floor", value }) = refused else {
             panic!("{refused:?}")
         };
         assert_eq!(value.to_bits(), e.to_bits());
     }
     for e in [-0.0, 0.0, 1.0] {
-        assert!(Ball::new(e).react(0, 1.0, &[0.0, -1.0]).is_ok(), "{e}");
+        assert!(Ball::new(e).react(0, 1.0, 1.0, &[0.0, -1.0]).is_ok(), "{e}");
     }
 }
 

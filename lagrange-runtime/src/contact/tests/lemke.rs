@@ -134,7 +134,7 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
             continue;
         }
         let slips = if slip > 0.0 { FORWARDS } else { BACKWARDS };
-        let answer = stick.in_modes([CLOSED, slips]).react(0, 1.0, &y).expect("it jams");
+        let answer = stick.in_modes([CLOSED, slips]).react(0, 1.0, 1.0, &y).expect("it jams");
         let Action::Replace(after) = answer.action else { panic!("{:?}", answer.action) };
         assert_eq!(answer.system.map(|system| system.modes), Some([CLOSED, STICKS]));
         // J = m L²/12, and the end is at (−cos, −sin) from the centre.

@@ -38,8 +38,14 @@ macro_rules! contact_system {
                 crate::contact::event_values::<_, $n, $k>(self, t, y, values);
             }
 
-            fn react(&self, event: usize, t: f64, y: &[f64; 2 * $n]) -> crate::system::Reacted<Self> {
-                crate::contact::react::<_, $n, $k>(self, event, t, y)
+            fn react(
+                &self,
+                event: usize,
+                t: f64,
+                elapsed: f64,
+                y: &[f64; 2 * $n],
+            ) -> crate::system::Reacted<Self> {
+                crate::contact::react::<_, $n, $k>(self, event, t, elapsed, y)
             }
 
             fn begin(

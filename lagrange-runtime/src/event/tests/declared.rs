@@ -38,7 +38,7 @@ impl OdeSystem for Marks {
         values.copy_from_slice(&[y[0] - 1.0, y[0] - 2.0, y[0] - 5.0, (self.edge - t).sqrt() + 1.0]);
     }
 
-    fn react(&self, event: usize, _t: f64, y: &[f64; 1]) -> Reacted<Self> {
+    fn react(&self, event: usize, _t: f64, _elapsed: f64, y: &[f64; 1]) -> Reacted<Self> {
         Ok(Response::new(match event {
             1 => Action::Replace([y[0] + self.jump]),
             2 => Action::Stop,

@@ -53,8 +53,8 @@ impl OdeSystem for Falling {
         contact::event_values(self, t, y, values);
     }
 
-    fn react(&self, event: usize, t: f64, y: &[f64; 13]) -> Reacted<Self> {
-        contact::react(self, event, t, y)
+    fn react(&self, event: usize, t: f64, elapsed: f64, y: &[f64; 13]) -> Reacted<Self> {
+        contact::react(self, event, t, elapsed, y)
     }
 
     fn begin(&self, t: f64, y: &[f64; 13]) -> Result<Option<Self>, StepFailure<f64>> {
