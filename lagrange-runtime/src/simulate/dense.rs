@@ -7,6 +7,9 @@
 //! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.
 //! ```
 //!
+//! with both sums times the distance of s from the nearest of these points, so that nothing
+//! overflows however small that is.
+//!
 //! A polynomial of degree d comes back but for rounding, and d is chosen not to be below the degree of what methods
 //! interpolate with. Source: Berrut, Trefethen, *Barycentric Lagrange Interpolation*, SIAM Review 46 (2004), §5.
 
@@ -65,15 +68,18 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
     }
 
     fn barycentric(&self, states: &[Y], s: S) -> Y {
-        if let Some(index) = self.points.iter().position(|point| *point == s) {
-            return states[index];
+        let nearest = self.nearest(s);
+        let distance = s - self.points[nearest];
+        if distance == S::ZERO {
+            return states[nearest];
         }
         let (mut sum, mut weights) = (Y::ZERO, S::ZERO);
         let half = S::from_f64(0.5);
         let last = self.points.len() - 1;
         for (j, (point, state)) in self.points.iter().zip(states).enumerate() {
             let sign = if j % 2 == 0 { S::ONE } else { -S::ONE };
-            let weight = (if j == 0 || j == last { half * sign } else { sign }) / (s - *point);
+            let part = if j == nearest { S::ONE } else { distance / (s - *point) };
+            let weight = if j == 0 || j == last { half * sign * part } else { sign * part };
             weights = weights + weight;
             for (sum, component) in sum.as_mut().iter_mut().zip(state.as_ref()) {
                 *sum = component.multiply_add(weight, *sum);
@@ -81,5 +87,12 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         }
         sum.as_mut().iter_mut().for_each(|sum| *sum = *sum / weights);
         sum
+    }
+
+    /// The point that is nearest to this part of a step.
+    fn nearest(&self, s: S) -> usize {
+        let after = self.points.partition_point(|point| *point < s).min(self.points.len() - 1);
+        let before = after.saturating_sub(1);
+        if s - self.points[before] < self.points[after] - s { before } else { after }
     }
 }

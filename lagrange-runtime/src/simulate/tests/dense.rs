@@ -72,3 +72,54 @@ fn a_polynomial_of_the_degree_comes_back() {
         }
     }
 }
+
+/// However near to a point of a polynomial a time is, and however small or large times and states
+/// are.
+#[test]
+fn states_next_to_points_are_those_there() {
+    for order in [1, 4, 9] {
+        for (from, to) in [
+            (0.0, 2.0),
+            (0.0, -2.0),
+            (-1.0, 1.0),
+            (0.0, 1e-300),
+            (0.0, 1e-323),
+            (-5e-324, 5e-324),
+            (1e15, 1e15 + 2.0),
+        ] {
+            // States are known at the numbers next to the points.
+            let tolerance = 1e-13 + 4.0 * f64::EPSILON * f64::max(from, -to) / f64::abs(to - from);
+            for size in [1.0, 1e-300, 1e300] {
+                let line = |t: f64| [size * (3.0 + 2.0 * ((t - from) / (to - from)))];
+                let mut dense = Dense::<f64, [f64; 1]>::new(order);
+                dense.push((from, to), line);
+                let near = |t: f64| {
+                    [t.next_down().next_down(), t.next_down(), t, t.next_up(), t.next_up().next_up()]
+                };
+                let places =
+                    (0..=16).map(|k| from + f64::from(k) / 16.0 * (to - from)).chain([0.0, 1e-308, -1e-320]);
+                for t in places.flat_map(near).filter(|t| (from.min(to)..=from.max(to)).contains(t)) {
+                    let [y] = dense.at(t).expect("within");
+                    assert!(
+                        (y / line(t)[0] - 1.0).abs() < tolerance,
+                        "order {order}, {from}..{to}, {t:e}: {y:e}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_trajectory_is_known_at_the_smallest_times() {
+    for (from, until) in [(0.0, 1.0), (0.0, -1.0), (-1.0, 1.0)] {
+        let trajectory =
+            Oscillator.simulate(exact(from)).from(from).until(until).tolerance(1e-9).dense().run();
+        let trajectory = trajectory.expect("runs");
+        for t in [5e-324, 1e-310, 1e-300, 1e-100].into_iter().flat_map(|t| [t, -t]) {
+            let is_within = from.min(until) <= t && t <= from.max(until);
+            let found = trajectory.at(t).ok().map(|[x, v]| (x - START[0]).hypot(v - START[1]) < 1e-8);
+            assert_eq!(found, is_within.then_some(true), "{t:e} from {from} to {until}");
+        }
+    }
+}
