@@ -41,7 +41,8 @@ pub const MOST_DECLARED: usize = 32;
 /// The largest number of events that runs look for, those by which [switches](crate::event::Switches) change their sides among them.
 pub(crate) const MOST_LOCATED: usize = 64;
 
-/// How a function passes zero as the integration proceeds; in backward time, as time runs backwards.
+/// How a function passes zero as the integration proceeds. Where time runs backwards, a function
+/// that rises with time is falling.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// From negative to positive.
