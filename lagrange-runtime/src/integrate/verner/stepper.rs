@@ -130,23 +130,30 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     }
 
     /// The next step to try, or that it is lost in rounding. Only a step that reaches the limit is
-    /// shorter than the least that counts in the rounding of time, and none after one of that
-    /// length was thrown away.
+    /// shorter than the least that counts in the rounding of time.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
-        let (t, least) = (self.clock.time(), least_step(self.clock.time()));
-        if let Some(step) = self.settings.longest_step.filter(|longest| *longest < least) {
-            return Err(StepFailure::StepLost { step, time: t });
+        let least = least_step(self.clock.time());
+        let mut length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
+        if length < least {
+            length = self.raised(length, least)?;
         }
-        let wanted = self.control.step;
-        let longest = self.settings.longest(self.span, self.is_at_rest).max(least);
-        let length = if self.control.was_rejected() { wanted } else { wanted.max(least) }.min(longest);
         let mut clock = self.clock.with_step(length);
         let h = clock.advance(limit);
-        let is_step = length > M::Scalar::ZERO && length >= least;
+        let is_step = length > M::Scalar::ZERO;
         if !is_step || self.clock.is_stopped(&clock) {
             return Err(StepFailure::StepUnderflow { step: length });
         }
         Ok(Attempt { h, clock })
+    }
+
+    /// The least step instead of a shorter one, unless it was thrown away or is longer than may be.
+    #[cold]
+    fn raised(&self, length: M::Scalar, least: M::Scalar) -> Result<M::Scalar, StepFailure<M::Scalar>> {
+        match self.settings.longest_step.filter(|longest| *longest < least) {
+            Some(step) => Err(StepFailure::StepLost { step, time: self.clock.time() }),
+            None if self.control.was_rejected() => Err(StepFailure::StepUnderflow { step: length }),
+            None => Ok(least),
+        }
     }
 
     /// Evaluates the stages of a step and returns the last two of them, which lie at its end.
