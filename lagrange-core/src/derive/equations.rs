@@ -6,6 +6,7 @@ use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::frame_jacobians;
+use super::grading::grade_parameters;
 use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
 use super::jacobian::Derivatives;
@@ -71,6 +72,10 @@ impl Equations {
         }
         let (mut solution, strategy, costs) =
             Candidates { model, split: &split, forms: &mut forms }.solve(choice)?;
+        if strategy == Strategy::SumOfSquares || model.accuracy == Accuracy::Strict {
+            grade_parameters(model);
+            solution.balance(&mut model.graph);
+        }
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
         let may_be_indefinite = matches!(model.energies, Energies::Lagrangian);
         let growth = may_be_indefinite

@@ -83,6 +83,7 @@ mod equations;
 mod forms;
 mod frame_jacobians;
 mod gibbs_appell;
+mod grading;
 mod indefinite;
 mod inverse_dynamics;
 mod jacobian;

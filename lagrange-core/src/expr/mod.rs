@@ -136,6 +136,8 @@ pub struct Graph {
     symbols: Symbols,
     /// Rates of positions that are not the velocities with the same index.
     rates: HashMap<ExprId, ExprId>,
+    /// Powers of the unit of inertia in which symbols are measured, where that is not zero.
+    grades: HashMap<ExprId, Number>,
     /// What equations define implicitly.
     unknowns: Vec<AlgebraicUnknown>,
     /// Number of the operands of these equations.
@@ -258,6 +260,21 @@ impl Graph {
     /// The rate of a position, if it is none that the index tells.
     pub fn rate_of_position(&self, position: ExprId) -> Option<ExprId> {
         self.rates.get(&position).copied()
+    }
+
+    /// Keeps in which powers of the unit of inertia symbols are measured.
+    pub fn set_grades(&mut self, grades: impl IntoIterator<Item = (ExprId, Number)>) {
+        self.grades = grades.into_iter().collect();
+    }
+
+    /// True if a symbol is known to be measured in the unit of inertia.
+    pub fn is_graded(&self) -> bool {
+        !self.grades.is_empty()
+    }
+
+    /// The power of the unit of inertia in which a symbol is measured; zero if none is known.
+    pub fn grade_of_symbol(&self, symbol: ExprId) -> Number {
+        self.grades.get(&symbol).cloned().unwrap_or(Number::ZERO)
     }
 
     /// `a + b`

@@ -18,6 +18,7 @@
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 
 mod angle;
+mod balance;
 mod cancel;
 mod collect;
 mod content;
@@ -36,6 +37,7 @@ mod vanishing;
 mod waves;
 
 pub use angle::Angles;
+pub use balance::balanced;
 pub use cancel::quotient;
 pub use collect::collect;
 pub use content::{content, safe_quotient};

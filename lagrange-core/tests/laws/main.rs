@@ -19,6 +19,7 @@ mod printing;
 mod products;
 mod quasi_velocities;
 mod reductions;
+mod scaling;
 mod scenes;
 mod states;
 mod trees;

@@ -8,6 +8,7 @@ use crate::derive::cost::cost;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::{Multiples, Rotations, Sweep};
 use crate::expr::{ExprId, Graph};
+use crate::simplify::balanced;
 
 /// Pushes everything down to the generalised velocities.
 pub(in crate::derive) fn push_down(
@@ -35,6 +36,19 @@ pub(in crate::derive) struct Solution {
     pub(in crate::derive) condition: Option<ExprId>,
     /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
     pub(in crate::derive) elimination: Option<Elimination>,
+}
+
+impl Solution {
+    /// Writes the values without products of inertias, as far as they are divided by some.
+    pub(in crate::derive) fn balance(&mut self, graph: &mut Graph) {
+        let roots = [&self.values[..], &self.guards].concat();
+        // What is divided by anyway.
+        let unit = self.labels.iter().find(|(_, label)| label.starts_with("pivot")).map(|(id, _)| *id);
+        let image = balanced(graph, &roots, unit);
+        let ids =
+            self.values.iter_mut().chain(&mut self.guards).chain(self.labels.iter_mut().map(|(id, _)| id));
+        ids.for_each(|id| *id = image.get(id).copied().unwrap_or(*id));
+    }
 }
 
 /// Solves a form that has been pushed down; `None` if the equations are structurally singular.

@@ -1,6 +1,7 @@
 //! Values of the expressions that have been lowered so far.
 
 use super::sharing::Sharing;
+use crate::calculus::Grades;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Graph};
 use crate::program::builder::Builder;
@@ -27,6 +28,7 @@ pub(super) struct Lowering<'a> {
     pub(super) labels: &'a Labels,
     pub(super) opposites: HashMap<ExprId, &'a str>,
     pub(super) sharing: Sharing,
+    pub(super) grades: Grades,
     pub(super) builder: Builder,
     pub(super) values: HashMap<ExprId, Signed>,
 }

@@ -5,7 +5,9 @@
 //! of their own because their only user takes them apart, and which reciprocals are worth sharing, is
 //! found beforehand ([`sharing`]). The cost is proportional to what the outputs are made of.
 
+mod interleaved;
 mod lowering;
+mod power;
 mod product;
 mod sharing;
 mod sum;
@@ -15,6 +17,7 @@ use std::f64::consts::PI;
 use super::builder::Builder;
 use super::ir::{Float, Op, Program};
 use super::labels::Labels;
+use crate::calculus::Grades;
 use crate::collections::HashMap;
 use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
@@ -29,7 +32,8 @@ pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let sharing = Sharing::of(graph, &reachable, outputs, labels);
     let opposites = opposite_labels(graph, labels);
     let (builder, values) = (Builder::new(), HashMap::default());
-    let mut lowering = Lowering { graph, labels, opposites, sharing, builder, values };
+    let grades = Grades::of(graph, outputs);
+    let mut lowering = Lowering { graph, labels, opposites, sharing, grades, builder, values };
     for id in reachable {
         if !lowering.sharing.is_merged(id) {
             let value = lower_named(&mut lowering, id);
