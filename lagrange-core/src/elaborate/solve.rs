@@ -15,6 +15,7 @@ use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{AlgebraicUnknown, Dependencies, ExprId, Graph, Node};
 use crate::number::Number;
 use crate::opaque::{Opaque, OpaqueFunction, Source};
+use crate::simplify::has_one_sign;
 use crate::syntax::ast::{AstId, Name, StatementKind, UnknownDefinition};
 
 /// Steps of the iteration where nothing else is said.
@@ -68,6 +69,11 @@ fn residual(evaluator: &mut Evaluator<'_>, name: &str, syntax: AstId, symbol: Ex
     if evaluator.graph.is_zero(slope) {
         let error = evaluator.report.error(evaluator.origin(syntax), words::without_unknown(name));
         error.help(words::without_unknown_help(name));
+        return None;
+    }
+    if has_one_sign(&evaluator.graph, residual) {
+        let error = evaluator.report.error(evaluator.origin(syntax), words::without_solution(name));
+        error.help(words::without_solution_help(name));
         return None;
     }
     Some(residual)

@@ -23,7 +23,7 @@ use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
 use super::features::scene::write_scene;
-use super::features::solvers::write_solvers;
+use super::features::solvers::{write_solvers, write_unknowns};
 use super::features::sparse::{Sparse, lowered_sparse};
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::item::items;
@@ -83,6 +83,7 @@ fn assembled(
     write_outputs(&mut writer);
     write_scene(&mut writer);
     write_frames(&mut writer);
+    write_unknowns(&mut writer);
     write_prepared(&mut writer)?;
     write_kernel(&mut writer)?;
     write_lanes(&mut writer)?;

@@ -111,6 +111,21 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
         },
         None => quote!(|_, _| ::core::option::Option::None),
     };
+    let found = quote! {
+        #krate::integrate::undefined(self, (#time, #state, #rates), &[#(#inputs),*], #mass_matrix)
+    };
+    let found = match &members.unknowns {
+        None => found,
+        Some(unknowns) => {
+            let found_first = local("found");
+            quote! {
+                let #found_first = #found?;
+                let (#positions, #velocities) = #krate::system::split::<Self>(#state);
+                let (#positions, #velocities) = (&#positions, &#velocities);
+                ::core::option::Option::Some(#found_first.with_unknowns(#time, &{ #unknowns }))
+            }
+        }
+    };
     quote! {
         fn undefined(
             &self,
@@ -118,7 +133,7 @@ fn undefined_member(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #state: &[#scalar; #all],
             #rates: &[#scalar; #all],
         ) -> ::core::option::Option<#krate::system::Undefined<#scalar>> {
-            #krate::integrate::undefined(self, (#time, #state, #rates), &[#(#inputs),*], #mass_matrix)
+            #found
         }
     }
 }

@@ -48,6 +48,11 @@ impl Axis {
         Axis { knots, density: if is_even { intervals / (last - first) } else { 0.0 } }
     }
 
+    /// The largest magnitude of a knot.
+    pub fn largest_knot(&self) -> f64 {
+        self.knots.iter().fold(0.0, |largest: f64, knot| largest.max(knot.abs()))
+    }
+
     /// The number of pieces, with those beyond the ends.
     fn pieces(&self) -> usize {
         self.knots.len() + 1
@@ -105,6 +110,13 @@ impl Table {
         }
         let axes = vec![Axis::new(along_x), Axis::new(along_y)];
         Table { axes, interpolation, outside, coefficients }
+    }
+
+    /// The largest magnitude of a value at which a piece begins.
+    pub fn largest_value(&self) -> f64 {
+        let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
+        let values = self.coefficients.iter().step_by(size).filter(|value| value.is_finite());
+        values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
     /// Whether a derivative vanishes on every piece.

@@ -45,7 +45,7 @@ pub use contract::{contract, contract_all};
 pub use open::{count_opened, factors_to_open, is_no_difference, open};
 pub use present::{multiply_out, present, present_all, proves_zero};
 pub use rules::{RULES, Rule, RuleArguments};
-pub use sign::never_vanishes;
+pub use sign::{has_one_sign, never_vanishes};
 pub use vanishing::{ROUNDING, somewhere, vanishing};
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Expressions that vanish nowhere, as far as their signs tell.
 
-use crate::expr::{ExprId, Graph, Node};
+use crate::expr::{ExprId, Function, Graph, Node};
 use crate::number::Number;
 
 /// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard, never a wrong answer.
@@ -9,6 +9,35 @@ const DEEPEST: usize = 4;
 /// Whether an expression is known to vanish in no configuration, given that parameters are positive.
 pub fn never_vanishes(graph: &Graph, id: ExprId) -> bool {
     stays(graph, id, DEEPEST)
+}
+
+/// Whether an expression is known to be positive, or to be negative, wherever it has a value, whatever its symbols are.
+pub fn has_one_sign(graph: &Graph, id: ExprId) -> bool {
+    is_above(graph, id, false, DEEPEST) || is_above(graph, id, true, DEEPEST)
+}
+
+/// Whether an expression, or its opposite, is known to be positive.
+fn is_above(graph: &Graph, id: ExprId, opposite: bool, depth: usize) -> bool {
+    let is_wanted = |number: &Number| number.is_negative() == opposite;
+    match graph.node(id) {
+        Node::Number(value) => !value.is_zero() && is_wanted(value),
+        Node::Pi | Node::Call(Function::Exp | Function::Cosh, _) => !opposite,
+        Node::Sum { constant, terms } if depth > 0 => {
+            let positive = |(term, weight): &(ExprId, Number)| {
+                is_above(graph, *term, opposite != weight.is_negative(), depth - 1)
+            };
+            let nonnegative = |term: &(ExprId, Number)| {
+                is_wanted(&term.1) && graph.is_nonnegative(term.0) || positive(term)
+            };
+            let is_kept = constant.is_zero() || is_wanted(constant);
+            let is_apart = !constant.is_zero() || terms.iter().any(positive);
+            is_kept && is_apart && terms.iter().all(nonnegative)
+        }
+        Node::Product(factors) if depth > 0 => {
+            !opposite && factors.iter().all(|(base, _)| is_above(graph, *base, false, depth - 1))
+        }
+        _ => false,
+    }
 }
 
 fn stays(graph: &Graph, id: ExprId, depth: usize) -> bool {

@@ -155,6 +155,56 @@ fn what_has_no_solution_or_is_not_found_is_not_a_number() {
     assert!(solution("0 = a * y - 1", &[("a", 0.0)]).is_nan());
 }
 
+/// The unknown of an equation as a function of x, derived once.
+fn along(equation: &str, functions: &str) -> impl Fn(f64) -> f64 {
+    let text =
+        format!("{functions} coord x; kinetic = 1/2 * dot(x)^2; solve y: {equation}; output found = y;");
+    let system = system(&text);
+    move |x| system.output("found", 0.0, &[x], &[0.0]).expect("it is declared")[0]
+}
+
+#[test]
+fn what_only_looks_like_a_solution_is_not_a_number() {
+    let root = along("0 = sqrt(y^2 + 1) - y + x", "");
+    let distance = along("0 = hypot(y - 1, 2) - sqrt(5) + y - x", "");
+    let is_near = |found: f64, y: f64| (found - y).abs() < 1e-14 * (1.0 + y.abs()).powi(3);
+    let mut solved = 0;
+    for i in 0..10_000 {
+        let x = 20.0 * (f64::from(i) / 10_000.0) - 10.0;
+        let found = root(x);
+        assert!(found.is_nan() || x < 0.0 && is_near(found, (x * x - 1.0) / (2.0 * x)), "{x} {found}");
+        solved += usize::from(!found.is_nan());
+        let (found, c) = (distance(x), 5.0_f64.sqrt() + x);
+        let expected = (c * c - 5.0) / (2.0 * (c - 1.0));
+        assert!(found.is_nan() || c > 1.0 && is_near(found, expected), "{x} {found} {expected}");
+        solved += usize::from(!found.is_nan());
+    }
+    assert!(solved > 10_000, "{solved}");
+}
+
+#[test]
+fn tables_are_solved_beside_their_knots() {
+    for interpolation in ["linear", "natural"] {
+        let points = "[(-2, -9), (-1, -2), (0, 0), (1, 3), (2, 5)]";
+        let table = format!("table f(u) = {points}, interpolation: {interpolation}, outside: extend;");
+        let solution = along("0 = f(y) - x", &table);
+        for i in 0..2000 {
+            let x = 1e-3_f64.powi(i % 7) * (f64::from(i) / 1000.0 - 1.0);
+            assert!(solution(x).is_finite(), "{interpolation} {x}");
+        }
+    }
+}
+
+#[test]
+fn equations_that_are_never_zero_are_mistakes() {
+    let never_zero = ["y^2 + 1", "-1 - 3 * y^4 - x^2", "exp(y) + abs(x)", "sqrt(y) + cosh(x * y)"];
+    for equation in never_zero {
+        let text = format!("coord x; kinetic = 1/2 * dot(x)^2; solve y: 0 = {equation}; force x = y;");
+        let report = parse(&text).expect_err("there is no solution").to_string();
+        assert!(report.contains("has no solution for `y`"), "{equation}: {report}");
+    }
+}
+
 #[test]
 fn unknowns_may_be_made_of_unknowns_and_of_functions() {
     let text = "

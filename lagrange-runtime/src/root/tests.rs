@@ -55,3 +55,85 @@ fn what_has_no_zero_or_no_slope_is_not_a_number() {
     assert!(newton(1.0, 30, |_: f64| [1.0, f64::INFINITY, f64::INFINITY]).is_nan());
     assert!(newton(1.0, 2, |y: f64| [y.powi(3) - 2.0, 3.0 * y * y, 4.0 * y.powi(3)]).is_nan());
 }
+
+/// Equations with one unknown y, each with its slope and what one rounding in each of its terms leaves of it.
+fn equation<S: Number>(name: &str, x: S, y: S) -> [S; 3] {
+    let (one, two) = (S::ONE, S::from_f64(2.0));
+    let terms = |terms: &[S], slope: S| {
+        let sum = terms.iter().fold(S::ZERO, |sum, term| sum + *term);
+        [sum, slope, terms.iter().fold((y * slope).abs(), |sum, term| sum + term.abs())]
+    };
+    match name {
+        "below_root" => {
+            let root = (y * y + one).sqrt();
+            terms(&[root, -y, x], y / root - one)
+        }
+        "below_distance" => {
+            let distance = (y - one).hypot(two);
+            terms(&[distance, -S::from_f64(5.0).sqrt(), y, -x], (y - one) / distance + one)
+        }
+        "fold" => terms(&[y * y, -(two * y), one, x], two * y - two),
+        "exponential" => terms(&[y.exp(), -x], y.exp()),
+        "decay" => terms(&[(-y).exp(), x], -(-y).exp()),
+        "cubic" => terms(&[y * y * y, y, -x], S::from_f64(3.0) * y * y + one),
+        "logarithm" => {
+            let [sum, slope, rounding] = terms(&[(one + y).ln(), -x], one / (one + y));
+            [sum, slope, rounding + (one / (one + y)).abs()]
+        }
+        "saturation" => terms(&[y.tanh(), -x], one / (y.cosh() * y.cosh())),
+        "angle" => terms(&[y.atan(), -x], one / (one + y * y)),
+        "hump" => {
+            let square = one + y * y;
+            terms(&[y / square, -x], (one - y * y) / (square * square))
+        }
+        "kepler" => {
+            let e = S::from_f64(0.75);
+            terms(&[y, -(e * y.sin()), -x], one - e * y.cos())
+        }
+        "chain" => terms(&[y.cosh(), -x], y.sinh()),
+        "kink" => terms(&[y.abs(), y / two, -x], y.sign() + one / two),
+        "difference" => {
+            let [short, long] = [one, two].map(|shift| (y * y + shift).sqrt());
+            terms(&[short, -long, x], y / short - y / long)
+        }
+        _ => {
+            let distance = y - one;
+            let [sum, slope, rounding] =
+                terms(&[distance * distance * distance, -x], S::from_f64(3.0) * distance * distance);
+            [sum, slope, rounding + (slope * y).abs()]
+        }
+    }
+}
+
+/// Numbers of equations that are solved and that are not although they have a solution.
+fn swept<S: Scalar>(start: f64, iterations: u32, epsilon: f64, to_f64: impl Fn(S) -> f64) -> [usize; 2] {
+    let mut counts = [0; 2];
+    for line in include_str!("solutions.csv").lines() {
+        let cells = line.split(',').collect::<std::vec::Vec<_>>();
+        let number = |cell: &str| cell.parse::<f64>().expect("a number");
+        let (name, x) = (cells[0], S::from_f64(number(cells[1])));
+        let found = to_f64(newton(S::from_f64(start), iterations, |y| equation(name, x, y)));
+        let solutions = cells[2..].chunks(2).map(|cells| (number(cells[0]), number(cells[1])));
+        let is_near = |(y, spread): (f64, f64)| {
+            (found - y).abs() <= (64.0 * epsilon * spread).min(64.0 * epsilon + 0.25 * y.abs())
+        };
+        let is_found = { solutions }.any(is_near);
+        assert!(found.is_nan() || is_found, "{line}: {found}");
+        if cells.len() > 2 {
+            counts[usize::from(!is_found)] += 1;
+        }
+    }
+    counts
+}
+
+/// Solutions by mpmath, from `tools/algebraic_unknowns.py`: what is found is one of them, or nothing is.
+#[test]
+fn what_is_found_is_a_solution() {
+    for (start, iterations) in [(0.0, 30), (1.0, 30), (1.0, 100), (-3.0, 100), (1e8, 60)] {
+        let double = swept::<f64>(start, iterations, f64::EPSILON, |y| y);
+        let single = swept::<f32>(start, iterations, f32::EPSILON.into(), f64::from);
+        // Where Newton's method gets to a solution, it is handed out.
+        let is_handed_out = [double, single].iter().all(|[found, lost]| *found > 7 * lost);
+        assert!(start != 0.0 || is_handed_out, "{double:?} {single:?}");
+    }
+}

@@ -52,6 +52,13 @@ pub enum Undefined<S> {
         /// At which time.
         time: S,
     },
+    /// An algebraic unknown whose equation has no solution that is found.
+    Unknown {
+        /// Its name.
+        name: &'static str,
+        /// At which time.
+        time: S,
+    },
     /// The mass matrix, which is singular, so that accelerations do not follow from forces.
     MassMatrix {
         /// The velocity of the first pivot that is lost in rounding if velocities are eliminated with the largest pivots first.
@@ -104,6 +111,18 @@ impl<S: Scalar> Undefined<S> {
         let state = not_finite(y).map(|k| Undefined::State { component: component(k), value: y[k] });
         let rate = |k: usize| Undefined::Rate { component: component(k), value: rates[k], time };
         state.or_else(|| not_finite(rates).map(rate))
+    }
+
+    /// Blames the first of these algebraic unknowns, in the order of declaration, that has no value, instead of what becomes undefined by it.
+    #[must_use]
+    pub fn with_unknowns(self, time: S, unknowns: &[(&'static str, S)]) -> Self {
+        let unsolved = unknowns.iter().find(|(_, value)| !value.is_finite());
+        match (self, unsolved) {
+            (Undefined::Rate { .. } | Undefined::MassMatrix { .. }, Some(&(name, _))) => {
+                Undefined::Unknown { name, time }
+            }
+            _ => self,
+        }
     }
 
     /// The same of a state of the system M, or of a longer one that begins with that, by name.
@@ -174,6 +193,10 @@ impl<S: Debug> Display for Undefined<S> {
                 }
                 write!(f, " comes to {value:?} at time {time:?}, although the state is finite")
             }
+            Undefined::Unknown { name, time } => write!(
+                f,
+                "no solution for `{name}` is found at time {time:?}: its equation has none there, or Newton's method does not get to it from the start"
+            ),
             Undefined::MassMatrix { velocity, pivot, time } => write!(
                 f,
                 "the mass matrix is singular at time {time:?}: its pivot for {} is {pivot:?}, so that {} does not follow from the forces",

@@ -25,6 +25,18 @@ pub(in crate::elaborate) fn without_unknown_help(name: &str) -> String {
     )
 }
 
+pub(in crate::elaborate) fn without_solution(name: &str) -> String {
+    format!(
+        "this equation has no solution for `{name}`: its right side has the same sign everywhere and is never zero"
+    )
+}
+
+pub(in crate::elaborate) fn without_solution_help(name: &str) -> String {
+    format!(
+        "write an expression that is zero at the value of `{name}`, such as `{name}^2 - 2` for the root of 2"
+    )
+}
+
 pub(in crate::elaborate) fn start_holds(name: &str) -> String {
     format!("the start of `{name}` depends on `{name}`")
 }

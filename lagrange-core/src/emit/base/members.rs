@@ -48,6 +48,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) callees: Vec<Opaque>,
     /// Functions that solve equations.
     pub(in crate::emit) solvers: TokenStream,
+    /// Statements and a list of the unknowns that rates are made of, each with its name and its value.
+    pub(in crate::emit) unknowns: Option<TokenStream>,
     /// Whether explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
     /// Whether the methods hold rounded values of irrational constants.
@@ -78,6 +80,7 @@ impl Members {
             functions: BTreeSet::new(),
             callees: Vec::new(),
             solvers: TokenStream::new(),
+            unknowns: None,
             is_separable: false,
             has_rounded_constants: false,
         }

@@ -4,8 +4,10 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
 use crate::code::{Names, Scalar};
+use crate::emit::base::method::Arguments;
 use crate::emit::base::shape::{doc, length, local};
 use crate::emit::base::writer::MethodWriter;
+use crate::expr::Node;
 use crate::formula::text;
 use crate::opaque::Opaque;
 use crate::program::NewtonProgram;
@@ -13,6 +15,26 @@ use crate::symbol::Role;
 
 /// Equations that take more names, numbers and signs than this are not written out in documentation.
 const LONGEST_EQUATION: u64 = 60;
+
+/// Writes the unknowns that accelerations and rates of states are made of, so that errors name the one without a value.
+pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
+    let rates = [&writer.equations.accelerations[..], &writer.model.position_rates()].concat();
+    let graph = &writer.model.graph;
+    let (mut roots, mut names) = (Vec::new(), Vec::new());
+    for id in graph.reachable(&rates) {
+        if let Node::Opaque(function, _) = graph.node(id)
+            && function.is_solution()
+        {
+            roots.push(id);
+            names.push(function.function().name.clone());
+        }
+    }
+    if roots.is_empty() {
+        return;
+    }
+    let (body, _) = writer.lowered(&roots, Arguments::State, |values| quote!([#((#names, #values)),*]));
+    writer.members.unknowns = Some(body);
+}
 
 /// Writes a function for each unknown that methods mention.
 pub(in crate::emit) fn write_solvers(writer: &mut MethodWriter<'_>) {

@@ -448,11 +448,25 @@ const _: () = {
             y: &[f64; 2],
             rates: &[f64; 2],
         ) -> ::core::option::Option<::lagrange::system::Undefined<f64>> {
-            ::lagrange::integrate::undefined(
+            let found = ::lagrange::integrate::undefined(
                 self,
                 (t, y, rates),
                 &[],
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
+            )?;
+            let (q, v) = ::lagrange::system::split::<Self>(y);
+            let (q, v) = (&q, &v);
+            ::core::option::Option::Some(
+                found
+                    .with_unknowns(
+                        t,
+                        &{
+                            let Self { soft, hard, stiff, .. } = *self;
+                            let [x] = *q;
+                            let joint = solve_joint(soft, hard, x, stiff);
+                            [("joint", joint)]
+                        },
+                    ),
             )
         }
         #[inline]
