@@ -46,7 +46,7 @@
 //! They stand on [`elementary`], one row for each elementary function, [`units`], one row for each unit of measurement, [`opaque`], functions without a formula, of which [`tables`] may be
 //! read from files, and [`solids`], one row for each solid; [`expr`], the graph
 //! that owns every expression of a system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms
-//! that take the graph; and on [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
+//! that take the graph; and on [`limits`], [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
 //! which, and `docs/tour.md` shows what each phase makes of a double pendulum.
 #![forbid(unsafe_code)]
 
@@ -65,6 +65,7 @@ pub mod expr;
 pub mod formula;
 pub mod functions;
 pub mod inline;
+pub mod limits;
 pub mod model;
 pub mod number;
 pub mod opaque;

@@ -14,12 +14,12 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{CheckedAdd, CheckedMul, One, Pow, Signed, ToPrimitive, Zero};
 
+use crate::limits::MAX_DECIMAL_EXPONENT;
+
 /// Powers whose result would need more bits than this are left unevaluated.
 const LARGEST_POWER_BITS: u64 = 4096;
 /// Numbers that need more bits than this are of no use; the longest literals need fewer.
 const MOST_BITS: u64 = 20_000;
-/// Decimal exponents beyond this are refused: no scalar can represent them.
-const LARGEST_DECIMAL_EXPONENT: i64 = 5000;
 
 /// A rational number in lowest terms, with a positive denominator.
 ///
@@ -68,7 +68,7 @@ impl Number {
             return None;
         }
         let scale = exponent.checked_sub(fraction.len() as i64)?;
-        if scale.abs() > LARGEST_DECIMAL_EXPONENT {
+        if scale.abs() > MAX_DECIMAL_EXPONENT {
             return None;
         }
         let power = Pow::pow(BigInt::from(10), scale.unsigned_abs());

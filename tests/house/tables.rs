@@ -41,6 +41,7 @@ const LAGRANGE: &[Layer] = &[
 ];
 
 const CORE: &[Layer] = &[
+    Layer { modules: &["limits"], purpose: "largest numbers and sizes of a declaration" },
     Layer {
         modules: &["collections", "diagnostics", "number"],
         purpose: "containers with a fixed order; diagnostics with spans and help; exact rationals",

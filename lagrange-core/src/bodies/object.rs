@@ -88,7 +88,9 @@ impl Object {
     /// Kind of object, for those who look for parts of it under other names.
     pub(super) fn owner(&self) -> Option<Owner> {
         match self {
-            Object::Body(_) | Object::Link { .. } => Some(Owner::Body),
+            Object::Body(_) => Some(Owner::Body),
+            Object::Link { is_frame: false, .. } => Some(Owner::BodyInSpace),
+            Object::Link { .. } => Some(Owner::Frame),
             Object::Line(_) => None,
             Object::Connector(_) => Some(Owner::Connector),
             Object::Joint(_) => Some(Owner::Joint),

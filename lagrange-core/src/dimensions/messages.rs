@@ -107,6 +107,15 @@ pub(super) fn write_unit(number: &str, unit: &str) -> String {
     format!("a number has the unit that stands behind it: write `{number} [{unit}]`")
 }
 
+/// Message for the unit in `1/2 [kg]`.
+pub(super) fn unit_below(number: &str, unit: &str) -> String {
+    format!("this unit belongs to the {number} below the fraction line: it divides by `{number} [{unit}]`")
+}
+
+pub(super) fn unit_below_help((above, below): (&str, &str), unit: &str) -> String {
+    format!("write the unit behind the number above it: `{above} [{unit}]/{below}`")
+}
+
 /// Advice that lists the units of names.
 pub(super) fn units_are(units: &[String]) -> String {
     format!("compare the units of what it is made of: {}", units.join(", "))

@@ -1,7 +1,8 @@
 //! Dimensions of what is declared: numbers in coherent units, and what has which dimension.
 //!
 //! Numbers at run time are in coherent units of the SI. A number that is written in another unit is scaled, exactly, before anything
-//! else is known of the declaration: `param l: mm = 500` has the default 1/2. A declaration in which no unit is written passes unseen.
+//! else is known of the declaration: `param l: mm = 500` has the default 1/2. A declaration in which no unit is written passes unseen,
+//! and one with units of angles and of plain numbers alone is scaled but not checked.
 //!
 //! In any other one every name has one dimension, be it declared or not, and statements ask for dimensions: energies are added, what
 //! is added is of one kind, sines are taken of plain numbers. These are equations between products of powers of dimensions; in
@@ -35,14 +36,16 @@ pub use defaults::{Measured, in_coherent_units};
 
 /// Checks dimensions of a declaration in plain statements. Says which names have which units, declared or found.
 pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &mut Report) -> NamedUnits {
-    if !declaration.has_units {
-        return measured.named;
+    let mut named = measured.named;
+    if declaration.has_units {
+        name_state(declaration, &mut named);
+    }
+    if !declaration.has_dimensions {
+        return named;
     }
     let mut checker = Checker::new(&declaration.expressions);
     statements::check(&mut checker, declaration, &measured.labels);
     report::report(&checker, measured.last_written, report);
-    let mut named = measured.named;
-    name_state(declaration, &mut named);
     name_what_was_found(&checker, declaration, &mut named);
     named
 }

@@ -9,9 +9,10 @@ use super::messages;
 use super::solver::{Contradiction, Grounds};
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
-use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::number::Number;
+use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 use crate::syntax::print;
-use crate::units::{Dimension, described, meaning, noun, spelled};
+use crate::units::{Dimension, Unit, described, meaning, noun, spelled};
 
 /// Longer chains of reasons are cut.
 const MOST_NOTES: usize = 4;
@@ -70,6 +71,12 @@ fn report_contradiction(
     report: &mut Report,
 ) {
     let Contradiction { equation, missing } = contradiction;
+    if let Some((above, below, unit)) = unit_below(checker, expression, missing) {
+        let text = unit.to_string();
+        let error = report.error(unit.origin, messages::unit_below(&below, &text));
+        error.help(messages::unit_below_help((&above, &below), &text));
+        return;
+    }
     let found = checker.solver.dimension(&equation.found).map(|dimension| described(&dimension));
     let square = factor_to_square(checker, expression, missing);
     let factor = match &square {
@@ -154,6 +161,34 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         true => messages::COMPARE_HELP.to_owned(),
         false => messages::units_are(&units),
     }
+}
+
+/// The numbers and the unit of `1/2 [kg]`, which is 1/(2 kg), where half a kilogram would fit.
+fn unit_below<'a>(
+    checker: &Checker<'a>,
+    expression: AstId,
+    missing: &Dimension,
+) -> Option<(String, String, &'a Unit)> {
+    let expressions = checker.expressions;
+    let number = |id| print::expression(expressions, id);
+    expressions.parts(expression).into_iter().find_map(|part| {
+        let Expression::Binary(BinaryOperator::Divide, _, left, right) = expressions.get(part) else {
+            return None;
+        };
+        let Expression::Quantity(below, unit) = expressions.get(*right) else { return None };
+        let above = last_factor(expressions, *left)?;
+        let is_meant = *missing == unit.dimension.power(&Number::TWO);
+        is_meant.then(|| (number(above), number(*below), &**unit))
+    })
+}
+
+/// The last factor of a product, if it is a number without a unit.
+fn last_factor(expressions: &Expressions, product: AstId) -> Option<AstId> {
+    let last = match expressions.get(product) {
+        Expression::Binary(BinaryOperator::Multiply, _, _, last) => *last,
+        _ => product,
+    };
+    matches!(expressions.get(last), Expression::Number(_)).then_some(last)
 }
 
 /// `3 [N/m]` of an expression that holds `3 N/m`, where `m` is a name of the declaration, too.

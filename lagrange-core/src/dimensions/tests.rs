@@ -165,6 +165,26 @@ mod inference {
         assert_eq!(unit(&text, "l"), None);
     }
 
+    /// Degrees say nothing of masses and lengths: plain numbers beside them stay what they are.
+    #[test]
+    fn units_of_angles_alone_only_scale() {
+        let plain = PENDULUM.replace(": kg", "").replace(": m/s^2", "").replace("* h +", "* h + theta +");
+        for (written, instead) in [
+            ("pi / 4", "45 deg"),
+            ("pi / 4", "1 [arcmin]"),
+            ("param m", "param tilt: deg = 30, m"),
+            ("coord theta", "coord theta: rad"),
+            ("k, n", "k: 1, n"),
+        ] {
+            let text = plain.replace(written, instead);
+            assert_ne!(text, plain);
+            assert_eq!(unit(&text, "l"), None, "{instead}");
+        }
+        // A rate in degrees measures time, too.
+        let text = format!("{} param spin: deg/s = 1;", PENDULUM.replace("* h +", "* h + theta +"));
+        assert_eq!(errors(&text).len(), 1, "{:?}", errors(&text));
+    }
+
     /// A mistake whose sides are found is told with the chain of reasons.
     #[test]
     fn reasons_are_told() {

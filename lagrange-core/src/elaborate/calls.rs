@@ -143,15 +143,31 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
     if report_too_early(evaluator, name) || report_array(evaluator, name, arguments) {
         return;
     }
-    let known = evaluator.callables.iter().map(|(name, _)| name.clone());
-    let known = known.chain(function_names().map(str::to_owned)).collect::<Vec<_>>();
-    let nearest = nearest(&name.text, known.iter().map(String::as_str));
+    let nearest = nearest_function(evaluator, &name.text, arguments.len());
     let help = match (meant_function(evaluator, &name.text, arguments), nearest) {
         (Some(meant), _) => messages::names::write_call(&meant),
         (None, Some(nearest)) => messages::names::did_you_mean(nearest),
-        (None, None) => messages::names::FUNCTIONS_ARE_LISTED.to_owned(),
+        (None, None) => messages::names::declare_function(&name.text, arguments.len()),
     };
     evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
+}
+
+/// The function most like a name; one that takes so many arguments, if there is any.
+fn nearest_function<'e>(evaluator: &'e Evaluator<'_>, name: &str, count: usize) -> Option<&'e str> {
+    let takes = |known: &str| match mass_function(known) {
+        Some(function) => {
+            let (least, or_more) = function.arity();
+            count == least || or_more && count > least
+        }
+        None => match evaluator.callables.get(&known.to_owned()) {
+            Some(callable) => callable.function.as_ref().is_none_or(|function| function.arity() == count),
+            None => arity(known) == Some(count),
+        },
+    };
+    let own = evaluator.callables.iter().map(|(name, _)| -> &'e str { name });
+    let known = own.chain(function_names().map(|known| -> &'e str { known })).collect::<Vec<_>>();
+    let fitting = known.iter().copied().filter(|known| takes(known));
+    nearest(name, fitting).or_else(|| nearest(name, known.iter().copied()))
 }
 
 /// Reports an array that is called, if it is one.

@@ -18,6 +18,7 @@ use super::stabilisation::check_stabilisation;
 use super::states::{check_states, positions_of_states, report_states_in_momenta};
 use super::tables::{check_names_of_derivatives, check_tables};
 use crate::calculus::{AccelerationTerms, Rates, gradient};
+use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
@@ -98,10 +99,12 @@ fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
     let speeds = elaborator.speeds.iter().filter(|(speed, _)| is_declared(speed));
     let states = elaborator.states.iter().map(|state| (&state.name.text, state.position, state.name.span));
-    let declared = coordinates
-        .chain(states)
-        .chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span)))
-        .collect::<Vec<_>>();
+    let mut declared = HashMap::default();
+    for (name, id, span) in
+        coordinates.chain(states).chain(speeds.map(|(s, span)| (&s.name, s.velocity, *span)))
+    {
+        declared.get_or_insert_with(name.clone(), || (id, span));
+    }
     let mut clashes = Vec::new();
     for (speed, place) in &elaborator.speeds {
         let Some((coordinate, _)) = speed.coordinate.and_then(|index| elaborator.coordinates.get(index))
@@ -109,9 +112,8 @@ fn check_state_names(elaborator: &mut Elaborator<'_>) {
             continue;
         };
         if speed.name == format!("{}_dot", coordinate.name) {
-            let is_same = |name: &String, id: ExprId| *name == speed.name && id != speed.velocity;
-            let clash = declared.iter().find(|(other, id, _)| is_same(other, *id));
-            clashes.extend(clash.map(|(.., span)| (&speed.name, &coordinate.name, *span, *place)));
+            let clash = declared.get(&speed.name).filter(|(id, _)| *id != speed.velocity);
+            clashes.extend(clash.map(|(_, span)| (&speed.name, &coordinate.name, *span, *place)));
         }
     }
     for (velocity, coordinate, span, place) in clashes {

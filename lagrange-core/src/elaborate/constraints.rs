@@ -7,8 +7,10 @@ use super::operand::Operand;
 use super::scope::NameKind;
 use crate::calculus::{Degree, Degrees};
 use crate::diagnostics::Origin;
-use crate::expr::{Dependencies, ExprId};
+use crate::expr::{Dependencies, ExprId, Graph, Node};
+use crate::formula::text;
 use crate::model::Constraint;
+use crate::number::Number;
 use crate::simplify::vanishing;
 use crate::symbol::Role;
 use crate::syntax::ast::{AstId, Name};
@@ -33,7 +35,7 @@ pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, synta
         term.and_then(|term| Some((term.value, constrained_velocity(elaborator, name, syntax, term.value)?)));
     elaborator.declare(name, NameKind::Constraint, Some(Operand::Scalar(multiplier)));
     let Some((value, velocity)) = velocity else { return };
-    report_repeated(elaborator, name, velocity);
+    report_repeated(elaborator, name, (value, velocity));
     let is_holonomic = !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::VELOCITY);
     let constraint = Constraint { name: name.text.clone(), value, velocity, is_holonomic, multiplier };
     elaborator.constraints.push((constraint, name.span));
@@ -83,19 +85,77 @@ fn constrained_velocity(
     Some(value)
 }
 
-fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, velocity: ExprId) {
+/// Reports a constraint that demands of the velocities what another one does, or that they have other values.
+fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, (value, velocity): (ExprId, ExprId)) {
     let graph = &mut elaborator.evaluator.graph;
-    let (_, core) = graph.split_coefficient(velocity);
-    let same =
-        elaborator.constraints.iter().find(|(other, _)| graph.split_coefficient(other.velocity).1 == core);
-    if let Some((other, span)) = same {
-        let message = match elaborator.joints.iter().any(|joint| joint.text == name.text) {
-            true => messages::REPEATED_JOINT.to_owned(),
-            false => messages::repeated_constraint(&name.text, &other.name),
-        };
-        let error =
-            elaborator.evaluator.report.error(name.span, message).help(messages::REPEATED_CONSTRAINT_HELP);
-        error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
+    let (scale, rate, core) = normalised(graph, velocity);
+    let index = elaborator.constraints.len();
+    let first = *elaborator.constrained.get_or_insert_with(core, || index);
+    let Some((other, span)) = elaborator.constraints.get(first) else { return };
+    let (other_scale, other_rate, _) = normalised(graph, other.velocity);
+    let gap = match rate == other_rate {
+        true => gap(graph, (value, &scale), (other.value, &other_scale)),
+        false => Gap::Certain,
+    };
+    let (message, help) = match gap {
+        Gap::Certain => {
+            (messages::contradicting_constraint(&name.text, &other.name), messages::CONTRADICTING_HELP)
+        }
+        Gap::Unless(text) => {
+            (messages::nearly_repeated(&name.text, &other.name, &text), messages::CONTRADICTING_HELP)
+        }
+        Gap::None if elaborator.joints.iter().any(|joint| joint.text == name.text) => {
+            (messages::REPEATED_JOINT.to_owned(), messages::REPEATED_CONSTRAINT_HELP)
+        }
+        Gap::None => {
+            (messages::repeated_constraint(&name.text, &other.name), messages::REPEATED_CONSTRAINT_HELP)
+        }
+    };
+    let error = elaborator.evaluator.report.error(name.span, message).help(help);
+    error.related(Origin::from(*span), messages::OTHER_CONSTRAINT_IS_HERE);
+}
+
+/// Numbers a and b and an expression x without either, such that a velocity is a (x + b).
+fn normalised(graph: &mut Graph, velocity: ExprId) -> (Number, Number, ExprId) {
+    let Node::Sum { constant, terms } = graph.node(velocity).clone() else {
+        return (Number::ONE, Number::ZERO, velocity);
+    };
+    let scale = terms.first().map_or(Number::ONE, |(_, weight)| weight.clone());
+    let over = scale.reciprocal().unwrap_or(Number::ONE);
+    let terms = terms.into_iter().map(|(term, weight)| (term, &weight * &over)).collect::<Vec<_>>();
+    let core = graph.sum(Number::ZERO, terms);
+    (scale, &constant * &over, core)
+}
+
+/// How far two constraints on the same motion are apart.
+enum Gap {
+    None,
+    /// By a number.
+    Certain,
+    /// By an expression of parameters, which may be zero.
+    Unless(String),
+}
+
+/// The difference of what two constraints keep at zero, each without its factor.
+fn gap(graph: &mut Graph, first: (ExprId, &Number), second: (ExprId, &Number)) -> Gap {
+    let [first, second] = [first, second].map(|(value, scale)| {
+        let over = scale.reciprocal().unwrap_or(Number::ONE);
+        match graph.node(value).clone() {
+            Node::Sum { constant, terms } => {
+                let terms = terms.into_iter().map(|(term, weight)| (term, &weight * &over));
+                graph.sum(&constant * &over, terms.collect::<Vec<_>>())
+            }
+            _ => graph.sum(Number::ZERO, [(value, over)]),
+        }
+    });
+    let difference = graph.subtract(first, second);
+    match graph.as_number(difference) {
+        Some(number) if number.is_zero() => Gap::None,
+        Some(_) => Gap::Certain,
+        None if graph.dependencies(difference) == Dependencies::PARAMETER => {
+            Gap::Unless(text::text(graph, difference))
+        }
+        None => Gap::None,
     }
 }
 

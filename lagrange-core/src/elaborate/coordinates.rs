@@ -22,7 +22,7 @@ const QUATERNION_RATES: [[(usize, usize, i64); 3]; 4] = [
 
 pub(super) fn define_coordinate(elaborator: &mut Elaborator<'_>, name: &Name) {
     let index = elaborator.coordinates.len();
-    let speed = match elaborator.declaration.velocity_named(name) {
+    let speed = match elaborator.named_velocities.get(&name.text) {
         Some(speed) => (speed.text.clone(), 0),
         None => (name.text.clone(), 1),
     };

@@ -11,6 +11,7 @@ use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::bodies::Plain;
 use crate::calculus::evaluate;
+use crate::collections::HashMap;
 use crate::diagnostics::{Report, nearest};
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{
@@ -58,6 +59,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) inputs: Vec<Parameter>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     pub(super) states: Vec<DeclaredState>,
+    /// The names that `velocity` statements give to the rates of coordinates.
+    pub(super) named_velocities: HashMap<String, &'a Name>,
     /// Number of positions that are no states, all of which stand in front of these.
     pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
@@ -76,6 +79,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
+    /// What constraints demand of velocities, but for a factor and a number: the first constraint of each.
+    pub(super) constrained: HashMap<ExprId, usize>,
     /// The rate of stabilisation, with where it is given.
     pub(super) stabilisation: Option<(ExprId, Span)>,
     /// Events, with where their names stand.
@@ -102,6 +107,7 @@ impl<'a> Elaborator<'a> {
             inputs: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),
+            named_velocities: declaration.named_velocities(),
             first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),
             orientations: Vec::new(),
@@ -115,6 +121,7 @@ impl<'a> Elaborator<'a> {
             places,
             implied: Vec::new(),
             constraints: Vec::new(),
+            constrained: HashMap::default(),
             stabilisation: None,
             events: Vec::new(),
             reactions: Vec::new(),

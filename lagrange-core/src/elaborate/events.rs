@@ -12,12 +12,10 @@ use super::scope::NameKind;
 use super::states::state_named;
 use crate::diagnostics::Origin;
 use crate::expr::{Dependencies, ExprId};
+use crate::limits::MAX_EVENTS;
 use crate::model::{Action, Assignment};
 use crate::symbol::Symbol;
 use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
-
-/// The most events that run-time code can watch.
-const MOST_EVENTS: usize = 32;
 
 pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
     let (value, action) = match &event.action {
@@ -150,8 +148,8 @@ pub(super) fn check_event_count(elaborator: &mut Elaborator<'_>) {
         StatementKind::Friction(friction) if friction.width.is_none() => Some(&friction.name),
         _ => None,
     });
-    if let Some(name) = names.into_iter().nth(MOST_EVENTS) {
-        let error = elaborator.evaluator.report.error(name.span, messages::too_many_events(MOST_EVENTS));
+    if let Some(name) = names.into_iter().nth(MAX_EVENTS) {
+        let error = elaborator.evaluator.report.error(name.span, messages::too_many_events(MAX_EVENTS));
         error.help(messages::TOO_MANY_EVENTS_HELP);
     }
 }

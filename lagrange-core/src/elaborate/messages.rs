@@ -301,6 +301,17 @@ pub(super) fn repeated_constraint(name: &str, other: &str) -> String {
     )
 }
 
+pub(super) fn contradicting_constraint(name: &str, other: &str) -> String {
+    format!("the constraint `{name}` contradicts `{other}`: no motion satisfies both")
+}
+
+/// Message for two constraints that differ by what parameters decide.
+pub(super) fn nearly_repeated(name: &str, other: &str, difference: &str) -> String {
+    format!("the constraint `{name}` contradicts `{other}`, or demands the same where `{difference}` is zero")
+}
+
+pub(super) const CONTRADICTING_HELP: &str =
+    "remove one of them, or make them one constraint with the right value";
 pub(super) const REPEATED_CONSTRAINT_HELP: &str = "remove one of them";
 pub(super) const OTHER_CONSTRAINT_IS_HERE: &str = "the other one is here";
 

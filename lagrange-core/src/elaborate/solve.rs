@@ -13,6 +13,7 @@ use super::tables::names_of_functions;
 use crate::calculus::{partial, rebuild};
 use crate::collections::{HashMap, OrderedMap};
 use crate::expr::{AlgebraicUnknown, Dependencies, ExprId, Graph, Node};
+use crate::limits::MAX_ITERATIONS;
 use crate::number::Number;
 use crate::opaque::{Opaque, OpaqueFunction, Source};
 use crate::simplify::has_one_sign;
@@ -20,8 +21,6 @@ use crate::syntax::ast::{AstId, Name, StatementKind, UnknownDefinition};
 
 /// Steps of the iteration where nothing else is said.
 const ITERATIONS: u32 = 30;
-/// Equations that take more steps are not solved by this method.
-const MOST_ITERATIONS: i32 = 1000;
 
 /// `solve y: 0 = e, start: s, iterations: n;`
 pub(super) fn define_unknown(elaborator: &mut Elaborator<'_>, definition: &UnknownDefinition) {
@@ -94,10 +93,10 @@ fn iterations(evaluator: &mut Evaluator<'_>, syntax: AstId) -> Option<u32> {
     value_of(evaluator, syntax)?;
     let value = evaluator.scalar(syntax, words::ITERATIONS)?;
     let count = evaluator.graph.as_number(value).and_then(Number::to_i32);
-    let possible = count.filter(|count| (1..=MOST_ITERATIONS).contains(count));
+    let possible = count.filter(|count| (1..=MAX_ITERATIONS).contains(count));
     if possible.is_none() {
         let error = evaluator.report.error(evaluator.origin(syntax), words::NO_ITERATIONS);
-        error.help(words::ITERATIONS_HELP);
+        error.help(words::iterations_help(MAX_ITERATIONS));
     }
     possible.and_then(|count| u32::try_from(count).ok())
 }

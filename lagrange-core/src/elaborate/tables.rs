@@ -7,11 +7,9 @@ use super::opaque::define;
 use crate::calculus::evaluate;
 use crate::diagnostics::{Diagnostic, Origin};
 use crate::expr::{Dependencies, ExprId, Node};
+use crate::limits::MAX_POINTS;
 use crate::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
 use crate::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
-
-/// Tables with more points are refused: the compiler would take minutes to read the emitted coefficients.
-const MOST_POINTS: usize = 100_000;
 
 /// A point with where it stands, in the declaration or on a line of a file.
 struct Point {
@@ -78,8 +76,8 @@ fn points(elaborator: &mut Elaborator<'_>, table: &TableDefinition) -> Option<Ve
             .help(words::TOO_FEW_HELP);
         return None;
     }
-    if points.len() > MOST_POINTS {
-        let message = words::too_many(&table.name.text, points.len(), MOST_POINTS);
+    if points.len() > MAX_POINTS {
+        let message = words::too_many(&table.name.text, points.len(), MAX_POINTS);
         report.error(table.name.span, message).help(words::TOO_MANY_HELP);
         return None;
     }

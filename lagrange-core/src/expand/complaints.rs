@@ -79,11 +79,36 @@ impl<'a> Complaints<'a> {
         fault: &IndexFault,
         scope: (&Scopes, ScopeId),
     ) {
+        self.open(expressions, fault, scope, (messages::condition, messages::CONDITION_HELP));
+    }
+
+    /// Reports a condition on indices in an expression that holds something else.
+    pub(super) fn unequal(
+        &mut self,
+        expressions: &Expressions,
+        fault: &IndexFault,
+        scope: (&Scopes, ScopeId),
+    ) {
+        self.open(
+            expressions,
+            fault,
+            scope,
+            (messages::condition_in_value, messages::CONDITION_IN_VALUE_HELP),
+        );
+    }
+
+    fn open(
+        &mut self,
+        expressions: &Expressions,
+        fault: &IndexFault,
+        scope: (&Scopes, ScopeId),
+        (message, help): (fn(&str) -> String, &str),
+    ) {
         match &fault.reason {
             Reason::Name(name) if self.names.contains(name) => {
                 let origin = expressions.origin(fault.place);
-                if let Some(error) = self.once(fault.place, origin, messages::condition(name)) {
-                    error.help(messages::CONDITION_HELP);
+                if let Some(error) = self.once(fault.place, origin, message(name)) {
+                    error.help(help);
                 }
             }
             _ => self.fault(expressions, fault, scope),

@@ -3,7 +3,6 @@
 //! What is still to be done waits on a stack, so that chains of any length are copied without recursion. Expressions in which nothing
 //! changes are not copied.
 
-use super::MOST;
 use super::complaints::Complaints;
 use super::counting::Counting;
 use super::elements::{ElementNames, indices_of};
@@ -13,6 +12,7 @@ use super::unrolling::{origin_of, values};
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
+use crate::limits::MAX_WRITTEN_OUT;
 use crate::number::Number;
 use crate::syntax::ast::{
     ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, Name, Range,
@@ -93,7 +93,7 @@ impl<'a> Copier<'a> {
     fn begun(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
         let origin = self.expressions.origin(id);
         self.terms += 1;
-        if self.terms > MOST {
+        if self.terms > MAX_WRITTEN_OUT {
             return Some(self.too_long(origin));
         }
         if self.changes.get(&id) == Some(&false) {
@@ -111,6 +111,18 @@ impl<'a> Copier<'a> {
             // Only definitions of arrays have lists.
             Expression::Array(ArrayExpression::List(_)) => {
                 Some(self.expressions.add(Expression::Invalid, origin))
+            }
+            Expression::Array(ArrayExpression::Select { condition, then, otherwise }) => {
+                let branch = match self.counting().holds(&condition, scope) {
+                    Ok(true) => then,
+                    Ok(false) => otherwise,
+                    Err(fault) => {
+                        self.complaints.unequal(self.expressions, &fault, (&self.scopes, scope));
+                        return Some(self.expressions.add(Expression::Invalid, origin));
+                    }
+                };
+                tasks.push(Task::Copy(branch, scope));
+                None
             }
             Expression::If { condition, then, otherwise } if self.is_of_indices(&condition, scope) => {
                 let branch = if self.holds(&condition, scope) { then } else { otherwise };
@@ -203,7 +215,7 @@ impl<'a> Copier<'a> {
             return Some(self.expressions.add(Expression::Invalid, origin));
         };
         let count = values.end.saturating_sub(values.start).max(0).unsigned_abs();
-        if count > MOST {
+        if count > MAX_WRITTEN_OUT {
             let place = origin_of(self.expressions, range);
             return Some(self.too_long(place));
         }
@@ -252,7 +264,7 @@ impl<'a> Copier<'a> {
     /// Once is enough.
     fn too_long(&mut self, origin: Origin) -> AstId {
         if !std::mem::replace(&mut self.is_too_long, true) {
-            let error = self.complaints.report.error(origin, messages::too_many_terms(MOST));
+            let error = self.complaints.report.error(origin, messages::too_many_terms(MAX_WRITTEN_OUT));
             error.help(messages::TOO_LONG_HELP);
         }
         self.expressions.add(Expression::Invalid, origin)

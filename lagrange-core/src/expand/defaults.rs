@@ -1,8 +1,8 @@
 //! ElementNames of arrays that are declared as a whole: how many there are, and which value belongs to which.
 
-use super::MOST;
 use super::complaints::Complaints;
 use super::messages;
+use crate::limits::MAX_WRITTEN_OUT;
 use crate::syntax::ast::{ArrayExpression, AstId, Expression, Expressions};
 
 /// The number of elements of an array; nothing if one of its sizes is none.
@@ -18,7 +18,7 @@ pub(super) fn positions(sizes: &[i64]) -> Vec<Vec<i64>> {
         positions.iter().flat_map(|position| (0..*size).map(move |index| with(position, index))).collect()
     };
     match count(sizes) {
-        Some(count) if count <= MOST => sizes.iter().fold(vec![Vec::new()], longer),
+        Some(count) if count <= MAX_WRITTEN_OUT => sizes.iter().fold(vec![Vec::new()], longer),
         _ => Vec::new(),
     }
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Span;
 
-use super::MOST;
 use super::complaints::Complaints;
 use super::counting::Counting;
 use super::defaults::{count, positions};
@@ -13,6 +12,7 @@ use super::scopes::{ScopeId, Scopes};
 use super::unrolling::{Instance, Unrolled};
 use crate::collections::{HashMap, OrderedMap};
 use crate::diagnostics::Origin;
+use crate::limits::MAX_WRITTEN_OUT;
 use crate::syntax::ast::{ArrayElement, DeclaredArray, Expressions, Name, StatementKind};
 
 /// All elements of a declaration.
@@ -78,9 +78,10 @@ impl ElementNames {
         let counting = Counting { expressions, scopes, constants: &unrolled.constants };
         let elements = ElementNames::default();
         let repeated = HashMap::default();
-        let mut collector =
-            Collector { elements, counting, complaints, repeated, count: 0, is_too_long: false };
-        unrolled.instances.iter().for_each(|instance| collector.instance(instance));
+        let mut collector = Collector { elements, counting, complaints, repeated, count: 0 };
+        if unrolled.instances.iter().all(|instance| collector.has_room(instance)) {
+            unrolled.instances.iter().for_each(|instance| collector.instance(instance));
+        }
         collector.elements
     }
 
@@ -164,7 +165,6 @@ struct Collector<'a, 'c> {
     repeated: HashMap<String, ()>,
     /// ElementNames of arrays that are declared as a whole so far.
     count: u64,
-    is_too_long: bool,
 }
 
 /// A name that is declared.
@@ -178,6 +178,25 @@ struct DeclaredName<'a> {
 }
 
 impl Collector<'_, '_> {
+    /// Counts the elements of whole arrays; false from the first one on that is too large, which is reported.
+    fn has_room(&mut self, instance: &Instance<'_>) -> bool {
+        let Instance { statement, scope } = *instance;
+        if !declares_arrays(&statement.kind) || !scope.is_outermost() {
+            return true;
+        }
+        for (name, _) in statement.kind.written_names() {
+            let sizes = if name.indices.is_empty() { None } else { self.indices(name, scope) };
+            self.count = self.count.saturating_add(sizes.and_then(|sizes| count(&sizes)).unwrap_or(0));
+            if self.count > MAX_WRITTEN_OUT {
+                let error =
+                    self.complaints.report.error(name.span, messages::too_many_elements(MAX_WRITTEN_OUT));
+                error.help(messages::SIZE_HELP);
+                return false;
+            }
+        }
+        true
+    }
+
     fn instance(&mut self, instance: &Instance<'_>) {
         let Instance { statement, scope } = *instance;
         let kind = &statement.kind;
@@ -225,12 +244,8 @@ impl Collector<'_, '_> {
             return;
         }
         let Some(sizes) = self.indices(name, scope) else { return };
-        let Some(count) = count(&sizes) else {
+        if count(&sizes).is_none() {
             return self.no_size(name, &sizes);
-        };
-        self.count = self.count.saturating_add(count);
-        if self.count > MOST {
-            return self.too_many(name);
         }
         for position in positions(&sizes) {
             if !self.add(declared, Some(&sizes), position) {
@@ -265,14 +280,6 @@ impl Collector<'_, '_> {
         };
         let origin = self.counting.expressions.origin(*place);
         if let Some(error) = self.complaints.once(*place, origin, messages::no_size(&name.text, *size)) {
-            error.help(messages::SIZE_HELP);
-        }
-    }
-
-    /// Once is enough.
-    fn too_many(&mut self, name: &Name) {
-        if !std::mem::replace(&mut self.is_too_long, true) {
-            let error = self.complaints.report.error(name.span, messages::too_many_elements(MOST));
             error.help(messages::SIZE_HELP);
         }
     }

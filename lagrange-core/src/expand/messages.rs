@@ -8,6 +8,7 @@ pub(super) const OTHER_VARIABLE_HELP: &str = "choose another name for the variab
 pub(super) const DECLARE_HELP: &str = "declare it, `const n = 3;`, or use the variable of a loop around this";
 pub(super) const INDEX_HELP: &str = "indices are integers, made of numbers, constants and variables of loops";
 pub(super) const CONDITION_HELP: &str = "write `let name = if a < b { … } else { … };`";
+pub(super) const CONDITION_IN_VALUE_HELP: &str = "compare what moves with `<`, `<=`, `>` or `>=` in an `if` of its own: `if i == 0 { if x < 1 { a } else { b } } else { b }`";
 pub(super) const NO_INDEX: &str = "this can be no index, which must be known when the declaration is read";
 pub(super) const TOO_LARGE: &str = "this index is too large";
 pub(super) const FROM_ZERO_HELP: &str = "indices begin at 0";
@@ -82,6 +83,13 @@ pub(super) fn write(text: &str) -> String {
 
 pub(super) fn in_its_loop(name: &str) -> String {
     format!("the variable `{name}` is known only in its loop")
+}
+
+/// Message for a name in a condition with `==`, `&&` or the like.
+pub(super) fn condition_in_value(name: &str) -> String {
+    format!(
+        "only indices are compared with `==` and in conditions with `&&`, `||`, `!` and `%`, and `{name}` is none"
+    )
 }
 
 pub(super) fn condition(name: &str) -> String {

@@ -38,9 +38,6 @@ use unrolling::unroll;
 
 pub use warnings::{name_elements, once_for_each_array};
 
-/// Statements, elements and terms that a declaration may stand for.
-const MOST: u64 = 200_000;
-
 /// The declaration without arrays, loops and sums. If they are wrong, what can be told of it is in the result, and what is wrong in
 /// the report.
 pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Declaration {
@@ -113,7 +110,7 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<S
             }
             StatementKind::Select(selection) => {
                 for (condition, body) in &mut selection.branches {
-                    roots.extend(condition.expressions_mut().into_iter().map(|id| *id));
+                    roots.extend(condition.expressions());
                     pending.extend(body);
                 }
                 pending.extend(&mut selection.otherwise);
@@ -125,6 +122,9 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<S
         match expression {
             Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
             Expression::Array(ArrayExpression::Sum { range, .. }) => roots.extend([range.from, range.to]),
+            Expression::Array(ArrayExpression::Select { condition, .. }) => {
+                roots.extend(condition.expressions())
+            }
             _ => {}
         }
     }

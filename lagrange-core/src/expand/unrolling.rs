@@ -1,6 +1,5 @@
 //! Loops and choices between statements: which statements they stand for.
 
-use super::MOST;
 use super::complaints::Complaints;
 use super::counting::Counting;
 use super::defaults::{element_of, positions};
@@ -8,6 +7,7 @@ use super::messages;
 use super::scopes::{ScopeId, Scopes};
 use crate::collections::HashMap;
 use crate::diagnostics::Origin;
+use crate::limits::MAX_WRITTEN_OUT;
 use crate::number::Number;
 use crate::syntax::ast::{
     Definition, Expressions, Name, Range, Repetition, Selection, Statement, StatementKind,
@@ -75,7 +75,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         for value in values {
             // Loops may stand in loops.
             self.turns += 1 + body.len() as u64;
-            if self.turns > MOST {
+            if self.turns > MAX_WRITTEN_OUT {
                 return self.report_too_long(range);
             }
             let scope = self.scopes.within(scope, &variable.text, value);
@@ -106,7 +106,7 @@ impl<'d> Unroller<'_, '_, 'd> {
         let Ok(sizes) = sizes.collect::<Result<Vec<_>, _>>() else { return };
         let positions = positions(&sizes);
         self.turns += positions.len() as u64;
-        if self.turns > MOST {
+        if self.turns > MAX_WRITTEN_OUT {
             // That there are too many elements is reported where they are collected.
             return;
         }
@@ -128,7 +128,7 @@ impl<'d> Unroller<'_, '_, 'd> {
             let origin = origin_of(self.expressions, range);
             self.complaints
                 .report
-                .error(origin, messages::too_many_statements(MOST))
+                .error(origin, messages::too_many_statements(MAX_WRITTEN_OUT))
                 .help(messages::TOO_LONG_HELP);
         }
     }

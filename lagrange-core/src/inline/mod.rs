@@ -16,12 +16,10 @@ use std::collections::BTreeSet;
 
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report, nearest};
+use crate::limits::MAX_INLINED;
 use crate::syntax::ast::{
     AstId, Declaration, Expression, Expressions, FunctionDefinition, Name, StatementKind,
 };
-
-/// Terms that calls may stand for, each and all together.
-const MOST: u64 = 200_000;
 
 /// The declaration without functions of its own. Mistakes in their calls are reported, those in what they stand for later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
@@ -209,7 +207,7 @@ impl Inliner<'_> {
             return self.expressions.add(Expression::Invalid, origin);
         }
         let value = self.instance(&function, (&places, &parts), arguments, origin);
-        if self.added > MOST || self.size(value) > MOST {
+        if self.added > MAX_INLINED || self.size(value) > MAX_INLINED {
             self.report_too_long(&function.name, origin);
             return self.expressions.add(Expression::Invalid, origin);
         }
@@ -268,7 +266,7 @@ impl Inliner<'_> {
     /// Once is enough.
     fn report_too_long(&mut self, name: &Name, origin: Origin) {
         if !std::mem::replace(&mut self.is_too_long, true) {
-            let error = self.report.error(origin, messages::too_long(&name.text, MOST));
+            let error = self.report.error(origin, messages::too_long(&name.text, MAX_INLINED));
             error.help(messages::TOO_LONG_HELP);
         }
     }

@@ -8,6 +8,7 @@ mod callables;
 mod conditions;
 mod events;
 mod expressions;
+mod id;
 mod keywords;
 pub mod mobilizers;
 mod quaternion;
@@ -24,9 +25,8 @@ pub use callables::{
 };
 pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
 pub use events::{Action, Assignment, Direction, Event, Friction};
-pub use expressions::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range,
-};
+pub use expressions::{ArrayExpression, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range};
+pub use id::AstId;
 pub use keywords::{Keyword, Soft};
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use quaternion::Quaternion;
@@ -72,6 +72,8 @@ pub struct Declaration {
     pub lacks_names: bool,
     /// True if a unit of measurement is written anywhere.
     pub has_units: bool,
+    /// True if one of these measures more than plain numbers and angles, so that dimensions are checked.
+    pub has_dimensions: bool,
 }
 
 impl Declaration {
@@ -122,8 +124,9 @@ impl Declaration {
 
     /// The velocities in their order.
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
+        let named = self.named_velocities();
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => names.iter().map(|name| self.rate_of(name)).collect(),
+            StatementKind::Coordinates(names) => names.iter().map(|name| rate_of(name, &named)).collect(),
             StatementKind::Quaternion(quaternion) => {
                 let component = |name: &Name| StateVelocity { name: name.clone(), coordinate: None };
                 quaternion.velocities.iter().map(component).collect()
@@ -133,20 +136,17 @@ impl Declaration {
         velocities.collect()
     }
 
-    /// The name that a `velocity` statement gives to the rate of a coordinate.
-    pub fn velocity_named(&self, coordinate: &Name) -> Option<&Name> {
-        self.statements.iter().find_map(|statement| match &statement.kind {
-            StatementKind::Velocity(name, value) => {
-                (self.expressions.rate_of_name(*value)? == coordinate.text).then_some(name)
+    /// The names that `velocity` statements give to the rates of coordinates, by the names of these.
+    pub fn named_velocities(&self) -> HashMap<String, &Name> {
+        let mut named = HashMap::default();
+        for Statement { kind, .. } in &self.statements {
+            if let StatementKind::Velocity(name, value) = kind
+                && let Some(coordinate) = self.expressions.rate_of_name(*value)
+            {
+                named.get_or_insert_with(coordinate.to_owned(), || name);
             }
-            _ => None,
-        })
-    }
-
-    fn rate_of<'d>(&'d self, coordinate: &'d Name) -> StateVelocity<'d> {
-        let rate = || Name::new(format!("{}_dot", coordinate.text), coordinate.span);
-        let name = self.velocity_named(coordinate).cloned().unwrap_or_else(rate);
-        StateVelocity { name, coordinate: Some(coordinate) }
+        }
+        named
     }
 
     /// Whether a product that is emitted on demand is asked for: the last word counts.
@@ -324,4 +324,10 @@ impl Accuracy {
             Accuracy::Strict => "strict",
         }
     }
+}
+
+fn rate_of<'d>(coordinate: &'d Name, named: &HashMap<String, &Name>) -> StateVelocity<'d> {
+    let rate = || Name::new(format!("{}_dot", coordinate.text), coordinate.span);
+    let name = named.get(&coordinate.text).map_or_else(rate, |name| (*name).clone());
+    StateVelocity { name, coordinate: Some(coordinate) }
 }

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Span, TokenTree};
 
 use super::ast::{AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind};
-use super::cursor::{Cursor, group_origin};
+use super::cursor::{Cursor, as_group, group_origin};
 use super::identifiers::at_equals_past;
 use super::keywords::is_rust_keyword;
 use super::messages;
@@ -14,6 +14,7 @@ use super::messages::units;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
 use super::units::at_unit;
+use crate::limits::MAX_INDICES;
 use crate::number::Number;
 
 /// A list of names with commas between them.
@@ -332,14 +333,15 @@ fn can_be_field(word: &str) -> bool {
     word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
 }
 
-/// The numbers of elements of a list, and of the first list in it.
+/// The numbers of elements of a list and of the first list in it, as deep as indices go.
 fn sizes_of_list(list: &Group) -> Vec<i64> {
-    let tokens = list.stream().into_iter().collect::<Vec<_>>();
     let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
-    let elements = tokens.split(is_comma).filter(|element| !element.is_empty());
-    let inner = match tokens.first() {
-        Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket => sizes_of_list(group),
-        _ => Vec::new(),
+    let inner =
+        |list: &Group| as_group(list.stream().into_iter().next().as_ref(), Delimiter::Bracket).cloned();
+    let lists = std::iter::successors(Some(list.clone()), inner).take(MAX_INDICES);
+    let size = |list: Group| {
+        let tokens = list.stream().into_iter().collect::<Vec<_>>();
+        tokens.split(is_comma).filter(|element| !element.is_empty()).count() as i64
     };
-    [elements.count() as i64].into_iter().chain(inner).collect()
+    lists.map(size).collect()
 }

@@ -204,17 +204,40 @@ const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Body, &["J", "I", "moment_of_inertia"], "#1.inertia"),
     (Owner::Body, &["momentum", "p"], "linear_momentum(#1)"),
     (Owner::Body, &["start", "end", "tip", "corner"], "#1.point(X, Y)"),
+    (Owner::BodyInSpace, &["position", "pos", "centre", "com", "place", "location"], "#1.center"),
+    (Owner::BodyInSpace, &["x", "y", "z"], "#1.center.#2"),
+    (Owner::BodyInSpace, &["m"], "#1.mass"),
+    (Owner::BodyInSpace, &["momentum", "p"], "linear_momentum(#1)"),
+    (Owner::Frame, &["position", "pos", "center", "centre", "place", "location"], "#1.origin"),
+    (Owner::Frame, &["x", "y", "z"], "#1.origin.#2"),
     (Owner::Connector, &["tension", "load", "F"], "#1.force"),
     (Owner::Connector, &["extension", "elongation", "stretch", "l"], "#1.length"),
     (Owner::Joint, &["reaction", "constraint_force", "F"], "#1.force"),
     (Owner::Joint, &["normal_force", "pressure", "N"], "#1.normal"),
 ];
 
+/// Parts of bodies in space and of frames alike.
+const PARTS_IN_SPACE: &[(&[&str], &str)] = &[
+    (&["velocity", "vel", "v", "speed"], "velocity(#1)"),
+    (&["acceleration", "acc", "a"], "acceleration(#1)"),
+    (&["omega", "angular_velocity", "w", "spin"], "angular_velocity(#1)"),
+    (&["alpha", "angular_acceleration"], "angular_acceleration(#1)"),
+    (
+        &["theta", "phi", "angle", "angles", "orientation", "rotation", "direction", "axis", "normal"],
+        "#1.vector(X, Y, Z)",
+    ),
+    (&["start", "end", "tip", "corner"], "#1.point(X, Y, Z)"),
+];
+
 /// Kind of object that has parts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Owner {
-    /// A rigid body.
+    /// A rigid body in the plane.
     Body,
+    /// A rigid body in space.
+    BodyInSpace,
+    /// A frame in space.
+    Frame,
     /// A spring or damper.
     Connector,
     /// A joint.
@@ -294,7 +317,10 @@ pub fn solid(word: &str) -> Option<&'static str> {
 
 /// Spelling here of a part of an object, whose name comes behind its kind.
 pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
-    let (.., template) = PARTS.iter().find(|(owner, words, _)| *owner == kind && words.contains(&word))?;
+    let in_space = PARTS_IN_SPACE.iter().filter(|_| matches!(kind, Owner::BodyInSpace | Owner::Frame));
+    let own = PARTS.iter().filter(|(owner, ..)| *owner == kind).map(|(_, words, template)| (words, template));
+    let mut rows = own.chain(in_space.map(|(words, template)| (words, template)));
+    let (_, template) = rows.find(|(words, _)| words.contains(&word))?;
     Some(filled(template, &[object.to_owned(), word.to_owned()]))
 }
 

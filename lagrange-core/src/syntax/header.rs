@@ -59,6 +59,7 @@ fn declaration(
         unreadable_words: HashMap::default(),
         lacks_names: false,
         has_units: false,
+        has_dimensions: false,
     }
 }
 

@@ -6,11 +6,9 @@ use super::messages;
 use super::messages::habits;
 use super::messages::units;
 use super::parser::{Parsed, Parser};
+use crate::limits::MAX_LITERAL_LENGTH;
 use crate::number::Number;
 use crate::units::meant;
-
-/// Longer literals are refused before any arithmetic is done on them.
-const LONGEST_LITERAL: usize = 5000;
 
 /// Suffixes of numbers in Rust.
 pub(super) const TYPES: [&str; 14] =
@@ -43,7 +41,7 @@ impl Parser<'_> {
             }
             return Err(self.fail_with_help(span, messages::SUFFIX, messages::suffix_help(digits)));
         }
-        let value = if text.len() > LONGEST_LITERAL { None } else { Number::parse_decimal(&text) };
+        let value = if text.len() > MAX_LITERAL_LENGTH { None } else { Number::parse_decimal(&text) };
         value.ok_or_else(|| {
             let message = messages::excessive_number(&text);
             self.fail_with_help(span, message, messages::EXCESSIVE_NUMBER_HELP)

@@ -108,6 +108,7 @@ fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cu
         unreadable_words,
         lacks_names: parser.lacks_names,
         has_units: parser.has_units,
+        has_dimensions: parser.has_dimensions,
         ..header
     }
 }

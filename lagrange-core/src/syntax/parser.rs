@@ -7,9 +7,7 @@ use super::cursor::{Cursor, group_origin};
 use super::messages;
 use crate::collections::HashMap;
 use crate::diagnostics::{Origin, Report};
-
-/// Bracket groups and conditions deeper than this are refused: nothing else is read by recursion, but for the few tokens that `Cursor::read` hands to `syn`.
-const DEEPEST_NESTING: u32 = 64;
+use crate::limits::MAX_NESTING;
 
 /// Reads one declaration; the grammar is spread over the modules named after its parts.
 pub(super) struct Parser<'r> {
@@ -19,6 +17,8 @@ pub(super) struct Parser<'r> {
     pub(super) skipped: bool,
     /// True where indices are read, which know the operator `%`.
     pub(super) counts: bool,
+    /// Variables of the loops and sums around what is read.
+    pub(super) variables: Vec<String>,
     /// Words in what was left out of the syntax tree.
     pub(super) unreadable_words: HashMap<String, ()>,
     /// Names that were declared where the text could be read.
@@ -27,6 +27,8 @@ pub(super) struct Parser<'r> {
     pub(super) lacks_names: bool,
     /// True if a unit of measurement is written anywhere.
     pub(super) has_units: bool,
+    /// True if one of these measures more than plain numbers and angles.
+    pub(super) has_dimensions: bool,
     /// Messages that are given only once in a statement.
     said: HashMap<String, ()>,
     depth: u32,
@@ -66,10 +68,12 @@ impl<'r> Parser<'r> {
             expressions: Expressions::default(),
             skipped: false,
             counts: false,
+            variables: Vec::new(),
             unreadable_words: HashMap::default(),
             declared_names: HashMap::default(),
             lacks_names: false,
             has_units: false,
+            has_dimensions: false,
             said: HashMap::default(),
             depth: 0,
         }
@@ -165,7 +169,7 @@ impl<'r> Parser<'r> {
         origin: Origin,
         read: impl FnOnce(&mut Self) -> Parsed<T>,
     ) -> Parsed<T> {
-        if self.depth == DEEPEST_NESTING {
+        if self.depth == MAX_NESTING {
             let help = messages::NESTED_TOO_DEEPLY_HELP;
             return Err(self.fail_with_help(origin, messages::NESTED_TOO_DEEPLY, help));
         }

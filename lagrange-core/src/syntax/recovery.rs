@@ -1,6 +1,6 @@
 //! Statements that are not what they should be: what to report, and where to read on.
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::cursor::Cursor;
 use super::foreign;
@@ -180,7 +180,11 @@ impl Parser<'_> {
         if let Some((message, help)) = foreign::stranger(word) {
             return Some((message.to_owned(), help.to_owned()));
         }
-        let keyword = foreign::statement(word)?;
+        let keyword = match foreign::statement(word)? {
+            // A hinge between bodies makes a coordinate; a pin holds points together.
+            "pin" if between_bodies(cursor) => "revolute",
+            keyword => keyword,
+        };
         Some((messages::unknown_statement(word), forms::meant_form(keyword)))
     }
 
@@ -206,4 +210,17 @@ impl Parser<'_> {
             false => self.fail_with_help(origin, habits::INEQUALITY, habits::contact(name)),
         }
     }
+}
+
+/// True if `a to b`, perhaps with a name and `=` in front, is the rest of the statement or stands before braces.
+fn between_bodies(cursor: &Cursor) -> bool {
+    let first = if cursor.equals_past(1) { 2 } else { 0 };
+    let is_word = |count: usize| matches!(cursor.peek_past(first + count), Some(TokenTree::Ident(_)));
+    let ends = match cursor.peek_past(first + 3) {
+        None => true,
+        Some(TokenTree::Punct(punct)) => punct.as_char() == ';',
+        Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Brace,
+        Some(_) => false,
+    };
+    (0..3).all(is_word) && ends
 }

@@ -50,13 +50,8 @@ impl Parser<'_> {
             let unit = meant(&word).filter(|_| self.is_free_unit(&word))?;
             return Some((units::unknown(&word), units::with_space(&number, unit)));
         }
-        if let (Some(TokenTree::Punct(sign)), Some(TokenTree::Ident(behind))) =
-            (cursor.peek_past(1), cursor.peek_past(2))
-            && "*/".contains(sign.as_char())
-            && self.is_free_unit(&behind.to_string())
-        {
-            let unit = format!("{word}{}{behind}", sign.as_char());
-            return Some((units::SEVERAL_FACTORS.to_owned(), units::in_brackets(&number, &unit)));
+        if let Some((_, help)) = self.several_factors(cursor) {
+            return Some((units::SEVERAL_FACTORS.to_owned(), help));
         }
         let message = messages::expected_operator_or(wanted, cursor.peek());
         self.declared(&word).map(|_| (message, units::product_or_unit(&number, &word)))

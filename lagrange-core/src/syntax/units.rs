@@ -12,11 +12,9 @@ use super::messages::units as words;
 use super::parser::{Parsed, Parser, Reported};
 use super::recovery::Turn;
 use crate::diagnostics::{Origin, nearest};
+use crate::limits::MAX_UNIT_EXPONENT;
 use crate::number::Number;
 use crate::units::{Unit, UnitFactor, meaning, meant, names};
-
-/// Larger exponents are refused before anything is raised to them.
-const LARGEST_EXPONENT: i64 = 99;
 
 impl Parser<'_> {
     /// Reads a colon and the unit behind it. What cannot be read is skipped up to the value or the next name.
@@ -69,21 +67,13 @@ impl Parser<'_> {
 
     /// `deg` or `m^2` behind a number. Several factors are reported: what follows `*` and `/` are names of the declaration.
     fn short_unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
-        let (number, start) = (cursor.previous().map(ToString::to_string), cursor.position());
-        let mut factors = Vec::new();
-        self.unit_factor(&Number::ONE, &mut factors, cursor)?;
-        let (origin, next) = (cursor.since(start), cursor.peek_past(1));
-        let is_joined = cursor.at('*') || cursor.at('/');
-        if let (true, Some(TokenTree::Ident(word))) = (is_joined, next)
-            && self.is_free_unit(&word.to_string())
-        {
-            let sign = cursor.peek().map(ToString::to_string).unwrap_or_default();
-            let text = self.unit_of(factors, origin)?;
-            let help = words::in_brackets(&number.unwrap_or_default(), &format!("{text}{sign}{word}"));
-            let place = origin.to(cursor.reaching(2));
+        if let Some(quotation) = self.several_factors(cursor) {
+            let (place, help) = quotation;
             return Err(self.fail_with_help(place, words::SEVERAL_FACTORS, help));
         }
-        self.unit_of(factors, origin)
+        let (start, mut factors) = (cursor.position(), Vec::new());
+        self.unit_factor(&Number::ONE, &mut factors, cursor)?;
+        self.unit_of(factors, cursor.since(start))
     }
 
     /// Reads a unit up to what cannot go on with it.
@@ -96,7 +86,10 @@ impl Parser<'_> {
     fn unit_of(&mut self, factors: Vec<UnitFactor>, origin: Origin) -> Parsed<Box<Unit>> {
         self.has_units = true;
         match Unit::of(factors, origin) {
-            Some(unit) => Ok(Box::new(unit)),
+            Some(unit) => {
+                self.has_dimensions |= !unit.dimension.is_none();
+                Ok(Box::new(unit))
+            }
             None => Err(self.fail_with_help(origin, words::NOT_EXACT, words::NOT_EXACT_HELP)),
         }
     }
@@ -179,7 +172,7 @@ impl Parser<'_> {
                 }
             })?,
         };
-        match exponent.abs() <= Number::from(LARGEST_EXPONENT) {
+        match exponent.abs() <= Number::from(MAX_UNIT_EXPONENT) {
             true => Ok(exponent),
             false => Err(self.fail_with_help(here, words::LARGE_EXPONENT, words::UNIT_HELP)),
         }

@@ -6,6 +6,8 @@
 //! `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
 
 mod corpus;
+mod limits;
+mod processor_time;
 mod slips;
 
 use corpus::{Mistake, mistakes};

@@ -95,7 +95,18 @@ pub(in crate::elaborate) fn element_help(name: &str, indices: &str) -> String {
     format!("write `{name}{indices}`; the first element has the index 0")
 }
 
-pub(in crate::elaborate) const FUNCTIONS_ARE_LISTED: &str = "functions of Rust are not seen here: write the expression out with those that the documentation of `lagrange::system!` lists, or compute a number outside and pass it as an `input`";
+/// Advice for a function that the language does not have.
+pub(in crate::elaborate) fn declare_function(name: &str, count: usize) -> String {
+    let parameters = match count {
+        0 | 1 => "x".to_owned(),
+        2 => "x, y".to_owned(),
+        3 => "x, y, z".to_owned(),
+        count => (1..=count).map(|i| format!("x{i}")).collect::<Vec<_>>().join(", "),
+    };
+    format!(
+        "`function {name}({parameters});` before this line calls a function of Rust by that name; those of the language are listed in the documentation of `lagrange::system!`"
+    )
+}
 
 pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {
     let article = if kind.starts_with(['e', 'i', 'o', 'u']) { "an" } else { "a" };

@@ -3,8 +3,11 @@
 pub(in crate::elaborate) const START: &str = "the start of an unknown";
 pub(in crate::elaborate) const ITERATIONS: &str = "the number of iterations";
 pub(in crate::elaborate) const NO_ITERATIONS: &str = "this is no number of iterations";
-pub(in crate::elaborate) const ITERATIONS_HELP: &str =
-    "write a whole number from 1 to 1000, such as `iterations: 50`; without one it is 30";
+
+pub(in crate::elaborate) fn iterations_help(most: i32) -> String {
+    format!("write a whole number from 1 to {most}, such as `iterations: 50`; without one it is 30")
+}
+
 pub(in crate::elaborate) const START_HELP: &str =
     "write what is known before the equation is solved, such as a number; without a start it is 0";
 pub(in crate::elaborate) const RATE_HELP: &str =

@@ -6,17 +6,10 @@
 use super::messages;
 use crate::derive::most_coupled;
 use crate::diagnostics::Report;
+use crate::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_VELOCITIES};
 use crate::model::{Model, Product};
 use crate::program::OperationCounts;
-use crate::syntax::ast::Declaration;
-
-/// Above this size building takes more than about five seconds, which nobody should have to explain to themselves.
-const SIZE_WORTH_A_WORD: usize = 80_000;
-/// Above this size code is not emitted: reading it alone takes minutes and as much memory as many machines have.
-const LARGEST: usize = 2_000_000;
-
-/// Above so many velocities nothing is derived: a list of all pairs of them takes minutes to walk through.
-const MOST_VELOCITIES: usize = 4_000;
+use crate::syntax::ast::{Declaration, StatementKind};
 
 /// Seconds of an unoptimised `cargo check` for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
@@ -36,13 +29,13 @@ impl Size {
 
     /// Whether the compiler could not be expected to finish.
     pub(in crate::emit) fn is_hopeless(self) -> bool {
-        self.0 > LARGEST
+        self.0 > MAX_OPERATIONS
     }
 }
 
 /// Warns of a system that takes long to compile.
 pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, report: &mut Report) {
-    if size <= SIZE_WORTH_A_WORD {
+    if size <= MANY_OPERATIONS {
         return;
     }
     let of_size = |rate: f64| rate * size as f64;
@@ -51,15 +44,24 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
+/// Reports more velocities than can be derived, at the first one too many, before anything is found out about them.
+pub fn report_too_many_velocities(declaration: &Declaration, report: &mut Report) -> Option<()> {
+    let velocities = declaration.statements.iter().flat_map(|statement| match &statement.kind {
+        StatementKind::Coordinates(names) => names.iter().collect(),
+        StatementKind::Quaternion(quaternion) => quaternion.velocities.iter().collect(),
+        _ => Vec::new(),
+    });
+    let velocities = velocities.collect::<Vec<_>>();
+    let Some(first) = velocities.get(MAX_VELOCITIES) else { return Some(()) };
+    let message = messages::too_many_velocities(velocities.len(), MAX_VELOCITIES);
+    report.error(first.span, message).help(messages::fewer_velocities());
+    None
+}
+
 /// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
 /// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
 /// every two velocities that move the same part. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
-    if model.speeds.len() > MOST_VELOCITIES {
-        let message = messages::too_many_velocities(model.speeds.len(), MOST_VELOCITIES);
-        report.error(declaration.name.span, message).help(messages::fewer_velocities());
-        return None;
-    }
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
     let jacobians =
@@ -77,10 +79,10 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
 
 /// A lower bound of the entries of the mass matrix.
 fn coupled_by_one_square(model: &Model) -> usize {
-    most_coupled(model, LARGEST.isqrt() + 1).pow(2)
+    most_coupled(model, MAX_OPERATIONS.isqrt() + 1).pow(2)
 }
 
 /// Reports a system that is too large to be compiled.
 pub(in crate::emit) fn report_hopeless(declaration: &Declaration, report: &mut Report) {
-    report.error(declaration.name.span, messages::hopeless(LARGEST)).help(messages::smaller());
+    report.error(declaration.name.span, messages::hopeless(MAX_OPERATIONS)).help(messages::smaller());
 }

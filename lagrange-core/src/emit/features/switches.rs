@@ -13,11 +13,10 @@ use crate::emit::base::state::state_variables;
 use crate::emit::base::writer::MethodWriter;
 use crate::expr::{ExprId, Graph};
 use crate::formula::text;
+use crate::limits::MAX_LOCATED;
 use crate::model::Model;
 use crate::syntax::ast::Declaration;
 
-/// The most events, switches among them, that runs can look for.
-const MOST_EVENTS: usize = 64;
 /// Surfaces with longer texts are not written out in messages.
 const LONGEST_SURFACE: usize = 60;
 
@@ -51,7 +50,7 @@ pub(in crate::emit) fn derived_shape<'a>(
 
 /// Number of switches that runs can look for beside the events of the declaration.
 fn room_for_switches(shape: &Shape<'_>) -> usize {
-    MOST_EVENTS.saturating_sub(shape.event_names().len())
+    MAX_LOCATED.saturating_sub(shape.event_names().len())
 }
 
 /// Name of the surface of a switch in messages.

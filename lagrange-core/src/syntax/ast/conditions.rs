@@ -1,6 +1,6 @@
 //! Conditions on indices, as written.
 
-use super::AstId;
+use super::id::AstId;
 
 /// A condition on indices: whether one of several holds, each of which holds if all its tests do.
 #[derive(Clone, Debug)]
@@ -10,7 +10,17 @@ pub struct IndexCondition {
 }
 
 impl IndexCondition {
-    /// Its expressions.
+    /// Its expressions, in source order.
+    pub fn expressions(&self) -> Vec<AstId> {
+        let tests = self.alternatives.iter().flatten();
+        let expressions = tests.flat_map(|test| match &test.kind {
+            TestKind::Comparison(left, _, right) => vec![*left, *right],
+            TestKind::Nested(condition) => condition.expressions(),
+        });
+        expressions.collect()
+    }
+
+    /// The same, to be changed.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let tests = self.alternatives.iter_mut().flatten();
         let expressions = tests.flat_map(|test| match &mut test.kind {

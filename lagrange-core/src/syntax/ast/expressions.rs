@@ -5,14 +5,12 @@ use std::collections::BTreeSet;
 use proc_macro2::Span;
 
 use super::Name;
+use super::conditions::IndexCondition;
+use super::id::AstId;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
 use crate::number::Number;
 use crate::units::Unit;
-
-/// Identifies an expression of one [`Expressions`] arena.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct AstId(u32);
 
 /// A binary operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -127,6 +125,15 @@ pub enum ArrayExpression {
         /// What is added up for each of them.
         term: AstId,
     },
+    /// `if i == 0 { a } else { b }`, where indices decide.
+    Select {
+        /// What decides.
+        condition: IndexCondition,
+        /// Value where it holds.
+        then: AstId,
+        /// Value elsewhere.
+        otherwise: AstId,
+    },
     /// `[a, b]`, defaults of the elements of an array; those of a grid are such lists themselves.
     List(Vec<AstId>),
 }
@@ -138,6 +145,9 @@ impl ArrayExpression {
             ArrayExpression::Element(name) => name.indices.clone(),
             ArrayExpression::Sum { range, term, .. } => vec![range.from, range.to, *term],
             ArrayExpression::List(elements) => elements.clone(),
+            ArrayExpression::Select { condition, then, otherwise } => {
+                condition.expressions().into_iter().chain([*then, *otherwise]).collect()
+            }
         }
     }
 
@@ -146,6 +156,10 @@ impl ArrayExpression {
         match &mut self {
             ArrayExpression::Element(name) => name.indices = parts.to_vec(),
             ArrayExpression::List(elements) => *elements = parts.to_vec(),
+            ArrayExpression::Select { condition, then, otherwise } => {
+                let places = condition.expressions_mut().into_iter().chain([then, otherwise]);
+                places.zip(parts).for_each(|(place, part)| *place = *part);
+            }
             ArrayExpression::Sum { range, term, .. } => {
                 (range.from, range.to, *term) = (parts[0], parts[1], parts[2]);
             }

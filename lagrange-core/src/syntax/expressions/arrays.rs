@@ -4,6 +4,7 @@ use proc_macro2::{Delimiter, Group, TokenTree};
 
 use super::ReadOperand;
 use crate::diagnostics::Origin;
+use crate::limits::MAX_INDICES;
 use crate::syntax::ast::{ArrayExpression, AstId, Expression, Name, Range};
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::messages;
@@ -14,7 +15,12 @@ use crate::syntax::recovery::Turn;
 impl Parser<'_> {
     /// The name with the indices that stand behind it.
     pub(in crate::syntax) fn indexed(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
-        let indices = cursor.read_brackets().iter().map(|group| self.index(group)).collect::<Vec<_>>();
+        let brackets = cursor.read_brackets();
+        if let Some(first) = brackets.get(MAX_INDICES) {
+            let message = arrays::too_many_indices(&name.text, brackets.len(), MAX_INDICES);
+            return Err(self.fail_with_help(group_origin(first), message, arrays::TOO_MANY_INDICES_HELP));
+        }
+        let indices = brackets.iter().map(|group| self.index(group)).collect::<Vec<_>>();
         Ok(Name { indices: indices.into_iter().collect::<Parsed<_>>()?, ..name })
     }
 
@@ -86,7 +92,7 @@ impl Parser<'_> {
                 let message = messages::expected("`,`", cursor.peek());
                 return Err(parser.fail_with_help(cursor.here(), message, arrays::SUM_HELP));
             }
-            let term = parser.expression(cursor)?;
+            let term = parser.within(&variable, |parser| parser.expression(cursor))?;
             cursor.eat(',');
             match cursor.at_end() {
                 true => Ok(ArrayExpression::Sum { variable, range, term }),
@@ -94,6 +100,14 @@ impl Parser<'_> {
             }
         })?;
         Ok(self.add(Expression::Array(sum), word.to(group_origin(group))))
+    }
+
+    /// Reads what a variable has values in.
+    pub(in crate::syntax) fn within<T>(&mut self, variable: &Name, read: impl FnOnce(&mut Self) -> T) -> T {
+        self.variables.push(variable.text.clone());
+        let result = read(self);
+        self.variables.pop();
+        result
     }
 
     /// `i in 0..n`

@@ -1,11 +1,11 @@
 //! `if c { a } else { b }`.
 
-use proc_macro2::{Delimiter, TokenTree};
+use proc_macro2::{Delimiter, Spacing, TokenTree};
 
 use super::ReadOperand;
 use crate::diagnostics::Origin;
 use crate::expr::Relation;
-use crate::syntax::ast::{AstId, Condition, Expression};
+use crate::syntax::ast::{ArrayExpression, AstId, Condition, Expression, IndexCondition};
 use crate::syntax::cursor::{Cursor, as_group, group_origin};
 use crate::syntax::messages;
 use crate::syntax::messages::habits;
@@ -15,8 +15,16 @@ use crate::syntax::recovery::Turn;
 /// `if condition { then } else`, with what follows still to be read.
 struct Branch {
     start: Origin,
-    condition: Condition,
+    decision: Decision,
     then: AstId,
+}
+
+/// What decides between the branches.
+enum Decision {
+    /// A comparison during the motion, or of indices.
+    Comparison(Condition),
+    /// Indices alone, with all that conditions on these may hold.
+    Indices(IndexCondition),
 }
 
 impl Parser<'_> {
@@ -29,22 +37,69 @@ impl Parser<'_> {
         })?;
         let last = self.block(cursor)?;
         let nest = |otherwise: ReadOperand, branch: Branch| {
-            let Branch { start, condition, then } = branch;
-            let expression = Expression::If { condition, then, otherwise: otherwise.id };
-            self.add(expression, start.to(otherwise.origin))
+            let Branch { start, decision, then } = branch;
+            let ReadOperand { id: otherwise, origin } = otherwise;
+            let expression = match decision {
+                Decision::Comparison(condition) => Expression::If { condition, then, otherwise },
+                Decision::Indices(condition) => {
+                    Expression::Array(ArrayExpression::Select { condition, then, otherwise })
+                }
+            };
+            self.add(expression, start.to(origin))
         };
         Ok(branches.into_iter().rev().fold(last, nest))
     }
 
     fn branch(&mut self, cursor: &mut Cursor) -> Parsed<Branch> {
         let start = cursor.skip_one();
-        let condition = self.nested(start, |parser| parser.condition(cursor))?;
+        let decision = self.nested(start, |parser| parser.decision(cursor))?;
         let then = self.block(cursor)?;
         if cursor.eat_word("else").is_none() {
             let origin = start.to(then.origin);
             return Err(self.fail_with_help(origin, messages::MISSING_ELSE, messages::MISSING_ELSE_HELP));
         }
-        Ok(Branch { start, condition, then: then.id })
+        Ok(Branch { start, decision, then: then.id })
+    }
+
+    fn decision(&mut self, cursor: &mut Cursor) -> Parsed<Decision> {
+        if !self.are_indices_asked(cursor) {
+            return self.condition(cursor).map(Decision::Comparison);
+        }
+        let condition = self.counting(cursor, Self::index_condition)?;
+        match cursor.group(Delimiter::Brace) {
+            Some(_) => Ok(Decision::Indices(condition)),
+            None => Err(self.no_block(cursor, "`{`")),
+        }
+    }
+
+    /// True if a condition compares a variable of a loop in a way that is for indices only.
+    fn are_indices_asked(&self, cursor: &Cursor) -> bool {
+        if self.variables.is_empty() {
+            return false;
+        }
+        let is_variable = |word: &str| self.variables.iter().any(|variable| variable == word);
+        let (mut has_variable, mut has_sign) = (false, false);
+        let is_before = |token: &&TokenTree| !matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+        let mut pending = cursor.rest().iter().take_while(is_before).cloned().collect::<Vec<_>>();
+        pending.reverse();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Ident(word) => has_variable |= is_variable(&word.to_string()),
+                TokenTree::Punct(punct) if punct.as_char() == ';' => break,
+                TokenTree::Punct(punct) => {
+                    let is_doubled = punct.spacing() == Spacing::Joint
+                        && matches!(pending.last(), Some(TokenTree::Punct(next)) if next.as_char() == '=');
+                    has_sign |= "!&|%".contains(punct.as_char()) || punct.as_char() == '=' && is_doubled;
+                }
+                TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {
+                    let content = group.stream().into_iter().collect::<Vec<_>>();
+                    pending.extend(content.into_iter().rev());
+                }
+                // What stands in square brackets is an index, whatever is compared.
+                TokenTree::Group(_) | TokenTree::Literal(_) => {}
+            }
+        }
+        has_variable && has_sign
     }
 
     fn condition(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {

@@ -133,6 +133,8 @@ pub fn rate<'a>(name: &'a str, moves: impl Fn(&str) -> bool) -> Option<Rate<'a>>
     let dotted = DOTTED.iter().filter(|(letter, ..)| *letter == name).map(|&(_, of, order)| (of, order));
     let before = BEFORE.iter().filter_map(|&(mark, order)| Some((name.strip_prefix(mark)?, order)));
     let behind = BEHIND.iter().filter_map(|&(mark, order)| Some((name.strip_suffix(mark)?, order)));
+    // A letter twice is a slip of the pen.
+    let before = before.filter(|(of, _)| *of != &name[..name.len() - of.len()]);
     let found = dotted.chain(behind).chain(before).find(|(of, _)| moves(of));
     found.map(|(of, order)| Rate { of, order })
 }

@@ -42,7 +42,7 @@ fn solids_stand_for_solids() {
 #[test]
 fn names_and_parts_are_unambiguous() {
     assert_all_differ(NAMES.iter().flat_map(|(words, _)| words.iter().copied()));
-    for owner in [Owner::Body, Owner::Connector, Owner::Joint] {
+    for owner in [Owner::Body, Owner::BodyInSpace, Owner::Frame, Owner::Connector, Owner::Joint] {
         let rows = PARTS.iter().filter(|(kind, ..)| *kind == owner);
         assert_all_differ(rows.flat_map(|(_, words, _)| words.iter().copied()));
     }

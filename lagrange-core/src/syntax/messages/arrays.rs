@@ -18,6 +18,13 @@ pub(in crate::syntax) const FUNCTIONS: &str = "functions and their parameters ha
 pub(in crate::syntax) const FUNCTIONS_HELP: &str =
     "make the index another parameter, or write the expression out in a loop";
 
+pub(in crate::syntax) const TOO_MANY_INDICES_HELP: &str =
+    "count in one direction by a product, `k[2 * 3]`, or leave directions of one element out";
+
+pub(in crate::syntax) fn too_many_indices(name: &str, given: usize, most: usize) -> String {
+    format!("`{name}` has {given} indices, more than {most}")
+}
+
 pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
     let sizes = sizes.iter().map(|size| format!("[{size}]")).collect::<String>();
     format!("write it behind the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")

@@ -39,8 +39,9 @@ pub(in crate::syntax) fn with_space(number: &str, unit: &str) -> String {
     format!("write {}", quoted(&format!("{number} {unit}")))
 }
 
-pub(in crate::syntax) fn in_brackets(number: &str, unit: &str) -> String {
-    format!("write {}", quoted(&format!("{number} [{unit}]")))
+/// Advice where the factors of a unit stand behind a number; `rest` is what the quantity is multiplied with.
+pub(in crate::syntax) fn in_brackets(number: &str, unit: &str, rest: &str) -> String {
+    format!("write {}", quoted(&format!("{number} [{unit}]{rest}")))
 }
 
 /// Advice where a word is the name of a unit and of something that is declared.

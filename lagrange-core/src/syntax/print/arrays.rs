@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::expressions::dots;
-use crate::syntax::ast::{IndexCondition, IndexTest, Name, Repetition, Selection, Statement, TestKind};
+use crate::syntax::ast::{Name, Repetition, Selection, Statement};
 
 impl Printer<'_> {
     /// A name with what stands in square brackets and behind a colon.
@@ -48,30 +48,5 @@ impl Printer<'_> {
             self.statement(&statement.kind);
         }
         self.text(" }");
-    }
-
-    fn index_condition(&mut self, condition: &IndexCondition) {
-        for (number, tests) in condition.alternatives.iter().enumerate() {
-            self.text(if number == 0 { "" } else { " || " });
-            for (number, test) in tests.iter().enumerate() {
-                self.text(if number == 0 { "" } else { " && " });
-                self.index_test(test);
-            }
-        }
-    }
-
-    fn index_test(&mut self, test: &IndexTest) {
-        self.text(if test.is_negated { "!" } else { "" });
-        match &test.kind {
-            TestKind::Comparison(left, comparison, right) => {
-                self.expression(*left);
-                self.labelled(&format!(" {} ", comparison.sign()), *right);
-            }
-            TestKind::Nested(condition) => {
-                self.text("(");
-                self.index_condition(condition);
-                self.text(")");
-            }
-        }
     }
 }

@@ -6,7 +6,8 @@ use super::Printer;
 use super::numbers::{Form, numeral};
 use crate::expr::Relation;
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range,
+    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, IndexCondition,
+    Range, TestKind,
 };
 
 /// Piece to be written.
@@ -31,7 +32,16 @@ enum PrintedBinding {
 impl Printer<'_> {
     /// An expression.
     pub(super) fn expression(&mut self, id: AstId) {
-        let mut waiting = vec![PrintedPiece::Expression(id, PrintedBinding::Choice)];
+        self.pieces(vec![PrintedPiece::Expression(id, PrintedBinding::Choice)]);
+    }
+
+    /// A condition on indices.
+    pub(super) fn index_condition(&mut self, condition: &IndexCondition) {
+        self.pieces(index_condition(condition));
+    }
+
+    fn pieces(&mut self, mut waiting: Vec<PrintedPiece>) {
+        waiting.reverse();
         while let Some(piece) = waiting.pop() {
             match piece {
                 PrintedPiece::Text(text) => self.text(&text),
@@ -75,7 +85,7 @@ fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
         Expression::Quantity(..) => PrintedBinding::Operand,
         Expression::Negate(_) => PrintedBinding::Sign,
         Expression::Binary(operator, ..) => own_binding(*operator),
-        Expression::If { .. } => PrintedBinding::Choice,
+        Expression::If { .. } | Expression::Array(ArrayExpression::Select { .. }) => PrintedBinding::Choice,
         Expression::Call(function, _) if function.text == IN_AXES => PrintedBinding::Choice,
         Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => PrintedBinding::Operand,
         Expression::Component(..) | Expression::Array(_) | Expression::Invalid => PrintedBinding::Operand,
@@ -133,7 +143,12 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
         Expression::Component(vector, name) => {
             vec![receiver(expressions, *vector), text(format!(".{}", name.text))]
         }
-        Expression::If { condition, then, otherwise } => choice(expressions, condition, *then, *otherwise),
+        Expression::If { condition, then, otherwise } => {
+            choice(expressions, condition_pieces(condition), *then, *otherwise)
+        }
+        Expression::Array(ArrayExpression::Select { condition, then, otherwise }) => {
+            choice(expressions, index_condition(condition), *then, *otherwise)
+        }
         Expression::Array(array) => array_pieces(array),
         Expression::Invalid => vec![text("?")],
     }
@@ -161,6 +176,7 @@ fn array_pieces(array: &ArrayExpression) -> Vec<PrintedPiece> {
             (pieces[0], pieces[last]) = (text("["), text("]"));
             pieces
         }
+        ArrayExpression::Select { condition, .. } => index_condition(condition),
     }
 }
 
@@ -180,23 +196,47 @@ fn receiver(expressions: &Expressions, id: AstId) -> PrintedPiece {
 /// `if c { a } else { b }`, or `else if` behind the first block.
 fn choice(
     expressions: &Expressions,
-    condition: &Condition,
+    condition: Vec<PrintedPiece>,
     then: AstId,
     otherwise: AstId,
 ) -> Vec<PrintedPiece> {
     let block = |id: AstId| [text("{ "), PrintedPiece::Expression(id, PrintedBinding::Choice), text(" }")];
-    let mut pieces = vec![
-        text("if "),
-        PrintedPiece::Expression(condition.left, PrintedBinding::Sum),
-        text(relation(condition.relation)),
-        PrintedPiece::Expression(condition.right, PrintedBinding::Sum),
-        text(" "),
-    ];
+    let mut pieces = vec![text("if ")];
+    pieces.extend(condition);
+    pieces.push(text(" "));
     pieces.extend(block(then));
     pieces.push(text(" else "));
-    match expressions.get(otherwise) {
-        Expression::If { .. } => pieces.push(PrintedPiece::Expression(otherwise, PrintedBinding::Choice)),
+    match binding(expressions, otherwise) {
+        PrintedBinding::Choice => pieces.push(PrintedPiece::Expression(otherwise, PrintedBinding::Choice)),
         _ => pieces.extend(block(otherwise)),
+    }
+    pieces
+}
+
+fn condition_pieces(condition: &Condition) -> Vec<PrintedPiece> {
+    compared(condition.left, relation(condition.relation), condition.right)
+}
+
+fn compared(left: AstId, sign: &str, right: AstId) -> Vec<PrintedPiece> {
+    let side = |id| PrintedPiece::Expression(id, PrintedBinding::Sum);
+    vec![side(left), text(sign), side(right)]
+}
+
+/// `i > 0 && i < n || …`
+fn index_condition(condition: &IndexCondition) -> Vec<PrintedPiece> {
+    let mut pieces = Vec::new();
+    for (number, tests) in condition.alternatives.iter().enumerate() {
+        pieces.push(text(if number == 0 { "" } else { " || " }));
+        for (number, test) in tests.iter().enumerate() {
+            pieces.push(text(if number == 0 { "" } else { " && " }));
+            pieces.push(text(if test.is_negated { "!" } else { "" }));
+            pieces.extend(match &test.kind {
+                TestKind::Comparison(left, comparison, right) => {
+                    compared(*left, &format!(" {} ", comparison.sign()), *right)
+                }
+                TestKind::Nested(condition) => bracketed(index_condition(condition)),
+            });
+        }
     }
     pieces
 }

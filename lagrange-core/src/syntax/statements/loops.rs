@@ -18,7 +18,8 @@ impl Parser<'_> {
             self.skip_braces(cursor);
         }
         let (variable, range) = head?;
-        let body = self.statements_between_braces(arrays::LOOP_HELP, cursor)?;
+        let body =
+            self.within(&variable, |parser| parser.statements_between_braces(arrays::LOOP_HELP, cursor))?;
         Ok(StatementKind::Repeat(Box::new(Repetition { variable, range, body })))
     }
 
@@ -53,7 +54,7 @@ impl Parser<'_> {
     }
 
     /// `i > 0 && i < n || …`
-    fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<IndexCondition> {
+    pub(in crate::syntax) fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<IndexCondition> {
         let mut alternatives = vec![Vec::new()];
         self.turns(cursor, |parser, cursor| {
             let test = parser.index_test(cursor)?;

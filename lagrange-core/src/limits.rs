@@ -1,0 +1,46 @@
+//! Largest numbers and sizes that a declaration may have, all in one place.
+//!
+//! Each is checked before the work that it bounds. The table in the description of the language lists them with their messages, and a
+//! test provokes every one of these. Not for budgets inside algorithms, beyond which something is left as it is.
+
+/// Bracket groups and conditions inside each other: nothing else is read by recursion, but for the few tokens that are handed to `syn`.
+pub const MAX_NESTING: u32 = 64;
+
+/// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by recursion.
+pub const MAX_INDICES: usize = 8;
+
+/// Characters of a number, whose value is kept exactly.
+pub const MAX_LITERAL_LENGTH: usize = 5_000;
+
+/// Decimal exponent of a number: no scalar can represent more.
+pub const MAX_DECIMAL_EXPONENT: i64 = 5_000;
+
+/// Exponent of a unit.
+pub const MAX_UNIT_EXPONENT: i64 = 99;
+
+/// Statements, terms and elements that loops, sums and arrays stand for.
+pub const MAX_WRITTEN_OUT: u64 = 200_000;
+
+/// Terms that calls of functions stand for.
+pub const MAX_INLINED: u64 = 200_000;
+
+/// Points of a table.
+pub const MAX_POINTS: usize = 100_000;
+
+/// Steps of Newton's method for an algebraic unknown.
+pub const MAX_ITERATIONS: i32 = 1_000;
+
+/// Events of a declaration.
+pub const MAX_EVENTS: usize = 32;
+
+/// Events and switches together that runs can look for; more switches are stepped across.
+pub const MAX_LOCATED: usize = 64;
+
+/// Velocities: a list of all pairs of more takes minutes to walk through.
+pub const MAX_VELOCITIES: usize = 4_000;
+
+/// Operations of emitted code: reading more takes minutes and as much memory as many machines have.
+pub const MAX_OPERATIONS: usize = 2_000_000;
+
+/// Operations from which on compiling takes more than about five seconds, which is worth a warning.
+pub const MANY_OPERATIONS: usize = 80_000;

@@ -1,0 +1,187 @@
+//! Limits: each in the table of the language is provoked, and what goes beyond one is refused before any work is done for it.
+
+use std::fs;
+use std::path::Path;
+use std::time::Duration;
+
+use lagrange_core::diagnostics::Report;
+use lagrange_core::limits::{
+    MANY_OPERATIONS, MAX_DECIMAL_EXPONENT, MAX_EVENTS, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS,
+    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_OPERATIONS, MAX_POINTS, MAX_UNIT_EXPONENT,
+    MAX_VELOCITIES, MAX_WRITTEN_OUT,
+};
+use lagrange_core::pipeline::expand;
+
+use crate::processor_time::of_this_thread;
+use crate::report;
+
+/// Processor time of an unoptimised build for a refusal.
+const MOST_TIME: Duration = Duration::from_secs(1);
+
+/// A row of the table: the limit, and what is said beyond it.
+struct Row {
+    limit: u64,
+    message: String,
+}
+
+/// The rows of the table in the description of the language.
+fn rows() -> Vec<Row> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../src/language.md");
+    let text = fs::read_to_string(path).expect("the description of the language");
+    let section = text.split("\n# Limits\n").nth(1).expect("a section of limits");
+    let rows = section.lines().filter(|line| line.starts_with('|')).skip(2);
+    let row = |line: &str| {
+        let cells = line.trim_matches('|').split(" | ").map(str::trim).collect::<Vec<_>>();
+        Row { limit: cells[1].parse().expect("a number"), message: cells[2].to_owned() }
+    };
+    rows.map(row).collect()
+}
+
+fn points(count: usize) -> String {
+    (0..count).map(|x| format!("({x}, 0)")).collect::<Vec<_>>().join(", ")
+}
+
+/// A declaration that goes beyond each limit, in the order of the table.
+fn excesses() -> Vec<(u64, String)> {
+    let coordinate = "coord x; kinetic = 1/2 * dot(x)^2;";
+    let nested = MAX_NESTING as usize + 1;
+    let many = MAX_WRITTEN_OUT + 1;
+    // Force, acceleration and their kin hold each of these terms.
+    let terms = MANY_OPERATIONS / 8;
+    let jacobian = |count: usize| {
+        format!(
+            "coord x[{count}]; kinetic = sum(i in 0..{count}, dot(x[i])^2); emit {{ jacobian, no mass_matrix }}"
+        )
+    };
+    assert_eq!(MAX_LITERAL_LENGTH as i64, MAX_DECIMAL_EXPONENT, "they share a row");
+    vec![
+        (MAX_NESTING.into(), format!("let y = {}1{};", "(".repeat(nested), ")".repeat(nested))),
+        (MAX_INDICES as u64, format!("param k{};", "[1]".repeat(MAX_INDICES + 1))),
+        (MAX_LITERAL_LENGTH as u64, format!("param k = 1e{};", MAX_DECIMAL_EXPONENT + 1)),
+        (MAX_UNIT_EXPONENT as u64, format!("param k: m^{};", MAX_UNIT_EXPONENT + 1)),
+        (MAX_WRITTEN_OUT, format!("for i in 0..{many} {{ potential = x; }} {coordinate}")),
+        (MAX_WRITTEN_OUT, format!("{coordinate} potential = sum(i in 0..{many}, x);")),
+        (MAX_WRITTEN_OUT, format!("param k[{many}]; {coordinate}")),
+        (
+            MAX_INLINED,
+            (1..20).fold(format!("{coordinate} let f0(x) = x + x;"), |text, i| {
+                format!("{text} let f{i}(x) = f{}(x) + f{}(x);", i - 1, i - 1)
+            }) + "potential = f19(x);",
+        ),
+        (
+            MAX_POINTS as u64,
+            format!(
+                "table f(x) = [{}], interpolation: linear, outside: clamp; {coordinate} force x = f(x);",
+                points(MAX_POINTS + 1)
+            ),
+        ),
+        (
+            MAX_ITERATIONS as u64,
+            format!("{coordinate} solve y: 0 = y - x, iterations: {}; potential = y;", MAX_ITERATIONS + 1),
+        ),
+        (
+            MAX_EVENTS as u64,
+            format!("{coordinate} for i in 0..{} {{ event e[i] = x - i, rising => stop; }}", MAX_EVENTS + 1),
+        ),
+        (MAX_VELOCITIES as u64, format!("coord x[{}];", MAX_VELOCITIES + 1)),
+        (MAX_OPERATIONS as u64, jacobian(MAX_OPERATIONS.isqrt() / 2 + 1)),
+        (MANY_OPERATIONS as u64, format!("{coordinate} force x = sum(i in 1..{terms}, sin(i * x));")),
+        (MAX_LOCATED as u64, format!("{coordinate} force x = sum(i in 0..{}, abs(x - i));", MAX_LOCATED + 1)),
+    ]
+}
+
+/// Everything that is reported of a declaration, warnings of what is accepted included.
+fn said(text: &str) -> Report {
+    let reported = report(text);
+    match reported.diagnostics().is_empty() {
+        true => warnings(text),
+        false => reported,
+    }
+}
+
+fn warnings(text: &str) -> Report {
+    let mut report = Report::default();
+    let tokens = format!("struct System; {text}").parse().expect("tokens");
+    for line in expand(tokens, &quote::quote!(::lagrange)).to_string().split("note = \"").skip(1) {
+        let end = line.find("\"]").or_else(|| line.find('"')).unwrap_or(line.len());
+        report.error(proc_macro2::Span::call_site(), line[..end].to_owned());
+    }
+    report
+}
+
+#[test]
+fn limits_are_those_of_the_table() {
+    let (rows, excesses) = (rows(), excesses());
+    assert_eq!(rows.len(), excesses.len());
+    for (row, (limit, text)) in rows.iter().zip(&excesses) {
+        assert_eq!(row.limit, *limit, "{}", row.message);
+        let report = said(text).to_string();
+        let is_said = row.message.split('…').all(|part| report.contains(part));
+        let start = text.chars().take(100).collect::<String>();
+        assert!(is_said, "{}\n{start}\n{}", row.message, report.chars().take(500).collect::<String>());
+    }
+}
+
+/// Declarations that are far too large in one respect.
+fn giants() -> Vec<String> {
+    let deep = |open: &str, inner: &str, close: &str| {
+        format!("coord x; kinetic = {}{inner}{};", open.repeat(5_000), close.repeat(5_000))
+    };
+    let mut giants = ["coord", "param", "input", "state", "quaternion", "const"]
+        .map(|keyword| format!("{keyword} x[999999999999] = 1;"))
+        .to_vec();
+    giants.extend([
+        "coord x[65536];".to_owned(),
+        "quaternion x[60000];".to_owned(),
+        "coord x[10000][10000][10000];".to_owned(),
+        format!("param k{};", "[1]".repeat(5_000)),
+        format!("param k = {}1{};", "[".repeat(5_000), "]".repeat(5_000)),
+        format!("coord x; kinetic = k{};", "[1]".repeat(5_000)),
+        format!("coord x; kinetic = x{};", "[x".repeat(5_000) + &"]".repeat(5_000)),
+        "coord x; for i in 0..999999999999 { kinetic = dot(x)^2; }".to_owned(),
+        "coord x; for i in 0..1000 { for j in 0..1000 { for k in 0..1000 { kinetic = dot(x)^2; } } }"
+            .to_owned(),
+        "coord x; for i in 0..99999 { for j in 0..99999 { } }".to_owned(),
+        "coord x; kinetic = sum(i in 0..999999999999, dot(x)^2);".to_owned(),
+        "coord x; kinetic = sum(i in 0..1000, sum(j in 0..1000, sum(k in 0..1000, dot(x)^2)));".to_owned(),
+        "coord x; kinetic = sum(i in -9223372036854775807..9223372036854775807, x);".to_owned(),
+        "coord x; kinetic = dot(x)^2 * 2^999999999;".to_owned(),
+        "coord x; kinetic = dot(x)^2 * 9^9^9^9^9;".to_owned(),
+        "coord x; kinetic = dot(x)^2; param k[2^2^2^2^2];".to_owned(),
+        format!("coord x; kinetic = {} * dot(x)^2;", "9".repeat(5_001)),
+        deep("(", "x", ")"),
+        deep("sin(", "x", ")"),
+        deep("if x < 1 { x } else {", "x", "}"),
+        deep("if sum(i in 0..2, if i == 0 {", "x", "} else { x }) < 0 { x } else { x }"),
+        deep("sum(i in 0..1, ", "x", ")"),
+        deep("abs(-", "x", ")"),
+        format!("coord x; {}kinetic = dot(x)^2;{}", "for i in 0..1 {".repeat(5_000), "}".repeat(5_000)),
+        format!("coord x; {}kinetic = dot(x)^2;{}", "if 1 > 0 {".repeat(5_000), "}".repeat(5_000)),
+        format!("coord x; if {}1 > 0{} {{ kinetic = dot(x)^2; }}", "(".repeat(5_000), ")".repeat(5_000)),
+        format!("body a {{ {} mass: 1; {} }}", "compound {".repeat(5_000), "}".repeat(5_000)),
+        format!("coord x: {}m{};", "(".repeat(5_000), ")".repeat(5_000)),
+        format!("coord x; kinetic = 1 [{}m{}] * x;", "(".repeat(5_000), ")".repeat(5_000)),
+        "solve y: 0 = y, iterations: 999999999999; coord x; kinetic = dot(x)^2;".to_owned(),
+        "coord x; kinetic = dot(x)^2; reduce A { freeze x[999999999999] = 0; }".to_owned(),
+        "coord x; kinetic = dot(x)^2; emit { jacobian[999999999999] }".to_owned(),
+    ]);
+    giants
+}
+
+/// Limits are asked before work, so that nobody waits for an answer.
+#[test]
+fn giants_are_answered_quickly() {
+    let mut slow = Vec::new();
+    for text in giants() {
+        let start = of_this_thread();
+        let report = report(&text);
+        let time = of_this_thread() - start;
+        proc_macro2::extra::invalidate_current_thread_spans();
+        let beginning = text.chars().take(80).collect::<String>();
+        assert!(report.has_errors(), "{beginning}");
+        if time > MOST_TIME {
+            slow.push(format!("{time:?}: {beginning}"));
+        }
+    }
+    assert!(slow.is_empty(), "{slow:#?}");
+}
