@@ -42,8 +42,7 @@ fn tables_of_time_are_factors_of_potential_energies() {
 #[test]
 fn systems_of_too_many_velocities_are_refused_at_once() {
     let text = "const n = 4001; coord x[n]; kinetic = sum(i in 0..n, 1/2 * dot(x[i])^2);";
-    let report = parse(text).expect("a correct declaration").derive(StrategyChoice::Cheapest);
-    let report = report.expect_err("it would take minutes").to_string();
+    let report = parse(text).err().map_or_else(String::new, |report| report.to_string());
     assert!(report.contains("this system has 4001 velocities"), "{report}");
 }
 
