@@ -31,7 +31,7 @@ fn join_squares(graph: &mut Graph, terms: &[(ExprId, Number)]) -> Option<Vec<(Ex
         return None;
     }
     let flat = candidates.iter().map(|(_, term)| term.clone()).collect();
-    let joined = join(graph, squares(), flat);
+    let joined = join(graph, squares(), flat, |_| Some(()))?;
     if joined.len() == candidates.len() {
         return None;
     }

@@ -43,12 +43,16 @@ pub(super) struct Expander {
 
 impl Expander {
     pub(super) fn new(purpose: Purpose, budget: usize) -> Expander {
-        Expander {
-            purpose,
-            effort: Effort::new(budget),
-            expanded: HashMap::default(),
-            readable: HashMap::default(),
-        }
+        Expander::with_effort(purpose, Effort::new(budget))
+    }
+
+    /// One that has found nothing yet, and tries no more readings than this one would still do.
+    pub(super) fn again(&self) -> Expander {
+        Expander::with_effort(self.purpose, self.effort.again())
+    }
+
+    fn with_effort(purpose: Purpose, effort: Effort) -> Expander {
+        Expander { purpose, effort, expanded: HashMap::default(), readable: HashMap::default() }
     }
 
     /// Expands everything `root` is made of, unless that alone would take all effort.
@@ -78,9 +82,9 @@ impl Expander {
     /// sines replaced for comparing.
     pub(super) fn simplified(&mut self, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
         match self.purpose {
-            Purpose::Reading => Some(apply_rules(graph, &RULES, polynomial)),
+            Purpose::Reading => apply_rules(graph, &RULES, polynomial, |readings| self.effort.read(readings)),
             // Sums of angles would take a sine or cosine more.
-            Purpose::Computing => Some(apply_rules(graph, squares(), polynomial)),
+            Purpose::Computing => apply_rules(graph, squares(), polynomial, |_| Some(())),
             Purpose::Comparing => waves::reduce(&mut self.effort, graph, polynomial),
         }
     }
@@ -216,14 +220,19 @@ pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
 }
 
 /// Applies the rules and collects equal terms until neither changes anything.
-fn apply_rules(graph: &mut Graph, rules: &[Rule], polynomial: &Polynomial) -> Polynomial {
+fn apply_rules(
+    graph: &mut Graph,
+    rules: &[Rule],
+    polynomial: &Polynomial,
+    mut spend: impl FnMut(usize) -> Option<()>,
+) -> Option<Polynomial> {
     let mut polynomial = polynomial.clone();
     loop {
         let before = polynomial.len();
-        let joined = join(graph, rules, polynomial.terms());
+        let joined = join(graph, rules, polynomial.terms(), &mut spend)?;
         polynomial = Polynomial::of_terms(joined.into_iter().map(|joined| joined.term));
         if polynomial.len() == before {
-            return polynomial;
+            return Some(polynomial);
         }
     }
 }

@@ -36,21 +36,28 @@ impl Rule {
             let (coefficient, core) = graph.split_coefficient(id);
             Monomial::of(graph, core, usize::MAX).map(|monomial| Term { coefficient, monomial })
         });
-        let joined = join(graph, std::slice::from_ref(self), terms.into_iter().flatten().collect());
+        let terms = terms.into_iter().flatten().collect();
+        let joined = join(graph, std::slice::from_ref(self), terms, |_| Some(()))?;
         let [single] = joined.as_slice() else { return None };
         let product = single.term.monomial.build(graph);
         Some(graph.scale(single.term.coefficient.clone(), product))
     }
 }
 
-/// Applies `rules` until none matches.
-pub(super) fn join(graph: &mut Graph, rules: &[Rule], terms: Vec<Term>) -> Vec<Joined> {
+/// Applies `rules` until none matches. `spend` is given the number of ways of reading each term; `None` if that is too much for it.
+pub(super) fn join(
+    graph: &mut Graph,
+    rules: &[Rule],
+    terms: Vec<Term>,
+    mut spend: impl FnMut(usize) -> Option<()>,
+) -> Option<Vec<Joined>> {
     let mut open: HashMap<Reading, Vec<usize>> = HashMap::default();
     let mut slots =
         terms.into_iter().enumerate().map(|(source, term)| Some(Joined { term, source })).collect::<Vec<_>>();
     let mut next = 0;
     while let Some(slot) = slots.get(next) {
         let readings = slot.as_ref().map_or(Vec::new(), |joined| readings(graph, rules, &joined.term));
+        spend(readings.len())?;
         match readings.iter().find_map(|reading| partner(&mut open, &slots, reading)) {
             Some((partner, reading)) => {
                 let left = if reading.is_left { next } else { partner };
@@ -68,7 +75,7 @@ pub(super) fn join(graph: &mut Graph, rules: &[Rule], terms: Vec<Term>) -> Vec<J
         }
         next += 1;
     }
-    slots.into_iter().flatten().collect()
+    Some(slots.into_iter().flatten().collect())
 }
 
 /// A term that is still there and is the other side of `reading`.

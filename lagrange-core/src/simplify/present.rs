@@ -24,8 +24,9 @@ pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
 pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
     let mut current = exprs.to_vec();
     let mut is_final = vec![false; exprs.len()];
+    let mut expander = Expander::new(Purpose::Reading, budget);
     while is_final.contains(&false) {
-        let mut expander = Expander::new(Purpose::Reading, budget);
+        expander = expander.again();
         for (expr, is_final) in current.iter_mut().zip(&mut is_final).filter(|(_, is_final)| !**is_final) {
             let expanded = expander.expand_all(graph, *expr);
             let next = expanded.map_or(*expr, |()| expander.readable(graph, *expr));

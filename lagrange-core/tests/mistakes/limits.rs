@@ -17,6 +17,8 @@ use crate::report;
 
 /// Processor time of an unoptimised build for a refusal.
 const MOST_TIME: Duration = Duration::from_secs(1);
+/// Processor time of an unoptimised build for three bodies with their equations in LaTeX.
+const MOST_TIME_OF_PRESENTATION: Duration = Duration::from_secs(5);
 
 /// A row of the table: the limit, and what is said beyond it.
 struct Row {
@@ -184,4 +186,22 @@ fn giants_are_answered_quickly() {
         }
     }
     assert!(slow.is_empty(), "{slow:#?}");
+}
+
+/// Where frames are skew, terms of the equations match the rules of presentation in dozens of ways.
+#[test]
+fn equations_of_skew_frames_are_written_quickly() {
+    let text = "coord x, a;
+        body cart {
+            mass: 2; inertia: (1, 2, 2.5); centroid: (0.2, 0, 0);
+            center: (x, 0.1 * t^2, sin(x)); angles: (a, x, t); sequence: zxz;
+        }
+        body rod { mass: 1; inertia: (0.1, 0.1, 0.01); centroid: (0.2, 0, 0.5); }
+        revolute b = cart to rod { at: (0, 0, 1); axis: (1, 2, 0); }
+        emit { latex }";
+    let start = of_this_thread();
+    let report = report(text);
+    let time = of_this_thread() - start;
+    assert!(!report.has_errors(), "{report}");
+    assert!(time < MOST_TIME_OF_PRESENTATION, "{time:?}");
 }
