@@ -39,6 +39,24 @@ fn arrays_are_declared_as_a_whole() {
     );
 }
 
+/// Conditions on indices in expressions may hold all that those between statements may.
+#[test]
+fn indices_choose_between_values() {
+    assert_same(
+        "coord x[4]; kinetic = sum(i in 0..4, (if i % 2 == 0 && i != 2 { 5 } else { 7 }) * dot(x[i])^2);",
+        "coord x_0, x_1, x_2, x_3; kinetic = 5 * dot(x_0)^2 + 7 * dot(x_1)^2 + 7 * dot(x_2)^2 + 7 * dot(x_3)^2;",
+    );
+    assert_same(
+        "coord x[3]; for i in 0..3 { kinetic = if i == 0 || !(i < 2) { dot(x[i]) } else if i == 1 { x[i] } else { x[i + 9] }; }",
+        "coord x_0, x_1, x_2; kinetic = dot(x_0); kinetic = x_1; kinetic = dot(x_2);",
+    );
+    // What moves beside an index is still compared during the motion.
+    assert_same(
+        "coord x[2]; for i in 0..2 { potential = if x[i] < i { 1 } else { 2 }; }",
+        "coord x_0, x_1; potential = if x_0 < 0 { 1 } else { 2 }; potential = if x_1 < 1 { 1 } else { 2 };",
+    );
+}
+
 #[test]
 fn loops_stand_for_statements() {
     assert_same(
