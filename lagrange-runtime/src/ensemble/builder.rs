@@ -128,10 +128,11 @@ impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
     }
 }
 
-impl<'a, M: SharedSystem + ControlledSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
+impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
     /// Sets the inputs at every instant by a law, as [in a single run](crate::simulate::Simulation::drive). Every input becomes a column.
     pub fn drive<F>(mut self, law: F) -> Ensemble<'a, M, K, Law<F>, P>
     where
+        M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs + Send + Sync,
     {
         self.asked.request("driven by a law", |_, _, run| run.recording_inputs());

@@ -7,9 +7,12 @@ use std::vec::Vec;
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
 use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
-use crate::system::{ControlledSystem, OutputSystem, StateVector, StepFailure, Undefined, split};
+use crate::system::{
+    ControlledSystem, MechanicalSystem, OutputSystem, StateVector, StepFailure, Undefined, split,
+};
 
-impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
+// What is asked of a system stands at each method, so that the compiler says what is missing in its own words.
+impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K, Undriven> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
     ///
     /// The law is part of the equations: methods evaluate it at trial states in any order, so that it cannot have a memory. It is
@@ -41,13 +44,14 @@ impl<'a, M: ControlledSystem, K> Simulation<'a, M, K, Undriven> {
     /// ```
     pub fn drive<F>(self, law: F) -> Simulation<'a, M, K, Law<F>>
     where
+        M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
     {
         self.recording_inputs().exchange(|method, Undriven| (method, Law::new(law)))
     }
 }
 
-impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
+impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// Sets the inputs by a controller that is asked at the start and then every `period`, and holds them in between (a zero-order
     /// hold).
     ///
@@ -81,6 +85,7 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// ```
     pub fn sampled<F>(self, period: M::Scalar, mut control: F) -> Self
     where
+        M: ControlledSystem,
         F: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
     {
         let act = move |system: &M, t, y: &M::State| {
@@ -94,7 +99,10 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     }
 
     /// Adds a column for each input, if there is none yet.
-    pub(crate) fn recording_inputs(mut self) -> Self {
+    pub(crate) fn recording_inputs(mut self) -> Self
+    where
+        M: ControlledSystem,
+    {
         if self.inputs.is_some() {
             return self;
         }
@@ -108,15 +116,21 @@ impl<'a, M: ControlledSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     }
 }
 
-impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
     /// Adds a column for each component of each output, such as `height`, `tip.x` and `tip.y`.
-    pub fn outputs(self) -> Self {
+    pub fn outputs(self) -> Self
+    where
+        M: OutputSystem,
+    {
         self.recording_outputs((0..M::OUTPUTS.len()).collect())
     }
 
     /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An output that is not declared is an
     /// error of the run.
-    pub fn record(mut self, output: &'static str) -> Self {
+    pub fn record(mut self, output: &'static str) -> Self
+    where
+        M: OutputSystem,
+    {
         let belongs = |name: &str| {
             name.strip_prefix(output).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
@@ -128,7 +142,10 @@ impl<M: OutputSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
         self.recording_outputs(chosen)
     }
 
-    fn recording_outputs(self, chosen: Vec<usize>) -> Self {
+    fn recording_outputs(self, chosen: Vec<usize>) -> Self
+    where
+        M: OutputSystem,
+    {
         let names = chosen.iter().map(|&index| M::OUTPUTS[index].to_string()).collect();
         let extend = move |system: &M, t, y: &M::State, row: &mut Vec<_>| {
             let (q, v) = split::<M>(y);
