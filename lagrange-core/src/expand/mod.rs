@@ -123,7 +123,7 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<S
             Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
             Expression::Array(ArrayExpression::Sum { range, .. }) => roots.extend([range.from, range.to]),
             Expression::Array(ArrayExpression::Select { condition, .. }) => {
-                roots.extend(condition.expressions())
+                roots.extend(condition.expressions());
             }
             _ => {}
         }
