@@ -2,8 +2,14 @@
 //!
 //! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors that were found.
 
+mod cases;
+#[path = "../shared/digits.rs"]
 mod digits;
+#[path = "../shared/linear.rs"]
+mod linear;
 mod oracle;
+#[path = "../shared/random.rs"]
+#[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod reference;
 mod scenes;
@@ -12,3 +18,4 @@ mod sweep;
 mod trees;
 mod trial;
 mod undefined;
+mod values;

@@ -10,7 +10,8 @@ use std::fmt;
 
 use lagrange_core::model::Model;
 
-use crate::random::{Random, cases};
+use crate::cases::cases;
+use crate::random::Random;
 use crate::reference::{Reference, Truth};
 use crate::scenes::{Scene, scenes_in};
 use crate::trial::{FAST, STANDARD, STRICT, Sample, Subject, Way};

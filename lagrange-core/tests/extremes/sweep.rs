@@ -10,7 +10,8 @@ use std::f64::consts::PI;
 
 use lagrange_core::model::Model;
 
-use crate::random::{Random, cases};
+use crate::cases::cases;
+use crate::random::Random;
 use crate::reference::Reference;
 use crate::scenes::{Scene, scenes};
 use crate::trial::{DENSE, SQUARES, STANDARD, STRICT, Sample, Subject, WAYS, Way};

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use crate::random::{Random, cases};
+use crate::cases::cases;
+use crate::random::Random;
 use crate::reference::Reference;
 use crate::trial::{DENSE, RECURSIVE, SQUARES, Sample, Subject};
 

@@ -18,13 +18,18 @@ mod compiled;
 mod corpus;
 mod guard;
 mod mutation;
+#[path = "../shared/numbered.rs"]
+mod numbered;
+#[path = "../shared/project.rs"]
+mod project;
+#[path = "../shared/random.rs"]
+#[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod table_files;
 mod table_judge;
 
-use std::ops::Range;
+use std::panic;
 use std::sync::Arc;
-use std::{env, panic};
 
 use lagrange_core::pipeline::{expand, parse};
 use proc_macro2::TokenStream;
@@ -32,6 +37,7 @@ use quote::quote;
 
 use corpus::Declaration;
 use guard::{Answer, Case, Verdict};
+use numbered::numbered;
 use random::Random;
 
 /// How many are taken in every run of the tests.
@@ -43,7 +49,7 @@ const LONGEST: usize = if cfg!(debug_assertions) { 700 } else { 6_000 };
 
 #[test]
 fn every_mutant_is_emitted_or_complained_about() {
-    let cases = cases(env::var("LAGRANGE_MUTANTS").ok().as_deref());
+    let cases = numbered("LAGRANGE_MUTANTS", USUAL);
     let corpus = corpus::declarations(LONGEST);
     assert!(corpus.len() > 100, "{} declarations found", corpus.len());
     let (mut clean, mut accepted) = (Vec::new(), 0);
@@ -79,22 +85,12 @@ fn every_mutant_is_emitted_or_complained_about() {
     compiled::without_warnings(&clean, |case| mutant(&shared, case));
 }
 
-/// The cases that are asked for, the usual ones if none are.
-fn cases(wanted: Option<&str>) -> Range<usize> {
-    let number = |text: &str| text.parse().expect("LAGRANGE_MUTANTS is a number or a range");
-    match wanted.map(|wanted| wanted.split_once("..").ok_or(wanted)) {
-        None => 0..USUAL,
-        Some(Err(count)) => 0..number(count),
-        Some(Ok((from, to))) => number(from)..number(to),
-    }
-}
-
 /// A declaration with a few changes, the same for each number in every run; the first are the declarations themselves.
 fn mutant(corpus: &[Declaration], case: usize) -> String {
     if let Some(declaration) = corpus.get(case) {
         return mutation::text(&declaration.pieces);
     }
-    let random = &mut Random::new(case as u64);
+    let random = &mut Random::of_case(case as u64);
     let mut pieces = random.choice(corpus).pieces.clone();
     // Most with a single change, so that many are accepted.
     for _ in 0..*random.choice(&[1, 1, 1, 2, 3]) {

@@ -1,10 +1,8 @@
-//! Real numbers of as many bits as wanted, and expressions evaluated in them.
+//! Real numbers of as many bits as wanted, and elementary functions of them.
 
 use astro_float_num::{BigFloat, Consts, Radix, RoundingMode, WORD_BIT_SIZE};
-use lagrange_core::collections::HashMap;
-use lagrange_core::expr::{ExprId, Function, Graph, Node, Relation};
+use lagrange_core::expr::Function;
 use lagrange_core::number::Number;
-use lagrange_core::symbol::Role;
 
 pub(crate) use astro_float_num::BigFloat as Real;
 
@@ -23,8 +21,11 @@ impl Arithmetic {
     }
 
     pub(crate) fn float(&self, value: f64) -> Real {
+        if !value.is_subnormal() {
+            return BigFloat::from_f64(value, self.bits);
+        }
         // `from_f64` of version 0.3.7 halves subnormal numbers.
-        let lift = if value.is_subnormal() { 64.0_f64.exp2() } else { 1.0 };
+        let lift = 64.0_f64.exp2();
         let lifted = BigFloat::from_f64(value * lift, self.bits);
         self.divide(&lifted, &BigFloat::from_f64(lift, self.bits))
     }
@@ -39,6 +40,9 @@ impl Arithmetic {
     }
 
     pub(crate) fn number(&mut self, value: &Number) -> Real {
+        if let Some(value) = value.to_i32() {
+            return self.integer(value);
+        }
         let text = value.to_string();
         let (numerator, denominator) = text.split_once('/').unwrap_or((&text, "1"));
         let [numerator, denominator] = [numerator, denominator].map(|digits| self.decimal(digits));
@@ -71,62 +75,12 @@ impl Arithmetic {
         products.fold(self.integer(0), |sum, product| self.add(&sum, &product))
     }
 
-    /// The values of `roots` where symbols have the values that `value_of` gives.
-    pub(crate) fn evaluate(
-        &mut self,
-        graph: &Graph,
-        roots: &[ExprId],
-        value_of: impl Fn(Role, &mut Arithmetic) -> Real,
-    ) -> Vec<Real> {
-        let mut values: HashMap<ExprId, Real> = HashMap::default();
-        for id in graph.reachable(roots) {
-            let at = |child: &ExprId| values.get(child).cloned().expect("operands come first");
-            let value = match graph.node(id) {
-                Node::Number(number) => self.number(number),
-                Node::Pi => self.constants.pi(self.bits, ROUNDING),
-                Node::Symbol(symbol) => value_of(graph.symbols().get(*symbol).role, self),
-                Node::Sum { constant, terms } => {
-                    let terms = terms.iter().map(|(term, coefficient)| (at(term), coefficient));
-                    self.sum(constant, terms)
-                }
-                Node::Product(factors) => {
-                    let one = self.integer(1);
-                    factors.iter().fold(one, |product, (base, exponent)| {
-                        let factor = self.power(&at(base), exponent);
-                        self.multiply(&product, &factor)
-                    })
-                }
-                Node::Call(function, arguments) => {
-                    let arguments = arguments.iter().map(at).collect::<Vec<_>>();
-                    self.call(*function, &arguments)
-                }
-                Node::Opaque(function, _) => {
-                    panic!("{} is known in double precision at most", function.text())
-                }
-                Node::Choose { relation, left, right, then, otherwise } => {
-                    let chosen = if holds(*relation, &at(left), &at(right)) { then } else { otherwise };
-                    at(chosen)
-                }
-            };
-            values.insert(id, value);
-        }
-        roots.iter().map(|root| values.get(root).cloned().expect("roots are reachable")).collect()
+    pub(crate) fn pi(&mut self) -> Real {
+        self.constants.pi(self.bits, ROUNDING)
     }
 
-    fn sum<'a>(&mut self, constant: &Number, terms: impl Iterator<Item = (Real, &'a Number)>) -> Real {
-        let constant = self.number(constant);
-        terms.fold(constant, |sum, (term, coefficient)| {
-            let term = if coefficient.is_one() {
-                term
-            } else {
-                let coefficient = self.number(coefficient);
-                self.multiply(&term, &coefficient)
-            };
-            self.add(&sum, &term)
-        })
-    }
-
-    fn power(&mut self, base: &Real, exponent: &Number) -> Real {
+    /// A rational power of a base that is positive unless the power is whole.
+    pub(crate) fn power(&mut self, base: &Real, exponent: &Number) -> Real {
         let twice = (exponent * &Number::TWO).to_i32();
         let magnitude = match (exponent.to_i32(), twice) {
             (Some(1), _) => return base.clone(),
@@ -140,7 +94,8 @@ impl Arithmetic {
         if exponent.is_negative() { self.divide(&self.integer(1), &magnitude) } else { magnitude }
     }
 
-    fn call(&mut self, function: Function, arguments: &[Real]) -> Real {
+    /// The value of an elementary function.
+    pub(crate) fn call(&mut self, function: Function, arguments: &[Real]) -> Real {
         let (x, bits, constants) = (&arguments[0], self.bits, &mut self.constants);
         let second = || &arguments[1];
         match function {
@@ -181,11 +136,6 @@ impl Arithmetic {
             (true, true) => self.subtract(&angle, &half_turn),
         }
     }
-}
-
-fn holds(relation: Relation, left: &Real, right: &Real) -> bool {
-    let order = left.cmp(right).expect("a comparison of numbers");
-    relation.holds(order as f64, 0.0)
 }
 
 /// Nearly the nearest `f64`: good for judging errors.
