@@ -1,0 +1,419 @@
+//! Rigid bodies and joints along a motion: rotation matrices as jets, and energies from their rates.
+//!
+//! T = ½ m ċ·ċ + ½ ω·J ω with ω of Rᵀ Ṙ in the axes of the body (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §5.3).
+//! Quaternions follow q̇ = ½ q ⊗ ω; neighbouring motions turn them by small turns η, under which ω changes by η̇ + ω × η (Lurie, *Analytical
+//! Mechanics*, §10.1).
+
+use lagrange_core::expr::Function;
+
+use crate::digits::Real;
+use crate::jet::{Jet, ORDERS};
+use crate::tree::{Body, Expr, Joint, Pose, Statement};
+use crate::world::{Placed, World};
+
+/// Rows of jets.
+type Matrix = Vec<Vec<Jet>>;
+
+const AXES: &str = "xyz";
+
+impl World<'_> {
+    /// Adds what a statement about bodies says.
+    pub(crate) fn read_scene(&mut self, statement: &Statement) -> Option<()> {
+        match statement {
+            Statement::Gravity(vector) => self.gravity = self.scalars(vector)?,
+            Statement::Body(body) => self.read_body(body)?,
+            Statement::Joint(joint) => self.read_joint(joint)?,
+            Statement::Free(name) => {
+                let place = ["x", "y", "z"].map(|axis| Expr::Name(format!("{name}_{axis}")));
+                let origin = self.scalars(&place)?;
+                let rotation = self.oriented(name)?;
+                let placed = self.placed.get_mut(name)?;
+                (placed.rotation, placed.origin) = (rotation, origin);
+            }
+            Statement::Spring { from, to, stiffness, rest } => {
+                let (span, stiffness) = (self.span(from, to)?, self.scalar(stiffness)?);
+                let square = match rest {
+                    None => self.field.dot(&span, &span),
+                    Some(rest) => {
+                        let (length, rest) = (self.field.norm(&span), self.scalar(rest)?);
+                        let stretch = self.field.subtract(&length, &rest);
+                        self.field.multiply(&stretch, &stretch)
+                    }
+                };
+                let energy = self.half_product(&stiffness, &square);
+                self.sums.potential = self.field.add(&self.sums.potential, &energy);
+            }
+            Statement::Damper { from, to, damping } => {
+                let (span, damping) = (self.span(from, to)?, self.scalar(damping)?);
+                let length = self.field.norm(&span);
+                let rate = self.field.rate(&length);
+                self.add_loss(&damping, &[rate]);
+            }
+            Statement::Pin { from, to, .. } => {
+                let span = self.span(to, from)?;
+                self.sums.constraints.extend(span.into_iter().map(|zero| (zero, false)));
+            }
+            _ => return None,
+        }
+        Some(())
+    }
+
+    /// Adds ½ c Σ vᵢ² to the Rayleigh function.
+    fn add_loss(&mut self, damping: &Jet, rates: &[Jet]) {
+        let square = self.field.dot(rates, rates);
+        let loss = self.half_product(damping, &square);
+        self.sums.dissipation = self.field.add(&self.sums.dissipation, &loss);
+    }
+
+    fn span(&mut self, from: &Expr, to: &Expr) -> Option<Vec<Jet>> {
+        let (from, to) = (self.value(from)?, self.value(to)?);
+        Some(to.iter().zip(&from).map(|(to, from)| self.field.subtract(to, from)).collect())
+    }
+
+    fn unit(&mut self, dimension: usize) -> Matrix {
+        let entry = |row, column| self.field.whole(i32::from(row == column));
+        (0..dimension).map(|row| (0..dimension).map(|column| entry(row, column)).collect()).collect()
+    }
+
+    fn at_origin(&mut self, dimension: usize) -> Placed {
+        let zeros = vec![self.field.whole(0); dimension];
+        Placed { rotation: self.unit(dimension), origin: zeros.clone(), centroid: zeros }
+    }
+
+    fn times(&mut self, a: &Matrix, b: &Matrix) -> Matrix {
+        let columns = transposed(b);
+        a.iter().map(|row| columns.iter().map(|column| self.field.dot(row, column)).collect()).collect()
+    }
+
+    fn apply(&mut self, a: &Matrix, vector: &[Jet]) -> Vec<Jet> {
+        a.iter().map(|row| self.field.dot(row, vector)).collect()
+    }
+
+    fn plus(&mut self, a: &[Jet], b: &[Jet]) -> Vec<Jet> {
+        a.iter().zip(b).map(|(a, b)| self.field.add(a, b)).collect()
+    }
+
+    /// Remembers a body. Energies are added when all joints are read.
+    fn read_body(&mut self, body: &Body) -> Option<()> {
+        let dimension = if body.inertia.len() == 1 { 2 } else { 3 };
+        let mut placed = self.at_origin(dimension);
+        if let Some(centroid) = &body.centroid {
+            placed.centroid = self.scalars(centroid)?;
+        }
+        if let Some(pose) = &body.pose {
+            self.place_by_hand(&mut placed, pose)?;
+        }
+        self.placed.insert(body.name.clone(), placed);
+        Some(())
+    }
+
+    fn place_by_hand(&mut self, placed: &mut Placed, pose: &Pose) -> Option<()> {
+        let angles = self.scalars(&pose.angles)?;
+        match &angles[..] {
+            [angle] if placed.origin.len() == 2 => {
+                let turn = self.turn(2, angle);
+                placed.rotation = turn.iter().take(2).map(|row| row[..2].to_vec()).collect();
+            }
+            angles => {
+                for (angle, letter) in angles.iter().zip(pose.sequence.chars()) {
+                    let turn = self.turn(AXES.find(letter)?, angle);
+                    placed.rotation = self.times(&placed.rotation, &turn);
+                }
+            }
+        }
+        placed.origin = self.scalars(&pose.place)?;
+        if pose.is_center {
+            let arm = self.apply(&placed.rotation, &placed.centroid);
+            let arm = arm.iter().map(|arm| self.field.negate(arm)).collect::<Vec<_>>();
+            placed.origin = self.plus(&placed.origin, &arm);
+        }
+        Some(())
+    }
+
+    /// The rotation about one axis.
+    fn turn(&mut self, axis: usize, angle: &Jet) -> Matrix {
+        let axis = (0..3).map(|k| self.field.whole(i32::from(k == axis))).collect::<Vec<_>>();
+        self.turn_about(&axis, angle)
+    }
+
+    /// c 1 + s n× + (1 − c) n nᵀ (Rodrigues).
+    fn turn_about(&mut self, n: &[Jet], angle: &Jet) -> Matrix {
+        let cosine = self.field.call(Function::Cos, std::slice::from_ref(angle));
+        let sine = self.field.call(Function::Sin, std::slice::from_ref(angle));
+        let one = self.field.whole(1);
+        let rest = self.field.subtract(&one, &cosine);
+        let mut turn = self.unit(3);
+        for row in 0..3 {
+            for column in 0..3 {
+                let square = self.field.multiply(&n[row], &n[column]);
+                let square = self.field.multiply(&rest, &square);
+                let other = match (column + 3 - row) % 3 {
+                    0 => cosine.clone(),
+                    1 => {
+                        let product = self.field.multiply(&sine, &n[(row + 2) % 3]);
+                        self.field.negate(&product)
+                    }
+                    _ => self.field.multiply(&sine, &n[(row + 1) % 3]),
+                };
+                turn[row][column] = self.field.add(&square, &other);
+            }
+        }
+        turn
+    }
+
+    fn read_joint(&mut self, joint: &Joint) -> Option<()> {
+        let mut carrier = match &joint.from {
+            Some(name) => self.placed.get(name)?.clone(),
+            None => self.at_origin(3),
+        };
+        if let Some(at) = &joint.at {
+            let at = self.scalars(at)?;
+            self.advance(&mut carrier, &at);
+        }
+        if let Some(turned) = &joint.turned {
+            let angles = self.scalars(turned)?;
+            for axis in [2, 1, 0] {
+                let turn = self.turn(axis, &angles[axis]);
+                carrier.rotation = self.times(&carrier.rotation, &turn);
+            }
+        }
+        let rates = self.follow(joint, &mut carrier)?;
+        if let Some(damping) = &joint.damping {
+            let damping = self.scalar(damping)?;
+            self.add_loss(&damping, &rates);
+        }
+        let placed = self.placed.get_mut(&joint.to)?;
+        (placed.rotation, placed.origin) = (carrier.rotation, carrier.origin);
+        Some(())
+    }
+
+    /// Moves along the axes of a frame.
+    fn advance(&mut self, frame: &mut Placed, by: &[Jet]) {
+        let by = self.apply(&frame.rotation, by);
+        frame.origin = self.plus(&frame.origin, &by);
+    }
+
+    /// Moves a frame as a joint does, and returns the velocities that its damping acts on.
+    fn follow(&mut self, joint: &Joint, frame: &mut Placed) -> Option<Vec<Jet>> {
+        if joint.kind == "ball" {
+            let turn = self.oriented(&joint.names[0])?;
+            frame.rotation = self.times(&frame.rotation, &turn);
+            let spin = ["x", "y", "z"].map(|axis| Expr::Name(format!("{}_w{axis}", joint.names[0])));
+            return self.scalars(&spin);
+        }
+        let names = joint.names.iter().map(|name| Expr::Name(name.clone())).collect::<Vec<_>>();
+        let q = self.scalars(&names)?;
+        let axis = self.axis(joint)?;
+        let along = |world: &mut Self, by: &Jet| {
+            axis.iter().map(|component| world.field.multiply(component, by)).collect::<Vec<_>>()
+        };
+        let (turns, moves): (Vec<(usize, usize)>, Vec<Vec<Jet>>) = match joint.kind {
+            "prismatic" => (vec![], vec![along(self, &q[0])]),
+            "cylindrical" => (vec![], vec![along(self, &q[1])]),
+            "screw" => {
+                let pitch = self.scalar(joint.pitch.as_ref()?)?;
+                let pi = self.field.arithmetic.pi();
+                let pi = self.field.constant(pi);
+                let twice = self.field.add(&pi, &pi);
+                let advance = self.field.multiply(&pitch, &q[0]);
+                let advance = self.field.divide(&advance, &twice);
+                (vec![], vec![along(self, &advance)])
+            }
+            "universal" => (vec![(0, 0), (1, 1)], vec![]),
+            "planar" => (vec![(2, 2)], vec![vec![q[0].clone(), q[1].clone(), self.field.whole(0)]]),
+            _ => (vec![], vec![]),
+        };
+        moves.iter().for_each(|by| self.advance(frame, by));
+        if matches!(joint.kind, "revolute" | "screw" | "cylindrical") {
+            let turn = self.turn_about(&axis, &q[0]);
+            frame.rotation = self.times(&frame.rotation, &turn);
+        }
+        for (axis, angle) in turns {
+            let turn = self.turn(axis, &q[angle]);
+            frame.rotation = self.times(&frame.rotation, &turn);
+        }
+        Some(q.iter().map(|q| self.field.rate(q)).collect())
+    }
+
+    /// The axis of a joint, of length one.
+    fn axis(&mut self, joint: &Joint) -> Option<Vec<Jet>> {
+        let Some(axis) = &joint.axis else {
+            return Some([0, 0, 1].map(|component| self.field.whole(component)).into());
+        };
+        let axis = self.scalars(axis)?;
+        let length = self.field.norm(&axis);
+        Some(axis.iter().map(|component| self.field.divide(component, &length)).collect())
+    }
+
+    /// Adds the energies of a body at its place.
+    pub(crate) fn add_energies(&mut self, body: &Body) -> Option<()> {
+        let placed = self.placed.get(&body.name)?.clone();
+        let (mass, inertia) = (self.scalar(&body.mass)?, self.scalars(&body.inertia)?);
+        let center = self.point(&body.name, &placed.centroid)?;
+        let velocity = center.iter().map(|c| self.field.rate(c)).collect::<Vec<_>>();
+        let square = self.field.dot(&velocity, &velocity);
+        let moving = self.half_product(&mass, &square);
+        let spin = self.own_spin(&placed.rotation);
+        let momentum = self.spin_momentum(&inertia, &spin);
+        let turning = self.field.dot(&spin, &momentum);
+        let one = self.field.whole(1);
+        let turning = self.half_product(&one, &turning);
+        let sum = self.field.add(&moving, &turning);
+        self.sums.kinetic = self.field.add(&self.sums.kinetic, &sum);
+        let weight = self.field.dot(&self.gravity.clone(), &center);
+        let weight = self.field.multiply(&mass, &weight);
+        self.sums.potential = self.field.subtract(&self.sums.potential, &weight);
+        Some(())
+    }
+
+    /// J ω of xx, yy, zz, and of xy, xz, yz if they are there.
+    fn spin_momentum(&mut self, inertia: &[Jet], spin: &[Jet]) -> Vec<Jet> {
+        let entry = |row: usize, column: usize| if row == column { row } else { row + column + 2 };
+        let zero = self.field.whole(0);
+        let row = |row: usize| {
+            let row = (0..spin.len()).map(|column| inertia.get(entry(row, column)).unwrap_or(&zero).clone());
+            self.field.dot(&row.collect::<Vec<_>>(), spin)
+        };
+        (0..spin.len()).map(row).collect()
+    }
+
+    /// ω of Rᵀ Ṙ; in the plane one number.
+    fn own_spin(&mut self, rotation: &Matrix) -> Vec<Jet> {
+        let rates = rotation.iter().map(|row| row.iter().map(|entry| self.field.rate(entry)).collect());
+        let rates = rates.collect::<Matrix>();
+        let skew = self.times(&transposed(rotation), &rates);
+        match rotation.len() {
+            2 => vec![skew[1][0].clone()],
+            _ => vec![skew[2][1].clone(), skew[0][2].clone(), skew[1][0].clone()],
+        }
+    }
+
+    /// The angular velocity of a body in the world.
+    pub(crate) fn spin(&mut self, body: &str) -> Option<Vec<Jet>> {
+        let rotation = self.placed.get(body)?.rotation.clone();
+        let spin = self.own_spin(&rotation);
+        Some(self.apply(&rotation, &spin))
+    }
+
+    pub(crate) fn point(&mut self, body: &str, own: &[Jet]) -> Option<Vec<Jet>> {
+        let placed = self.placed.get(body)?.clone();
+        let arm = self.apply(&placed.rotation, own);
+        Some(self.plus(&placed.origin, &arm))
+    }
+
+    /// The rotation of a unit quaternion.
+    fn oriented(&mut self, name: &str) -> Option<Matrix> {
+        let q = ["w", "x", "y", "z"].map(|part| Expr::Name(format!("{name}_q{part}")));
+        let q = self.scalars(&q)?;
+        let mut rotation = self.unit(3);
+        for row in 0..3 {
+            for column in 0..3 {
+                let product = self.field.multiply(&q[1 + row], &q[1 + column]);
+                let other = match (column + 3 - row) % 3 {
+                    // 1 − 2 (y² + z²) of x
+                    0 => {
+                        let sides = [q[1 + (row + 1) % 3].clone(), q[1 + (row + 2) % 3].clone()];
+                        let square = self.field.dot(&sides, &sides);
+                        let twice = self.field.add(&square, &square);
+                        rotation[row][column] = self.field.subtract(&rotation[row][column], &twice);
+                        continue;
+                    }
+                    1 => {
+                        let product = self.field.multiply(&q[0], &q[1 + (row + 2) % 3]);
+                        self.field.negate(&product)
+                    }
+                    _ => self.field.multiply(&q[0], &q[1 + (row + 1) % 3]),
+                };
+                let sum = self.field.add(&product, &other);
+                rotation[row][column] = self.field.add(&sum, &sum);
+            }
+        }
+        Some(rotation)
+    }
+
+    /// Puts a quaternion, made to be of length one, and its angular velocity into the scope.
+    pub(crate) fn set_orientation(
+        &mut self,
+        name: &str,
+        velocity: usize,
+        q: &[Real; 4],
+        w: &[Real; 3],
+        accelerations: &[Real],
+    ) {
+        let length = self.field.arithmetic.sqrt(&self.field.arithmetic.dot(q, q));
+        let q = q.each_ref().map(|part| self.field.arithmetic.divide(part, &length));
+        let rates = w.iter().zip(accelerations).map(|(w, a)| self.field.series(&[w.clone(), a.clone()]));
+        let rates = rates.collect::<Vec<_>>();
+        let mut turning = q.map(|part| self.field.series(&[part])).to_vec();
+        let pure = |world: &mut Self, of: &[Jet]| [vec![world.field.whole(0)], of.to_vec()].concat();
+        for order in 1..ORDERS {
+            // q̇ = ½ q ⊗ ω, order by order
+            let spin = pure(self, &rates);
+            let flow = self.hamilton(&turning, &spin);
+            for (part, flow) in turning.iter_mut().zip(flow) {
+                let share = self.field.arithmetic.float(0.5 / order as f64);
+                part.value[order] = self.field.product(&share, &flow.value[order - 1]);
+            }
+        }
+        let mut spin = rates.clone();
+        let n = self.layout.velocities;
+        for axis in 0..3 {
+            let axes = [0, 1, 2].map(|k| self.field.whole(i32::from(k == axis)));
+            let small = pure(self, &axes);
+            let turned = self.hamilton(&turning, &small);
+            let crossed = self.cross(&rates, &axes);
+            let half = self.field.arithmetic.float(0.5);
+            for (part, turned) in turning.iter_mut().zip(turned) {
+                let change = turned.value.iter().map(|c| self.field.product(&half, c)).collect::<Vec<_>>();
+                part.variations[n + velocity + axis] = shifted(self.field.integer(0), &change);
+                part.variations[velocity + axis] = change;
+            }
+            for (k, (part, crossed)) in spin.iter_mut().zip(crossed).enumerate() {
+                let mut growing = shifted(self.field.integer(0), &crossed.value);
+                growing[0] = self.field.integer(i32::from(k == axis));
+                part.variations[n + velocity + axis] = growing;
+                part.variations[velocity + axis] = crossed.value;
+            }
+        }
+        for (part, turning) in ["w", "x", "y", "z"].iter().zip(turning) {
+            self.scope.insert(format!("{name}_q{part}"), vec![turning]);
+        }
+        for (axis, spin) in ["x", "y", "z"].iter().zip(spin) {
+            self.scope.insert(format!("{name}_w{axis}"), vec![spin]);
+        }
+    }
+
+    /// Product of quaternions: a₀ b₀ − a·b and a₀ b + b₀ a + a × b.
+    fn hamilton(&mut self, a: &[Jet], b: &[Jet]) -> Vec<Jet> {
+        let inner = self.field.dot(&a[1..], &b[1..]);
+        let scalar = self.field.multiply(&a[0], &b[0]);
+        let mut product = vec![self.field.subtract(&scalar, &inner)];
+        for (k, crossed) in self.cross(&a[1..], &b[1..]).into_iter().enumerate() {
+            let [first, second] =
+                [self.field.multiply(&a[0], &b[1 + k]), self.field.multiply(&b[0], &a[1 + k])];
+            let sum = self.field.add(&first, &second);
+            product.push(self.field.add(&sum, &crossed));
+        }
+        product
+    }
+
+    fn cross(&mut self, a: &[Jet], b: &[Jet]) -> Vec<Jet> {
+        let component = |k: usize| {
+            let (next, last) = ((k + 1) % 3, (k + 2) % 3);
+            let [left, right] =
+                [self.field.multiply(&a[next], &b[last]), self.field.multiply(&a[last], &b[next])];
+            self.field.subtract(&left, &right)
+        };
+        (0..3).map(component).collect()
+    }
+}
+
+fn transposed(a: &Matrix) -> Matrix {
+    (0..a[0].len()).map(|column| a.iter().map(|row| row[column].clone()).collect()).collect()
+}
+
+/// Coefficients times τ.
+fn shifted(zero: Real, series: &[Real]) -> Vec<Real> {
+    let kept = series.len() - 1;
+    std::iter::once(zero).chain(series[..kept].iter().cloned()).collect()
+}
