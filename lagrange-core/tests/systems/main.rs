@@ -28,6 +28,7 @@ mod layout;
 mod linear;
 #[path = "../shared/numbered.rs"]
 mod numbered;
+mod orientations;
 mod parts;
 #[path = "../shared/random.rs"]
 #[allow(dead_code, reason = "other tests draw otherwise")]
@@ -38,6 +39,7 @@ mod shrink;
 mod splines;
 mod text;
 mod tree;
+mod unknowns;
 mod world;
 
 use std::collections::BTreeMap;
