@@ -5,10 +5,14 @@
 //! those of Abramowitz and Stegun, *Handbook of Mathematical Functions*, chapter 4; derivatives of piecewise
 //! functions are taken branch by branch.
 
+mod domain;
+
 use Partial::{
     Add, Argument, Call, Constant, Divide, Half, Less, Linear, Multiply, Negate, NotLess, Reciprocal,
     ReciprocalRoot, Square, Value,
 };
+
+pub use domain::Domain;
 
 /// An elementary function; what is known of each is in its row.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -59,8 +63,8 @@ pub struct Row {
     pub arity: usize,
     /// Behaviour under a change of sign.
     pub parity: Parity,
-    /// Where it is defined, in words for error messages and docs.
-    pub domain: &'static str,
+    /// Where it is defined.
+    pub domain: Domain,
     /// The exact value at zero, if that is a rational number.
     pub at_zero: Option<i64>,
     /// Whether no value is below zero.
@@ -78,7 +82,7 @@ pub struct Row {
 impl Row {
     /// Whether it is defined everywhere.
     pub fn is_total(&self) -> bool {
-        self.domain == "everywhere"
+        self.domain == Domain::Everywhere
     }
 }
 
@@ -119,7 +123,7 @@ pub const ROWS: [Row; 20] = [
         name: "sin",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\sin\left(#1\right)",
@@ -132,7 +136,7 @@ pub const ROWS: [Row; 20] = [
         name: "cos",
         arity: 1,
         parity: Parity::Even,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(1),
         is_nonnegative: false,
         latex: r"\cos\left(#1\right)",
@@ -145,7 +149,7 @@ pub const ROWS: [Row; 20] = [
         name: "tan",
         arity: 1,
         parity: Parity::Odd,
-        domain: "away from odd multiples of π/2",
+        domain: Domain::AwayFrom("odd multiples of π/2"),
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\tan\left(#1\right)",
@@ -158,7 +162,7 @@ pub const ROWS: [Row; 20] = [
         name: "asin",
         arity: 1,
         parity: Parity::Odd,
-        domain: "between -1 and 1",
+        domain: Domain::WithinOne,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\arcsin\left(#1\right)",
@@ -171,7 +175,7 @@ pub const ROWS: [Row; 20] = [
         name: "acos",
         arity: 1,
         parity: Parity::Neither,
-        domain: "between -1 and 1",
+        domain: Domain::WithinOne,
         at_zero: None,
         is_nonnegative: false,
         latex: r"\arccos\left(#1\right)",
@@ -184,7 +188,7 @@ pub const ROWS: [Row; 20] = [
         name: "atan",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\arctan\left(#1\right)",
@@ -197,7 +201,7 @@ pub const ROWS: [Row; 20] = [
         name: "atan2",
         arity: 2,
         parity: Parity::Neither,
-        domain: "away from the origin",
+        domain: Domain::AwayFrom("the origin"),
         at_zero: None,
         is_nonnegative: false,
         latex: r"\operatorname{atan2}\left(#1, #2\right)",
@@ -210,7 +214,7 @@ pub const ROWS: [Row; 20] = [
         name: "sinh",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\sinh\left(#1\right)",
@@ -223,7 +227,7 @@ pub const ROWS: [Row; 20] = [
         name: "cosh",
         arity: 1,
         parity: Parity::Even,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(1),
         is_nonnegative: true,
         latex: r"\cosh\left(#1\right)",
@@ -236,7 +240,7 @@ pub const ROWS: [Row; 20] = [
         name: "tanh",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\tanh\left(#1\right)",
@@ -249,7 +253,7 @@ pub const ROWS: [Row; 20] = [
         name: "exp",
         arity: 1,
         parity: Parity::Neither,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(1),
         is_nonnegative: true,
         latex: r"\exp\left(#1\right)",
@@ -262,7 +266,7 @@ pub const ROWS: [Row; 20] = [
         name: "ln",
         arity: 1,
         parity: Parity::Neither,
-        domain: "above 0",
+        domain: Domain::AboveZero,
         at_zero: None,
         is_nonnegative: false,
         latex: r"\ln\left(#1\right)",
@@ -275,7 +279,7 @@ pub const ROWS: [Row; 20] = [
         name: "sqrt",
         arity: 1,
         parity: Parity::Neither,
-        domain: "from 0 upwards",
+        domain: Domain::FromZero,
         at_zero: Some(0),
         is_nonnegative: true,
         latex: r"\sqrt{#1}",
@@ -288,7 +292,7 @@ pub const ROWS: [Row; 20] = [
         name: "abs",
         arity: 1,
         parity: Parity::Even,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: true,
         latex: r"\left|#1\right|",
@@ -301,7 +305,7 @@ pub const ROWS: [Row; 20] = [
         name: "sign",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\operatorname{sign}\left(#1\right)",
@@ -314,7 +318,7 @@ pub const ROWS: [Row; 20] = [
         name: "min",
         arity: 2,
         parity: Parity::Neither,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: None,
         is_nonnegative: false,
         latex: r"\min\left(#1, #2\right)",
@@ -328,7 +332,7 @@ pub const ROWS: [Row; 20] = [
         name: "max",
         arity: 2,
         parity: Parity::Neither,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: None,
         is_nonnegative: false,
         latex: r"\max\left(#1, #2\right)",
@@ -341,7 +345,7 @@ pub const ROWS: [Row; 20] = [
         name: "pow",
         arity: 2,
         parity: Parity::Neither,
-        domain: "bases above 0",
+        domain: Domain::BaseAboveZero,
         at_zero: None,
         is_nonnegative: false,
         latex: r"{#1}^{#2}",
@@ -358,7 +362,7 @@ pub const ROWS: [Row; 20] = [
         name: "hypot",
         arity: 2,
         parity: Parity::Neither,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: None,
         is_nonnegative: true,
         latex: r"\sqrt{\left(#1\right)^{2} + \left(#2\right)^{2}}",
@@ -372,7 +376,7 @@ pub const ROWS: [Row; 20] = [
         name: "sign",
         arity: 1,
         parity: Parity::Odd,
-        domain: "everywhere",
+        domain: Domain::Everywhere,
         at_zero: Some(0),
         is_nonnegative: false,
         latex: r"\operatorname{sign}\left(#1\right)",

@@ -4,7 +4,7 @@
 
 mod quarter_turns;
 
-use crate::elementary::{Parity, Partial, Row, row};
+use crate::elementary::{Domain, Parity, Partial, Row, row};
 use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;
@@ -116,6 +116,22 @@ fn sine_of_pi_times(x: &Number) -> Option<Number> {
 pub fn partials(graph: &mut Graph, function: Function, arguments: &[ExprId], value: ExprId) -> Vec<ExprId> {
     let call = FunctionValue { arguments, value };
     row(function).partials.iter().map(|partial| call.build(graph, partial)).collect()
+}
+
+/// True if a node has an argument that must lie in a domain.
+pub fn is_restricted(graph: &Graph, id: ExprId) -> bool {
+    match graph.node(id) {
+        Node::Product(factors) => factors.iter().any(|(_, exponent)| !exponent.is_integer()),
+        // A sign that never changes is none of the surfaces.
+        Node::Call(Function::Sign | Function::MagnitudeSlope, arguments) => {
+            graph.is_nonnegative(arguments[0])
+        }
+        Node::Call(function, _) => match row(*function).domain {
+            Domain::FromZero | Domain::AboveZero | Domain::BaseAboveZero | Domain::WithinOne => true,
+            Domain::Everywhere | Domain::AwayFrom(_) => false,
+        },
+        _ => false,
+    }
 }
 
 /// A function value with what it was made of.

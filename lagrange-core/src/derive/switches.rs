@@ -3,13 +3,18 @@
 //! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`. Methods of integration keep their
 //! order only if no step leads across one: a run fixes the side of every switch, on which the equations are smooth, and changes
 //! it where the surface is met. [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
-//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is `if s < 0 { 0 } else { f }`.
+//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is `if s < 0 { 0 } else { f }`. Steps look
+//! beyond a surface before it is located there, so that what is raised to a fractional power keeps its magnitude: [`domains`].
 //!
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6, "discontinuous equations".
 
-use crate::calculus::rebuild;
+mod domains;
+mod one_sided;
+
+pub use one_sided::one_sided;
+
 use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{Dependencies, ExprId, Function, Graph, Node, Relation};
+use crate::expr::{Dependencies, ExprId, Function, Graph, Node};
 use crate::model::{Energies, Model, ReactionKind};
 use crate::number::Number;
 use crate::symbol::{Role, SymbolId};
@@ -34,6 +39,24 @@ struct Surface {
     is_opposite: bool,
 }
 
+/// The side of a located surface on which a node is written.
+#[derive(Clone, Copy)]
+struct Side {
+    /// Function that is zero on the surface.
+    value: ExprId,
+    /// Sign of `value`, a symbol.
+    sign: ExprId,
+    /// True if the node switches with the opposite of `value`.
+    is_opposite: bool,
+}
+
+impl Side {
+    /// Returns the slope of a magnitude on this side: its sign.
+    fn slope(self, graph: &mut Graph) -> ExprId {
+        if self.is_opposite { graph.negate(self.sign) } else { self.sign }
+    }
+}
+
 impl Switch {
     /// The switches of what determines a motion. Conditions on `guards` do not count: there both branches have the same value.
     pub(super) fn find(model: &mut Model, roots: &[ExprId], guards: &[ExprId]) -> Vec<Switch> {
@@ -52,49 +75,6 @@ impl Switch {
         }
         found.iter().map(|(_, switch)| switch.clone()).collect()
     }
-}
-
-/// What the roots are made of, themselves included, with the sides of the switches as symbols. What is not on one of them stays as
-/// it is.
-pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> HashMap<ExprId, ExprId> {
-    let sides = switches.iter().map(|switch| (switch.value, switch.side)).collect::<HashMap<_, _>>();
-    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
-    for id in graph.reachable(roots) {
-        let map = |child: ExprId| image.get(&child).copied().unwrap_or(child);
-        let surface = surface(graph, id, &[]);
-        let side = surface.and_then(|surface| Some((*sides.get(&surface.value)?, surface.is_opposite)));
-        let new = match side {
-            Some((side, is_opposite)) => on_side(graph, id, side, is_opposite, map),
-            None => rebuild(graph, id, map),
-        };
-        image.insert(id, new);
-    }
-    image
-}
-
-/// A node that is not smooth, on this side of its surface, or on the opposite one.
-fn on_side(
-    graph: &mut Graph,
-    id: ExprId,
-    side: ExprId,
-    is_opposite: bool,
-    map: impl Fn(ExprId) -> ExprId,
-) -> ExprId {
-    let zero = graph.number(0);
-    let (left, right) = if is_opposite { (zero, side) } else { (side, zero) };
-    let (relation, then, otherwise) = match graph.node(id).clone() {
-        Node::Call(Function::Min, arguments) => (Relation::Less, arguments[0], arguments[1]),
-        Node::Call(Function::Max, arguments) => (Relation::Less, arguments[1], arguments[0]),
-        Node::Choose { relation, then, otherwise, .. } => (relation, then, otherwise),
-        node => {
-            let sign = if is_opposite { graph.negate(side) } else { side };
-            return match node {
-                Node::Call(Function::Abs, arguments) => graph.multiply(sign, map(arguments[0])),
-                _ => sign,
-            };
-        }
-    };
-    graph.choose(relation, left, right, map(then), map(otherwise))
 }
 
 /// The surface on which a node is not smooth, if it has one that a motion may pass.

@@ -3,7 +3,7 @@
 use std::ops::BitOr;
 
 use super::{ExprId, Function, Graph, Node};
-use crate::elementary::row;
+use crate::elementary::{Domain, row};
 use crate::number::Number;
 use crate::symbol::Role;
 
@@ -79,6 +79,7 @@ impl BitOr for Dependencies {
 pub(super) struct Facts {
     pub(super) dependencies: Dependencies,
     pub(super) nonnegative: bool,
+    pub(super) partial: bool,
     /// Names, numbers and function signs of the written-out expression. It saturates: the text of a graph can be exponentially long.
     pub(super) written_size: u64,
     /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms
@@ -98,6 +99,7 @@ impl Facts {
         Facts {
             dependencies,
             nonnegative: is_nonnegative(graph, node),
+            partial: is_partial(graph, node),
             written_size: written_size(graph, node),
             slopes: slopes(graph, node).into(),
         }
@@ -117,9 +119,28 @@ fn is_nonnegative(graph: &Graph, node: &Node) -> bool {
         Node::Product(factors) => factors.iter().all(|(base, exponent): &(ExprId, Number)| {
             exponent.is_even() || !exponent.is_integer() || known(base)
         }),
+        Node::Call(Function::Max, arguments) => arguments.iter().any(known),
+        Node::Call(Function::Min, arguments) => arguments.iter().all(known),
         Node::Call(function, _) => row(*function).is_nonnegative,
         Node::Choose { then, otherwise, .. } => known(then) && known(otherwise),
     }
+}
+
+/// True if a function in it restricts an argument that is not known to lie in its domain.
+fn is_partial(graph: &Graph, node: &Node) -> bool {
+    let unknown = |id: &ExprId| !graph.is_nonnegative(*id);
+    let is_own = match node {
+        Node::Product(factors) => factors.iter().any(|(base, power)| !power.is_integer() && unknown(base)),
+        Node::Call(function, arguments) => match row(*function).domain {
+            Domain::Everywhere | Domain::AwayFrom(_) => false,
+            Domain::FromZero | Domain::AboveZero | Domain::BaseAboveZero => unknown(&arguments[0]),
+            Domain::WithinOne => true,
+        },
+        _ => false,
+    };
+    let mut is_partial = is_own;
+    node.for_each_child(|child| is_partial |= graph.is_partial(child));
+    is_partial
 }
 
 fn written_size(graph: &Graph, node: &Node) -> u64 {

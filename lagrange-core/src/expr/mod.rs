@@ -188,6 +188,11 @@ impl Graph {
         self.facts[id.index()].nonnegative
     }
 
+    /// True if there may be arguments for which the value is not defined, as of the root of what may be negative.
+    pub fn is_partial(&self, id: ExprId) -> bool {
+        self.facts[id.index()].partial
+    }
+
     /// Number of names, numbers and function signs that the expression takes when it is written out; it saturates.
     pub fn written_size(&self, id: ExprId) -> u64 {
         self.facts[id.index()].written_size

@@ -22,6 +22,7 @@ mod reductions;
 mod scaling;
 mod scenes;
 mod states;
+mod switches;
 mod trees;
 mod units;
 mod unknowns;

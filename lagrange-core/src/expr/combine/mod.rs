@@ -4,6 +4,7 @@
 //! Equal operands are collected. A nested operand of the same kind is opened only if that makes
 //! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
 
+mod branch;
 mod magnitude;
 
 use crate::expr::weighted::{LONGEST_OPENED, Weighted};
@@ -133,6 +134,7 @@ impl Graph {
             }
             self.merge_factors(&mut coefficient, &mut collected);
         }
+        self.move_into_branch(&mut collected);
         let product = self.finish_product(collected);
         self.scale(coefficient, product)
     }
