@@ -78,4 +78,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     pub(super) fn acceleration_of(&self, k: usize) -> S {
         self.size_of(k, &self.free) + self.drifts[k].abs()
     }
+
+    /// How large the terms are of the rate of rate k under these reactions, of which those that are not finite do not count.
+    pub(super) fn acceleration_under(&self, k: usize, reactions: &[S; K]) -> S {
+        let parts = self.responses.iter().zip(reactions).filter(|(_, reaction)| reaction.is_finite());
+        parts.fold(self.acceleration_of(k), |sum, (response, reaction)| {
+            sum + (self.size_of(k, response) * *reaction).abs()
+        })
+    }
 }

@@ -4,7 +4,7 @@ use core::array;
 
 use super::choice::Choice;
 use super::guards::nothing;
-use super::reaction_forces::{Balance, Rule};
+use super::reaction_forces::{Balance, Rule, reactions};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
@@ -66,14 +66,14 @@ impl<const K: usize> Position<K> {
         let (modes, rounding) = (system.modes(), TOUCHING.part::<M::Scalar>());
         let share = |k: usize| if holds(modes[k]) { M::Scalar::epsilon().sqrt() } else { rounding };
         let [own, lengths] = [*q, lengths(q)].map(|by| reach(system, t, q, &by));
-        let speeds = sizes(v);
+        let (speeds, forces) = (sizes(v), reactions(terms, &modes));
         let delay = (rounding * elapsed).max(INSTANT.part::<M::Scalar>() * t.abs());
         let near: [M::Scalar; K] = array::from_fn(|k| {
             let size = rounding * terms.size_of(k, &lengths) + terms.speed_of(k, v) * delay;
             share(k) * terms.size_of(k, &own) + size
         });
         let slow: [M::Scalar; K] = array::from_fn(|k| {
-            let size = rounding * terms.size_of(k, &speeds) + terms.acceleration_of(k) * delay;
+            let size = rounding * terms.size_of(k, &speeds) + terms.acceleration_under(k, &forces) * delay;
             share(k) * terms.speed_of(k, v) + size
         });
         let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));

@@ -214,6 +214,14 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
 
+    /// Returns the limits of the friction that holds, beside which forces are rounding: without other forces all that several points
+    /// of a body at rest would have to hold is the rounding of its velocity.
+    fn held_limits(&self, rules: &[Rule; K], units: &[S; K]) -> S {
+        let Terms { kinetic, fixed, .. } = self.terms;
+        let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
+        held.fold(S::ZERO, |sum, k| sum + self.presence * (kinetic[k].abs() + fixed[k].abs()) * units[k])
+    }
+
     /// The reactions under these rules if the limits have these signs.
     fn solve(&self, rules: &[Rule; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
         let units = self.units();
@@ -238,7 +246,10 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         };
         let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
         let right = array::from_fn(right);
-        let reactions = if self.is_exact { solve(&matrix, &right) } else { nearest(&matrix, &right) };
+        let reactions = match self.is_exact {
+            true => solve(&matrix, &right, self.held_limits(rules, &units)),
+            false => nearest(&matrix, &right),
+        };
         array::from_fn(|k| if is_absent(k) { S::ZERO } else { reactions[k] / units[k] })
     }
 }

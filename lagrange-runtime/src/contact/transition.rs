@@ -111,13 +111,13 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     fn stop(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();
         let terms = self.terms(&self.v);
-        let mut position = self.held(&terms);
-        if modes[k] != Mode::Friction(Friction::Slips) {
-            position.is_still[k] = true;
-        }
         let mut is_held = modes.map(holds);
-        is_held[k] = position.is_still[k];
+        is_held[k] =
+            modes[k] != Mode::Friction(Friction::Slips) || self.position(&terms, &self.v).is_still[k];
         halt(&terms, &mut self.v, is_held);
+        // What is held may leave nothing else that moves.
+        let mut position = self.held(&self.terms(&self.v));
+        position.is_still[k] = is_held[k];
         let mut v = self.v;
         let settled = self.settle(&mut v, &mut position, None)?;
         let kind = match (modes[k], settled[k]) {

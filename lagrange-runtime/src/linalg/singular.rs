@@ -7,10 +7,12 @@ use crate::linalg::pivoted::{Factors, Matrix};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// The shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of about one.
-pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+/// Returns the shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of
+/// about one. Equations that contradict each other count as rounded where they do so by little beside their terms or `scale`.
+pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], scale: S) -> [S; K] {
     let x = nearest(a, b);
-    if residual(a, b, &x) <= size(a, b, &x) * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
+    let size = size(a, b, &x) + scale;
+    if residual(a, b, &x) <= size * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
 }
 
 /// The same without a look at whether A x = b: rows that depend on others are left out, and may contradict these.
