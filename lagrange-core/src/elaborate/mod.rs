@@ -32,6 +32,7 @@ mod scalar_range;
 mod scene;
 mod scene_in_space;
 mod scope;
+mod shared_contacts;
 mod signs;
 mod smoothness;
 mod solve;

@@ -8,6 +8,7 @@ use super::loads::forbid_states;
 use super::messages::events as messages;
 use super::operand::Operand;
 use super::scope::NameKind;
+use super::shared_contacts::{contact_of, warn_of_square};
 use crate::calculus::{Degree, Degrees};
 use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Reaction, ReactionKind};
@@ -46,7 +47,9 @@ pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Fric
     if let (Some(ReactionKind::Friction { kinetic, fixed }), Some(syntax)) = (kind, friction.fixed) {
         check_order(elaborator, kinetic, fixed, syntax);
     }
-    add_reaction(elaborator, name, NameKind::Friction, velocity.zip(kind));
+    if add_reaction(elaborator, name, NameKind::Friction, velocity.zip(kind)) {
+        warn_of_square(elaborator);
+    }
 }
 
 /// Declares its name, which stands for its force; whether there is nothing wrong with it.
@@ -137,7 +140,10 @@ fn friction_limit(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -
         let message = messages::nonlinear_limit(&name.text);
         return elaborator.refuse(syntax, &message, messages::NONLINEAR_LIMIT_HELP);
     }
-    match elaborator.numeric(limit).filter(|&number| number < 0.0) {
+    // The force of a contact is never negative.
+    let (share, force) = elaborator.evaluator.graph.split_coefficient(limit);
+    let share = contact_of(elaborator, force).map(|_| share.to_f64());
+    match elaborator.numeric(limit).or(share).filter(|&number| number < 0.0) {
         None => Some(limit),
         Some(number) => {
             elaborator.refuse(syntax, &messages::negative_limit(number), messages::NEGATIVE_LIMIT_HELP)

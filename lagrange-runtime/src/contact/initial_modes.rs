@@ -21,8 +21,8 @@ const NO_FORCES: &str = "no forces in contacts and friction fit the state: frict
 /// A contact that touches and approaches stays open: its event is the impact, at once.
 ///
 /// # Errors
-/// If a gap is negative, if a coefficient of restitution that does not depend on the state is not from 0 to 1, if something is not
-/// finite, or if no modes fit.
+/// If a gap or a limit of friction is negative, if a coefficient of restitution that does not depend on the state is not from 0 to 1,
+/// if something is not finite, or if no modes fit.
 pub fn begin<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -38,6 +38,7 @@ where
         return Err(StepFailure::NotFinite);
     }
     terms.restitutions::<M>(&modes, |k| !M::RESTITUTIONS_VARY[k])?;
+    terms.check_limits::<M>(&modes)?;
     let position = Position::of(system, &terms, [t, M::Scalar::ZERO], (&q, &v));
     if let Some(k) = position.is_beyond.iter().position(|is_beyond| *is_beyond) {
         return Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])));

@@ -44,6 +44,7 @@ mod guards;
 mod impact;
 mod initial_modes;
 mod lemke;
+mod limits;
 mod project;
 mod reaction_forces;
 mod restitution;
@@ -137,6 +138,10 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state: such a one is judged at
     /// impacts only, others where a motion starts, too.
     const RESTITUTIONS_VARY: [bool; K] = [false; K];
+
+    /// Of each friction, whether its limit holds forces of constraints, which press from either side: such a limit counts by its
+    /// magnitude, others must not be negative.
+    const LIMITS_REVERSE: [bool; K] = [false; K];
 
     /// The modes, in the order of declaration.
     fn modes(&self) -> [Mode; K];

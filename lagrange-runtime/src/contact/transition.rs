@@ -16,7 +16,7 @@ use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 /// closes, and the time at which the series ends is told.
 ///
 /// # Errors
-/// If no impulses, or no forces after it, fit, or if a coefficient of restitution is not from 0 to 1.
+/// If no impulses, or no forces after it, fit, if a coefficient of restitution is not from 0 to 1, or if a limit of friction is negative.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,
@@ -35,6 +35,7 @@ where
     correct(system, t, &mut held)?;
     let (q, v) = split::<M>(&held);
     let instant = Instant { system, t, elapsed, q, v };
+    instant.terms(&v).check_limits::<M>(&modes)?;
     match modes[k] {
         Mode::Contact(Contact::Open) => instant.hit(k),
         Mode::Contact(Contact::Closed) => instant.end(k, Rule::Absent),

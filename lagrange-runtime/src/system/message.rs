@@ -38,6 +38,11 @@ pub(crate) fn explain<S: Debug>(
             f,
             "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"
         ),
+        StepFailure::FrictionLimit { friction, value } => write!(
+            f,
+            "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which acts against the slip \
+             velocity by itself"
+        ),
         StepFailure::RepeatedColumn => f.write_str("two columns have the same name"),
         StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
         StepFailure::Undefined(what) => write!(f, "{what}"),

@@ -90,6 +90,13 @@ pub enum StepFailure<S> {
         /// What it is.
         value: S,
     },
+    /// A limit of friction that is negative.
+    FrictionLimit {
+        /// The name of the friction.
+        friction: &'static str,
+        /// The limit, or what it grows by with a unit of a contact force.
+        value: S,
+    },
     /// No motion goes on from here, in words: no contact forces or friction fit the state.
     Stuck(&'static str),
     /// A method of another crate failed, in words.

@@ -231,6 +231,47 @@ fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
     }
 }
 
+/// The warnings about a point with these statements, which are right.
+fn warnings(statements: &str) -> String {
+    let mut report = Report::default();
+    let declaration = parse_text(&format!("{POINT}\n{statements}"), &mut report).expect("tokens");
+    elaborate(&plain(declaration, &mut report), &mut report).expect("a model");
+    report.to_string()
+}
+
+#[test]
+fn friction_in_two_directions_of_one_contact_is_warned_of() {
+    let contacts = "event floor = y, falling => impact(0); event wall = x, falling => impact(0);";
+    for (first, second) in [
+        ("dot(x), mu * floor", "dot(y), mu * floor"),
+        ("dot(x), mu * floor", "dot(x) + dot(y), floor / 2 + wall"),
+        ("dot(x) + dot(y), kinetic: mu * floor, static: floor", "dot(x) - dot(y), kinetic: 0, static: floor"),
+        ("dot(x), mu * floor, smooth: 1", "dot(y), mu * floor"),
+    ] {
+        let found = warnings(&format!("{contacts} friction one = {first}; friction other = {second};"));
+        assert!(found.contains("`one` and `other` limit the friction of the contact `floor`"), "{found}");
+        assert!(found.contains("up to √2 times too much"), "{found}");
+        assert_eq!(found.matches("warning at").count(), 1, "{found}");
+    }
+    for (first, second) in [
+        ("dot(x), mu * floor", "dot(y), mu * wall"),
+        ("dot(x), mu * floor", "dot(x), floor"),
+        ("dot(x) + dot(y), mu * floor", "2 * dot(x) + 2 * dot(y) - 3, floor"),
+        ("dot(x), mu", "dot(y), mu"),
+    ] {
+        let found = warnings(&format!("{contacts} friction one = {first}; friction other = {second};"));
+        assert_eq!(found, "", "{first}; {second}");
+    }
+}
+
+#[test]
+fn negative_shares_of_a_contact_force_are_no_limit() {
+    let found = mistake("event floor = y, falling => impact(0); friction rub = dot(x), -0.3 * floor;");
+    assert!(found.contains("is negative"), "{found}");
+    model("constraint track = y; friction rub = dot(x), -0.3 * track;");
+    model("event floor = y, falling => impact(0); friction rub = dot(x), 2 - 0.3 * floor;");
+}
+
 #[test]
 fn events_must_change() {
     for function in ["m - h", "1", "2 * m"] {

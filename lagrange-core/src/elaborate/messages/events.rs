@@ -91,6 +91,15 @@ pub(in crate::elaborate) fn negative_limit(value: f64) -> String {
 pub(in crate::elaborate) const NEGATIVE_LIMIT_HELP: &str =
     "a limit is the magnitude of the force, which acts against the slip velocity by itself";
 
+pub(in crate::elaborate) fn square_of_friction(first: &str, second: &str, contact: &str) -> String {
+    format!(
+        "`{first}` and `{second}` limit the friction of the contact `{contact}` in each direction alone: a diagonal slide decelerates up to √2 times too much"
+    )
+}
+
+pub(in crate::elaborate) const FRICTION_IS_HERE: &str = "the other direction is declared here";
+pub(in crate::elaborate) const SQUARE_HELP: &str = "choose the first direction along the slide, or accept the error with `#[allow(deprecated)]` on the struct: this warning comes as one of something deprecated";
+
 pub(in crate::elaborate) const STATIC_BELOW_KINETIC: &str = "the static limit is below the kinetic one";
 pub(in crate::elaborate) const STATIC_BELOW_KINETIC_HELP: &str =
     "what begins to slip would stick again at once: make the static limit at least as large";

@@ -27,6 +27,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) switch_times: Option<TokenStream>,
     /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
     pub(in crate::emit) restitutions_vary: Vec<bool>,
+    /// Of each reaction, whether it is friction whose limit holds forces of constraints.
+    pub(in crate::emit) limits_reverse: Vec<bool>,
     /// Methods that only others call.
     pub(in crate::emit) hidden: TokenStream,
     /// Methods that say how bodies move.
@@ -69,6 +71,7 @@ impl Members {
             terms: TokenStream::new(),
             switch_times: None,
             restitutions_vary: Vec::new(),
+            limits_reverse: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
             items: None,

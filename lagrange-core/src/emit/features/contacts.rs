@@ -10,7 +10,7 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
+use crate::expr::{Dependencies, ExprId};
 use crate::model::ReactionKind;
 use crate::program::OperationCounts;
 
@@ -30,6 +30,7 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
     }
     writer.members.terms = touching_terms(writer);
     writer.members.restitutions_vary = varying_restitutions(writer);
+    writer.members.limits_reverse = reversing_limits(writer);
     let krate = writer.shape.krate;
     let ArgumentNames { time, positions, velocities, .. } = &writer.members.names;
     let system = quote!(#krate::contact::ContactSystem);
@@ -86,6 +87,18 @@ fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
         _ => false,
     };
     writer.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
+}
+
+/// Of each reaction, whether it is friction whose limit holds forces of constraints.
+fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
+    let graph = &writer.model.graph;
+    let holds = |limit: ExprId| graph.dependencies(limit).intersects(Dependencies::MULTIPLIER);
+    let reverses = |kind: &ReactionKind| match *kind {
+        ReactionKind::Contact { .. } => false,
+        ReactionKind::Friction { kinetic, fixed } => holds(kinetic) || holds(fixed),
+        ReactionKind::Smooth { limit, .. } => holds(limit),
+    };
+    writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
 /// The body of `ContactSystem::terms`.
@@ -169,15 +182,18 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
     let names = shape.touching.iter().map(|(name, _)| shape.written(name));
-    let vary = &members.restitutions_vary;
-    let vary = vary
-        .contains(&true)
-        .then(|| quote!(const RESTITUTIONS_VARY: [::core::primitive::bool; #k] = [#(#vary),*];));
+    let flags = |name: &str, flags: &[bool]| {
+        let name = format_ident!("{name}");
+        flags.contains(&true).then(|| quote!(const #name: [::core::primitive::bool; #k] = [#(#flags),*];))
+    };
+    let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
+    let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::contact::ContactSystem<#nv, #k> for #name #generics {
             const REACTIONS: [&'static ::core::primitive::str; #k] = [#(#names),*];
             #vary
+            #reverse
             #modes
             #[inline]
             fn terms(

@@ -1,0 +1,69 @@
+//! Friction in two directions at one contact.
+//!
+//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of a disk.
+
+use super::elaborator::Elaborator;
+use super::messages::events as messages;
+use crate::calculus::gradient;
+use crate::expr::{Dependencies, ExprId, Node};
+use crate::model::ReactionKind;
+use crate::symbol::Role;
+
+/// Returns the index of the contact whose force this is.
+pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<usize> {
+    let is_force = |kind: &ReactionKind| matches!(kind, ReactionKind::Contact { .. });
+    elaborator.reactions.iter().position(|(reaction, _)| reaction.symbol == force && is_force(&reaction.kind))
+}
+
+/// Warns if the friction declared last acts at a contact along another direction than an earlier one.
+pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
+    let last = elaborator.reactions.len().saturating_sub(1);
+    let contacts = contacts(elaborator, last);
+    let shares = |elaborator: &Elaborator<'_>, other: usize| {
+        self::contacts(elaborator, other).into_iter().find(|contact| contacts.contains(contact))
+    };
+    for other in 0..last {
+        if let Some(contact) = shares(elaborator, other)
+            && !are_parallel(elaborator, [other, last])
+        {
+            let [first, second, contact] =
+                [other, last, contact].map(|index| elaborator.reactions[index].0.name.clone());
+            let [place, earlier] = [last, other].map(|index| elaborator.reactions[index].1);
+            let message = messages::square_of_friction(&first, &second, &contact);
+            let warning = elaborator.evaluator.report.doubtful(place, message);
+            warning.related(earlier.into(), messages::FRICTION_IS_HERE).help(messages::SQUARE_HELP);
+            return;
+        }
+    }
+}
+
+/// Returns the contacts on whose forces the limits of a friction depend.
+fn contacts(elaborator: &Elaborator<'_>, index: usize) -> Vec<usize> {
+    let limits = match elaborator.reactions[index].0.kind {
+        ReactionKind::Contact { .. } => return Vec::new(),
+        ReactionKind::Friction { kinetic, fixed } => vec![kinetic, fixed],
+        ReactionKind::Smooth { limit, .. } => vec![limit],
+    };
+    let graph = &elaborator.evaluator.graph;
+    let is_free = |id: ExprId| !graph.dependencies(id).intersects(Dependencies::REACTION);
+    let parts = graph.reachable_until(&limits, is_free);
+    parts.into_iter().filter_map(|part| contact_of(elaborator, part)).collect()
+}
+
+/// True if the slip velocities of both are multiples of each other, but for the motion of what they slip on.
+fn are_parallel(elaborator: &mut Elaborator<'_>, pair: [usize; 2]) -> bool {
+    let slips = pair.map(|index| elaborator.reactions[index].0.velocity);
+    let graph = &mut elaborator.evaluator.graph;
+    let is_velocity = |id: &ExprId| match graph.node(*id) {
+        Node::Symbol(symbol) => matches!(graph.symbols().get(*symbol).role, Role::Velocity(_)),
+        _ => false,
+    };
+    let velocities = graph.reachable(&slips).into_iter().filter(is_velocity).collect::<Vec<_>>();
+    let [one, other] = slips.map(|slip| gradient(graph, slip, &velocities));
+    (0..velocities.len()).all(|i| {
+        (0..i).all(|j| {
+            let [along, across] = [(i, j), (j, i)].map(|(i, j)| graph.multiply(one[i], other[j]));
+            along == across
+        })
+    })
+}

@@ -1,0 +1,45 @@
+//! Limits of friction, which are magnitudes.
+
+use super::{ContactSystem, Mode, Terms};
+use crate::scalar::Scalar;
+use crate::system::StepFailure;
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// Checks limits of friction that do not hold forces of constraints.
+    ///
+    /// # Errors
+    /// If one is negative whatever contacts press with.
+    pub(super) fn check_limits<M>(&self, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
+    where
+        M: ContactSystem<N, K>,
+    {
+        for k in (0..K).filter(|&k| !M::LIMITS_REVERSE[k]) {
+            let side = match modes[k] {
+                Mode::Contact(_) => continue,
+                // Its kinetic limit has the sign of the slip velocity.
+                Mode::Smooth => self.rates[k].sign(),
+                Mode::Friction(_) => S::ONE,
+            };
+            let limits =
+                [(self.kinetic[k], &self.kinetic_slopes[k]), (self.fixed[k], &self.static_slopes[k])];
+            let negative = limits.into_iter().find_map(|(free, slopes)| negative(side, free, slopes, modes));
+            if let Some(value) = negative {
+                return Err(StepFailure::FrictionLimit { friction: M::REACTIONS[k], value });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns the part of a limit on this side that makes it negative, if no part can make up for it: contacts only press.
+fn negative<S: Scalar, const K: usize>(side: S, free: S, slopes: &[S; K], modes: &[Mode; K]) -> Option<S> {
+    let mut least = side * free;
+    for (&slope, mode) in slopes.iter().zip(modes).filter(|(slope, _)| **slope != S::ZERO) {
+        let is_pressing = matches!(mode, Mode::Contact(_));
+        if side * slope > S::ZERO || side * free > S::ZERO || !is_pressing {
+            return None;
+        }
+        least = least.min(side * slope);
+    }
+    (least < S::ZERO).then_some(least)
+}
