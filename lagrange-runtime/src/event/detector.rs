@@ -1,7 +1,9 @@
 //! Looking for zeros within steps.
 
+use super::candidate::Candidate;
 use super::function::EventFunction;
-use super::locate::{ACCURACY, MOST_ROUNDS, Sample, locate};
+use super::instant::{accuracy, is_at_once};
+use super::locate::{MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
 use super::search::Search;
@@ -200,6 +202,13 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(())
     }
 
+    /// Counts the zeros of these functions, which have these values, as events at the time of the last one.
+    pub(crate) fn fire_together(&mut self, values: &[S; K], is_fired: impl Fn(usize) -> bool) {
+        for (k, function) in self.functions.iter_mut().enumerate().filter(|(k, _)| is_fired(*k)) {
+            function.fire(self.reached, values[k]);
+        }
+    }
+
     /// The next event, if it happens at the same time as one that was just returned, as far as times are located: to be
     /// asked before the stepper is restarted, or the others are lost.
     ///
@@ -237,11 +246,18 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
         // What had no time to leave zero since the last event was not meant to go on through it.
         let passable = (self.repetitions <= 1).then_some(self.started);
-        let mut first: First<S> = First::None;
+        let mut first: Option<Candidate<S, K>> = None;
         for (event, function) in self.functions.iter().enumerate() {
             let time = match piece.sight(event, function, passable, is_shortest) {
                 Sight::Nothing => continue,
                 Sight::AtOnce => self.reached,
+                Sight::Between { from, to, sign }
+                    if first
+                        .as_ref()
+                        .is_some_and(|first| first.is_before(event, (from, to), sign.sign())) =>
+                {
+                    continue;
+                }
                 Sight::Between { from, to, sign } => {
                     match self.bracket((from, to), (function, sign.sign()), |t| values(t)[event]) {
                         Some((before, after)) => {
@@ -256,15 +272,12 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                 Sight::Unclear => return Ok(First::Unclear),
                 Sight::Passing => return Ok(First::Passing(event)),
             };
-            let is_earlier = match first {
-                First::At(_, other) => (time - self.reached).abs() < (other - self.reached).abs(),
-                First::None | First::Unclear | First::Passing(_) => true,
-            };
-            if is_earlier {
-                first = First::At(event, time);
+            let distance = |time: S| (time - self.reached).abs();
+            if first.as_ref().is_none_or(|first| distance(time) < distance(first.time)) {
+                first = Some(Candidate::new((event, time), self.reached, accuracy, &mut *values));
             }
         }
-        Ok(first)
+        Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
     }
 
     /// Places at which the function has this sign and the other one, between these times or, if it is only taken to have the first,
@@ -362,17 +375,6 @@ fn shortly<S: Scalar>(from: S, to: S) -> S {
     let (way, rounding) = (to - from, SAME_INSTANT.part::<S>() * from.abs());
     let part = (S::from_f64(SHORTLY) * way.abs()).max(rounding);
     if part < way.abs() { from + way.sign() * part } else { to }
-}
-
-/// To which part of a step, or of time, zeros within it are located.
-fn accuracy<S: Scalar>(from: S, to: S) -> S {
-    S::from_f64(ACCURACY) * (to - from).abs()
-}
-
-/// Whether two times in a step cannot be told apart.
-pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
-    let rounding = S::from_f64(4.0) * S::epsilon() * one.abs();
-    (one - other).abs() <= accuracy(from, to) + accuracy(from, to) + rounding
 }
 
 /// Whether a function is as small at this state as it changes by when entries are rounded. Hops end there where places are rounded more

@@ -3,16 +3,18 @@
 //! A [`Detector`] looks at several functions within each step, on the state that the method itself gives there, and returns their zeros one
 //! by one in the order of time. Switches are zeros at which a system is not smooth.
 
+mod candidate;
 mod detector;
 mod function;
+mod instant;
 mod locate;
 mod piece;
 mod polynomial;
 mod search;
 mod switches;
 
-pub(crate) use self::detector::is_at_once;
 pub use self::detector::{Detector, Occurrence};
+pub(crate) use self::instant::{end_of_instant, is_at_once};
 pub(crate) use self::locate::locate;
 pub use self::switches::{
     SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,

@@ -2,9 +2,9 @@
 
 use super::events::{Events, Found, Next, Origin};
 use super::pending::Pending;
-use crate::event::{Detector, Occurrence, locate};
+use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
-use crate::scalar::Number;
+use crate::scalar::{Number, Scalar};
 use crate::system::{Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
 use crate::tolerance::SURFACE;
 
@@ -15,6 +15,8 @@ pub struct DeclaredEvents<M: OdeSystem> {
     start: M::Scalar,
     /// The last change of a side.
     change: Option<Change<M::Scalar>>,
+    /// Which other sides change with the event that was found last.
+    together: [bool; MOST_LOCATED],
 }
 
 /// A switch that changed its side.
@@ -41,7 +43,8 @@ impl<M: OdeSystem> DeclaredEvents<M> {
             *direction = event.direction;
         }
         let detector = Detector::new(directions, t, values(system, t, y)).with_switches(M::EVENTS);
-        DeclaredEvents { pending: Pending::new(detector), start: t, change: None }
+        let together = [false; MOST_LOCATED];
+        DeclaredEvents { pending: Pending::new(detector), start: t, change: None, together }
     }
 
     /// Counts how often a switch returns to its surface without having left it.
@@ -88,8 +91,13 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
             && is_new
             && M::EVENTS[next.event].is_side
         {
-            let next = on_surface(system, stepper, next);
+            let passage = Passage::new(system, stepper, &next);
+            let next = passage.on_surface(system, stepper, next);
             self.check_sliding(system, stepper, &next)?;
+            self.together = passage.others(next.event);
+            if self.together.contains(&true) {
+                self.pending.fire_together(&values(system, next.time, &next.state), &self.together);
+            }
             self.pending.next = Some(next);
         }
         Ok(self.pending.time().map(|time| (Origin::Declared, time)))
@@ -100,7 +108,16 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 
     fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
-        system.react(event.event, event.time, (event.time - self.start).abs(), &event.state)
+        let elapsed = (event.time - self.start).abs();
+        let mut response = system.react(event.event, event.time, elapsed, &event.state)?;
+        if M::EVENTS[event.event].is_side {
+            for side in (0..M::EVENTS.len()).filter(|&side| self.together[side]) {
+                let before = response.system.as_ref().unwrap_or(system);
+                let after = before.react(side, event.time, elapsed, &event.state)?.system;
+                response.system = after.or(response.system);
+            }
+        }
+        Ok(response)
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
@@ -139,18 +156,53 @@ fn exact_values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Sca
     values
 }
 
-/// The event of a switch where it passes its surface, as well as times are spaced. What is passed late, however little, adds up: a
-/// body that bounces in a valley with a kink would gain energy.
-fn on_surface<M: OdeSystem>(
-    system: &M,
-    stepper: &mut impl Stepper<M>,
-    beyond: Occurrence<M::Scalar, M::State>,
-) -> Occurrence<M::Scalar, M::State> {
-    let from = stepper.last_time();
-    let mut value = |t: M::Scalar| exact_values(system, t, &stepper.interpolate(system, t))[beyond.event];
-    let (before, after) = ((from, value(from)), (beyond.time, value(beyond.time)));
-    let is_bracket = before.1 > M::Scalar::ZERO && after.1 < M::Scalar::ZERO;
-    let located = if is_bracket { locate(before, after, M::Scalar::ZERO, value) } else { None };
-    let time = located.unwrap_or(beyond.time);
-    Occurrence { time, state: stepper.interpolate(system, time), ..beyond }
+/// Sides that are passed at the same time, as far as times are located.
+struct Passage<S> {
+    is_passed: [bool; MOST_LOCATED],
+    /// A time at which all of them are passed.
+    end: S,
+}
+
+impl<S: Scalar> Passage<S> {
+    /// Looks for the sides that are passed with this event.
+    fn new<M>(system: &M, stepper: &mut impl Stepper<M>, first: &Occurrence<S, M::State>) -> Self
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let end = end_of_instant(first.time, stepper.last_time(), stepper.time());
+        let at_end = exact_values(system, end, &stepper.interpolate(system, end));
+        let is_side = |k: usize| M::EVENTS.get(k).is_some_and(|event| event.is_side);
+        let is_passed = core::array::from_fn(|k| k == first.event || is_side(k) && at_end[k] < S::ZERO);
+        let is_alone = is_passed.iter().filter(|is_passed| **is_passed).count() == 1;
+        Passage { is_passed, end: if is_alone { first.time } else { end } }
+    }
+
+    /// Returns the sides but for that of this event.
+    fn others(&self, event: usize) -> [bool; MOST_LOCATED] {
+        core::array::from_fn(|k| self.is_passed[k] && k != event)
+    }
+
+    /// Puts the event where the last of the sides passes its surface, as well as times are spaced. What is passed late, however
+    /// little, adds up: a body that bounces in a valley with a kink would gain energy.
+    fn on_surface<M>(
+        &self,
+        system: &M,
+        stepper: &mut impl Stepper<M>,
+        beyond: Occurrence<S, M::State>,
+    ) -> Occurrence<S, M::State>
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let from = stepper.last_time();
+        let mut value = |t: S| {
+            let values = exact_values(system, t, &stepper.interpolate(system, t));
+            let passed = values.into_iter().zip(self.is_passed).filter(|(_, is_passed)| *is_passed);
+            passed.fold(-S::ONE / S::ZERO, |last: S, (value, _)| last.max(value))
+        };
+        let (before, after) = ((from, value(from)), (self.end, value(self.end)));
+        let is_bracket = before.1 > S::ZERO && after.1 < S::ZERO;
+        let located = if is_bracket { locate(before, after, S::ZERO, value) } else { None };
+        let time = located.unwrap_or(self.end);
+        Occurrence { time, state: stepper.interpolate(system, time), ..beyond }
+    }
 }

@@ -41,6 +41,11 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         Ok(self.time())
     }
 
+    /// Counts the zeros of these functions, which have these values, as parts of the event that was found.
+    pub fn fire_together(&mut self, values: &[S; K], is_fired: &[bool; K]) {
+        self.detector.fire_together(values, |k| is_fired[k]);
+    }
+
     /// When the event that was found happens.
     pub fn time(&self) -> Option<S> {
         self.next.as_ref().map(|next| next.time)

@@ -342,3 +342,5 @@ fn what_is_seen_after_an_event_is_what_the_motion_goes_on_from() {
     assert!(seen.len() > replaced + 2, "{seen:?}");
     assert!(seen[replaced..].windows(2).all(|pair| pair[1] == pair[0] / 2.0), "{seen:?}");
 }
+
+mod simultaneous;

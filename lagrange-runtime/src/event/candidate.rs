@@ -1,0 +1,38 @@
+//! The earliest event in a piece, while others are looked for.
+//!
+//! To locate an event takes ten evaluations or more. A function that just before the earliest event has not passed zero yet comes
+//! later, or at the same time, and is not located: where many pass zero together only one is.
+
+use crate::scalar::Scalar;
+
+/// The earliest event found so far in a piece that was reached here.
+pub(super) struct Candidate<S, const K: usize> {
+    pub(super) event: usize,
+    pub(super) time: S,
+    reached: S,
+    /// A time that cannot be told from that of the event, before it, and the values of all functions there.
+    before: Option<(S, [S; K])>,
+}
+
+impl<S: Scalar, const K: usize> Candidate<S, K> {
+    /// Looks at the values just before an event of this function at this time.
+    pub(super) fn new(
+        (event, time): (usize, S),
+        reached: S,
+        accuracy: S,
+        values: impl FnOnce(S) -> [S; K],
+    ) -> Self {
+        let distance = (time - reached).abs() - accuracy;
+        let just_before = if time < reached { reached - distance } else { reached + distance };
+        let is_seen = K > 1 && distance > S::ZERO;
+        Candidate { event, time, reached, before: is_seen.then(|| (just_before, values(just_before))) }
+    }
+
+    /// True if a function is known not to pass zero before this event. It has this sign at the first of these times, and the other one
+    /// at the second.
+    pub(super) fn is_before(&self, event: usize, (from, to): (S, S), sign: S) -> bool {
+        let Some((before, values)) = &self.before else { return self.time == self.reached };
+        let [from, to, before] = [from, to, *before].map(|time| (time - self.reached).abs());
+        from >= before || before <= to && values[event] * sign > S::ZERO
+    }
+}
