@@ -14,6 +14,7 @@ mod events;
 mod external_functions;
 mod failures;
 mod fixed_steps;
+mod fractional_powers;
 mod frames;
 mod functions;
 mod hints;
