@@ -25,6 +25,7 @@ mod long_rope;
 mod methods;
 mod orientations;
 mod pivots;
+mod plates;
 mod prepared;
 mod product_rows;
 mod products;
