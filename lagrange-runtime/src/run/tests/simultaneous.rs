@@ -101,7 +101,7 @@ fn runs(amplitude: impl Fn(usize) -> f64 + Copy, is_fixed: bool) -> Vec<(usize, 
 }
 
 #[test]
-fn many_switches_that_change_together_take_no_more_evaluations_than_few() {
+fn many_switches_that_change_together_take_hardly_more_evaluations_than_few() {
     let amplitudes: [fn(usize) -> f64; 3] = [
         |_| 1.0,
         // The same phase, but for rounding.
@@ -113,7 +113,7 @@ fn many_switches_that_change_together_take_no_more_evaluations_than_few() {
             let runs = runs(amplitude, is_fixed);
             let allowed = if is_fixed { 1e-5 } else { 1e-8 };
             for &(evaluations, error) in &runs {
-                assert!(evaluations < 3 * runs[0].0, "{case}, {is_fixed}: {runs:?}");
+                assert!(evaluations < 5 * runs[0].0, "{case}, {is_fixed}: {runs:?}");
                 assert!(error < allowed, "{case}, {is_fixed}: {runs:?}");
             }
         }
