@@ -31,7 +31,7 @@ impl<const N: usize, const L: usize> OdeSystem for Row<'_, N, L> {
         side_values::<_, N>(self, t, y, values);
     }
 
-    fn react(&self, event: usize, t: f64, y: &[f64; L]) -> Reacted<Self> {
+    fn react(&self, event: usize, t: f64, _elapsed: f64, y: &[f64; L]) -> Reacted<Self> {
         change_side::<_, N>(self, event, t, y)
     }
 
