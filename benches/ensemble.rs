@@ -74,7 +74,7 @@ const INTERVAL: f64 = 0.1;
 
 /// A system, and where its motions start.
 trait Subject: SharedSystem<Scalar = f64, Columns<Table<f64>>: Send> {
-    /// How many motions there are: few of a large system.
+    /// Number of motions: few for a large system.
     const MOTIONS: usize = MOTIONS;
 
     fn start(random: &mut Random) -> Self::State;

@@ -1,5 +1,5 @@
-//! What it costs to look for events: a double pendulum for ten seconds by the adaptive method, without events, with some that are smooth
-//! along steps, and with one that is much faster than the motion.
+//! The cost of event detection: a double pendulum for ten seconds with the adaptive method, without
+//! events, with some that are smooth along steps, and with one that is much faster than the motion.
 //!
 //! Steps that no event looks into need no interpolant; each that one looks into needs eleven further evaluations of the right-hand side, and
 //! at least eight of the event functions.
@@ -25,7 +25,7 @@ lagrange::system! {
 
 const SWING: [f64; 4] = [1.0, 1.5, 0.0, 0.0];
 
-/// How often the functions pass zero.
+/// Counts the zero crossings of the functions.
 fn crossings(functions: &[fn(f64, &[f64; 4]) -> f64]) -> usize {
     let pendulum = black_box(DoublePendulum::default());
     let mut run = pendulum.simulate(SWING).until(10.0).ends_only().tolerance(1e-9);

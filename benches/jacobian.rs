@@ -39,7 +39,7 @@ lagrange::system! {
     emit { jacobian, no parameter_jacobian }
 }
 
-/// By differences of first order.
+/// Computes the Jacobian by first-order differences.
 fn differences<M, const K: usize>(system: &M, y: &[f64; K]) -> [[f64; K]; K]
 where
     M: OdeSystem<Scalar = f64, State = [f64; K]>,

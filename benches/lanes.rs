@@ -59,7 +59,7 @@ const STATES: usize = 64;
 const ROUNDS: usize = 60;
 /// Nanoseconds, roughly, that a cell takes in a round.
 const ROUND: f64 = 2e5;
-/// Whether the build has fused products.
+/// True if the build has fused products.
 const FUSED: bool = cfg!(target_feature = "fma");
 
 /// With which instructions.
@@ -93,7 +93,7 @@ impl<S: SideBySide, E: Equations<S>> NullaryFnOnce for Evaluations<'_, S, E> {
 }
 
 impl Level {
-    /// Whether the processor has these instructions.
+    /// True if the processor has these instructions.
     fn run(self, task: impl NullaryFnOnce<Output = ()>) -> bool {
         match self {
             Level::Build => task.call(),

@@ -1,5 +1,6 @@
-//! What projection adds to a step: rows of a Markdown table. The same steps with and without it, in turns; times are minima, ratios
-//! medians over rounds, so that other work on the machine disturbs them little.
+//! The cost that projection adds to a step, as rows of a Markdown table. The same steps with and
+//! without it, in turns; times are minima, ratios medians over rounds, so other work on the machine
+//! disturbs them little.
 
 #[path = "../tests/mechanisms/four_bar.rs"]
 mod four_bar;

@@ -36,7 +36,7 @@ const STEP: f64 = 1e-3;
 const SWING: [f64; 4] = [1.0, 1.5, 0.0, 0.0];
 const ORBIT: [f64; 4] = [0.4, 0.0, 0.0, 2.0];
 
-/// By a method of the crate.
+/// Runs a method of the crate.
 fn ours<M, K>(system: &M, start: M::State, method: &K) -> M::State
 where
     M: OdeSystem<Scalar = f64>,

@@ -37,7 +37,7 @@ lagrange::system! {
 /// x θ ẋ θ̇ of the free motion at t = 5 s.
 const LEFT_ALONE: [f64; 4] =
     [0.020042933115664744, -2.8370839467698628, -0.05381218271021493, -1.2409591267549178];
-/// The same of the balanced motion at t = 10 s.
+/// The state of the balanced motion at t = 10 s.
 const BALANCED: [f64; 4] =
     [3.987874796614518e-6, 3.1415917136241155, -5.820280178610964e-6, 1.3717771826411104e-6];
 /// And at t = 5 s with a force that is held for 0.02 s.

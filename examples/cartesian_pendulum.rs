@@ -30,7 +30,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same in the angle from the lowest position.
+    /// The pendulum in terms of the angle from the lowest position.
     #[derive(Clone, Debug)]
     pub struct Pendulum;
 

@@ -1,5 +1,5 @@
-//! How well methods keep the energy of a double pendulum in five minutes of its motion, with a bar that shows how far
-//! they are.
+//! The energy drift of several methods on five minutes of a double pendulum, with bars that show
+//! its size.
 //!
 //! The energy is conserved, so that what it does is the method's doing. Look for the largest drift relative to the initial
 //! energy, and for what it costs: the adaptive method at its tightest needs fewer evaluations than the classical one, and

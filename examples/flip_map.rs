@@ -49,7 +49,8 @@ fn beyond_the_top([_, theta2, ..]: &[f64; 4]) -> f64 {
     theta2 * theta2 - PI * PI
 }
 
-/// Whether the energy lets the lower rod stand upright: then it is at least that with the upper one hanging.
+/// True if the energy lets the lower rod stand upright: then it is at least that with the upper one
+/// hanging.
 fn can_flip([theta1, theta2]: [f64; 2]) -> bool {
     2.0 * theta1.cos() + theta2.cos() <= 1.0
 }
@@ -93,7 +94,7 @@ fn draw_map(pendulum: &DoublePendulum, side: usize) -> Result<(), Box<dyn Error>
     Ok(map.curve("least energy", threshold()).save(picture("flip_map.png")?)?)
 }
 
-/// How neighbours come apart.
+/// Draws the separation of neighbouring motions.
 fn draw_spread(pendulum: &DoublePendulum) -> Result<(), Box<dyn Error>> {
     let neighbours = pendulum.ensemble(100).start(|_, random| {
         let mut within = || 5e-4 * random.uniform(-1.0..1.0);

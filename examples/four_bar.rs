@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// By how much the loop is open, in m.
+/// Returns the gap by which the loop is open, in m.
 fn residual(linkage: &FourBar, t: f64, y: &[f64; 6]) -> f64 {
     let state = FourBarState::from(*y);
     let [x, y] = linkage.constraints(t, &state.coordinates(), &state.velocities());

@@ -42,7 +42,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same ladder when floor and wall only push.
+    /// The ladder when floor and wall only push.
     #[derive(Clone, Debug)]
     pub struct Ladder;
 

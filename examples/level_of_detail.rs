@@ -31,7 +31,7 @@ lagrange::system! {
     param upper: N*m*s = 6000, lower: N*m*s = 900;
     /// Gravity.
     param g: m/s^2 = 9.81;
-    /// Where the trolley stops.
+    /// Position at which the trolley stops.
     param stop: m = 0;
     /// Force of the drive.
     input drive: N;
@@ -157,7 +157,7 @@ fn advance<M: OdeSystem<Scalar = f64>>(
     Ok((*stepper.state(), stepper.work().evaluations))
 }
 
-/// Whether what is left out of the linear equations is small; what is frozen deviates by nothing.
+/// True if what is left out of the linear equations is small; what is frozen deviates by nothing.
 fn is_small(deviation: CraneState<f64>) -> bool {
     <[f64; 6]>::from(deviation).iter().all(|deviation| deviation.abs() < SMALL)
 }

@@ -156,7 +156,7 @@ fn check_torques(arm: &Panda) {
     compare("its motion", 1e-14, &[0, 1, 2, 3, 4, 5].map(|i| (names[i], twist[i], TWIST[i])));
 }
 
-/// Where the hand should be: once around, from rest to rest with the least jerk.
+/// Returns the target position of the hand: once around, from rest to rest with the least jerk.
 fn circle(t: f64) -> [f64; 3] {
     const START: [f64; 3] = [0.30689056659294117, 0.0, 0.4868820523028392];
     const RADIUS: f64 = 0.15;
@@ -175,7 +175,7 @@ struct Joints {
     a: [f64; 7],
 }
 
-/// What the joints should do at every instant, by the midpoint rule.
+/// Plans the joint angles at every instant, by the midpoint rule.
 fn plan(arm: &Panda) -> Vec<Joints> {
     let count = (END / PERIOD).round() as usize;
     let (mut q, mut plan) = (HOME, Vec::with_capacity(count + 1));

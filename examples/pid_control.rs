@@ -75,7 +75,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Where the slide is under the largest force since rest: the step response of a damped oscillator.
+/// Returns the position of the slide under the largest force since rest: the step response of a
+/// damped oscillator.
 fn step_response(slide: &Slide, t: f64) -> f64 {
     let decay = slide.c / (2.0 * slide.m);
     let rate = (slide.k / slide.m - decay * decay).sqrt();

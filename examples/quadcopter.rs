@@ -86,7 +86,7 @@ const SCRIPTED: [f64; 13] = [
 
 const PERIOD: f64 = 4e-3;
 const END: f64 = 7.0;
-/// What a rotor can do, in N.
+/// Maximum thrust of a rotor, in N.
 const STRONGEST: f64 = 9.0;
 /// When it is up, has stepped aside, flips, and holds its place again.
 const PHASES: [f64; 4] = [1.5, 3.0, 3.6, 4.2];
@@ -167,7 +167,8 @@ fn check_scripted(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
 type Vector = [f64; 3];
 type Matrix = [Vector; 3];
 
-/// What the body should do: either its centre of mass, with the azimuth of its X, or a turn about its X.
+/// The target of the controller: the position of the centre of mass with the azimuth of the body's
+/// X, or a turn about its X.
 #[derive(Clone, Copy)]
 enum Wanted {
     Place { place: Vector, velocity: Vector, acceleration: Vector, heading: [f64; 2] },

@@ -98,7 +98,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What elements of mass add up to.
+/// Sums over the elements of mass.
 struct Summed {
     center: [f64; 2],
     about_origin: f64,

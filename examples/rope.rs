@@ -66,7 +66,7 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// What is plotted against s.
+/// Columns plotted against s.
 const ENERGIES: [&str; 4] = ["T in J", "V in J", "heat in J", "sum in J"];
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -33,7 +33,7 @@ lagrange::system! {
     constraint motor = crank - omega * t;
 }
 
-/// What is known in closed form at one angle of the crank.
+/// Closed-form values at one angle of the crank.
 struct ClosedForm {
     x: f64,
     x_dot: f64,

@@ -81,7 +81,7 @@ fn invariant(squeezer: &Squeezer, t: f64, y: &[f64; 14]) -> f64 {
     squeezer.energy(t, &state.coordinates(), &state.velocities()) - squeezer.drive * state.beta
 }
 
-/// By how much the loops are open, in m.
+/// Returns the gap by which the loops are open, in m.
 fn residual(squeezer: &Squeezer, t: f64, y: &[f64; 14]) -> f64 {
     let state = SqueezerState::from(*y);
     let residuals = squeezer.constraints(t, &state.coordinates(), &state.velocities());

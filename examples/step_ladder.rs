@@ -109,7 +109,8 @@ fn check_centers(ladder: &StepLadder, run: &Trajectory<StepLadder>) -> Result<()
     Ok(())
 }
 
-/// Where the normal to the velocity `v` of the hinge meets the vertical through the right foot.
+/// Returns the point where the normal to the velocity `v` of the hinge meets the vertical through
+/// the right foot.
 fn meeting_point(l: f64, phi: f64, [vx, vy]: [f64; 2]) -> [f64; 2] {
     let (hinge, foot) = ([l * phi.cos(), l * phi.sin()], 2.0 * l * phi.cos());
     [foot, hinge[1] - vx / vy * (foot - hinge[0])]

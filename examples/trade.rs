@@ -1,4 +1,5 @@
-//! What every digit costs: methods × numbers × levels of accuracy on four systems with known trajectories.
+//! The price of every digit: methods × numbers × accuracy levels on four systems with known
+//! trajectories.
 //!
 //!     cargo run --release --features trade --example trade
 //!
@@ -141,7 +142,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// What the processor is called, where the system tells.
+/// Returns the name of the processor, if the operating system reports it.
 fn machine() -> String {
     let information = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = information.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));

@@ -1,4 +1,5 @@
-//! What the expansion of [`system!`](crate::system!) may name and users may not: no stability is promised.
+//! Items that the expansion of [`system!`](crate::system!) may name and users may not: they are not
+//! stable.
 
 pub mod hints;
 
@@ -33,7 +34,7 @@ pub fn if_less<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
     S::select(left.less(right), then, or_otherwise)
 }
 
-/// The same where a number is less than another or equal.
+/// Selects by a comparison of two numbers: less than or equal.
 #[inline(always)]
 pub fn if_less_equal<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
     let or_otherwise = S::select(right.less(left), otherwise, S::NAN);

@@ -1,4 +1,4 @@
-//! Which tolerance reaches an error with the least work.
+//! The tolerance that reaches an error with the least work.
 
 use crate::problem::{Case, Solver};
 

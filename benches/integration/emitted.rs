@@ -18,7 +18,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with inline sines and cosines.
+    /// The double pendulum with inline sines and cosines.
     #[accuracy(fast)]
     pub struct FastDoublePendulum;
 
@@ -31,7 +31,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with parameters that can be changed at run time.
+    /// The double pendulum with parameters that can be changed at run time.
     pub struct AnyDoublePendulum;
 
     param m1 = 1.0, m2 = 1.0, l1 = 1.0, l2 = 1.0, g = 9.81;
@@ -52,7 +52,7 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// The same with parameters that can be changed at run time.
+    /// The Kepler problem with parameters that can be changed at run time.
     pub struct AnyKepler;
 
     param m = 1.0, mu = 1.0;

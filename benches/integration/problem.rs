@@ -1,6 +1,6 @@
-//! What is integrated: start, end, the state there, and who can do it.
+//! An integration problem: start, end, the state at the end, and the solvers that can handle it.
 
-/// What a run found.
+/// The outcome of a run.
 pub(crate) struct Run {
     pub(crate) state: [f64; 4],
     /// Evaluations of the right-hand side.
@@ -10,7 +10,7 @@ pub(crate) struct Run {
 /// A program that integrates a case to a tolerance, relative and absolute.
 pub(crate) struct Solver {
     pub(crate) name: &'static str,
-    /// Whether it is another crate.
+    /// True if it is another crate.
     pub(crate) is_peer: bool,
     /// `None` if it gives up.
     pub(crate) run: Box<dyn Fn(f64) -> Option<Run>>,

@@ -25,7 +25,7 @@ thread_local! {
     static COUNTS: Cell<Counts> = const { Cell::new(Counts { arithmetic: 0, functions: 0 }) };
 }
 
-/// What `run` takes on this thread.
+/// Counts the operations of `run` on this thread.
 pub(crate) fn counted<T>(run: impl FnOnce() -> T) -> Counts {
     COUNTS.set(Counts::default());
     run();

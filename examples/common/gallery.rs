@@ -1,4 +1,4 @@
-//! Where examples put their pictures.
+//! The folder for the pictures of examples.
 
 use std::fs::create_dir_all;
 use std::io;

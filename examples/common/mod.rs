@@ -1,4 +1,4 @@
-//! What all examples share.
+//! Shared code of the examples.
 
 /// Prints computed values beside their references.
 ///

@@ -24,7 +24,7 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.get(key)
     }
 
-    /// Whether `key` is present.
+    /// True if `key` is present.
     pub fn contains(&self, key: &K) -> bool {
         self.0.contains_key(key)
     }
@@ -54,7 +54,7 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.len()
     }
 
-    /// Whether there is no entry.
+    /// True if there is no entry.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -88,7 +88,7 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.get_mut(key)
     }
 
-    /// Whether `key` is present.
+    /// True if `key` is present.
     pub fn contains(&self, key: &K) -> bool {
         self.0.contains_key(key)
     }
@@ -136,7 +136,7 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.len()
     }
 
-    /// Whether there is no entry.
+    /// True if there is no entry.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

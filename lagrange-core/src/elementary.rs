@@ -41,7 +41,7 @@ pub enum Function {
     MagnitudeSlope,
 }
 
-/// How a function of one argument behaves when the argument changes sign.
+/// The behaviour of a function of one argument when the argument changes sign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Parity {
     /// f(−x) = f(x)
@@ -52,7 +52,7 @@ pub enum Parity {
     Neither,
 }
 
-/// What is known of one function.
+/// The properties of one function.
 #[derive(Debug)]
 pub struct Row {
     /// The function.
@@ -63,11 +63,11 @@ pub struct Row {
     pub arity: usize,
     /// Behaviour under a change of sign.
     pub parity: Parity,
-    /// Where it is defined.
+    /// Domain.
     pub domain: Domain,
     /// The exact value at zero, if that is a rational number.
     pub at_zero: Option<i64>,
-    /// Whether no value is below zero.
+    /// True if no value is below zero.
     pub is_nonnegative: bool,
     /// LaTeX in which `#1` and `#2` stand for the arguments.
     pub latex: &'static str,
@@ -80,7 +80,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// Whether it is defined everywhere.
+    /// True if it is defined everywhere.
     pub fn is_total(&self) -> bool {
         self.domain == Domain::Everywhere
     }
@@ -397,7 +397,7 @@ fn sign(x: f64) -> f64 {
     }
 }
 
-/// What is known of `function`.
+/// Returns the row of `function`.
 pub fn row(function: Function) -> &'static Row {
     &ROWS[function as usize]
 }

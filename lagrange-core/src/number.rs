@@ -92,12 +92,12 @@ impl Number {
         }
     }
 
-    /// Whether this is zero.
+    /// True if this is zero.
     pub fn is_zero(&self) -> bool {
         self.to_integer() == Some(0)
     }
 
-    /// Whether this is one.
+    /// True if this is one.
     pub fn is_one(&self) -> bool {
         self.to_integer() == Some(1)
     }
@@ -110,7 +110,7 @@ impl Number {
         }
     }
 
-    /// Whether this is below zero.
+    /// True if this is below zero.
     pub fn is_negative(&self) -> bool {
         match &self.0 {
             Repr::Word(ratio) => *ratio.numer() < 0,
@@ -118,7 +118,7 @@ impl Number {
         }
     }
 
-    /// Whether the denominator is one.
+    /// True if the denominator is one.
     pub fn is_integer(&self) -> bool {
         match &self.0 {
             Repr::Word(ratio) => *ratio.denom() == 1,
@@ -126,7 +126,7 @@ impl Number {
         }
     }
 
-    /// Whether numerator and denominator are short enough to go on computing with.
+    /// True if numerator and denominator are short enough to go on computing with.
     pub fn is_short(&self) -> bool {
         match &self.0 {
             Repr::Word(_) => true,
@@ -134,7 +134,7 @@ impl Number {
         }
     }
 
-    /// Whether this is an even integer.
+    /// True if this is an even integer.
     pub fn is_even(&self) -> bool {
         match self.to_integer() {
             Some(integer) => integer % 2 == 0,
@@ -142,7 +142,7 @@ impl Number {
         }
     }
 
-    /// Whether this is an odd integer.
+    /// True if this is an odd integer.
     pub fn is_odd(&self) -> bool {
         self.is_integer() && !self.is_even()
     }

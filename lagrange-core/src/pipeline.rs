@@ -29,7 +29,7 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     expand_with(tokens, krate, &no_files)
 }
 
-/// The same where tables may be files.
+/// Expands a declaration whose tables may be files.
 pub fn expand_with(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>) -> TokenStream {
     let mut report = Report::default();
     let mut declaration = parse_tokens(tokens, &mut report);

@@ -47,7 +47,7 @@ pub struct Symbol {
 }
 
 impl Symbol {
-    /// As the language writes it.
+    /// Returns the name in the language.
     pub fn text(&self) -> String {
         match self.dots {
             0 => self.name.clone(),
@@ -56,7 +56,7 @@ impl Symbol {
         }
     }
 
-    /// As a variable or field is called.
+    /// Returns the name of a variable or field.
     pub fn identifier(&self) -> String {
         match self.dots {
             0 => self.name.clone(),

@@ -36,12 +36,12 @@ impl Device {
         Ok(found.into_iter().map(|backend| Device { backend }).collect())
     }
 
-    /// What the driver calls it, and which way leads to it.
+    /// Returns the name from the driver, and the API that leads to the device.
     pub fn name(&self) -> &str {
         self.backend.name()
     }
 
-    /// Whether it computes in `f64`.
+    /// True if it computes in `f64`.
     pub fn has_double_precision(&self) -> bool {
         self.backend.has_doubles()
     }

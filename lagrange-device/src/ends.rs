@@ -1,4 +1,4 @@
-//! Where motions ended.
+//! Final states of motions.
 
 use std::fmt;
 use std::ops::Deref;
@@ -9,7 +9,7 @@ use lagrange_runtime::system::{Columns, KernelSystem, StateVector, StepFailure};
 use crate::backend::{Status, Work};
 use crate::number::{DeviceNumber, Precision};
 
-/// Where the motions ended: a row for each, in columns.
+/// The final states of the motions: one row each, in columns.
 ///
 /// Of an emitted system the columns are also methods, such as `ends.theta()`. The row of a motion that failed holds NaN: what is known of it is
 /// in [`failures`](Ends::failures).
@@ -35,7 +35,7 @@ impl<S> Columns for States<S> {
 /// A motion that failed: how far it came, and why no further.
 #[non_exhaustive]
 pub struct Failure<M: KernelSystem> {
-    /// Which motion.
+    /// Index of the motion.
     pub index: usize,
     /// The time of the last good state.
     pub time: M::Scalar,
@@ -71,7 +71,7 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ends<M> {
 }
 
 impl<M: KernelSystem> Ends<M> {
-    /// How many rows there are, those of failed motions among them; at least one.
+    /// Returns the number of rows, including those of failed motions; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one motion")]
     pub fn len(&self) -> usize {
         self.columns.as_ref().columns[0].len()

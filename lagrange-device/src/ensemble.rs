@@ -1,4 +1,4 @@
-//! What is asked of motions, and their computation.
+//! The request for an ensemble, and its computation.
 
 use lagrange_runtime::Number;
 use lagrange_runtime::integrate::RungeKutta4;

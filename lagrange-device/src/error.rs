@@ -1,4 +1,4 @@
-//! What can go wrong before motions begin, or with all of them.
+//! Errors that occur before motions begin, or that concern all of them.
 
 use std::fmt;
 
@@ -10,25 +10,25 @@ pub enum DeviceError {
     NotFound(Vec<String>),
     /// The device has no numbers of double precision.
     NoDoublePrecision {
-        /// What it is called.
+        /// Name of the device.
         device: String,
     },
     /// A setting that makes no sense, in words.
     Setting(&'static str),
     /// The compiler of the device refused the text.
     Build {
-        /// What the device is called.
+        /// Name of the device.
         device: String,
-        /// What its compiler says.
+        /// Output of its compiler.
         log: String,
     },
     /// The driver refused to do something.
     Driver {
-        /// What the device is called.
+        /// Name of the device.
         device: String,
-        /// What it was to do, in words.
+        /// Task of the device, in words.
         task: &'static str,
-        /// What the driver says.
+        /// Message of the driver.
         reason: String,
     },
 }

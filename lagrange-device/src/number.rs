@@ -8,14 +8,15 @@ use crate::error::DeviceError;
 
 /// A number of devices: `f64` or `f32`.
 pub trait DeviceNumber: Scalar + sealed::Sealed {
-    /// The same in double precision.
+    /// Converts to double precision.
     fn to_f64(self) -> f64;
 }
 
 pub(crate) mod sealed {
-    /// What only this crate implements.
+    /// A bound that only this crate implements.
     pub trait Sealed {
-        /// Whether motions of systems in these numbers are computed in single precision unless it is said otherwise.
+        /// True if motions of systems in these numbers are computed in single precision unless it
+        /// is said otherwise.
         const IS_SINGLE: bool;
     }
 }
@@ -40,7 +41,7 @@ impl DeviceNumber for f32 {
     }
 }
 
-/// What a device computes in.
+/// The precision of a device.
 pub(crate) trait Precision: DeviceNumber {
     /// The error that is tolerated unless another is asked for.
     const TOLERANCE: f64;

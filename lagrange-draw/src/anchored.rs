@@ -1,4 +1,4 @@
-//! Which ends of springs and dampers are held by the ground.
+//! Detection of ends of springs and dampers that are fixed to the ground.
 //!
 //! A scene says where a connector ends, and on which bodies it pulls. An end on no body is at rest if it is in the same place at
 //! every moment of the film and also in another configuration at another time; there it needs something to hold it, unless a
@@ -16,7 +16,7 @@ use lagrange_runtime::scene::{Connector, LoadOrigin};
 /// The angles of short walls at the ends of connectors, by name and number of the end. The connector is on the left of its wall.
 pub(super) type Anchored = BTreeMap<(String, usize), f64>;
 
-/// What is closer than this part of the length of a connector is in the same place.
+/// Relative distance, in lengths of a connector, below which points coincide.
 const TOUCHING: f64 = 1e-6;
 
 /// The ends that are held throughout a film; the scene in another configuration is `elsewhere`.
@@ -46,7 +46,8 @@ fn is_at_rest(name: &str, end: usize, at: Point, film: &[Snapshot], elsewhere: &
     film.iter().chain([elsewhere]).all(|snapshot| ends_of(name, snapshot).is_some_and(|ends| ends[end] == at))
 }
 
-/// Whether the connector pulls on a body there at all times; where both ends meet that is not seen at one time.
+/// True if the connector pulls on a body there at all times; where both ends meet that is not seen
+/// at one time.
 fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -> bool {
     film.iter().chain([elsewhere]).all(|snapshot| {
         let at = ends_of(name, snapshot).map(|ends| ends[end]);
@@ -56,7 +57,7 @@ fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -
     })
 }
 
-/// Whether a line or a joint is drawn there.
+/// True if a line or a joint is drawn there.
 fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
     let close = TOUCHING * length(subtract(ends[1], ends[0]));
     let on_line = snapshot.lines.iter().any(|line| coordinates(line, at)[1].abs() <= close);

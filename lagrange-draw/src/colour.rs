@@ -8,7 +8,7 @@ pub(super) const INK: Colour = Colour([40, 40, 40, 255]);
 /// Lines that help.
 pub(super) const PALE: Colour = Colour([130, 130, 130, 255]);
 pub(super) const HATCHING: Colour = Colour([150, 150, 150, 255]);
-/// What is behind everything.
+/// Colour of the background.
 pub(super) const PAPER: Colour = Colour([255, 255, 255, 255]);
 
 /// The colours of what moves and acts.
@@ -29,7 +29,7 @@ const INKS: [Colour; 7] = [
     Colour([86, 180, 233, 255]),
 ];
 
-/// How much paper there is in the colour of a body.
+/// Fraction of paper in the colour of a body.
 const LIGHTNESS: f64 = 0.78;
 /// The order of the colours of bodies: neighbours differ much.
 const BODIES: [usize; 6] = [6, 5, 3, 4, 1, 2];
@@ -52,7 +52,7 @@ pub(super) fn body(index: usize) -> Colour {
     light(INKS[BODIES[index % BODIES.len()]])
 }
 
-/// How much paper there is in the colour of a solid, whose faces in the shade are darker.
+/// Fraction of paper in the colour of a solid, whose shaded faces are darker.
 const SOLID: f64 = 0.45;
 
 /// The colour of the solid body of this index where light falls on it.
@@ -69,7 +69,7 @@ pub(super) fn mixed(Colour(a): Colour, Colour(b): Colour, part: f64) -> Colour {
     Colour([mix(0), mix(1), mix(2), a[3]])
 }
 
-/// The same colour, light enough for areas with something dark on them.
+/// Lightens a colour for areas below dark marks.
 pub(super) fn light(colour: Colour) -> Colour {
     mixed(colour, PAPER, LIGHTNESS)
 }

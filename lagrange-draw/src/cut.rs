@@ -19,14 +19,14 @@ pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {
     if cut.len() < 3 { Vec::new() } else { vec![polyline(cut, true)] }
 }
 
-/// Whether a hole and a part share some of their area, but the hole is not inside.
+/// True if a hole and a part share some of their area, but the hole is not inside.
 pub(super) fn crosses(part: &[Segment], hole: &[Segment]) -> bool {
     let (outer, inner) = (flattened(part, PIECES), flattened(hole, PIECES));
     let inside = inner.iter().filter(|p| contains(&outer, **p)).count();
     (1..inner.len()).contains(&inside) || (inside == 0 && outer.iter().any(|p| contains(&inner, *p)))
 }
 
-/// Those pieces of a line whose middles are to be kept.
+/// Returns the pieces of a line whose midpoints `keep` accepts.
 pub(super) fn kept(ring: &[Segment], keep: impl Fn(Point) -> bool) -> Vec<Segment> {
     const FINE: u32 = 48;
     let corners = flattened(ring, FINE as usize);
@@ -39,12 +39,12 @@ pub(super) fn kept(ring: &[Segment], keep: impl Fn(Point) -> bool) -> Vec<Segmen
     kept.flat_map(|ends| polyline(ends, false)).collect()
 }
 
-/// Whether a point lies inside a closed line.
+/// True if a point lies inside a closed line.
 pub(super) fn encloses(ring: &[Segment], p: Point) -> bool {
     contains(&flattened(ring, PIECES), p)
 }
 
-/// By the parity of crossings with a ray.
+/// True if a point is in the polygon, by the parity of crossings with a ray.
 pub(super) fn contains(polygon: &[Point], p: Point) -> bool {
     let mut is_inside = false;
     for (a, b) in sides(polygon) {
@@ -71,7 +71,7 @@ fn area(polygon: &[Point]) -> f64 {
     sides(polygon).map(|(a, b)| dot(turned(a), b)).sum()
 }
 
-/// What of a polygon lies within a convex one.
+/// Clips a polygon to a convex one.
 fn within(mut polygon: Vec<Point>, convex: &[Point]) -> Vec<Point> {
     let side = area(convex).signum();
     for (a, b) in sides(convex) {

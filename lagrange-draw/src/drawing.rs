@@ -1,4 +1,4 @@
-//! What is drawn of a system.
+//! The drawing of a system.
 
 use std::fmt::{Debug, Formatter};
 use std::rc::Rc;
@@ -22,7 +22,8 @@ use lagrange_runtime::system::{OdeSystem, split};
 
 /// A time and a state.
 pub(super) type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
-/// The same with the system as it is then, if it is another one than that which is drawn: with other inputs.
+/// An instant with the system at that time, if it differs from the drawn one, for example in
+/// inputs.
 pub(super) type Shot<M> = (Instant<M>, Option<M>);
 type Sketched<'a, M> = Rc<dyn Fn(&mut Sketch, &Moment<'_, M>) + 'a>;
 type Point2<'a, M> =
@@ -74,7 +75,7 @@ impl<'a, M: Scene> Drawing<'a, M> {
         self
     }
 
-    /// What is written above.
+    /// Sets the title.
     pub fn title(mut self, title: &str) -> Self {
         title.clone_into(&mut self.title);
         self
@@ -249,7 +250,7 @@ where
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
     }
 
-    /// What is said of loads that act and cannot be drawn, where loads are drawn.
+    /// Returns the note about loads that act but cannot be drawn, if loads are drawn.
     fn note(&self, snapshots: &[Snapshot]) -> String {
         let omitted = snapshots.first().map(|snapshot| snapshot.omitted.as_slice()).unwrap_or_default();
         if omitted.is_empty() || !self.wanted.forces {

@@ -1,4 +1,4 @@
-//! What a picture consists of, in the coordinates of the world.
+//! The elements of a picture, in world coordinates.
 
 use crate::geometry::{Place, add};
 use crate::outline::Piece;
@@ -7,9 +7,9 @@ use crate::picture::{Colour, Point};
 /// Something in a picture.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Element {
-    /// What it is called in messages, and by what it is found again in the other pictures of a film.
+    /// Name in messages, which identifies the element in the other pictures of a film.
     pub(super) name: String,
-    /// What is written beside it; none if nothing is.
+    /// Label; empty if there is none.
     pub(super) label: String,
     pub(super) colour: Colour,
     pub(super) layer: Layer,
@@ -28,7 +28,7 @@ pub(super) enum Layer {
     Sketch,
 }
 
-/// What it looks like.
+/// The shape of an element.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Shape {
     /// A body whose own coordinates are placed so, with its centre of mass.
@@ -78,7 +78,7 @@ pub(super) enum Shape {
     Words { at: Point },
 }
 
-/// What the length of an arrow means.
+/// The meaning of an arrow's length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Measure {
     /// Lengths of the world.
@@ -162,7 +162,8 @@ impl Element {
 }
 
 impl Shape {
-    /// What is wrong if its numbers are not finite, and by what it is told from elements of other kinds.
+    /// Names the kind of element in errors about non-finite numbers, and identifies the element
+    /// within its kind.
     pub(super) fn what(&self) -> &'static str {
         match self {
             Shape::Body { .. } => "position or shape",

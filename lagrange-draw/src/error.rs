@@ -10,9 +10,9 @@ use std::path::{Path, PathBuf};
 pub enum DrawError {
     /// A number is not finite; such a moment cannot be drawn.
     NotFinite {
-        /// What was to be drawn.
+        /// Item to be drawn.
         item: String,
-        /// Which of its numbers.
+        /// Description of the number.
         what: &'static str,
         /// When.
         time: f64,
@@ -40,7 +40,7 @@ pub enum DrawError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the operating system says.
+        /// Error of the operating system.
         error: io::Error,
     },
 }
@@ -50,7 +50,7 @@ impl DrawError {
         DrawError::Extension { path: path.to_owned(), known }
     }
 
-    /// What became of writing a file.
+    /// Converts the result of writing a file.
     pub(super) fn written(path: &Path, result: io::Result<()>) -> Result<(), Self> {
         result.map_err(|error| DrawError::Io { path: path.to_owned(), error })
     }

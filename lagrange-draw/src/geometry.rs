@@ -25,7 +25,7 @@ pub(super) fn cross(a: Point, b: Point) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// By a right angle from x to y.
+/// Rotates by a right angle from x to y.
 pub(super) fn turned(a: Point) -> Point {
     [-a[1], a[0]]
 }
@@ -62,7 +62,7 @@ impl Place {
     }
 }
 
-/// The same line with its points somewhere else.
+/// Maps the points of a line.
 pub(super) fn moved(segments: &[Segment], to: impl Fn(Point) -> Point) -> Vec<Segment> {
     let moved = |segment: &Segment| match *segment {
         Segment::Move(p) => Segment::Move(to(p)),

@@ -1,4 +1,4 @@
-//! Where labels are written so that they lie neither on each other nor on lines.
+//! Placement of labels that overlap neither each other nor lines.
 //!
 //! Each label keeps one of eight sides of its place through a whole film, so that it never jumps. Labels are placed one after
 //! another, each where it is least in the way; those of bodies come last, and stay away where there is no room.
@@ -20,25 +20,26 @@ pub(super) struct Sheet {
     /// None where an element has no label.
     pub(super) tags: Vec<Option<Tag>>,
     pub(super) lines: Vec<[Point; 2]>,
-    /// What bodies cover, each with the index of its element.
+    /// Areas that bodies cover, each with the index of its element.
     pub(super) areas: Vec<(usize, Vec<Point>)>,
 }
 
 /// Angles from the wanted direction, the better ones first, and from the horizontal where no direction is wanted.
 const ALONG: [f64; 8] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0];
 const AROUND: [f64; 8] = [0.25, 0.75, -0.25, -0.75, 0.0, 1.0, 0.5, -0.5];
-/// Where nothing is free near by, a label may be farther away by this many pixels.
+/// Distances in pixels that are tried for a label if no place nearby is free.
 const FARTHER: [f64; 4] = [0.0, 7.0, 14.0, 21.0];
 /// Last there are places beyond all of what is named.
 const RINGS: usize = FARTHER.len() + 1;
 /// The number of the place that is the point itself.
 const ON_POINT: usize = AROUND.len() * RINGS;
-/// How bad it is to lie on another label, to be moved into the picture by a pixel, to be crossed by a line, and to have a worse side.
+/// Penalties for overlapping another label, for each pixel of shift into the picture, for a line
+/// that crosses the label, and for a less suitable side.
 const ON_LABEL: f64 = 60.0;
 const OUTSIDE: f64 = 0.1;
 const CROSSED: f64 = 3.0;
 const WORSE: f64 = 0.2;
-/// What is worse than this on average is left out if it may be.
+/// Average penalty above which an optional label is omitted.
 const BEARABLE: f64 = 4.0;
 /// A film is looked at so many times for places of labels.
 const LOOKS: usize = 24;
@@ -99,7 +100,7 @@ pub(super) fn lines(marks: &[Mark]) -> Vec<[Point; 2]> {
     lines
 }
 
-/// What the areas among the marks of a body cover.
+/// Returns the areas that the marks of a body cover.
 pub(super) fn areas(marks: &[Mark]) -> Vec<Vec<Point>> {
     let area = |mark: &Mark| match mark {
         Mark::Path { segments, style } if style.fill.is_some() && style.stroke.is_none() => {
@@ -110,7 +111,7 @@ pub(super) fn areas(marks: &[Mark]) -> Vec<Vec<Point>> {
     marks.iter().filter_map(area).collect()
 }
 
-/// How bad a side is, on average over the moments at which there is a label.
+/// Returns the penalty of a side, averaged over the moments at which there is a label.
 fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], window: Area) -> f64 {
     let (mut sum, mut count) = (0.0, 0.0);
     for (sheet, placed) in looked.iter().zip(placed) {
@@ -127,7 +128,7 @@ fn cost(index: usize, side: usize, looked: &[&Sheet], placed: &[Vec<Area>], wind
     if count > 0.0 { sum / count } else { 0.0 }
 }
 
-/// How much worse a side is than the best one, whatever is there.
+/// Returns the additional penalty of a side over the best one, regardless of other marks.
 fn worse(index: usize, side: usize, looked: &[&Sheet]) -> f64 {
     let is_within = looked.iter().any(|s| s.tags[index].as_ref().is_some_and(|tag| tag.side == Side::Within));
     match side {
@@ -137,7 +138,7 @@ fn worse(index: usize, side: usize, looked: &[&Sheet]) -> f64 {
     }
 }
 
-/// Whether a place is on a body of another name.
+/// True if a place is on a body of another name.
 fn is_elsewhere(index: usize, place: Point, sheet: &Sheet) -> bool {
     sheet.areas.iter().any(|(body, area)| *body != index && contains(area, place))
 }

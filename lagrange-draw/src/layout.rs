@@ -12,18 +12,18 @@ use crate::picture::{Mark, Picture, Point};
 use crate::tag::{Tag, tag};
 use crate::view::{self, BORDER, MARGIN, View};
 
-/// What is drawn on.
+/// The sheet of a drawing.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Paper<'a> {
     pub(super) size: [f64; 2],
     pub(super) title: &'a str,
-    /// What is written below, if anything is.
+    /// Text below the drawing; may be empty.
     pub(super) note: &'a str,
     /// The longest arrow of each kind takes this part of the smaller side of what is within the margins.
     pub(super) longest: f64,
 }
 
-/// By what an element is found again in another picture: what kind of thing it is, its name, and which one of those.
+/// The identity of an element across pictures: its kind, its name, and its number among equals.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 struct Key {
     layer: Layer,
@@ -33,7 +33,7 @@ struct Key {
     count: usize,
 }
 
-/// What an element is at one moment.
+/// An element at one moment.
 type Drawn = (Vec<Mark>, Option<Tag>);
 
 /// Pictures of a film: at each moment the time and the elements.
@@ -163,7 +163,7 @@ fn aligned(film: &[Vec<(Key, Drawn)>]) -> Vec<Key> {
     keys
 }
 
-/// What stands for an element where it is missing: its marks without anything to show.
+/// Returns placeholders for missing elements: their marks without visible content.
 fn patterns(film: &[Vec<(Key, Drawn)>]) -> BTreeMap<Key, Vec<Mark>> {
     let all = film.iter().flatten();
     all.map(|(key, (marks, _))| (key.clone(), marks.iter().map(emptied).collect())).collect()

@@ -1,4 +1,4 @@
-//! What is written beside forces and moments.
+//! Labels of forces and moments.
 //!
 //! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H, moments M. Names stand as subscripts
 //! where there are several.

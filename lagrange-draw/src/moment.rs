@@ -29,12 +29,13 @@ impl<'m, M: Scene> Moment<'m, M> {
         Moment { system, t, y, q, v, snapshot }
     }
 
-    /// How the body of this name moves.
+    /// Returns the motion of a body.
     pub fn motion(&self, body: &str) -> Option<Motion<f64>> {
         self.snapshot.body(body).map(|body| body.motion)
     }
 
-    /// Where the first force of this name acts, and its components; on a free body also R, the resultant of what has no name.
+    /// Returns the point of application and the components of the first force of this name; on a
+    /// free body also of R, the resultant of unnamed forces.
     pub fn force(&self, name: &str) -> Option<([f64; 2], [f64; 2])> {
         let named = self.snapshot.loads.iter().find_map(|load| match load.value {
             Value::Force(force) if load.name == name => Some((load.at, force)),

@@ -6,7 +6,8 @@ use crate::geometry::{Place, arc, direction, ellipse, flattened, moved, polyline
 use crate::picture::{Point, Segment};
 use lagrange_runtime::scene::{Outline, Part};
 
-/// Where the radius that shows how a body is turned begins in terms of it: the middle stays free for names. On rings it is short.
+/// Inner end of the radius that shows a body's rotation, as a fraction of the radius: the middle
+/// stays free for names. On rings it is short.
 const INNER: f64 = 0.4;
 const NEAR_RIM: f64 = 0.8;
 
@@ -18,7 +19,7 @@ pub(super) struct Piece {
     pub(super) is_hole: bool,
 }
 
-/// What it looks like, in its own coordinates.
+/// The shape of a body, in its own coordinates.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Form {
     /// It has no extent.
@@ -29,7 +30,8 @@ pub(super) enum Form {
     Ring(f64),
     /// The area within closed lines. What two of them enclose is outside.
     Area(Vec<Vec<Segment>>),
-    /// The same with a part of a radius, between these distances from the middle, which shows how it is turned.
+    /// A round shape with part of a radius, between these distances from the middle, which shows
+    /// its rotation.
     Round(Vec<Vec<Segment>>, [f64; 2]),
 }
 

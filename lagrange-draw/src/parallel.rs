@@ -1,4 +1,4 @@
-//! Which springs and dampers lie on each other, and how far apart they are drawn instead.
+//! Detection of coincident springs and dampers, and the offset with which they are drawn.
 //!
 //! A spring and a damper between the same two points, as in every textbook on oscillations, are drawn side by side; a torsion damper
 //! about the place of a torsion spring is drawn around it. What merely meets at one moment stays where it is.
@@ -14,7 +14,7 @@ use lagrange_runtime::scene::Connector;
 /// middle between them, going from its first end to the second. About a point: so many are within it. What lies alone has none.
 pub(super) type Lanes = BTreeMap<String, f64>;
 
-/// What is closer than this part of the scene is in the same place.
+/// Distance, as a fraction of the scene, below which points coincide.
 const TOUCHING: f64 = 1e-6;
 
 /// A connector that lies on the first one of its group, in the same direction or against it.
@@ -72,7 +72,8 @@ fn size(moments: &[&Snapshot]) -> f64 {
     span(0).max(span(1)).max(0.0)
 }
 
-/// Whether two connectors have the same ends at all moments, and then whether one goes against the other.
+/// Returns true if two connectors have the same ends at all moments, with true if their directions
+/// are opposite.
 fn meets([one, other]: [&str; 2], moments: &[&Snapshot], close: f64) -> Option<bool> {
     [false, true].into_iter().find(|is_reversed| {
         moments.iter().all(|snapshot| match (ends_of(one, snapshot), ends_of(other, snapshot)) {

@@ -8,7 +8,7 @@ pub(crate) type Point = [f64; 2];
 pub struct Picture {
     /// Width and height.
     pub(crate) size: [f64; 2],
-    /// What it shows in words, for those who cannot see it.
+    /// Description in words, for readers who cannot see the picture.
     pub(crate) title: String,
     /// From back to front. Pictures of one film have the same marks in the same order; those without anything to show are empty.
     pub(crate) marks: Vec<Mark>,
@@ -19,20 +19,20 @@ pub struct Picture {
 pub(crate) enum Mark {
     /// Lines and areas.
     Path {
-        /// What is drawn.
+        /// Segments of the path.
         segments: Vec<Segment>,
-        /// How it is drawn.
+        /// Style of the path.
         style: Style,
     },
     /// A line of text.
     Text {
-        /// Where its anchor is on the base line.
+        /// Anchor point on the baseline.
         at: Point,
-        /// What it says; none if nothing is to be shown.
+        /// Text; empty if nothing is shown.
         text: String,
         /// Height of the font.
         size: f64,
-        /// Which part of the text is at the point.
+        /// Part of the text at the point.
         anchor: Anchor,
         /// Its colour.
         colour: Colour,
@@ -52,7 +52,7 @@ pub(crate) enum Segment {
     Close,
 }
 
-/// How a path is drawn.
+/// The style of a path.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Style {
     /// The colour of the line, if there is one.
@@ -69,7 +69,7 @@ pub(crate) struct Style {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Colour(pub(crate) [u8; 4]);
 
-/// Which part of a text is at its point.
+/// The part of a text at its point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(dead_code, reason = "films and pages align texts to the left and right")]
 pub(crate) enum Anchor {

@@ -1,4 +1,4 @@
-//! What the named forces on a body leave open.
+//! The resultant of unnamed forces.
 //!
 //! By Newton's law and the axiom of angular momentum all forces on a body sum up to m a and all moments about its centre of mass
 //! to J α. What is named may be less: joints that the coordinates fulfil by themselves, hand-written constraints and
@@ -23,13 +23,14 @@ pub(super) struct Remainder {
     pub(super) moment: f64,
 }
 
-/// How it is called.
+/// Label of the remainder.
 pub(super) const REMAINDER: &str = "R";
 /// Positions are known to so many roundings.
 const POSITION_ROUNDINGS: f64 = 64.0;
 
 impl Remainder {
-    /// Of a body that moves so under these loads, in numbers whose relative distance is `epsilon`.
+    /// Computes the remainder for a body with this motion under these loads, in numbers with the
+    /// relative spacing `epsilon`.
     pub(super) fn of<'a>(
         motion: &Motion<f64>,
         loads: impl Iterator<Item = &'a Load>,

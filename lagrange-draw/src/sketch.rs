@@ -1,4 +1,4 @@
-//! What users add to pictures.
+//! User additions to pictures.
 
 use crate::colour::{ACCELERATION, FORCE, INK, VELOCITY, ink};
 use crate::element::{Element, Layer, Measure, Shape};

@@ -1,4 +1,4 @@
-//! What a scene hands out at one moment, kept.
+//! A stored scene at one moment.
 
 use crate::geometry::Place;
 use crate::load::{Load, Value};
@@ -16,16 +16,16 @@ pub(super) struct Snapshot {
     pub(super) connectors: Vec<(String, Connector, [Point; 2])>,
     pub(super) joints: Vec<(String, Joint, Point)>,
     pub(super) loads: Vec<Load>,
-    /// What acts and is not known.
+    /// Loads that act but are unknown.
     pub(super) omitted: Vec<String>,
-    /// What the loads of a free body leave open.
+    /// Resultant of unnamed loads on a free body.
     pub(super) remainder: Option<Remainder>,
 }
 
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Body {
     pub(super) name: String,
-    /// Which body of the scene it is, whatever is hidden.
+    /// Index of the body in the scene, regardless of hidden bodies.
     pub(super) index: usize,
     pub(super) motion: Motion<f64>,
     pub(super) pieces: Vec<Piece>,
@@ -105,7 +105,8 @@ impl Snapshot {
         self
     }
 
-    /// What the loads on a body leave open, in numbers whose relative distance is `epsilon`.
+    /// Returns the resultant of unnamed loads on a body, in numbers with the relative spacing
+    /// `epsilon`.
     pub(super) fn remainder_of(&self, name: &str, epsilon: f64) -> Option<Remainder> {
         let loads = self.loads.iter().filter(|load| load.body.as_deref() == Some(name));
         self.body(name).map(|body| Remainder::of(&body.motion, loads, epsilon))

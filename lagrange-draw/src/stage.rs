@@ -14,7 +14,7 @@ use crate::stretch::{self, Stretches};
 use crate::text::{formula, symbol};
 use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
 
-/// What is drawn beside the scene itself.
+/// The requested additions to the scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct Wanted {
     pub(super) velocities: bool,
@@ -23,11 +23,11 @@ pub(super) struct Wanted {
     pub(super) centers: bool,
     pub(super) frames: bool,
     pub(super) names: bool,
-    /// Whether a body is drawn without what surrounds it.
+    /// True if a body is drawn without what surrounds it.
     pub(super) is_free: bool,
 }
 
-/// What is the same throughout a film.
+/// The data that stay the same throughout a film.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Fixed {
     pub(super) stretches: Stretches,
@@ -84,7 +84,7 @@ fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
     snapshot.lines.iter().map(of).collect()
 }
 
-/// What holds connectors.
+/// Returns the walls that hold connectors.
 fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
     let ends = snapshot.connectors.iter().flat_map(|(name, _, ends)| {
         let walls =
@@ -108,7 +108,7 @@ fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], lane: f64, wan
     element(name, label, INK, Layer::Connector, shape)
 }
 
-/// Whether a connector was declared without a name: it is called by its kind and a number then.
+/// True if a connector was declared without a name: it is called by its kind and a number then.
 pub(super) fn is_made_up(name: &str, kind: Connector) -> bool {
     let kind = match kind {
         Connector::Spring => "spring_",
@@ -182,12 +182,12 @@ fn load(load: &Load, before: &[Load], snapshot: &Snapshot, is_free: bool) -> Ele
     element(&load.name, load_label(load, snapshot), FORCE, Layer::Arrow, shape)
 }
 
-/// How many moments there are on a body.
+/// Counts the moments on a body.
 fn moments(loads: &[Load], body: Option<&str>) -> usize {
     loads.iter().filter(|load| load.is_moment() && load.body.as_deref() == body).count()
 }
 
-/// What the loads of a free body leave open.
+/// Returns the elements for the resultant of unnamed loads on a free body.
 fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
     let Remainder { at, force, moment } = *rest;
     let arrow = Shape::Arrow { from: at, vector: force, measure: Measure::Force, is_push: false };
@@ -196,7 +196,7 @@ fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
     vec![of(REMAINDER, arrow), of("M_R", turn)]
 }
 
-/// Whether a force of contact points into the body; on a free body it is then drawn from outside.
+/// True if a force of contact points into the body; on a free body it is then drawn from outside.
 fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
     const NARROW: f64 = 0.5;
     let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));

@@ -1,4 +1,4 @@
-//! How far lines reach in a picture.
+//! The extents of lines in a picture.
 //!
 //! Lines of a scene have no ends, but where two of them cross, a floor ends at a wall and a plateau where a slope begins. So a
 //! line at rest is cut where others cross it, and those stretches stay along which something touches it at any time.
@@ -15,9 +15,10 @@ use lagrange_runtime::scene::Joint;
 pub(super) type Stretches = BTreeMap<String, Vec<[f64; 2]>>;
 
 const ENDLESS: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
-/// What is closer to a line than this part of the size of the scene touches it.
+/// Distance from a line, as a fraction of the scene's size, below which points touch it.
 const TOUCHING: f64 = 1e-6;
-/// How much longer than what touches it a line is that moves, if nothing else tells its length.
+/// Relative excess length of a moving line over the objects that touch it, if nothing else
+/// determines its length.
 const LONGER: f64 = 0.2;
 
 /// The stretches that are drawn of each line throughout a film.
@@ -32,7 +33,7 @@ pub(super) fn stretches(film: &[Snapshot]) -> Stretches {
     stretches
 }
 
-/// What of a line without contacts is to be seen: where bodies would fall on it.
+/// Returns the visible part of a line without contacts: the part onto which bodies would fall.
 pub(super) fn seen(line: &Line, snapshot: &Snapshot, stretches: &[[f64; 2]]) -> Vec<Point> {
     let has_contact = snapshot.joints.iter().any(|(_, kind, _)| matches!(kind, Joint::Slide | Joint::Roll));
     if line.body.is_some() || has_contact {
@@ -78,7 +79,7 @@ fn contacts(line: &Line, snapshot: &Snapshot, close: f64) -> Vec<f64> {
     places.filter(|[_, across]| across.abs() <= close).map(|[along, _]| along).collect()
 }
 
-/// Where the body that carries a line lies along it.
+/// Returns the coordinates along a line at which the rim of its carrier lies.
 fn rim(line: &Line, snapshot: &Snapshot) -> Vec<f64> {
     let Some(body) = line.body.as_deref().and_then(|name| snapshot.body(name)) else { return Vec::new() };
     let points = body.pieces.iter().flat_map(Piece::rim);
@@ -93,7 +94,7 @@ fn moving(marks: &[f64], has_body: bool) -> [f64; 2] {
     if low < high { [low - more, high + more] } else { ENDLESS }
 }
 
-/// Where other lines at rest cross a line.
+/// Returns the points at which other lines at rest cross a line.
 fn crossings(line: &Line, film: &[Snapshot]) -> Vec<f64> {
     const PARALLEL: f64 = 1e-9;
     let others = film.first().into_iter().flat_map(|snapshot| &snapshot.lines);

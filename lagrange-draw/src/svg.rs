@@ -26,7 +26,7 @@ pub(crate) fn opening(picture: &Picture) -> String {
     )
 }
 
-/// What is written in the picture, for those who cannot see it.
+/// Returns the description written into the picture for readers who cannot see it.
 fn description(picture: &Picture) -> String {
     let mut labels: Vec<String> = Vec::new();
     for mark in &picture.marks {
@@ -47,7 +47,7 @@ fn description(picture: &Picture) -> String {
     }
 }
 
-/// Whether a mark shows nothing.
+/// True if a mark shows nothing.
 pub(crate) fn is_empty(mark: &Mark) -> bool {
     match mark {
         Mark::Path { segments, .. } => segments.is_empty(),
@@ -116,7 +116,7 @@ fn paint(attribute: &str, colour: Option<Colour>) -> String {
     format!("{colour} {attribute}-opacity=\"{}\"", number(f64::from(opacity) / 255.0))
 }
 
-/// What stands between the tags of a text: symbols in italics, subscripts smaller and lower.
+/// Returns the content of a text element: symbols in italics, subscripts smaller and lower.
 ///
 /// Sizes are in the units of the picture, which every viewer understands: not all take a percentage, or an em of a part of a text.
 fn content(text: &str, size: f64) -> String {

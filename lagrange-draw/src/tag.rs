@@ -1,4 +1,4 @@
-//! Where the label of an element belongs.
+//! The places of labels relative to their elements.
 
 use crate::colour::{INK, PALE};
 use crate::element::{Element, LANE, RING, Shape, WIDER};
@@ -19,9 +19,9 @@ pub(super) struct Tag {
     /// From the place to the text.
     pub(super) gap: f64,
     pub(super) colour: Colour,
-    /// Whether it may be left out where there is no room.
+    /// True if it may be left out where there is no room.
     pub(super) may_hide: bool,
-    /// How far what it names reaches from the place.
+    /// Extent of the named element from the place.
     pub(super) reach: f64,
     /// The size of its letters.
     pub(super) size: f64,

@@ -52,7 +52,7 @@ pub(super) struct Run {
 }
 
 impl Run {
-    /// Whether it is a symbol, which is set in italics: one letter, perhaps with dots and primes.
+    /// True if it is a symbol, which is set in italics: one letter, perhaps with dots and primes.
     pub(super) fn is_symbol(&self) -> bool {
         let is_beside = |c: char| "′'″‴".contains(c) || lettering::is_accent(c);
         let mut letters = self.text.trim_end_matches(is_beside).chars();

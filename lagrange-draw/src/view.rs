@@ -5,7 +5,7 @@ use crate::error::DrawError;
 use crate::geometry::{clipped, subtract, times};
 use crate::picture::Point;
 
-/// What is left free at the borders, and at least by labels and titles.
+/// Free margin at the borders, and minimum distance of labels and titles from them.
 pub(super) const MARGIN: f64 = 12.0;
 pub(super) const BORDER: f64 = 2.0;
 

@@ -56,9 +56,9 @@ pub fn csv_cell(text: &str) -> Cow<'_, str> {
     }
 }
 
-/// Where a file is to be.
+/// The destination of a file.
 enum Place {
-    /// What can only be written to.
+    /// A device or pipe, which can only be written to.
     Device(File),
     /// A file, with the permissions of the older one that it replaces.
     File { path: PathBuf, older: Option<fs::Permissions> },

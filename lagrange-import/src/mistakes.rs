@@ -15,7 +15,7 @@ pub struct Mistake {
     pub message: String,
     /// Advice.
     pub help: Option<String>,
-    /// Whether nothing can be imported for it; otherwise it is a warning.
+    /// True if nothing can be imported for it; otherwise it is a warning.
     pub is_error: bool,
 }
 

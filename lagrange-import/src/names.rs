@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet};
 
 use lagrange_core::syntax::{can_be_declared, is_rust_keyword};
 
-/// What the world is called in the language.
+/// Name of the world in the language.
 pub(crate) const GROUND: &str = "ground";
 /// Endings of names in the state of a body that moves freely, and of an orientation.
 pub(crate) const FREE: [&str; 13] =
@@ -64,7 +64,7 @@ fn identifier(name: &str, kind: &str) -> String {
     }
 }
 
-/// Whether an identifier shows the name that it was made of: letters and digits are the same.
+/// True if an identifier shows the name that it was made of: letters and digits are the same.
 pub(crate) fn tells(identifier: &str, name: &str) -> bool {
     let letters =
         name.chars().filter(|letter| letter.is_alphanumeric()).map(|letter| letter.to_ascii_lowercase());

@@ -20,9 +20,9 @@ pub(crate) struct Link {
     pub(crate) name: String,
     /// None of a link without mass.
     pub(crate) inertial: Option<Inertial>,
-    /// What it looks like, in words, as far as that is a primitive.
+    /// Visual shapes in words, as far as they are primitives.
     pub(crate) shapes: Vec<Shape>,
-    /// Where the file declares it.
+    /// Offset of the declaration in the file.
     pub(crate) place: usize,
 }
 
@@ -33,9 +33,9 @@ pub(crate) struct Inertial {
     pub(crate) centroid: [Decimal; 3],
     /// xx, yy, zz, xy, xz, yz about the centre of mass.
     pub(crate) tensor: [Decimal; 6],
-    /// Whether a body can have this tensor.
+    /// True if a body can have this tensor.
     pub(crate) is_physical: bool,
-    /// Where the file states the tensor.
+    /// Offset of the tensor in the file.
     pub(crate) place: usize,
 }
 
@@ -57,13 +57,13 @@ pub(crate) struct Joint {
     pub(crate) at: [Decimal; 3],
     /// Roll, pitch and yaw.
     pub(crate) turned: [Decimal; 3],
-    /// Of any length but zero.
+    /// Axis of any nonzero length.
     pub(crate) axis: [Decimal; 3],
     pub(crate) limit: Limit,
     pub(crate) damping: Option<Decimal>,
     pub(crate) friction: Option<Decimal>,
     pub(crate) mimic: Option<Mimic>,
-    /// Where the file declares it.
+    /// Offset of the declaration in the file.
     pub(crate) place: usize,
 }
 
@@ -79,12 +79,12 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Whether it has a single coordinate.
+    /// True if it has a single coordinate.
     pub(crate) fn is_simple(self) -> bool {
         matches!(self, Kind::Revolute | Kind::Prismatic)
     }
 
-    /// Whether what it places is fixed in what carries it.
+    /// True if what it places is fixed in what carries it.
     pub(crate) fn is_rigid(self) -> bool {
         matches!(self, Kind::Fixed | Kind::Held)
     }

@@ -41,7 +41,7 @@ const TAIL: [f64; 11] = [
 const LEAST_COORDINATE: f64 = 1e-270;
 const LARGEST_COORDINATE: f64 = 1e270;
 
-/// Whether a number and another are coordinates of a point whose angle is computed here.
+/// True if a number and another are coordinates of a point whose angle is computed here.
 #[inline(always)]
 pub(crate) fn are_coordinates(ordinate: f64, abscissa: f64) -> bool {
     let is_between = |x: f64| (LEAST_COORDINATE..=LARGEST_COORDINATE).contains(&x);
@@ -55,7 +55,7 @@ pub(crate) fn atan2<const FUSED: bool>(ordinate: f64, abscissa: f64) -> f64 {
     angle::<FUSED>(ordinate.abs().into(), abscissa.into()).copysign(ordinate)
 }
 
-/// Of all numbers.
+/// Computes the arctangent of any number.
 #[inline(always)]
 pub(crate) fn atan<const FUSED: bool>(x: f64) -> f64 {
     /// Farther out the angle is π/2 to the last bit.
@@ -65,13 +65,13 @@ pub(crate) fn atan<const FUSED: bool>(x: f64) -> f64 {
     angle::<FUSED>(magnitude.into(), Pair::from(1.0)).copysign(x)
 }
 
-/// Of all numbers; NaN outside [−1, 1].
+/// Computes the arcsine of any number; NaN outside [−1, 1].
 #[inline(always)]
 pub(crate) fn asin<const FUSED: bool>(x: f64) -> f64 {
     angle::<FUSED>(x.abs().into(), leg::<FUSED>(x)).copysign(x)
 }
 
-/// Of all numbers; NaN outside [−1, 1].
+/// Computes the arccosine of any number; NaN outside [−1, 1].
 #[inline(always)]
 pub(crate) fn acos<const FUSED: bool>(x: f64) -> f64 {
     angle::<FUSED>(leg::<FUSED>(x), x.into())
@@ -109,7 +109,7 @@ fn widened(pair: Pair, low: f64) -> Pair {
     Pair { high: pair.high, low: pair.low + low }
 }
 
-/// So many eighths of a turn, and with this sign the angle whose tangent is small.
+/// Adds a number of eighths of a turn and, with this sign, the angle with a small tangent.
 #[inline(always)]
 fn from_axis<const FUSED: bool>(eighths: f64, sign: f64, tangent: Pair) -> f64 {
     let z = tangent.high * tangent.high;

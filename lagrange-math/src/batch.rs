@@ -78,15 +78,15 @@ fn are_small(angles: &[f64]) -> bool {
     angles.iter().fold(true, |all, angle| all & is_small(*angle))
 }
 
-/// By value: compilers then see that the arrays of the result are other ones than those lent to a call, and keep
-/// them out of memory.
+/// Combines both arrays by value. Compilers then see that the result does not alias arrays lent to
+/// a call, and keep it out of memory.
 #[inline(always)]
 fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N] {
     core::array::from_fn(|i| (sines[i], cosines[i]))
 }
 
-/// The same in single precision, computed in double and rounded once: the error is below 0.5000001 units in the
-/// last place for angles of any size.
+/// Computes sines and cosines in single precision, in double precision and rounded once: the error
+/// is below 0.5000001 units in the last place for angles of any size.
 #[inline(always)]
 #[must_use]
 pub fn sin_cos_each_f32<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
@@ -109,8 +109,8 @@ pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]
     singles
 }
 
-/// Where to end one loop and begin the next, so that compilers unroll what is short and find whole vectors in
-/// what is long; without that an odd number of angles costs up to half as much again.
+/// Returns the boundaries between loops, so that compilers unroll short ones and vectorise long
+/// ones; without them an odd number of angles costs up to half as much again.
 const fn cuts(count: usize) -> [usize; 2] {
     if count < 4 { [0, count] } else { [count - count % 8, count - count % 2] }
 }

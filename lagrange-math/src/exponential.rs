@@ -103,19 +103,19 @@ fn sinh_cosh<const FUSED: bool>(x: f64) -> (Pair, Pair) {
     (of(odd, even), of(even, odd))
 }
 
-/// Of at most [`LARGEST_HYPERBOLIC`] in magnitude.
+/// Computes the hyperbolic sine for magnitudes of at most [`LARGEST_HYPERBOLIC`].
 #[inline(always)]
 pub(crate) fn sinh<const FUSED: bool>(x: f64) -> f64 {
     sinh_cosh::<FUSED>(x.abs()).0.high.copysign(x)
 }
 
-/// Of at most [`LARGEST_HYPERBOLIC`] in magnitude.
+/// Computes the hyperbolic cosine for magnitudes of at most [`LARGEST_HYPERBOLIC`].
 #[inline(always)]
 pub(crate) fn cosh<const FUSED: bool>(x: f64) -> f64 {
     sinh_cosh::<FUSED>(x.abs()).1.high
 }
 
-/// Of all numbers.
+/// Computes the hyperbolic tangent of any number.
 #[inline(always)]
 pub(crate) fn tanh<const FUSED: bool>(x: f64) -> f64 {
     /// From here on it is one to the last bit.

@@ -1,6 +1,7 @@
 //! Products and sums in one rounding, where that is asked for.
 
-/// Whether the target that is compiled for has an instruction for a product and a sum with one rounding.
+/// True if the target that is compiled for has an instruction for a product and a sum with one
+/// rounding.
 pub(crate) const HAS_FUSED: bool = cfg!(all(feature = "std", target_feature = "fma"));
 
 /// `a * b + c`, rounded once if FUSED and twice otherwise. Where FUSED is no instruction it is a call of a library.

@@ -6,7 +6,7 @@ use crate::pair::{Pair, product, square_root, sum};
 const LEAST_COMPONENT: f64 = 1e-130;
 const LARGEST_COMPONENT: f64 = 1e150;
 
-/// Whether the length of a vector with these components is computed here.
+/// True if the length of a vector with these components is computed here.
 #[inline(always)]
 pub(crate) fn are_components(x: f64, y: f64) -> bool {
     let is_one = |x: f64| (LEAST_COMPONENT..=LARGEST_COMPONENT).contains(&x) | (x == 0.0);

@@ -25,7 +25,7 @@ pub(crate) fn sum(larger: f64, smaller: f64) -> Pair {
     Pair { high, low: (larger - high) + smaller }
 }
 
-/// The same sum of pairs as nearly as one number beside the first can say.
+/// Normalises a pair: the first number is the rounded sum.
 #[inline(always)]
 pub(crate) fn normal(pair: Pair) -> Pair {
     sum(pair.high, pair.low)

@@ -117,7 +117,7 @@ fn merged<R: Reduce + Pack>(
     result.map(|()| sum)
 }
 
-/// What the words of a process stand for.
+/// Unpacks the words of a process.
 fn unpacked<T: Pack>(words: Vec<u64>, rank: i32) -> Result<T, MpiError> {
     let mut words = words.into_iter();
     let found = T::unpack(&mut words).filter(|_| words.next().is_none());

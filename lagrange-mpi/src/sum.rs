@@ -1,11 +1,12 @@
-//! What all processes come down to.
+//! Reductions over all processes.
 
 use std::ops::Deref;
 
 use lagrange::ensemble::{Pack, Reduce, Reduced};
 use lagrange::system::MechanicalSystem;
 
-/// What the motions of all processes came down to, and which are not in it because they failed. It is used as what it holds.
+/// The reduction over the motions of all processes, and the motions that it omits because they
+/// failed. It dereferences to its value.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sum<R> {
     value: R,
@@ -13,27 +14,27 @@ pub struct Sum<R> {
     failures: Vec<u64>,
 }
 
-/// Of more failed motions it is only known how many there were.
+/// Maximum number of failures in the list; of further ones only the count is known.
 const MOST_FAILURES: usize = 1000;
 
 impl<R> Sum<R> {
-    /// Of no motion.
+    /// Returns the reduction of no motions.
     pub(crate) fn new(value: R) -> Self {
         Sum { value, failed: 0, failures: Vec::new() }
     }
 
-    /// Of the motions of a part.
+    /// Returns the reduction of the motions of a part.
     pub(crate) fn of_part<M: MechanicalSystem>(part: Reduced<M, R>) -> Self {
         let failures = part.failures().iter().map(|failure| failure.index as u64).collect();
         Sum { failed: part.failed(), failures, value: part.into_value() }
     }
 
-    /// What the motions that did not fail came down to.
+    /// Returns the value reduced from the motions that succeeded.
     pub fn into_value(self) -> R {
         self.value
     }
 
-    /// How many motions failed.
+    /// Returns the number of failed motions.
     pub fn failed(&self) -> u64 {
         self.failed
     }

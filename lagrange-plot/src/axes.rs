@@ -12,18 +12,18 @@ use crate::thin::Point;
 /// Points of backends to the unit of sizes: curves are drawn to a tenth of it.
 pub(crate) const FINENESS: u32 = 10;
 
-/// Where a panel lies, in points: left, right, top and bottom of its axes.
+/// The place of a panel, in points: left, right, top and bottom of its axes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Frame {
     pub(crate) left: i32,
     pub(crate) right: i32,
     pub(crate) top: i32,
     pub(crate) bottom: i32,
-    /// Whether lines run across it at all marks.
+    /// True if lines run across it at all marks.
     pub(crate) is_ruled: bool,
 }
 
-/// What is left free around the axes for labels: left, right, top and bottom.
+/// Margins around the axes for labels: left, right, top and bottom.
 const MARGINS: (u32, u32, u32, u32) = (74, 18, 28, 50);
 /// The size of letters.
 pub(crate) const FONT: i32 = 17;
@@ -71,18 +71,18 @@ impl Frame {
         [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)]
     }
 
-    /// How many marks there is room for below.
+    /// Returns the number of ticks that fit below.
     pub(crate) fn columns(&self) -> u32 {
         marks(self.right - self.left, MARK.0)
     }
 
-    /// How many marks there is room for at a side.
+    /// Returns the number of ticks that fit at a side.
     pub(crate) fn rows(&self) -> u32 {
         marks(self.bottom - self.top, MARK.1)
     }
 }
 
-/// How many marks such a length has room for.
+/// Returns the number of ticks that fit along a length.
 fn marks(length: i32, each: i32) -> u32 {
     (length / points(each)).clamp(4, 10).unsigned_abs()
 }
@@ -124,7 +124,7 @@ pub(crate) fn draw_abscissa<B: DrawingBackend>(
     if axis.note.is_empty() { Ok(()) } else { write(backend, &axis.note, &style, (frame.right, below)) }
 }
 
-/// Where an ordinate stands.
+/// The side of an ordinate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Side {
     Left,

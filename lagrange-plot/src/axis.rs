@@ -1,12 +1,12 @@
 //! Axes: what they span, where their marks are, and what is written there.
 
-/// How values are spread over an axis.
+/// The scale of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Scale {
     /// Evenly.
     #[default]
     Linear,
-    /// By powers of ten; zero lies at the lower end.
+    /// Powers of ten; zero lies at the lower end.
     Logarithmic,
 }
 
@@ -18,7 +18,7 @@ pub(crate) struct Axis {
     from: f64,
     to: f64,
     pub(crate) marks: Vec<Mark>,
-    /// What every label is to be multiplied by, and what is to be added.
+    /// Factor and offset common to all labels.
     pub(crate) note: String,
 }
 
@@ -60,7 +60,7 @@ impl Axis {
         }
     }
 
-    /// Where a value lies; not finite if the value is not.
+    /// Returns the position of a value; not finite if the value is not.
     pub(crate) fn place(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.from) / (self.to - self.from),

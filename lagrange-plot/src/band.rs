@@ -9,13 +9,13 @@ use crate::axis::Axis;
 /// The area between two curves over the same abscissae, broken where one is not finite. Bands that lie in each other darken.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Band {
-    /// What it is called in a legend.
+    /// Name in the legend.
     pub name: String,
     /// Abscissa, lower and upper ordinate of each point, in their order.
     pub points: Vec<(f64, f64, f64)>,
 }
 
-/// How much of its colour a band has.
+/// Opacity of a band.
 const OPACITY: f64 = 0.22;
 
 impl Band {

@@ -1,4 +1,4 @@
-//! What `plotters` draws, in pixels.
+//! A pixel backend for `plotters`.
 
 use std::io;
 
@@ -23,8 +23,8 @@ pub(crate) struct Canvas {
 
 /// The size of a font as the SVG backend understands it, in terms of what it is given.
 pub(crate) const FONT: f64 = 1.0 / 1.24;
-/// How far that backend moves the base line below the point to which the top of a text belongs: as it writes it, and in terms of the size of
-/// the font.
+/// Distance from the top of a text to its baseline in that backend: as written, and as a fraction of the
+/// font size.
 const TOP: (&str, f64) = ("0.76em", 0.76);
 /// Likewise below the middle.
 const MIDDLE: (&str, f64) = ("0.5ex", 0.5 * SMALL);
@@ -129,7 +129,7 @@ impl DrawingBackend for Canvas {
         Ok(())
     }
 
-    /// Where the SVG backend has it.
+    /// Draws a text at the place of the SVG backend.
     fn draw_text<T: BackendTextStyle>(&mut self, text: &str, style: &T, at: BackendCoord) -> Drawn {
         let (size, anchor) = (FONT * style.size(), style.anchor());
         let left = match anchor.h_pos {

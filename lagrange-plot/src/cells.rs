@@ -11,15 +11,15 @@ use crate::image::{Image, Placed};
 /// *PLoS ONE* 13 (2018) e0199239). Cells whose value is not finite stay white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Cells {
-    /// What the values are called.
+    /// Name of the values.
     pub name: String,
-    /// How they are spread over the colours.
+    /// Scale of the colours.
     pub scale: Scale,
     /// The left and the right edge of the grid.
     pub x: (f64, f64),
     /// Its lower and its upper edge.
     pub y: (f64, f64),
-    /// How many cells are side by side.
+    /// Number of columns.
     pub columns: usize,
     /// From left to right, in rows from the lowest.
     pub values: Vec<f64>,
@@ -29,7 +29,7 @@ pub struct Cells {
 const GAP: i32 = 12;
 const BAR: i32 = 14;
 const LABELS: i32 = 62;
-/// As many colours as the bar has.
+/// Number of colours in the bar.
 const SHADES: u32 = 256;
 /// Pixels that a grid has to a side, about, if its cells are larger than a pixel.
 const SIDE: u32 = 1000;
@@ -48,7 +48,7 @@ impl Cells {
         (columns * each / pixels, rows * each / pixels)
     }
 
-    /// What the bar takes on the right.
+    /// Returns the width of the bar on the right.
     pub(crate) fn bar_width() -> i32 {
         points(GAP + BAR + LABELS)
     }

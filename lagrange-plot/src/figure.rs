@@ -25,7 +25,7 @@ use crate::pixels::Pixels;
 pub struct Figure {
     /// The panels, row by row.
     pub panels: Vec<Panel>,
-    /// How many panels are side by side.
+    /// Number of panels in a row.
     pub columns: usize,
     /// Width and height of a panel with its labels, as on a screen: 96 to the inch.
     pub size: (u32, u32),
@@ -83,7 +83,7 @@ impl Figure {
         Ok(text.replacen('>', &format!(">\n<title>{title}</title>"), 1))
     }
 
-    /// What there is to see, panel by panel.
+    /// Returns a description of the panels.
     fn title(&self) -> String {
         let titles = self.panels.iter().map(Panel::title).filter(|title| !title.is_empty());
         titles.collect::<Vec<_>>().join("; ")
@@ -168,9 +168,9 @@ pub enum PlotError {
     NoEnergy,
     /// A grid has another number of cells than there are values for it, or none.
     Cells {
-        /// How many values there are.
+        /// Number of values.
         values: usize,
-        /// How many cells there are.
+        /// Number of cells.
         cells: usize,
     },
     /// The quantity of this name does not go from a number to a larger one.
@@ -181,7 +181,7 @@ pub enum PlotError {
     Io {
         /// The file.
         path: PathBuf,
-        /// What the operating system says.
+        /// Error of the operating system.
         error: io::Error,
     },
     /// The library of plots failed.

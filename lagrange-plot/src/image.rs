@@ -25,7 +25,7 @@ impl Image {
         (self.rgba.len() / 4) as u32 / self.columns.max(1)
     }
 
-    /// As a PNG file.
+    /// Encodes the image as PNG.
     fn png(&self) -> Result<Vec<u8>, png::EncodingError> {
         let mut file = Vec::new();
         let mut encoder = png::Encoder::new(&mut file, self.columns, self.rows());

@@ -16,7 +16,7 @@ use crate::characters::shown;
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
 
-/// What viewers set text in may be wider by so much than the embedded font, by which widths are measured.
+/// Factor by which viewers' fonts may be wider than the embedded font, which determines widths.
 pub const LEEWAY: f64 = 1.06;
 
 /// Height of capitals in terms of the size of the font.
@@ -24,7 +24,7 @@ pub const CAPITALS: f64 = 0.657;
 /// Height of small letters, likewise.
 pub const SMALL: f64 = 0.473;
 
-/// How letters stand.
+/// The slope of letters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Slope {
     /// Words, numbers and signs.
@@ -80,7 +80,7 @@ impl Letter {
         unit(self.face) * f32::from(self.face.glyph_hor_advance(self.glyph).unwrap_or(0))
     }
 
-    /// By how much the next letter stands farther away than usual.
+    /// Returns the additional distance of the next letter.
     fn kerning(self, next: Letter) -> f32 {
         let tables = self.face.tables().kern.into_iter().flat_map(|kern| kern.subtables);
         let found = tables.filter_map(|table| table.glyphs_kerning(self.glyph, next.glyph)).next();
@@ -105,7 +105,7 @@ fn unit(face: &Face<'_>) -> f32 {
     f32::from(face.units_per_em()).recip()
 }
 
-/// Whether a character stands above the one before.
+/// True if a character stands above the one before.
 pub fn is_accent(character: char) -> bool {
     matches!(character, '\u{300}'..='\u{314}' | '\u{20d0}'..='\u{20dc}')
 }

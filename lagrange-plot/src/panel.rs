@@ -19,15 +19,15 @@ use crate::thin::{Point, thin};
 /// A pair of axes with curves, and with a grid of cells and areas behind them.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Panel {
-    /// What the abscissa is called.
+    /// Label of the abscissa.
     pub x: String,
-    /// What the ordinate is called.
+    /// Label of the ordinate.
     pub y: String,
-    /// How abscissae are spread.
+    /// Scale of the abscissa.
     pub x_scale: Scale,
-    /// How ordinates are spread.
+    /// Scale of the ordinate.
     pub y_scale: Scale,
-    /// Whether curves keep away from the ends of the abscissa, too.
+    /// True if curves keep away from the ends of the abscissa, too.
     pub has_room: bool,
     /// Values over both quantities, on linear axes.
     pub cells: Option<Cells>,
@@ -40,7 +40,7 @@ pub struct Panel {
 /// Points joined by a line, broken where one is not finite.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Curve {
-    /// What it is called in a legend.
+    /// Name in the legend.
     pub name: String,
     /// Abscissae and ordinates, in their order.
     pub points: Vec<Point>,
@@ -92,7 +92,7 @@ impl Panel {
         self.draw_legend(backend, panel)
     }
 
-    /// What there is to see, in words.
+    /// Returns a description in words.
     pub(crate) fn title(&self) -> String {
         let names = self.names();
         let more = names.len().saturating_sub(MAX_TITLED);
@@ -107,7 +107,7 @@ impl Panel {
         parts.collect::<Vec<_>>().join(" over ")
     }
 
-    /// What lies below everything that is drawn.
+    /// Returns the images below all other content.
     pub(crate) fn images(&self, panel: &Frame) -> Vec<Placed> {
         self.cells.iter().flat_map(|cells| cells.images(&self.frame(panel))).collect()
     }
@@ -119,7 +119,7 @@ impl Panel {
         (width + beside.div_ceil(FINENESS), height)
     }
 
-    /// Where the axes lie within what they and all labels take.
+    /// Returns the place of the axes within the space for them and all labels.
     fn frame(&self, panel: &Frame) -> Frame {
         let beside = self.legend_width() + self.bar_width();
         Frame { right: panel.right - beside, is_ruled: self.cells.is_none(), ..*panel }
@@ -162,7 +162,7 @@ impl Panel {
         if self.cells.is_some() { Cells::bar_width() } else { 0 }
     }
 
-    /// What stands in the legend.
+    /// Returns the names in the legend.
     fn names(&self) -> Vec<&str> {
         let bands = self.bands.iter().map(|band| &*band.name);
         let names: Vec<_> = bands.chain(self.curves.iter().map(|curve| &*curve.name)).collect();

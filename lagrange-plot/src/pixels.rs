@@ -35,12 +35,12 @@ impl Pixels {
         Some(Pixels { pixmap, transform: Transform::from_scale(scale as f32, scale as f32) })
     }
 
-    /// How many pixels are side by side.
+    /// Returns the width in pixels.
     pub fn width(&self) -> u32 {
         self.pixmap.width()
     }
 
-    /// How many rows of pixels there are.
+    /// Returns the height in pixels.
     pub fn height(&self) -> u32 {
         self.pixmap.height()
     }

@@ -1,4 +1,4 @@
-//! What is drawn, and where.
+//! Tests of the drawn elements and their places.
 
 mod cells;
 mod documents;

@@ -1,4 +1,4 @@
-//! As many points of a curve as can be told apart.
+//! Reduction of a curve to distinguishable points.
 
 use std::collections::BTreeSet;
 
@@ -35,7 +35,7 @@ fn finite(points: impl Iterator<Item = Point>) -> Vec<Vec<Point>> {
     pieces
 }
 
-/// Which interval of this width a coordinate is in.
+/// Returns the interval of this width that contains a coordinate.
 fn cell(coordinate: f64, width: f64) -> i64 {
     (coordinate / width).floor() as i64
 }

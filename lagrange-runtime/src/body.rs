@@ -40,7 +40,7 @@ use crate::Scalar;
 
 pub use spatial::SpatialMotion;
 
-/// How a plane rigid body moves at one moment.
+/// The motion of a plane rigid body at one moment.
 ///
 /// Positions are in m, angles in rad, masses in kg, times in s, if the numbers of the declaration are. Points of the body are
 /// named by their own coordinates `[X, Y]`, places in the plane by `[x, y]`. What is not finite makes every number that depends
@@ -96,7 +96,7 @@ impl<S: Scalar> Motion<S> {
         [cos * x - sin * y, sin * x + cos * y]
     }
 
-    /// Where a point of the body is.
+    /// Returns the position of a body-fixed point.
     #[must_use]
     pub fn point(&self, own: [S; 2]) -> [S; 2] {
         sum(self.center, self.between(self.centroid, own))
@@ -214,8 +214,9 @@ impl<S: Scalar> Motion<S> {
         self.inertia + self.mass * norm_squared(difference(own, self.centroid))
     }
 
-    /// What the moment of all forces on the body about one of its points P is, by the axiom of angular momentum:
-    /// J_P ω̇ + m (ρ_S × a_P)_z with ρ_S from P to the centre of mass. Positive counterclockwise.
+    /// Computes the moment of all forces on the body about one of its points P, by the axiom of
+    /// angular momentum: J_P ω̇ + m (ρ_S × a_P)_z with ρ_S from P to the centre of mass. Positive
+    /// counterclockwise.
     ///
     /// For the centre of mass that is J_S ω̇, for a point at rest J_P ω̇.
     #[must_use]

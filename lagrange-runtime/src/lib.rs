@@ -1,4 +1,5 @@
-//! What systems that are derived at compile time need at run time: traits, integrators, contacts, runs, and the front door.
+//! The run-time support of systems derived at compile time: traits, integrators, contacts, runs,
+//! and the simulation builder.
 //!
 //! Users depend on `lagrange`, which shows all of this under its own paths. Below it stand plots, which know numbers and names only;
 //! pictures and films of systems stand above.

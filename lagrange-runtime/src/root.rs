@@ -10,7 +10,7 @@ const MIN_SPAN: f64 = 4.0;
 const SAME_SLOPE: f64 = 0.25;
 /// Slopes that differ by more than this factor between both sides of a zero leave no digit of it.
 const MAX_BEND: f64 = 65_536.0;
-/// Where residuals are noisy, those of both sides differ by so many times their sum.
+/// Ratio of the difference to the sum of noisy residuals on both sides of a zero.
 const CENTRAL: f64 = 4.0;
 /// The distance to both sides at which signs are compared, in units of what rounding hides.
 const ASIDE: f64 = 32.0;
@@ -41,7 +41,7 @@ pub fn newton<S: Number>(start: S, iterations: u32, equation: impl Fn(S) -> [S; 
 
 /// A search for a zero, between two evaluations of the equation.
 struct RootSearch<S: Number> {
-    /// Where the equation is evaluated next.
+    /// Next point of evaluation.
     point: S,
     /// The zero; NaN before it is found.
     root: S,

@@ -35,7 +35,7 @@ pub trait Number:
     + Neg<Output = Self>
     + 'static
 {
-    /// What a comparison gives: `bool`, or as many truth values as there are numbers side by side.
+    /// The result of a comparison: `bool`, or one truth value per number side by side.
     type Mask: Mask;
 
     /// Zero.
@@ -48,10 +48,10 @@ pub trait Number:
     /// The nearest number; infinite if the magnitude is out of range.
     fn from_f64(value: f64) -> Self;
 
-    /// Whether this is less than the other; false where one is NaN.
+    /// True if this is less than the other; false if either is NaN.
     fn less(self, other: Self) -> Self::Mask;
 
-    /// Whether this is less than the other or equal; false where one is NaN.
+    /// True if this is less than or equal to the other; false if either is NaN.
     fn less_equal(self, other: Self) -> Self::Mask;
 
     /// The first number where the mask is true, the second elsewhere.
@@ -196,7 +196,7 @@ pub trait Number:
 /// A single real number, which programs may compare and branch on: what methods of integration, events and contacts
 /// compute with.
 pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
-    /// Whether this is neither NaN nor infinite.
+    /// True if this is neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
     /// The distance from one to the next number, as [`f64::EPSILON`].

@@ -1,4 +1,4 @@
-//! What there is to draw of a system of rigid bodies at one moment.
+//! A description of a system of rigid bodies to be drawn at one moment.
 //!
 //! Types declared with `emit { drawing }` implement [`Scene`] if their bodies move in the plane, and [`SpatialScene`] if they move in
 //! space; the feature `draw` makes pictures and films of both. Here are numbers only: no picture, no scale, no colour.
@@ -34,7 +34,7 @@ pub enum Item<'a, S> {
     Body {
         /// Its name.
         name: &'a str,
-        /// How it moves.
+        /// Motion.
         motion: Motion<S>,
         /// Its shape, in its own coordinates; empty if it has none.
         parts: &'a [Part<'a, S>],
@@ -54,7 +54,7 @@ pub enum Item<'a, S> {
     Connector {
         /// Its name.
         name: &'a str,
-        /// What it is.
+        /// Kind of connector.
         kind: Connector,
         /// One end; for torsion springs and dampers where the two bodies meet.
         from: [S; 2],
@@ -67,16 +67,16 @@ pub enum Item<'a, S> {
     Joint {
         /// Its name.
         name: &'a str,
-        /// What it is.
+        /// Kind of joint.
         kind: Joint,
-        /// Where it is.
+        /// Position.
         at: [S; 2],
     },
     /// A force.
     Force {
         /// Its name.
         name: &'a str,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
@@ -89,11 +89,11 @@ pub enum Item<'a, S> {
     Moment {
         /// Its name.
         name: &'a str,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
-        /// Where to draw it.
+        /// Position at which it is drawn.
         at: [S; 2],
         /// Its value.
         moment: S,
@@ -111,11 +111,11 @@ pub enum Item<'a, S> {
 pub struct Part<'a, S> {
     /// Its outline, in its own coordinates.
     pub outline: Outline<'a, S>,
-    /// Where the origin of its own coordinates is in those of the body.
+    /// Origin of its own coordinates in those of the body.
     pub at: [S; 2],
-    /// By which its own axes are turned in those of the body.
+    /// Angle of its own axes relative to those of the body.
     pub angle: S,
-    /// Whether it is cut out of the parts before it.
+    /// True if it is cut out of the parts before it.
     pub is_hole: bool,
 }
 
@@ -151,7 +151,7 @@ pub enum Outline<'a, S> {
     Polygon(&'a [[S; 2]]),
 }
 
-/// What a connector is.
+/// The kind of a connector.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Connector {
     /// A spring between two points.
@@ -164,7 +164,7 @@ pub enum Connector {
     TorsionDamper,
 }
 
-/// What a joint is.
+/// The kind of a joint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Joint {
     /// Two points that stay together.
@@ -177,7 +177,7 @@ pub enum Joint {
     Roll,
 }
 
-/// Where a force or moment comes from.
+/// The origin of a force or moment.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum LoadOrigin {
     /// It is declared.

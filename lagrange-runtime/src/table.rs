@@ -59,7 +59,7 @@ struct Group<M> {
 }
 
 impl<M: Mask> Group<M> {
-    /// Whether the answer is yes; those for whom it is not leave the group, if anybody stays.
+    /// True if the answer is yes; those for whom it is not leave the group, if anybody stays.
     fn agree_on(&mut self, answer: M) -> bool {
         let yes = self.mask & answer;
         let is_yes = yes.any();

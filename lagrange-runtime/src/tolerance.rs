@@ -34,7 +34,7 @@
 
 use crate::scalar::Scalar;
 
-/// So many roundings.
+/// A number of roundings.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Roundings(f64);
 
@@ -48,14 +48,14 @@ impl Roundings {
         S::from_f64(self.0) * S::epsilon()
     }
 
-    /// So many times as many.
+    /// Multiplies the number of roundings.
     #[inline]
     pub(crate) fn times(self, count: usize) -> Roundings {
         Roundings(self.0 * count as f64)
     }
 }
 
-/// What is left of a column that depends on others, for each row.
+/// Remainder of a column that depends on others, for each row.
 pub(crate) const DEPENDENT_COLUMN: Roundings = Roundings(32.0);
 /// A pivot of dependent equations.
 pub(crate) const DEPENDENT_PIVOT: Roundings = Roundings(1e3);
@@ -67,21 +67,21 @@ pub(crate) const RESIDUAL: Roundings = Roundings(16.0);
 pub(crate) const TOUCHING: Roundings = Roundings(4096.0);
 /// A gap that is closed.
 pub(crate) const CLOSED_GAP: Roundings = Roundings(64.0);
-/// How far bodies are put apart that touch without pressing.
+/// Distance between bodies that touch without pressing.
 pub(crate) const SLIT: Roundings = Roundings(16.0);
 /// A hop too low to be resolved.
 pub(crate) const HOP: Roundings = Roundings(256.0);
-/// How well the time of an event is known.
+/// Accuracy of the time of an event.
 pub(crate) const INSTANT: Roundings = Roundings(8.0);
 /// A hop too short to be resolved.
 pub(crate) const HOP_TIME: Roundings = Roundings(64.0);
 /// Rates and limits that are met.
 pub(crate) const BALANCED: Roundings = Roundings(16.0);
-/// The same of what Lemke's method finds.
+/// Rates and limits that are met in solutions of Lemke's method.
 pub(crate) const BALANCED_BY_SEARCH: Roundings = Roundings(65_536.0);
 /// Rates held together by impulses that the motion does not determine.
 pub(crate) const HELD_TOGETHER: Roundings = Roundings(1_048_576.0);
-/// How far forces may miss their bounds before a mode ends.
+/// Amount by which forces may exceed their bounds before a mode ends.
 pub(crate) const BOUND: Roundings = Roundings(64.0);
 /// Equal energies.
 pub(crate) const IMPACT_ENERGY: Roundings = Roundings(256.0);
@@ -89,16 +89,16 @@ pub(crate) const IMPACT_ENERGY: Roundings = Roundings(256.0);
 pub(crate) const BERNSTEIN_COEFFICIENT: Roundings = Roundings(512.0);
 /// Times and values that do not tell two events apart.
 pub(crate) const SAME_EVENT: Roundings = Roundings(64.0);
-/// How far beyond its surface a switch is looked for.
+/// Distance beyond its surface from which a switch is looked for.
 pub(crate) const SURFACE: Roundings = Roundings(32.0);
-/// How far steps keep away from a restart.
+/// Distance of steps from a restart.
 pub(crate) const RESTART: Roundings = Roundings(2.0);
 /// Instants that are the same.
 pub(crate) const SAME_INSTANT: Roundings = Roundings(4.0);
 /// The smallest default tolerance.
 #[cfg(feature = "std")]
 pub(crate) const DEFAULT_TOLERANCE: Roundings = Roundings(10.0);
-/// What is tolerated in any case.
+/// Minimum tolerance.
 pub(crate) const LEAST_TOLERANCE: Roundings = Roundings(16.0);
 /// No defect of an interpolant.
 pub(crate) const DEFECT: Roundings = Roundings(256.0);

@@ -1,4 +1,4 @@
-//! What the compiler says where a product is used that a declaration does not emit.
+//! Compiler messages for products that a declaration does not emit.
 //!
 //! Declarations bring these traits into scope, without names. Each has the name of a product, for types that implement another trait,
 //! which none does and which says what to do. So they are never found beside anything else of that name, be it emitted, written by

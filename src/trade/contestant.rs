@@ -9,7 +9,7 @@ use crate::integrate::{Method, Stepper, Work};
 use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector};
 
-/// What a method is told.
+/// The setting of a method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Knob {
     Tolerance,
@@ -34,7 +34,7 @@ pub(super) struct Contestant<'a> {
     pub(super) run: Box<Runner<'a>>,
 }
 
-/// How many components a state of the system has.
+/// Returns the number of components in a state of the system.
 pub(super) fn length<M: OdeSystem>() -> usize {
     M::State::ZERO.as_ref().len()
 }

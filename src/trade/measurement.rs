@@ -1,23 +1,23 @@
-//! What one run of a trade gave.
+//! The result of one run of a trade.
 
 use std::string::String;
 
 use crate::integrate::Work;
 
-/// What a setting of a method gave.
+/// The result of one setting of a method.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// What the method is called.
+    /// Name of the method.
     pub method: String,
     /// The number type.
     pub scalar: &'static str,
-    /// Which of the systems.
+    /// Name of the variant.
     pub variant: String,
-    /// Whether `setting` is a tolerance; the length of a step otherwise.
+    /// True if `setting` is a tolerance; the length of a step otherwise.
     pub is_tolerance: bool,
-    /// What the method was told.
+    /// Setting of the method.
     pub setting: f64,
-    /// What came of it, or why nothing did.
+    /// Measurement, or the reason for its absence.
     pub outcome: Result<Measurement, String>,
 }
 
@@ -28,6 +28,6 @@ pub struct Measurement {
     pub error: f64,
     /// The shortest time of several runs.
     pub seconds: f64,
-    /// What it took.
+    /// Work of the run.
     pub work: Work,
 }

@@ -1,4 +1,5 @@
-//! What every digit costs: methods, numbers and variants of a system measured against each other.
+//! The price of every digit: methods, number types and variants of a system measured against each
+//! other.
 //!
 //! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the time it took, and
 //! reports which one is the fastest for an accuracy. `cargo run --release --features trade --example trade` does it for four
@@ -96,8 +97,8 @@ impl<'a> Trade<'a> {
         self
     }
 
-    /// The same system in another way, such as in other numbers or with another level of accuracy, in all methods that
-    /// take any system.
+    /// Adds a variant of the system, such as other number types or accuracy levels, in all methods
+    /// that accept any system.
     ///
     /// # Panics
     /// If its state is longer or shorter.

@@ -1,4 +1,4 @@
-//! What came of a trade, and what to choose.
+//! The report of a trade, and recommendations.
 
 use std::format;
 use std::string::String;
@@ -20,7 +20,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// What was measured.
+    /// Returns the title.
     pub fn title(&self) -> &str {
         &self.title
     }

@@ -17,7 +17,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// The same in short numbers.
+/// The system in short numbers.
 struct Short;
 
 impl OdeSystem for Short {

@@ -126,7 +126,7 @@ fn steps() -> Vec<Step> {
     steps
 }
 
-/// Whether this processor can run what is compiled for the target feature `fma`.
+/// True if this processor can run what is compiled for the target feature `fma`.
 fn fuses_products() -> bool {
     #[cfg(target_arch = "x86_64")]
     let fuses = std::is_x86_feature_detected!("fma");

@@ -11,7 +11,7 @@ use super::vectors::{
 };
 use super::{Chain, Link, handed_on, sines};
 
-/// What the sweeps leave for each other, per link.
+/// Quantities per link that the sweeps pass to each other.
 #[derive(Clone, Copy, Default)]
 struct Swept {
     rotation: Matrix,
@@ -112,7 +112,7 @@ impl Articulated {
         self.bias = [sum(self.bias[0], bias[0]), sum(self.bias[1], bias[1])];
     }
 
-    /// What the link before feels of it through the joint.
+    /// Returns the articulated inertia and bias that the previous link feels through the joint.
     #[inline(always)]
     fn handed_on(&self, link: &Link, swept: &mut Swept) -> Articulated {
         let inverse = 1.0 / self.rotary.zz;
@@ -132,7 +132,7 @@ impl Articulated {
         freed.before(&swept.rotation, link.at, bias)
     }
 
-    /// What is left of the inertia when the joint gives way: I − U Uᵀ / D, with U / D.
+    /// Returns the inertia that remains when the joint moves freely: I − U Uᵀ / D, with U / D.
     #[inline(always)]
     fn freed(&self, [p, q, r, s, t]: [f64; 5]) -> Freed {
         let Articulated { rotary: a, coupling: b, massive: c, .. } = *self;

@@ -23,7 +23,7 @@ use vectors::{Matrix, Symmetric, Vector, cross_sum, dot, product, scaled, transp
 /// A joint and the link that it carries, in the axes of that link, as descriptions of robots state it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Joint {
-    /// Where the joint is on the link before.
+    /// Position of the joint on the previous link.
     pub(crate) at: [f64; 3],
     /// Roll, pitch and yaw of the link's axes there.
     pub(crate) turned: [f64; 3],
@@ -47,7 +47,7 @@ pub(crate) struct Chain<const N: usize> {
 struct Link {
     /// From the axes of the link before to those of this one at angle 0, in rows.
     turned: Matrix,
-    /// Where the joint is, in the axes of the link before.
+    /// Position of the joint, in the axes of the previous link.
     at: Vector,
     mass: f64,
     /// Mass times centroid.

@@ -12,12 +12,12 @@ use crate::handwritten::{SinCos, fma};
 use super::vectors::{Matrix, Symmetric, Vector, cross_sum, product, scaled_sum, sum, transposed_product};
 use super::{Chain, Link, handed_on, sines};
 
-/// How a link moves.
+/// The motion of a link.
 #[derive(Clone, Copy)]
 struct Motion {
     rate: Vector,
     angular: Vector,
-    /// Of the joint, with gravity as an acceleration of the ground.
+    /// Acceleration of the joint, with gravity as an acceleration of the ground.
     linear: Vector,
     /// K.
     spread: Matrix,

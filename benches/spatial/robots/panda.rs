@@ -46,7 +46,7 @@ lagrange::system! {
     emit { no mass_matrix, no momenta, no inverse_dynamics }
 }
 
-/// The same for algorithms by hand.
+/// The robot for handwritten algorithms.
 #[rustfmt::skip]
 pub(crate) const JOINTS: [Joint; 7] = [
     Joint { at: [0.0, 0.0, 0.333], turned: [0.0, 0.0, 0.0], axis: 2, mass: 4.970684, centroid: [0.003875, 0.002081, -0.04762], inertia: [0.70337, 0.70661, 0.009117, -0.000139, 0.006772, 0.019169] },

@@ -36,7 +36,7 @@ lagrange::system! {
     emit { no mass_matrix, no momenta, no inverse_dynamics }
 }
 
-/// The same for algorithms by hand.
+/// The robot for handwritten algorithms.
 #[rustfmt::skip]
 pub(crate) const JOINTS: [Joint; 10] = [
     Joint { at: [0.0, 0.0, 0.0], turned: [0.0, 0.0, 0.0], axis: 0, mass: 0.0, centroid: [0.0, 0.0, 0.0], inertia: [0.0, 0.0, 0.0, 0.0, 0.0, 0.0] },

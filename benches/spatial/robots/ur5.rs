@@ -42,7 +42,7 @@ lagrange::system! {
     emit { no mass_matrix, no momenta, no inverse_dynamics }
 }
 
-/// The same for algorithms by hand.
+/// The robot for handwritten algorithms.
 #[rustfmt::skip]
 pub(crate) const JOINTS: [Joint; 6] = [
     Joint { at: [0.0, 0.0, 0.089159], turned: [0.0, 0.0, 0.0], axis: 2, mass: 3.7, centroid: [0.0, 0.0, 0.0], inertia: [0.010267495893, 0.010267495893, 0.00666, 0.0, 0.0, 0.0] },

@@ -65,7 +65,7 @@ pub(super) fn report_beside_compound(translation: &mut Translation<'_>, statemen
     }
 }
 
-/// What a body is seen as.
+/// Returns the outlines with which a body is shown.
 pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
     report_masses(translation, visuals);
     let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();

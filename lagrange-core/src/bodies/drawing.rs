@@ -5,7 +5,7 @@ use super::space::point_on_link;
 use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression};
 
-/// What a load is, and the body it acts on, if that is known.
+/// A load and the body on which it acts, if known.
 pub(super) struct Load<'a> {
     pub(super) name: &'a str,
     pub(super) cause: LoadOrigin,

@@ -106,13 +106,13 @@ pub(super) fn turning(translation: &mut Translation<'_>, id: AstId) -> AstId {
     }
 }
 
-/// Whether the ground is meant: nothing was given its name but a line.
+/// True if the ground is meant: nothing was given its name but a line.
 pub(super) fn is_ground(translation: &Translation<'_>, id: AstId) -> bool {
     let Expression::Name(name) = translation.expressions.get(id) else { return false };
     name == "ground" && !translation.names.is_declared(name)
 }
 
-/// Whether an expression shows by its form that it is a point.
+/// True if an expression shows by its form that it is a point.
 fn is_point(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(translation.expressions.get(id), Expression::Tuple(_)) || translation.body_of(id).is_some()
 }

@@ -94,12 +94,12 @@ impl SceneNames {
         self.all_objects.get(&name.to_owned())
     }
 
-    /// Whether something else than a line has this name, be it further down.
+    /// True if something else than a line has this name, be it further down.
     pub(super) fn is_declared(&self, name: &str) -> bool {
         self.declared.contains(&name.to_owned())
     }
 
-    /// Whether a name stands for a number that does not change during the motion.
+    /// True if a name stands for a number that does not change during the motion.
     pub(super) fn is_fixed(&self, name: &str) -> bool {
         name == "pi" || self.fixed.contains(&name.to_owned())
     }
@@ -114,7 +114,7 @@ impl SceneNames {
         self.parameters.contains(&name.to_owned()) || self.constants.contains(&name.to_owned())
     }
 
-    /// Whether a joint anywhere places the body or frame of this name.
+    /// True if a joint anywhere places the body or frame of this name.
     pub(super) fn is_placed_by_joint(&self, name: &str) -> bool {
         self.placed_by_joints.contains(&name.to_owned())
     }

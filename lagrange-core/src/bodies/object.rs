@@ -34,7 +34,7 @@ impl WaitingBody {
         }
     }
 
-    /// What it is, in the user's words.
+    /// Returns the kind of object, in the user's words.
     pub(super) fn kind(&self) -> &'static str {
         match self {
             WaitingBody::Body(_) => "body",

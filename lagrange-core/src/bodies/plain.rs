@@ -12,7 +12,7 @@ pub struct Plain {
     pub declaration: Declaration,
     /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<Motion>,
-    /// What is asked for of bodies and frames in space.
+    /// Requested kinematics of bodies and frames in space.
     pub in_space: SpatialKinematics,
     /// Items to draw.
     pub drawing: Vec<Drawn>,
@@ -60,9 +60,9 @@ pub struct Motion {
 pub struct SpatialKinematics {
     /// Motions of bodies.
     pub motions: Vec<SpatialMotion>,
-    /// Where bodies and frames are.
+    /// Poses of bodies and frames.
     pub frames: Vec<FramePose>,
-    /// How their frames move.
+    /// Twists of their frames.
     pub twists: Vec<FrameTwist>,
 }
 
@@ -85,7 +85,7 @@ pub struct SpatialMotion {
     pub turning: [[AstId; 3]; 2],
 }
 
-/// Where a body or frame is.
+/// The pose of a body or frame.
 #[derive(Clone, Debug)]
 pub struct FramePose {
     /// Its name.
@@ -96,7 +96,7 @@ pub struct FramePose {
     pub origin: [AstId; 3],
 }
 
-/// How the frame of a body moves, in the axes of the world.
+/// The twist of a body's frame, in world axes.
 #[derive(Clone, Debug)]
 pub struct FrameTwist {
     /// Its name.
@@ -168,16 +168,17 @@ pub enum DrawnKind {
     Joint {
         /// Its name.
         name: String,
-        /// Whether it is a pin, a slide or a roll.
+        /// Kind of joint: a pin, a slide or a roll.
         kind: JointForm,
     },
     /// A joint in space: where it is, and the direction of its axis.
     SpatialJoint {
         /// Its name.
         name: String,
-        /// What it is.
+        /// Kind of joint.
         kind: SpatialJointForm,
-        /// What carries it and what it places, or the two that are pinned; `None` for the ground.
+        /// Names of the carrying and the placed link, or of the two that are pinned; `None` for the
+        /// ground.
         links: [Option<String>; 2],
     },
     /// A force: the point it acts on, its two components.
@@ -220,7 +221,7 @@ pub struct Outline {
     /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own axes are turned there; in space all
     /// components of the origin, then those of the rotation in rows.
     pub place: Vec<AstId>,
-    /// Whether it is cut out.
+    /// True if it is cut out.
     pub is_hole: bool,
 }
 

@@ -109,7 +109,7 @@ fn note_point(translation: &mut Translation<'_>, name: String, value: AstId) {
     }
 }
 
-/// The same for a statement about bodies, but for joints that make coordinates.
+/// Translates a statement about bodies, except joints that create coordinates.
 pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: SceneStatement) {
     report_beside_lagrangian(translation, &statement);
     let is_spatial = translation.space.is_some();

@@ -20,7 +20,7 @@ pub(super) struct Translation<'a> {
     pub(super) names: SceneNames,
     pub(super) bodies: Vec<Body>,
     pub(super) lines: Vec<Line>,
-    /// What the scene holds beside that if it is in space.
+    /// Additional data of a scene in space.
     pub(super) space: Option<Space>,
     /// Bodies and frames in the plane that a joint is still to place.
     pub(super) waiting: Vec<WaitingBody>,
@@ -36,7 +36,7 @@ pub(super) struct Translation<'a> {
     /// Translations of expressions, each found once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
-    /// Whether anybody asks for what there is to draw.
+    /// True if anybody asks for what there is to draw.
     pub(super) is_drawn: bool,
     pub(super) drawing: Vec<Drawn>,
     /// Forces and moments, which are drawn last.

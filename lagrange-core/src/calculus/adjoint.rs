@@ -18,7 +18,8 @@ pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprI
     sweep(graph, seeds, variables, |_, _, _| {})
 }
 
-/// The same; `visit` is given everything on the way from the variables to the roots, the roots first, with the sum of derivatives by it.
+/// Computes adjoints; `visit` receives every expression between the variables and the roots, roots
+/// first, with the derivative by it.
 pub(super) fn sweep(
     graph: &mut Graph,
     seeds: &[(ExprId, ExprId)],

@@ -37,7 +37,8 @@ impl Degrees {
         Degrees { kinds, excluded: Dependencies::NONE, known: HashMap::default() }
     }
 
-    /// The same, but expressions with coefficients that mention one of the kinds `excluded` do not count as affine.
+    /// Returns the degrees, where expressions with coefficients that mention one of the kinds
+    /// `excluded` do not count as affine.
     pub fn with_coefficients_free_of(self, excluded: Dependencies) -> Degrees {
         Degrees { excluded, ..self }
     }

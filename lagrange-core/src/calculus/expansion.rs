@@ -23,7 +23,7 @@ pub struct Series {
     pub closed: ExprId,
     /// The degree up to which the parts are known; those of higher degree are zero here.
     order: usize,
-    /// Whether the expression, not only what is left of it, depends on a deviation.
+    /// True if the expression, not only what is left of it, depends on a deviation.
     varies: bool,
 }
 
@@ -148,7 +148,7 @@ impl Expansion {
         is_defined.then(|| rebuild(graph, id, |child| self.known_value(child).unwrap_or(child)))
     }
 
-    /// Whether a condition between numbers holds.
+    /// True if a condition between numbers holds.
     fn holds(&self, graph: &mut Graph, node: &Node) -> bool {
         let Node::Choose { relation, left, right, .. } = node else { return false };
         let (one, zero) = (graph.number(1), graph.number(0));
@@ -340,19 +340,19 @@ fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Optio
     }
 }
 
-/// Whether two sides of a comparison, of which one varies, are equal at the point.
+/// True if two sides of a comparison, of which one varies, are equal at the point.
 fn meet(graph: &mut Graph, left: Series, right: Series) -> bool {
     let difference = graph.subtract(left.parts[0], right.parts[0]);
     (left.varies || right.varies) && vanishes(graph, difference)
 }
 
-/// Whether a value is zero whatever the symbols are.
+/// True if a value is zero whatever the symbols are.
 fn vanishes(graph: &Graph, value: ExprId) -> bool {
     let is_number = graph.dependencies(value) == Dependencies::NONE;
     graph.is_zero(value) || is_number && evaluate(graph, &[value], |_| f64::NAN)[0] == 0.0
 }
 
-/// Whether a value without symbols is a number.
+/// True if a value without symbols is a number.
 fn is_defined(graph: &Graph, value: ExprId) -> bool {
     let is_written_out = graph.as_number(value).is_some();
     is_written_out

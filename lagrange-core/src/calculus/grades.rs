@@ -56,7 +56,7 @@ impl Grades {
     }
 }
 
-/// Whether a function of numbers in some unit is a number in that unit.
+/// True if a function of numbers in some unit is a number in that unit.
 pub fn keeps_units(function: Function) -> bool {
     matches!(function, Function::Abs | Function::Min | Function::Max | Function::Hypot)
 }

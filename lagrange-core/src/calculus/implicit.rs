@@ -64,7 +64,7 @@ fn at(
     expressions.into_iter().map(|expression| substitute(graph, expression, &replacements)).collect()
 }
 
-/// What is zero where a call of an algebraic unknown has its value; `None` if it is none.
+/// Returns the residual of an algebraic unknown's call; `None` for other calls.
 pub fn residual(graph: &mut Graph, call: ExprId) -> Option<ExprId> {
     let Node::Opaque(function, arguments) = graph.node(call).clone() else { return None };
     let unknown = graph.unknown(&function).cloned()?;

@@ -1,4 +1,4 @@
-//! What rounding leaves of an equation where it is solved.
+//! Bounds on the rounding error of an equation where it is solved.
 
 use super::adjoint::sweep;
 use crate::expr::{AlgebraicUnknown, ExprId, Function, Graph, Node};

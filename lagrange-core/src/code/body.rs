@@ -21,7 +21,8 @@ pub enum Scalar {
     SideBySide {
         /// The type parameter.
         number: Ident,
-        /// Whether each number is an `f32`, to which literals are rounded before they are converted.
+        /// True if each number is an `f32`, to which literals are rounded before they are
+        /// converted.
         is_single: bool,
     },
 }

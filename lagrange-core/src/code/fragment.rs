@@ -65,7 +65,7 @@ impl Fragment {
         Fragment { operations: 0, ..self }
     }
 
-    /// Whether it can be written several times without being computed several times.
+    /// True if it can be written several times without being computed several times.
     pub(super) fn is_free(&self) -> bool {
         self.operations == 0
     }

@@ -16,7 +16,7 @@ pub struct Names {
     taken: HashMap<String, ()>,
     roles: HashMap<Role, Ident>,
     next: HashMap<String, usize>,
-    /// Where the user names functions of the user's crate.
+    /// Places where the user names functions of the user's crate.
     callees: HashMap<String, Span>,
 }
 
@@ -108,8 +108,8 @@ fn sanitise(name: &str) -> String {
     name
 }
 
-/// Whether a name is spelt like a constant or a unit struct: with one of them in scope, the variable of that
-/// name would be taken for it, since hygiene does not cover constants.
+/// True if a name is spelt like a constant or a unit struct: with one of them in scope, the
+/// variable of that name would be taken for it, since hygiene does not cover constants.
 fn may_be_constant(name: &str) -> bool {
     let is_type = name.starts_with(char::is_uppercase) && !name.contains('_');
     is_type || (name.contains(char::is_uppercase) && !name.contains(char::is_lowercase))

@@ -165,7 +165,7 @@ impl<'a> BodyWriter<'a> {
         name
     }
 
-    /// Whether a choice may be an `if`.
+    /// True if a choice may be an `if`.
     pub(super) fn may_branch(&self) -> bool {
         !matches!(self.scalar, Scalar::SideBySide { .. })
     }

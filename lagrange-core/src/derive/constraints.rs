@@ -28,7 +28,7 @@ pub struct ConstraintEquations {
     pub correction: Vec<ExprId>,
     /// Growth of rounding errors through constraints that are nearly dependent; infinite where they are dependent. `None` where that cannot be.
     pub condition: Option<ExprId>,
-    /// Whether a constraint follows from the others wherever they hold.
+    /// True if a constraint follows from the others wherever they hold.
     pub is_redundant: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What is derived from a model.
+//! The equations derived from a model.
 
 use super::constraints::ConstraintEquations;
 use super::elimination::order::eliminate_dense;
@@ -30,16 +30,18 @@ use crate::syntax::ast::Accuracy;
 pub struct Equations {
     /// q̈ as functions of t, q, v.
     pub accelerations: Vec<ExprId>,
-    /// What belongs to the constraints; without any it is empty.
+    /// Equations of the constraints; empty without constraints.
     pub constraints: ConstraintEquations,
-    /// What belongs to contacts and friction, whose forces the accelerations above leave out.
+    /// Equations of contacts and friction, whose forces the accelerations above exclude.
     pub reactions: ReactionEquations,
-    /// By how much rounding grows through pivots of the mass matrix that may vanish although it is regular, squared; `None` where none
-    /// may, as of kinetic energies declared as such, and of systems with constraints, contacts or friction, which say so elsewhere.
+    /// Squared growth of rounding errors through pivots of a regular mass matrix that may vanish.
+    /// `None` if no pivot may vanish, as for declared kinetic energies, and for systems with
+    /// constraints, contacts or friction, which report it elsewhere.
     pub pivot_growth: Option<ExprId>,
-    /// How they are computed.
+    /// Strategy that computes them.
     pub strategy: Strategy,
-    /// Whether the kinetic energy can be kept a sum of squares: whatever is quadratic in the velocities is a sum of squares of rates.
+    /// True if the kinetic energy can be kept a sum of squares: whatever is quadratic in the
+    /// velocities is a sum of squares of rates.
     pub is_sum_of_squares: bool,
     /// The counted cost of each strategy, as far as it was tried, in the order of [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
@@ -49,11 +51,12 @@ pub struct Equations {
     pub forcing: Vec<ExprId>,
     /// ∂L/∂q + Q, by which the momenta change without constraints
     pub free_momentum_rates: Option<Vec<ExprId>>,
-    /// What was asked for beside the two sides of M q̈ = f and what the model itself holds, matrices row by row.
+    /// Requested products other than both sides of M q̈ = f and the content of the model; matrices
+    /// row by row.
     products: Vec<(Product, Vec<ExprId>)>,
     /// Jacobians of frames in the order of `Scene::twists`, each in six rows.
     pub frame_jacobians: Vec<Vec<ExprId>>,
-    /// What was found out about the system.
+    /// Structure found in the system.
     pub structure: Structure,
     /// Surfaces on which what determines the motion is not smooth.
     pub switches: Vec<Switch>,
@@ -172,8 +175,9 @@ impl Equations {
         self.products.iter().find(|(known, _)| *known == product).map(|(_, roots)| roots.as_slice())
     }
 
-    /// Whether the mass matrix is constant during the motion and nothing but constraint forces depends on a velocity. It is
-    /// judged by what the expressions mention: a velocity that cancels unseen still counts.
+    /// True if the mass matrix is constant during the motion and nothing but constraint forces
+    /// depends on a velocity. It is judged by what the expressions mention: a velocity that cancels
+    /// unseen still counts.
     pub fn is_separable(&self, model: &Model) -> bool {
         let depends = |&value: &ExprId| model.graph.dependencies(value).intersects(Dependencies::VELOCITY);
         let free = if model.constraints.is_empty() { &self.accelerations } else { &self.forcing };
@@ -183,7 +187,7 @@ impl Equations {
         self.structure.mass.is_constant && are_rates && is_held && is_free && !free.iter().any(depends)
     }
 
-    /// What determines how a motion goes on, whichever method integrates it.
+    /// Returns the expressions that determine the motion, whichever method integrates it.
     pub fn of_motion(&self, model: &Model) -> Vec<ExprId> {
         let (constraints, reactions) = (&self.constraints, &self.reactions);
         let vectors = [&self.accelerations, &self.forcing, &constraints.multipliers, &constraints.drifts];
@@ -221,8 +225,9 @@ impl Equations {
     }
 }
 
-/// Whether the mass matrix or something that is made of it will be needed, whatever strategy is taken. Constraints, contacts and
-/// friction have rows of their own in it, and `strict` looks for what cancels there.
+/// True if the mass matrix or something that is made of it will be needed, whatever strategy is
+/// taken. Constraints, contacts and friction have rows of their own in it, and `strict` looks for
+/// what cancels there.
 fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
     let is_made_of_it = |product: &Product| {
         product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex)

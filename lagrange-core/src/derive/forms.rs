@@ -52,7 +52,7 @@ impl Forms {
         Forms { form, velocity_form: None }
     }
 
-    /// Whether it has been pushed down.
+    /// True if it has been pushed down.
     pub(super) fn is_pushed(&self) -> bool {
         self.velocity_form.is_some()
     }

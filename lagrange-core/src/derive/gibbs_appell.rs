@@ -44,7 +44,7 @@ pub(super) struct GibbsForm {
     principal: Vec<(ExprId, Number)>,
     /// The slope of S along each of them.
     slopes: Vec<ExprId>,
-    /// The same slopes where all q̈ are zero.
+    /// Slopes with all q̈ zero.
     slopes_at_rest: Vec<ExprId>,
 }
 

@@ -43,8 +43,9 @@ pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
     functions::apply(graph, Function::Max, &[a, b])
 }
 
-/// Whether an expression is taken to have one sign where a system is regular: parameters are positive, even powers do not vanish,
-/// and where one term of a sum has a sign the others do not outweigh it.
+/// True if an expression is taken to have one sign where a system is regular: parameters are
+/// positive, even powers do not vanish, and where one term of a sum has a sign the others do not
+/// outweigh it.
 fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
     let mut known: HashMap<ExprId, bool> = HashMap::default();
     for id in graph.reachable(&[root]) {

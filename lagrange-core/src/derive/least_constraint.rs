@@ -47,11 +47,11 @@ pub(super) struct SplitLagrangian {
     pub(super) potential: ExprId,
     /// All other terms.
     pub(super) rest: ExprId,
-    /// Whether those are more than linear in the velocities.
+    /// True if those are more than linear in the velocities.
     pub(super) has_other_inertia: bool,
-    /// What is known of those if they are terms in components that joints turn.
+    /// Quasi-velocities, if the components are terms that joints turn.
     quasi_velocities: Option<QuasiVelocities>,
-    /// What is stated by a Gibbs function, which the terms above leave out.
+    /// Part stated by a Gibbs function, which the terms above exclude.
     gibbs: Option<GibbsForm>,
     /// The second derivatives with respect to affine nodes, the squares and those of the Gibbs function included.
     quadratic: QuadraticForm,
@@ -80,7 +80,7 @@ impl SplitLagrangian {
     }
 }
 
-/// Which terms of d/dt ∂L/∂v − ∂L/∂q − Q are wanted.
+/// The requested terms of d/dt ∂L/∂v − ∂L/∂q − Q.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Terms {
     /// Only those of the Lagrangian.
@@ -155,7 +155,7 @@ fn displaced_rates(model: &mut Model) -> Rates {
     rates
 }
 
-/// What the change of its weight adds to the linear part of ½ w u².
+/// Adds the contribution of a changing weight to the linear part of ½ w u².
 fn add_convection(
     graph: &mut Graph,
     form: &mut QuadraticForm,
@@ -203,8 +203,8 @@ fn add_loads(model: &mut Model, form: &mut QuadraticForm) {
     }
 }
 
-/// What affine nodes of the Lagrangian are rates of. Besides what the user wrote as `dot(…)`, multiples and
-/// sums of rates are rates.
+/// Returns the positions whose rates are affine nodes of the Lagrangian. Besides `dot(…)` in the
+/// declaration, multiples and sums of rates are rates.
 fn known_positions(model: &mut Model, lagrangian: ExprId, degrees: &Degrees) -> HashMap<ExprId, ExprId> {
     let rates =
         model.speeds.iter().filter_map(|s| Some((s.velocity, model.coordinates[s.coordinate?].position)));

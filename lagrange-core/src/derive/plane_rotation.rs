@@ -47,9 +47,9 @@ struct Component {
     id: ExprId,
     cosine: ExprId,
     sine: ExprId,
-    /// What the cosine is a factor of, and whether it is subtracted.
+    /// Factor of the cosine, and true if the product is subtracted.
     along: (ExprId, bool),
-    /// What the sine is a factor of, and whether it is subtracted.
+    /// Factor of the sine, and true if the product is subtracted.
     across: (ExprId, bool),
 }
 
@@ -122,11 +122,11 @@ pub(super) struct PendingRotations {
     pair_of: HashMap<ExprId, usize>,
     /// Pairs of which one variable is ready, with its rank, but not the other.
     half_ready: HashMap<usize, usize>,
-    /// What is ready of each rotation, by the cosine of the angle.
+    /// Completed parts of each rotation, by the cosine of the angle.
     ready: HashMap<ExprId, ReadyRotation>,
-    /// The same in the order in which rotations go, the last one first.
+    /// Completed rotations in the order in which they are applied, the last one first.
     order: BTreeSet<(bool, usize, ExprId)>,
-    /// Whether they wait until nothing else is left.
+    /// True if they wait until nothing else is left.
     are_last: bool,
 }
 
@@ -160,7 +160,7 @@ impl PendingRotations {
         self.pairs.is_empty()
     }
 
-    /// Whether a variable is one of a pair.
+    /// True if a variable is one of a pair.
     pub(super) fn contains(&self, id: ExprId) -> bool {
         self.pair_of.contains(&id)
     }

@@ -65,17 +65,17 @@ impl QuadraticForm {
         }
     }
 
-    /// Whether more than half of all pairs of `count` variables occur.
+    /// True if more than half of all pairs of `count` variables occur.
     pub(super) fn is_mostly_full(&self, count: usize) -> bool {
         self.pairs.len() * 4 > count * (count + 1)
     }
 
-    /// Whether any term holds xᵢ.
+    /// True if any term holds xᵢ.
     pub(super) fn contains(&self, i: ExprId) -> bool {
         self.is_coupled(i) || self.linear.contains_key(&i)
     }
 
-    /// Whether a square or product holds xᵢ.
+    /// True if a square or product holds xᵢ.
     pub(super) fn is_coupled(&self, i: ExprId) -> bool {
         self.neighbours.get(&i).is_some_and(|near| !near.is_empty())
     }
@@ -96,7 +96,7 @@ impl QuadraticForm {
         std::mem::take(&mut self.changed)
     }
 
-    /// Whether xᵢ² occurs.
+    /// True if xᵢ² occurs.
     pub(super) fn has_square(&self, i: ExprId) -> bool {
         self.pairs.contains_key(&(i, i))
     }

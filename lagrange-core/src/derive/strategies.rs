@@ -19,7 +19,7 @@ use crate::syntax::ast::Accuracy;
 /// the factorisation down would be all that the trial finds.
 const LARGEST_TRIAL: usize = 40;
 
-/// Whether the mass matrix is too large to be factorised on trial, and full as far as it is.
+/// True if the mass matrix is too large to be factorised on trial, and full as far as it is.
 pub(super) fn has_large_mass_matrix(model: &Model) -> bool {
     most_coupled(model, LARGEST_TRIAL + 1) > LARGEST_TRIAL
 }
@@ -77,7 +77,7 @@ impl SingularMassMatrix {
 /// A solution, the strategy that found it, and the counted cost of each strategy that was tried.
 pub(super) type Solved = (Solution, Strategy, [Option<f64>; 3]);
 
-/// What the strategies start from.
+/// The common input of the strategies.
 pub(super) struct Candidates<'a> {
     pub(super) model: &'a mut Model,
     pub(super) split: &'a SplitLagrangian,
@@ -144,7 +144,7 @@ impl Candidates<'_> {
         Err(SingularMassMatrix)
     }
 
-    /// Whether the mass matrix is large and full. One that nobody has asked for so far is.
+    /// True if the mass matrix is large and full. One that nobody has asked for so far is.
     fn is_large(&mut self) -> bool {
         let count = self.model.speeds.len();
         count > LARGEST_TRIAL
@@ -164,7 +164,7 @@ impl Candidates<'_> {
         }
     }
 
-    /// Whether there is nothing but squares of rates; multipliers stand in products.
+    /// True if there is nothing but squares of rates; multipliers stand in products.
     fn has_squares_only(&self) -> bool {
         !self.split.has_other_inertia && self.model.constraints.is_empty()
     }

@@ -58,7 +58,7 @@ impl MassStructure {
         is_moving.then_some(MassStructure { is_constant: false, depends_on_velocities: false, blocks })
     }
 
-    /// Whether no two coordinates are coupled.
+    /// True if no two coordinates are coupled.
     pub fn is_diagonal(&self) -> bool {
         self.blocks.iter().all(|block| block.len() == 1)
     }
@@ -115,7 +115,7 @@ impl Inertia {
         Inertia { forces, rounding: ROUNDING * largest }
     }
 
-    /// Whether a force is more than rounding.
+    /// True if a force is more than rounding.
     fn shows(&self, force: f64) -> bool {
         force.abs() > self.rounding
     }
@@ -188,7 +188,8 @@ fn constrained_velocities(model: &Model) -> HashMap<ExprId, ()> {
     reached.into_iter().map(|id| (id, ())).collect()
 }
 
-/// Whether the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities is linear in them, A v = 0.
+/// True if the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities
+/// is linear in them, A v = 0.
 fn constraints_do_no_work(model: &mut Model) -> bool {
     let velocities = model.velocities();
     let is_velocity = velocities.into_iter().map(|velocity| (velocity, ())).collect::<HashMap<_, _>>();

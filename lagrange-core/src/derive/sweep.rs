@@ -281,7 +281,7 @@ impl Sweep {
         Step::Turn(pairs)
     }
 
-    /// Whether pairs are turned.
+    /// True if pairs are turned.
     pub(super) fn has_rotations(&self) -> bool {
         !self.rotations.is_empty()
     }

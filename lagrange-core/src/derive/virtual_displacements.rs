@@ -1,4 +1,5 @@
-//! What a Lagrangian L(q, v) contributes along virtual displacements of positions whose rates are no velocities.
+//! The contribution of a Lagrangian L(q, v) along virtual displacements of positions whose rates
+//! are not velocities.
 //!
 //! With q̇ = N(q) v, displacements are δq = N δπ, where the δπ belong to the velocities. The equations of motion along them are
 //! d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. What stands for the dots vanishes where velocities are rates, and is ω × p for an angular velocity ω in

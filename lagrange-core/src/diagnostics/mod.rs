@@ -165,7 +165,7 @@ impl Report {
         self.diagnostics.retain_mut(keep);
     }
 
-    /// Whether anything in it is an error.
+    /// True if anything in it is an error.
     pub fn has_errors(&self) -> bool {
         self.diagnostics.iter().any(|d| d.severity == Severity::Error)
     }

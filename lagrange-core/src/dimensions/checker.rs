@@ -1,4 +1,4 @@
-//! What is known of dimensions while a declaration is gone through.
+//! Known dimensions during a pass over a declaration.
 
 use super::exponents::Exponents;
 use super::measure::Measure;
@@ -8,7 +8,7 @@ use crate::collections::HashMap;
 use crate::number::Number;
 use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 
-/// What is known of names and expressions.
+/// The known dimensions of names and expressions.
 pub(super) struct Checker<'a> {
     pub(super) expressions: &'a Expressions,
     pub(super) scope: HashMap<String, Measure>,

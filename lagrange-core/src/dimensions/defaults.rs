@@ -12,7 +12,7 @@ use crate::syntax::ast::{
 use crate::syntax::print;
 use crate::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
 
-/// What is known of units before bodies are translated.
+/// Known units before bodies are translated.
 #[derive(Default)]
 pub struct Measured {
     pub(super) named: NamedUnits,

@@ -1,4 +1,4 @@
-//! What is measured behind the labels of bodies, lines, connectors and joints.
+//! Dimensions of the arguments of bodies, lines, connectors and joints.
 
 use super::quantities::{is_of_numbers, with_unit};
 use crate::diagnostics::Origin;
@@ -15,7 +15,7 @@ pub(super) struct Label {
     pub(super) value: AstId,
     /// The unit of it or of its components.
     pub(super) unit: Unit,
-    /// What it is: `the mass of a body`.
+    /// Description: `the mass of a body`.
     pub(super) what: &'static str,
 }
 

@@ -2,16 +2,17 @@
 
 use super::exponents::Exponents;
 
-/// What is known of the dimension of a number: nothing of zero, which fits all, and of what was reported elsewhere.
+/// The known dimension of a number; unknown for zero, which fits every dimension, and after a
+/// reported mistake.
 pub(super) type MeasuredComponent = Option<Exponents>;
 
 /// The dimension of an expression.
 #[derive(Clone, Debug)]
 pub(super) struct Measure {
-    /// Of a scalar its own, of a vector those of its components.
+    /// One entry for a scalar, one per component for a vector.
     pub(super) components: Vec<MeasuredComponent>,
     pub(super) is_vector: bool,
-    /// Whether it is made of rates.
+    /// True if it is made of rates.
     pub(super) has_rates: bool,
 }
 
@@ -20,7 +21,7 @@ impl Measure {
         Measure { components: vec![component], is_vector: false, has_rates: false }
     }
 
-    /// Of which nothing is known.
+    /// Returns an unknown dimension.
     pub(super) fn any() -> Measure {
         Measure::scalar(None)
     }
@@ -43,7 +44,7 @@ impl Measure {
         self
     }
 
-    /// The same with another dimension for each component.
+    /// Applies a change to the dimension of each component.
     pub(super) fn map(&self, change: impl Fn(&Exponents) -> Exponents) -> Measure {
         let components = self.components.iter().map(|component| component.as_ref().map(&change)).collect();
         Measure { components, ..*self }

@@ -86,7 +86,7 @@ pub(super) const MOMENT: &str = "a moment (N*m)";
 pub(super) const ANOTHER: &str = "something else";
 pub(super) const SQUARE_MISSING: &str = "a square is missing";
 
-/// What is missing or too much, by the noun for it or else by its unit.
+/// Describes the missing or superfluous factor, by its noun or else by its unit.
 pub(super) fn factor_missing(noun: &str) -> String {
     format!("a factor of {noun} is missing")
 }

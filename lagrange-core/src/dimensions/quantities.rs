@@ -4,7 +4,7 @@ use crate::number::Number;
 use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 use crate::units::Unit;
 
-/// Whether an expression is made of numbers alone, so that a unit can be meant for all of it.
+/// True if an expression is made of numbers alone, so that a unit can be meant for all of it.
 pub(super) fn is_of_numbers(expressions: &Expressions, root: AstId) -> bool {
     let is_other = |id: &AstId| {
         matches!(expressions.get(*id), Expression::Quantity(..) | Expression::Invalid)
@@ -13,7 +13,7 @@ pub(super) fn is_of_numbers(expressions: &Expressions, root: AstId) -> bool {
     !expressions.parts(root).iter().any(is_other)
 }
 
-/// Whether an expression is a name that has a unit of its own.
+/// True if an expression is a name that has a unit of its own.
 pub(super) fn is_name(expressions: &Expressions, id: AstId) -> bool {
     matches!(expressions.get(id), Expression::Name(name) if name != "pi")
 }

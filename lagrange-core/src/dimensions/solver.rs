@@ -9,9 +9,10 @@ use crate::units::Dimension;
 /// Why two dimensions are equal.
 #[derive(Clone, Debug)]
 pub(super) struct Grounds {
-    /// What is said of the right side, in words in which `#` stands for its dimension: `` `potential` adds energies (J) ``.
+    /// Description of the right side, in words in which `#` stands for its dimension: ``
+    /// `potential` adds energies (J) ``.
     pub(super) words: String,
-    /// Where that is said.
+    /// Place of the description.
     pub(super) place: Origin,
 }
 
@@ -31,14 +32,14 @@ pub(super) struct DimensionEquation {
 #[derive(Clone, Debug)]
 pub(super) struct Contradiction {
     pub(super) equation: DimensionEquation,
-    /// What the expression should be multiplied with.
+    /// Factor missing from the expression.
     pub(super) missing: Dimension,
 }
 
 /// A name of which one dimension is to be found.
 #[derive(Clone, Debug)]
 struct SolvedUnknown {
-    /// What it is, of unknowns that may be solved by now.
+    /// Dimension in terms of unknowns, some of which may be solved by now.
     form: Exponents,
     /// Number of the equation that says so.
     equation: usize,

@@ -174,7 +174,8 @@ fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
     }
 }
 
-/// What an expression is behind a name: of numbers alone, whatever the name is needed as.
+/// Returns the dimension of an expression after a name; a number adopts the dimension required of
+/// the name.
 fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
     if is_of_numbers(checker.expressions, value) {
         return of_numbers(checker, name, value);
@@ -218,7 +219,7 @@ fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     checker.scope.insert(name.text.clone(), Measure::scalar(force));
 }
 
-/// What a statement asks of expressions.
+/// Applies the conditions that a statement imposes on expressions.
 fn demand(checker: &mut Checker<'_>, statement: &Statement) {
     let place = Origin::from(statement.origin.start);
     let said = |words: &str| Grounds { words: words.to_owned(), place };

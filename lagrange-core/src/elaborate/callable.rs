@@ -1,4 +1,4 @@
-//! What is known of a function without a formula.
+//! Known facts about a function without a formula.
 
 use proc_macro2::Span;
 

@@ -102,7 +102,7 @@ fn evaluate_rate(
     evaluator.rate(&rate, argument)
 }
 
-/// Whether an expression is made of numbers, constants and parameters, whatever it is worth.
+/// True if an expression is made of numbers, constants and parameters, whatever it is worth.
 fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     let mut pending = vec![root];
     while let Some(id) = pending.pop() {

@@ -159,7 +159,8 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
     check_derivatives(elaborator);
 }
 
-/// What is wrong with a product of bodies that do not exist, or exist in the plane instead of space or the other way round.
+/// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
+/// plane instead of in space or vice versa.
 fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'static str) {
     let staged = &elaborator.staged;
     match product {

@@ -37,7 +37,7 @@ impl Constants {
     }
 }
 
-/// Whether this is a function with arguments for which it is not defined.
+/// True if this is a function with arguments for which it is not defined.
 fn has_poles(node: &Node) -> bool {
     matches!(node, Node::Call(function, _) if !elementary::row(*function).is_total())
 }

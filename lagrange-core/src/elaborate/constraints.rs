@@ -41,7 +41,7 @@ pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, synta
     elaborator.constraints.push((constraint, name.span));
 }
 
-/// Whether this is the constraint of a joint that the coordinates fulfil by themselves.
+/// True if this is the constraint of a joint that the coordinates fulfil by themselves.
 fn is_implied(elaborator: &mut Elaborator<'_>, name: &Name, value: ExprId) -> bool {
     let is_of_joint = elaborator.joints.iter().any(|joint| joint.text == name.text);
     is_of_joint && vanishing(&mut elaborator.evaluator.graph, &[value]) == [true]
@@ -127,12 +127,12 @@ fn normalised(graph: &mut Graph, velocity: ExprId) -> (Number, Number, ExprId) {
     (scale, &constant * &over, core)
 }
 
-/// How far two constraints on the same motion are apart.
+/// The difference between two constraints on the same motion.
 enum Gap {
     None,
-    /// By a number.
+    /// A number.
     Certain,
-    /// By an expression of parameters, which may be zero.
+    /// An expression of parameters, which may be zero.
     Unless(String),
 }
 
@@ -183,7 +183,7 @@ pub(super) fn check_constraint_count(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Whether a constraint holds this velocity.
+/// True if a constraint holds this velocity.
 pub(super) fn is_constrained(elaborator: &Elaborator<'_>, velocity: ExprId) -> bool {
     let rates = elaborator.constraints.iter().map(|(constraint, _)| constraint.velocity).collect::<Vec<_>>();
     elaborator.evaluator.graph.reachable(&rates).contains(&velocity)

@@ -83,7 +83,7 @@ pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, 
     elaborator.declare(name, NameKind::Abbreviation, value);
 }
 
-/// Whether a name is that of no place, or of one made of coordinates and time.
+/// True if a name is that of no place, or of one made of coordinates and time.
 fn is_sound_place(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId, value: &Operand) -> bool {
     let Some((_, what)) = elaborator.places.iter().find(|(place, _)| *place == name.text) else {
         return true;

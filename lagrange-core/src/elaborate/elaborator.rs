@@ -47,7 +47,7 @@ pub(super) struct SourceTerm {
 pub(super) struct DeclaredState {
     pub(super) name: Name,
     pub(super) position: ExprId,
-    /// Where its equation stands, as far as there is one.
+    /// Place of its equation, if there is one.
     pub(super) equation: Option<Span>,
 }
 
@@ -79,7 +79,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) implied: Vec<String>,
     /// Constraints, with where their names stand.
     pub(super) constraints: Vec<(Constraint, Span)>,
-    /// What constraints demand of velocities, but for a factor and a number: the first constraint of each.
+    /// First constraint on each velocity expression, up to a factor and a number.
     pub(super) constrained: HashMap<ExprId, usize>,
     /// The rate of stabilisation, with where it is given.
     pub(super) stabilisation: Option<(ExprId, Span)>,

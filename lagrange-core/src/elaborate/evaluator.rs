@@ -176,8 +176,8 @@ impl<'a> Evaluator<'a> {
         }))
     }
 
-    /// Whether the rate of an expression needs that of a state that is not stated so far. It is reported here if it stands further
-    /// down, elsewhere if it is missing.
+    /// True if the rate of an expression needs that of a state that is not stated so far. It is
+    /// reported here if it stands further down, elsewhere if it is missing.
     fn lacks_state_rate(&mut self, component: ExprId, origin: AstId) -> bool {
         if !self.graph.dependencies(component).intersects(Dependencies::STATE) {
             return false;

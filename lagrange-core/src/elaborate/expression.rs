@@ -110,7 +110,7 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
     None
 }
 
-/// Whether nothing was said yet of a joint without forces, one of whose constraints has this name.
+/// True if nothing was said yet of a joint without forces, one of whose constraints has this name.
 fn is_first_of_joint(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
     let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
     evaluator.forceless_joints.insert(joint.to_owned(), ()).is_none()

@@ -4,7 +4,7 @@ use crate::elementary;
 use crate::solids::{self, Dimensions, SOLIDS, Solid};
 use crate::syntax::STRUCTURAL_FUNCTIONS;
 
-/// Whether the language has a function of that name.
+/// True if the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {
     arity(name).is_some() || mass_function(name).is_some()
 }
@@ -15,7 +15,7 @@ pub(super) fn arity(name: &str) -> Option<usize> {
         .or_else(|| STRUCTURAL_FUNCTIONS.iter().find(|(known, _)| *known == name).map(|(_, arity)| *arity))
 }
 
-/// How a function is called, with the names that its arguments have in textbooks.
+/// Returns the usage of a function, with the names of its arguments in textbooks.
 pub(super) fn usage(name: &str, arity: usize) -> String {
     if matches!(name, "powi" | "powf") {
         return format!("x.{name}(n)");
@@ -69,7 +69,7 @@ fn mass_function_names() -> impl Iterator<Item = &'static str> {
 }
 
 impl MassFunction {
-    /// How it is called.
+    /// Returns the usage of the function.
     pub(super) fn usage(self) -> String {
         match self {
             MassFunction::Inertia(solid) => solid.inertia_usage(),
@@ -79,7 +79,7 @@ impl MassFunction {
         }
     }
 
-    /// How many arguments it takes, and whether that is a least number.
+    /// Returns the number of arguments, and true if that is a minimum.
     pub(super) fn arity(self) -> (usize, bool) {
         let of_solid = |solid: &Solid| match solid.dimensions {
             Dimensions::Scalars(names) => (names.len(), false),

@@ -112,7 +112,7 @@ fn suitable_dimensions(
     Some(dimensions)
 }
 
-/// Whether the numbers among the dimensions are those of no such solid.
+/// True if the numbers among the dimensions are those of no such solid.
 fn is_impossible(evaluator: &mut Evaluator<'_>, solid: &Solid, dimensions: &[ExprId]) -> bool {
     if solid.dimensions == Dimensions::Corners {
         let area = solids::double_area(&mut evaluator.graph, dimensions);

@@ -65,7 +65,7 @@ impl Misfits<'_> {
         }
     }
 
-    /// What does not fit in a node whose operands are known.
+    /// Returns the mistake in a node whose operands are known.
     fn find(&self, graph: &Graph, constants: &Constants, id: ExprId) -> Option<Misfit> {
         let of_number = |number: &Number| misfit(self.scalar, number);
         let of_value = |value: f64| misfit_of_value(self.scalar, value);

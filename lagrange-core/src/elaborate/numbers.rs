@@ -12,7 +12,7 @@ use crate::number::Number;
 use crate::opaque::Axis;
 use crate::syntax::ast::{AstId, Expression};
 
-/// Whether one can go on with a value; reports it if not.
+/// True if one can go on with a value; reports it if not.
 pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     is_short(evaluator, value, id) && is_real(evaluator, value, id)
 }

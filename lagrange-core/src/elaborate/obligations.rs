@@ -73,7 +73,7 @@ fn free_of(elaborator: &mut Elaborator, syntax: AstId, is_wrong: fn(Dependencies
 struct Wrong {
     text: String,
     origin: Origin,
-    /// Whether it is so whatever the parameters are, and not only with their defaults.
+    /// True if it is so whatever the parameters are, and not only with their defaults.
     is_constant: bool,
 }
 
@@ -139,7 +139,8 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
     }
 }
 
-/// Whether a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about its centre of mass.
+/// True if a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about
+/// its centre of mass.
 ///
 /// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of the principal minors.
 pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
@@ -214,13 +215,13 @@ fn generic_values() -> impl Iterator<Item = f64> {
     std::iter::once(2.0).chain((1..).map(|i| f64::from(2 * i + 1)))
 }
 
-/// Whether two numbers differ by more than rounding; NaN differs from everything.
+/// True if two numbers differ by more than rounding; NaN differs from everything.
 fn differ(a: f64, b: f64) -> bool {
     let error = (a - b).abs();
     error > ROUNDING * a.abs().max(b.abs()) || error.is_nan()
 }
 
-/// Whether an expression holds no function whose values are known at run time only.
+/// True if an expression holds no function whose values are known at run time only.
 fn has_formula(graph: &Graph, value: ExprId) -> bool {
     !graph
         .reachable(&[value])

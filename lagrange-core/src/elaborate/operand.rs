@@ -37,7 +37,7 @@ impl Operand {
         }
     }
 
-    /// Whether both are scalars or vectors of the same length.
+    /// True if both are scalars or vectors of the same length.
     pub(super) fn same_kind(&self, other: &Operand) -> bool {
         match (self, other) {
             (Operand::Scalar(_), Operand::Scalar(_)) => true,

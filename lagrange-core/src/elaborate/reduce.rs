@@ -128,7 +128,8 @@ impl<'a> Reducer<'a> {
         self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
     }
 
-    /// What is not frozen. Rates of states stay exact in what still moves.
+    /// Returns the coordinates that are not frozen. Rates of states stay exact in the remaining
+    /// motion.
     fn coordinates(&mut self, model: &Model) -> Result<Vec<Coordinate>, Undefined> {
         let mut kept = Vec::new();
         for (index, coordinate) in model.coordinates.iter().enumerate() {
@@ -179,7 +180,7 @@ impl<'a> Reducer<'a> {
         Ok(outputs)
     }
 
-    /// So do bodies.
+    /// Returns the scene with reduced bodies.
     fn scene(&mut self, model: &Model) -> Result<Scene, Undefined> {
         let mut scene = model.scene.clone();
         for place in scene.places() {

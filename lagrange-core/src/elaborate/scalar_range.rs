@@ -20,13 +20,14 @@ pub(super) enum Misfit {
     TooSmall,
 }
 
-/// What is lost of a number when it is rounded to the scalar; nothing if it stays finite, and other than zero.
+/// Returns the misfit of a number that is rounded to the scalar; `None` if it stays finite and
+/// nonzero.
 pub(super) fn misfit(scalar: &ScalarType, number: &Number) -> Option<Misfit> {
     misfit_of_value(scalar, number.to_f64())
         .or_else(|| (!number.is_zero() && number.to_f64() == 0.0).then_some(Misfit::TooSmall))
 }
 
-/// The same of a number that is in `f64` already.
+/// Returns the misfit of a number that is in `f64` already.
 pub(super) fn misfit_of_value(scalar: &ScalarType, value: f64) -> Option<Misfit> {
     let rounded = match scalar {
         ScalarType::F32 => f64::from(value as f32),

@@ -52,7 +52,7 @@ fn frame_pose(elaborator: &mut Elaborator<'_>, frame: &FramePose) -> Option<Link
     is_place.then(|| LinkPose { name: frame.name.clone(), values })
 }
 
-/// Where the place of a frame holds velocities, its twist holds accelerations.
+/// Returns the twist of a frame: velocities in its place become accelerations.
 fn link_twist(elaborator: &mut Elaborator<'_>, twist: &FrameTwist) -> Option<LinkTwist> {
     let syntax = [&twist.spin[..], &twist.velocity].concat();
     let values = scalars(elaborator, &syntax)?;

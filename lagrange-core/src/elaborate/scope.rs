@@ -18,7 +18,7 @@ pub(super) enum NameKind {
     State,
     Velocity,
     Abbreviation,
-    /// What an equation defines.
+    /// The name defined by an equation.
     Unknown,
     Constraint,
     /// A constraint of a joint that the coordinates fulfil by themselves.
@@ -50,12 +50,12 @@ impl NameKind {
         }
     }
 
-    /// Whether expressions may mention a name of this kind.
+    /// True if expressions may mention a name of this kind.
     pub(super) fn has_value(self) -> bool {
         !matches!(self, NameKind::Implied | NameKind::Event | NameKind::Output)
     }
 
-    /// Whether a name of this kind that nobody mentions is likely a mistake.
+    /// True if a name of this kind that nobody mentions is likely a mistake.
     fn should_be_used(self) -> bool {
         use NameKind::{Abbreviation, Constant, Input, Parameter, Unknown};
         matches!(self, Parameter | Input | Constant | Abbreviation | Unknown)
@@ -70,7 +70,7 @@ pub(super) struct Entry {
     pub(super) value: Option<Operand>,
     pub(super) span: Span,
     used: bool,
-    /// Whether it was declared twice, so that it may stand for something else.
+    /// True if it was declared twice, so that it may stand for something else.
     pub(super) is_ambiguous: bool,
 }
 

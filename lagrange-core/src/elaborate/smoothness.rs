@@ -105,7 +105,7 @@ fn moving_factors(graph: &Graph, id: ExprId) -> Vec<ExprId> {
     found
 }
 
-/// Whether one of these expressions may jump where `factor` vanishes.
+/// True if one of these expressions may jump where `factor` vanishes.
 fn jumps(graph: &mut Graph, roots: &[ExprId], factor: ExprId) -> bool {
     let mut known: HashMap<ExprId, Local> = HashMap::default();
     for id in graph.reachable_until(roots, |id| !is_moving(graph, id)) {

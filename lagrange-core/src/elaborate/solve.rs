@@ -36,7 +36,7 @@ pub(super) fn define_unknown(elaborator: &mut Elaborator<'_>, definition: &Unkno
     elaborator.evaluator.scope.define(name, value.map(Operand::Scalar));
 }
 
-/// What a statement says of an unknown.
+/// The parts of a statement that defines an unknown.
 struct StatedEquation {
     residual: ExprId,
     start: ExprId,

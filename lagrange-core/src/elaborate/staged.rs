@@ -10,14 +10,14 @@ pub(super) struct Staged {
     pub(super) bodies: Vec<Name>,
     /// Names of frames.
     pub(super) frames: Vec<Name>,
-    /// Whether they move in space.
+    /// True if they move in space.
     pub(super) is_in_space: bool,
-    /// Whether anything could be drawn.
+    /// True if anything could be drawn.
     pub(super) is_visible: bool,
 }
 
 impl Staged {
-    /// Whether there is too little for a product, or it is of scenes of the other kind.
+    /// True if there is too little for a product, or it is of scenes of the other kind.
     pub(super) fn lacks(&self, product: Product) -> bool {
         let is_empty = self.bodies.is_empty() && self.frames.is_empty();
         match product {
@@ -29,7 +29,7 @@ impl Staged {
         }
     }
 
-    /// Whether a name is that of a frame.
+    /// True if a name is that of a frame.
     pub(super) fn is_frame(&self, name: &str) -> bool {
         self.frames.iter().any(|frame| frame.text == name)
     }

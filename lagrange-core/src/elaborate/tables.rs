@@ -238,7 +238,7 @@ fn names_of_derivatives(table: &TableDefinition) -> Vec<String> {
     derivatives.map(|orders| default_name(&table.name.text, &parameters, orders)).collect()
 }
 
-/// What accelerations take derivatives by, of a term.
+/// The variables by which accelerations differentiate a term.
 #[derive(Clone, Copy)]
 enum DerivedBy {
     /// Positions alone: what changes with time only is a factor.

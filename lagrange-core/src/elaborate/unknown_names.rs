@@ -8,13 +8,14 @@ use crate::diagnostics::Origin;
 use crate::syntax::ast::StatementKind;
 use crate::syntax::foreign;
 
-/// Whether a name is written as constants of Rust are: several capital letters.
+/// True if a name is written as constants of Rust are: several capital letters.
 fn is_constant_of_rust(name: &str) -> bool {
     let is_capital = |c: char| c.is_ascii_uppercase() || c.is_ascii_digit() || c == '_';
     name.len() > 2 && name.chars().all(is_capital)
 }
 
-/// Whether it was reported already that a name has no meaning where it is used, so that this place only counts.
+/// True if it was reported already that a name has no meaning where it is used, so that this place
+/// only counts.
 pub(super) fn is_known_unresolved(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
     let places = evaluator.unresolved.names.get_mut(&name.to_owned());
     places.map(|places| places.all.insert(place(origin))).is_some()
@@ -36,8 +37,9 @@ fn remember(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) {
     evaluator.unresolved.names.insert(name.to_owned(), Places::new(mistake, origin));
 }
 
-/// Whether an unknown name is declared further down, which is reported here, or may have been declared
-/// where the declaration could not be read. Names of one statement are too far down together.
+/// True if an unknown name is declared further down, which is reported here, or may have been
+/// declared where the declaration could not be read. Names of one statement are too far down
+/// together.
 pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
     let Some((statement, declaration)) = evaluator.declaration.find(name) else {
         return evaluator.declaration.lacks_names

@@ -30,7 +30,7 @@ pub(super) struct Late {
 pub(super) struct Places {
     /// The number of the mistake that was reported at the first of them.
     pub(super) mistake: usize,
-    /// Whether the mistake names it, and not another name beside which it was reported.
+    /// True if the mistake names it, and not another name beside which it was reported.
     pub(super) is_named: bool,
     /// Lines and columns, the first place included.
     pub(super) all: BTreeSet<(usize, usize)>,

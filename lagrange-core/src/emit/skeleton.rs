@@ -1,4 +1,4 @@
-//! What is emitted for a declaration with errors.
+//! Emission for a declaration with errors.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -41,7 +41,7 @@ pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     quote!(#system #reduced)
 }
 
-/// The same for one type alone.
+/// Emits the skeleton of one type.
 fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let shape = Shape::new(declaration, krate);
     let n = shape.velocities.len();
@@ -160,7 +160,7 @@ fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
     Method { name, docs, arguments, returns, body: quote!(::core::unreachable!()) }
 }
 
-/// The same for the reduced types.
+/// Emits the skeletons of the reduced types.
 fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let mut taken = HashMap::default();
     let mut is_new = |name: &str| {
@@ -188,7 +188,7 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
     types.collect()
 }
 
-/// Whether it is an output with the name of a method, which is reported.
+/// True if it is an output with the name of a method, which is reported.
 fn is_reserved(statement: &StatementKind) -> bool {
     matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
 }

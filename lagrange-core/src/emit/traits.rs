@@ -45,12 +45,13 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel)
 }
 
-/// Whether the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no coordinates.
+/// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no
+/// coordinates.
 fn is_canonical(shape: &Shape<'_>, members: &Members) -> bool {
     shape.velocities_are_rates() && has(members, "momentum_rates")
 }
 
-/// Whether there is a method of this name.
+/// True if there is a method of this name.
 fn has(members: &Members, name: &str) -> bool {
     members.methods.iter().any(|method| method.name == name)
 }

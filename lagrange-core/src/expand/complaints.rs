@@ -9,7 +9,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Origin, Report, nearest};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
 
-/// What is reported, and what is known of names for it.
+/// The reports, and the names known for them.
 pub(super) struct Complaints<'a> {
     pub(super) report: &'a mut Report,
     declaration: &'a Declaration,
@@ -31,7 +31,7 @@ impl<'a> Complaints<'a> {
         Complaints { report, declaration, names, said: HashMap::default(), is_partial }
     }
 
-    /// Whether what could not be read is not known of names.
+    /// True if what could not be read is not known of names.
     pub(super) fn is_partial(&self) -> bool {
         self.is_partial
     }
@@ -120,7 +120,7 @@ impl<'a> Complaints<'a> {
         self.unknown_as(name, messages::DECLARE_HELP.to_owned(), (of, origin));
     }
 
-    /// The same of a name with an index behind it.
+    /// Reports an unknown name with an index.
     pub(super) fn unknown_array(&mut self, name: &str, of: AstId, origin: Origin) {
         self.unknown_as(name, messages::declare_array(name), (of, origin));
     }

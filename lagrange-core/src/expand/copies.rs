@@ -25,7 +25,7 @@ pub(super) struct Copier<'a> {
     pub(super) elements: &'a ElementNames,
     pub(super) complaints: Complaints<'a>,
     constants: &'a HashMap<String, Number>,
-    /// Of expressions in the text, whether anything in them can change.
+    /// For each expression in the text, true if anything in it can change.
     changes: HashMap<AstId, bool>,
     /// Terms so far.
     terms: u64,
@@ -67,7 +67,7 @@ impl<'a> Copier<'a> {
         Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants }
     }
 
-    /// What an expression stands for in a scope.
+    /// Returns the copy of an expression in a scope.
     pub(super) fn copied(&mut self, root: AstId, scope: ScopeId) -> AstId {
         let mut tasks = vec![Task::Copy(root, scope)];
         let mut copies = Vec::new();
@@ -157,7 +157,7 @@ impl<'a> Copier<'a> {
         }
     }
 
-    /// What an element is called; nothing if there is no such element, which is reported.
+    /// Returns the name of an element. An element that does not exist is reported.
     pub(super) fn element(&mut self, name: &Name, scope: ScopeId) -> Option<String> {
         let counting =
             Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
@@ -238,7 +238,8 @@ impl<'a> Copier<'a> {
         }
     }
 
-    /// Whether a condition is made of numbers that are known here, of variables among them, and not of the motion.
+    /// True if a condition is made of numbers that are known here, of variables among them, and not
+    /// of the motion.
     fn is_of_indices(&self, condition: &Condition, scope: ScopeId) -> bool {
         let sides = [condition.left, condition.right];
         let is_variable = |id: &AstId| match self.expressions.get(*id) {

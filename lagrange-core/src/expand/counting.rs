@@ -8,7 +8,7 @@ use crate::syntax::ast::{
     ArrayExpression, AstId, BinaryOperator, Expression, Expressions, IndexCondition, TestKind,
 };
 
-/// What can be known of an index.
+/// The known facts about an index.
 #[derive(Clone, Copy)]
 pub(super) struct Counting<'a> {
     pub(super) expressions: &'a Expressions,
@@ -24,7 +24,7 @@ pub(super) struct IndexFault {
     pub(super) reason: Reason,
 }
 
-/// What is wrong about an index.
+/// The mistake in an index.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Reason {
     /// Reported already.
@@ -61,7 +61,7 @@ impl Counting<'_> {
         }
     }
 
-    /// Whether a condition holds.
+    /// Returns the value of a condition.
     pub(super) fn holds(self, condition: &IndexCondition, scope: ScopeId) -> Result<bool, IndexFault> {
         for tests in &condition.alternatives {
             let mut all = true;

@@ -33,7 +33,7 @@ pub(super) fn element_of(expressions: &Expressions, value: AstId, position: &[i6
     Some(value)
 }
 
-/// Whether lists are as long as the array in every direction; they are reported if they are not.
+/// Checks that lists are as long as the array in every direction; reports those that are not.
 pub(super) fn fits(
     expressions: &Expressions,
     value: AstId,

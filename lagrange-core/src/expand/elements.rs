@@ -23,7 +23,7 @@ pub(super) struct ElementNames {
     owners: HashMap<String, String>,
     /// Names without indices, and the statement that declares them.
     plain: HashMap<String, (Span, usize)>,
-    /// What elements are called, with the place of the declaration and how they are written.
+    /// Names of elements, with the place of the declaration and their spelling.
     texts: HashMap<String, (Span, String)>,
 }
 
@@ -54,7 +54,7 @@ impl Array {
     }
 }
 
-/// Whether a statement declares whole arrays rather than elements.
+/// True if a statement declares whole arrays rather than elements.
 pub(super) fn declares_arrays(kind: &StatementKind) -> bool {
     matches!(
         kind,
@@ -85,19 +85,19 @@ impl ElementNames {
         collector.elements
     }
 
-    /// Whether a name is that of an array.
+    /// True if a name is that of an array.
     pub(super) fn is_array(&self, name: &str) -> bool {
         self.arrays.get(&name.to_owned()).is_some()
     }
 
-    /// What an element is called.
+    /// Returns the name of an element.
     pub(super) fn text(&self, name: &str, indices: &[i64]) -> Option<&str> {
         let array = self.array(name)?;
         let suffix = self.owners.get(&name.to_owned()).map_or("", String::as_str);
         array.elements.get(indices).and_then(|(_, text)| text.strip_suffix(suffix))
     }
 
-    /// Whether elements have this name, be it that they only own others, as quaternions do.
+    /// True if elements have this name, be it that they only own others, as quaternions do.
     pub(super) fn is_indexed(&self, name: &str) -> bool {
         self.array(name).is_some()
     }
@@ -107,7 +107,7 @@ impl ElementNames {
         self.arrays.get(&owned.unwrap_or_else(|| name.to_owned()))
     }
 
-    /// How an element is written, by what it is called.
+    /// Returns the spelling of an element with this name.
     pub(super) fn as_written(&self, text: &str) -> Option<&str> {
         self.texts.get(&text.to_owned()).map(|(_, written)| written.as_str())
     }
@@ -171,7 +171,7 @@ struct Collector<'a, 'c> {
 struct DeclaredName<'a> {
     /// The name in the text, with its indices.
     name: &'a Name,
-    /// What follows it in the name that is meant.
+    /// Rest of the intended name.
     suffix: &'a str,
     /// Number of the statement, as that of its place in memory.
     statement: usize,

@@ -1,4 +1,4 @@
-//! What is said of arrays, loops and sums, and what their elements are called.
+//! Messages about arrays, loops and sums, and the names of their elements.
 
 use crate::number::Number;
 
@@ -19,7 +19,7 @@ pub(super) const LIST_IN_LIST: &str = "an element has one value, not a list of t
 pub(super) const LIST_HELP: &str = "write one value for each element, or a single one for all";
 pub(super) const TOO_LONG_HELP: &str = "write shorter loops";
 
-/// What an element is called where arrays are written out: `u_1_2`.
+/// Returns the name of an element in expanded declarations: `u_1_2`.
 pub(super) fn element(name: &str, indices: &[i64]) -> String {
     indices.iter().fold(name.to_owned(), |text, index| format!("{text}_{index}"))
 }

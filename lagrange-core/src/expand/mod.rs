@@ -65,7 +65,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     Declaration { statements, expressions, bodies, arrays, counted, ..declaration }
 }
 
-/// Whether there is anything to be written out.
+/// True if there is anything to be written out.
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| matches!(expression, Expression::Array(_));
     let mut expressions = declaration.expressions.iter();

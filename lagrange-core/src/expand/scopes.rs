@@ -1,11 +1,11 @@
 //! Variables of loops and their values, loop within loop.
 
-/// Which loops are around something, and where they are; the default is none.
+/// The loops around a place; none by default.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) struct ScopeId(Option<usize>);
 
 impl ScopeId {
-    /// Whether no loop is around.
+    /// True if no loop is around.
     pub(super) fn is_outermost(self) -> bool {
         self.0.is_none()
     }
@@ -52,7 +52,7 @@ impl Scopes {
         if values.is_empty() { String::new() } else { format!(", for {}", values.join(", ")) }
     }
 
-    /// Whether a name is that of a variable somewhere.
+    /// True if a name is that of a variable somewhere.
     pub(super) fn is_variable(&self, name: &str) -> bool {
         self.0.iter().any(|scope| scope.name == name && scope.value.is_some())
     }

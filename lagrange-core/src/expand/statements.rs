@@ -64,7 +64,7 @@ fn rename_parts(joint: &mut Mobilizer) {
     }
 }
 
-/// What a name outside of expressions stands for.
+/// Returns the meaning of a name outside expressions.
 fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Name> {
     if !name.indices.is_empty() {
         return Some(element(name, copier.element(name, scope)?));

@@ -1,4 +1,4 @@
-//! What is found of a declaration whose arrays are written out, in the words of the one that was written.
+//! Warnings about a declaration with expanded arrays, in the words of the original.
 
 use std::collections::BTreeSet;
 
@@ -6,7 +6,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::{Diagnostic, Report, Severity};
 use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray};
 
-/// Where elements are found by the names that they have where arrays are written out.
+/// Elements by their names in expanded declarations.
 type ElementsByName<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
 /// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an array of which an element is used.

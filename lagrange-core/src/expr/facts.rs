@@ -35,17 +35,18 @@ impl Dependencies {
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
-    /// Whether any kind of `other` is among these.
+    /// True if any kind of `other` is among these.
     pub fn intersects(self, other: Dependencies) -> bool {
         self.0 & other.0 != 0
     }
 
-    /// Whether the value never changes during a motion.
+    /// True if the value never changes during a motion.
     pub fn is_constant_in_motion(self) -> bool {
         self.0 & !Dependencies::PARAMETER.0 == 0
     }
 
-    /// Whether the value may change by itself during a motion: with time or the state, while inputs stay what they are.
+    /// True if the value may change by itself during a motion: with time or the state, while inputs
+    /// stay what they are.
     pub fn may_change(self) -> bool {
         self.0 & !(Dependencies::PARAMETER.0 | Dependencies::INPUT.0) != 0
     }

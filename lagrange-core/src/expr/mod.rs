@@ -53,7 +53,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// Whether it holds between two values; never with NaN.
+    /// True if it holds between two values; never with NaN.
     pub fn holds(self, left: f64, right: f64) -> bool {
         match self {
             Relation::Less => left < right,
@@ -138,7 +138,7 @@ pub struct Graph {
     rates: HashMap<ExprId, ExprId>,
     /// Powers of the unit of inertia in which symbols are measured, where that is not zero.
     grades: HashMap<ExprId, Number>,
-    /// What equations define implicitly.
+    /// Implicit definitions by equations.
     unknowns: Vec<AlgebraicUnknown>,
     /// Number of the operands of these equations.
     operands: u32,
@@ -160,7 +160,7 @@ impl Graph {
         self.nodes.len()
     }
 
-    /// Whether nothing has been made.
+    /// True if nothing has been made.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
@@ -183,7 +183,7 @@ impl Graph {
         self.facts[id.index()].dependencies
     }
 
-    /// Whether the value is known to be zero or positive wherever it is defined.
+    /// True if the value is known to be zero or positive wherever it is defined.
     pub fn is_nonnegative(&self, id: ExprId) -> bool {
         self.facts[id.index()].nonnegative
     }
@@ -206,12 +206,12 @@ impl Graph {
         }
     }
 
-    /// Whether the expression is the number zero.
+    /// True if the expression is the number zero.
     pub fn is_zero(&self, id: ExprId) -> bool {
         self.as_number(id).is_some_and(Number::is_zero)
     }
 
-    /// Whether the expression is the number one.
+    /// True if the expression is the number one.
     pub fn is_one(&self, id: ExprId) -> bool {
         self.as_number(id).is_some_and(Number::is_one)
     }

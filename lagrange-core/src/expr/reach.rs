@@ -1,4 +1,4 @@
-//! What expressions are made of.
+//! The operands that expressions depend on.
 
 use super::{ExprId, Graph};
 use crate::collections::HashMap;
@@ -27,8 +27,8 @@ impl Graph {
         found
     }
 
-    /// Whether an expression is made of more than `limit` expressions, itself included. Looks at no more than
-    /// that many, however large the expression is.
+    /// True if an expression is made of more than `limit` expressions, itself included. Looks at no
+    /// more than that many, however large the expression is.
     pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
         let mut seen = HashMap::from_iter([(root, ())]);
         let mut pending = vec![root];

@@ -16,7 +16,7 @@ pub struct AlgebraicUnknown {
     pub arguments: Vec<ExprId>,
     /// The symbol of its value.
     pub value: ExprId,
-    /// What is zero where the value is right, made of these symbols.
+    /// Expression that is zero at the solution, in these symbols.
     pub residual: ExprId,
     /// Value from which the iteration starts, made of the arguments.
     pub start: ExprId,
@@ -30,7 +30,7 @@ impl AlgebraicUnknown {
         [&self.arguments[..], &[self.value, self.residual, self.start]].concat()
     }
 
-    /// The same with other expressions in their places.
+    /// Replaces the expressions.
     pub fn map(&self, map: impl Fn(ExprId) -> ExprId) -> AlgebraicUnknown {
         AlgebraicUnknown {
             function: self.function.clone(),
@@ -56,7 +56,7 @@ impl Graph {
         self.unknowns.push(unknown);
     }
 
-    /// What equations define implicitly, in the order of declaration.
+    /// Returns the implicit definitions, in the order of declaration.
     pub fn unknowns(&self) -> &[AlgebraicUnknown] {
         &self.unknowns
     }

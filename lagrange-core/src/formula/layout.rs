@@ -204,7 +204,7 @@ impl<'v, 'n> View<'v, 'n> {
     }
 }
 
-/// Whether a sum is written as terms of the sum around it.
+/// True if a sum is written as terms of the sum around it.
 fn opens(constant: &Number, terms: &[(ExprId, Number)], coefficient: &Number) -> bool {
     coefficient.abs().is_one() || constant.is_zero() && terms.len() == 1
 }

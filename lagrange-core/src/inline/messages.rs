@@ -1,4 +1,4 @@
-//! What is said of functions that a declaration defines.
+//! Messages about functions that a declaration defines.
 
 use crate::syntax::ast::FunctionDefinition;
 

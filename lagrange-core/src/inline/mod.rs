@@ -105,9 +105,9 @@ fn report_twice(report: &mut Report, name: &Name, before: Origin) {
 /// A function whose own calls are replaced.
 struct Defined {
     function: FunctionDefinition,
-    /// Which parameters stand where in its own text; names in functions that it calls are others.
+    /// Positions of parameters in its text; names in functions that it calls are separate.
     places: HashMap<AstId, usize>,
-    /// What its value is made of, operands first.
+    /// Parts of its value, operands first.
     parts: Vec<AstId>,
     is_called: bool,
 }
@@ -121,7 +121,7 @@ struct Inliner<'a> {
     all: Vec<Name>,
     /// Names of everything else.
     known: BTreeSet<String>,
-    /// How many terms have been added, and how many expressions have written out.
+    /// Number of terms added, and number of expressions written out.
     added: u64,
     sizes: HashMap<AstId, u64>,
     is_too_long: bool,
@@ -187,7 +187,7 @@ impl Inliner<'_> {
         self.expressions.add(expression, origin)
     }
 
-    /// What a call stands for; the call itself if it is none of a function that is defined here.
+    /// Returns the inlined body of a call; calls to other functions are returned unchanged.
     fn called(&mut self, name: &Name, arguments: &[AstId], call: AstId) -> AstId {
         let origin = self.expressions.origin(call);
         let Some(defined) = self.defined.get_mut(&name.text) else {

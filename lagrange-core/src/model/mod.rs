@@ -117,7 +117,7 @@ pub struct Coordinate {
     /// q̇, a function of positions and generalised velocities, linear in these; of a first-order state any function of time, positions,
     /// velocities and inputs
     pub rate: ExprId,
-    /// Whether it is a first-order state, which displacements leave as it is.
+    /// True if it is a first-order state, which displacements leave as it is.
     pub is_state: bool,
 }
 
@@ -305,7 +305,7 @@ impl Model {
         self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
 
-    /// What a velocity is called in words: like the coordinate that it is the rate of.
+    /// Returns the name of a velocity in messages: that of the coordinate whose rate it is.
     pub fn name_of_freedom(&self, index: usize) -> &str {
         let speed = &self.speeds[index];
         speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
@@ -321,7 +321,7 @@ impl Model {
         self.coordinates.iter().filter(|coordinate| coordinate.is_state)
     }
 
-    /// Whether velocities are the rates of the positions, one by one.
+    /// True if velocities are the rates of the positions, one by one.
     pub fn velocities_are_rates(&self) -> bool {
         self.orientations.is_empty() && self.states().next().is_none()
     }

@@ -1,4 +1,4 @@
-//! What can be emitted of a system, one row each.
+//! The products that can be emitted, one row each.
 //!
 //! A row holds everything that the language, its messages and emitted code know of a product. How it is derived is in
 //! [`Equations`](crate::derive::Equations).
@@ -37,11 +37,11 @@ pub enum Product {
 /// When a product is emitted.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Availability {
-    /// Of every system.
+    /// For every system.
     Always,
-    /// Of systems that are given by their kinetic and potential energies.
+    /// For systems given by kinetic and potential energies.
     SeparateEnergies,
-    /// Of systems with constraints.
+    /// For systems with constraints.
     Constraints,
     /// On demand.
     Demand,
@@ -51,7 +51,7 @@ pub enum Availability {
     Bodies,
 }
 
-/// What a product is a function of, beside time and the parameters.
+/// The arguments of a product, beside time and the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ProductArguments {
     /// The positions; the velocities, too, if the result depends on them.
@@ -66,7 +66,7 @@ pub enum ProductArguments {
     Whole,
 }
 
-/// How many numbers stand side by side in a result.
+/// The number of entries in a result.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Extent {
     /// One for each velocity.
@@ -81,12 +81,12 @@ pub enum Extent {
     Fields,
 }
 
-/// What the method of a product returns.
+/// The result of a product's method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ProductShape {
     /// A number.
     Scalar,
-    /// As many numbers.
+    /// A vector of this many numbers.
     Vector(Extent),
     /// Rows and columns.
     Matrix(Extent, Extent),
@@ -95,15 +95,15 @@ pub enum ProductShape {
 /// The method of a product: arguments, result, documentation in lines.
 #[derive(Debug)]
 pub struct ProductMethod {
-    /// What it is a function of.
+    /// Arguments.
     pub arguments: ProductArguments,
-    /// What it returns.
+    /// Result.
     pub returns: ProductShape,
-    /// What it says of itself.
+    /// Documentation.
     pub docs: &'static [&'static str],
 }
 
-/// What is known of one product.
+/// The properties of one product.
 #[derive(Debug)]
 pub struct ProductRow {
     /// The product.
@@ -330,7 +330,7 @@ impl Product {
         all
     };
 
-    /// What is known of it.
+    /// Returns the row of the product.
     pub fn row(self) -> &'static ProductRow {
         &ROWS[self as usize]
     }

@@ -11,9 +11,9 @@ pub struct Scene {
     pub motions: Vec<BodyMotion>,
     /// Motions of bodies in space.
     pub spatial_motions: Vec<SpatialBodyMotion>,
-    /// Where bodies and frames in space are.
+    /// Poses of bodies and frames in space.
     pub frames: Vec<LinkPose>,
-    /// How their frames move.
+    /// Twists of their frames.
     pub twists: Vec<LinkTwist>,
     /// Items to draw, in the order in which they are handed out.
     pub drawing: Vec<DrawnItem>,
@@ -59,7 +59,7 @@ impl SpatialBodyMotion {
     pub const VALUES: usize = 37;
 }
 
-/// Where a body or frame in space is.
+/// The pose of a body or frame in space.
 #[derive(Clone, Debug)]
 pub struct LinkPose {
     /// Its name.
@@ -73,7 +73,7 @@ impl LinkPose {
     pub const VALUES: usize = 12;
 }
 
-/// How the frame of a body moves, in the axes of the world.
+/// The twist of a body's frame, in world axes.
 #[derive(Clone, Debug)]
 pub struct LinkTwist {
     /// Its name.

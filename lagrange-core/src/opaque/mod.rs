@@ -39,7 +39,7 @@ pub enum Source {
     Equation,
 }
 
-/// How often a function is differentiated by each of its arguments.
+/// Order of differentiation by each argument of a function.
 pub type Orders = Vec<u8>;
 
 /// The value of an opaque function, or one of its derivatives. Equal are those with the same name and the same orders: no
@@ -82,12 +82,12 @@ impl Opaque {
         self.orders.len()
     }
 
-    /// How often the function is differentiated by each of its arguments.
+    /// Returns the order of differentiation by each argument.
     pub fn orders(&self) -> &[u8] {
         &self.orders
     }
 
-    /// How often the function is differentiated in all.
+    /// Returns the total order of differentiation.
     pub fn order(&self) -> usize {
         self.orders.iter().map(|order| usize::from(*order)).sum()
     }
@@ -99,7 +99,7 @@ impl Opaque {
         derivative
     }
 
-    /// Whether it is the solution of an equation.
+    /// True if it is the solution of an equation.
     pub fn is_solution(&self) -> bool {
         matches!(self.function.source, Source::Equation)
     }
@@ -113,7 +113,8 @@ impl Opaque {
         self.declared().map_or_else(default, str::to_owned)
     }
 
-    /// Whether there is no such function: the user lists the derivatives, and this one is not among them.
+    /// True if there is no such function: the user lists the derivatives, and this one is not among
+    /// them.
     pub fn is_missing(&self) -> bool {
         let are_listed = matches!(self.function.source, Source::Crate { derivatives: Some(_) });
         are_listed && self.order() > 0 && self.declared().is_none()
@@ -133,7 +134,7 @@ impl Opaque {
         }
     }
 
-    /// Whether it is zero everywhere: a derivative of a table of higher order than its polynomials.
+    /// True if it is zero everywhere: a derivative of a table of higher order than its polynomials.
     pub fn vanishes(&self) -> bool {
         self.table().is_some_and(|table| table.vanishes(&self.orders))
     }
@@ -155,7 +156,8 @@ impl Opaque {
         1.0 + 0.5 * mixed
     }
 
-    /// As formulas write its name: with primes, or with the arguments by which it is differentiated.
+    /// Returns the name as written in formulas: with primes, or with the arguments of
+    /// differentiation.
     pub fn text(&self) -> String {
         let name = &self.function.name;
         match self.orders[..] {
@@ -164,7 +166,7 @@ impl Opaque {
         }
     }
 
-    /// As LaTeX writes its name.
+    /// Returns the name in LaTeX.
     pub fn latex(&self) -> String {
         let name = format!(r"\operatorname{{{}}}", self.function.name.replace('_', r"\_"));
         match self.orders[..] {
@@ -180,7 +182,7 @@ impl Opaque {
         }
     }
 
-    /// As a declaration lists it: `second_derivative`, or `by alpha, speed`.
+    /// Returns the label in a declaration: `second_derivative`, or `by alpha, speed`.
     pub fn label(&self) -> String {
         match self.orders[..] {
             [order] if ordinal(order).is_some() => {
@@ -235,7 +237,7 @@ fn arguments<'a>(parameters: &'a [String], orders: &'a [u8]) -> impl Iterator<It
     repeated.flat_map(|(parameter, order)| std::iter::repeat_n(parameter.as_str(), usize::from(*order)))
 }
 
-/// What stands before "derivative"; nothing for the first.
+/// Returns the word before "derivative"; none for the first.
 fn ordinal(order: u8) -> Option<&'static str> {
     ["", "second", "third"].get(usize::from(order).checked_sub(1)?).copied()
 }

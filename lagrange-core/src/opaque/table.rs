@@ -10,7 +10,7 @@ use super::spline::{Interpolation, Outside, pieces};
 /// A function that is a polynomial piece by piece.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Table {
-    /// Where pieces meet, for each argument.
+    /// Boundaries of pieces, for each argument.
     pub axes: Vec<Axis>,
     /// Interpolation between the points.
     pub interpolation: Interpolation,
@@ -119,17 +119,17 @@ impl Table {
         values.fold(0.0, |largest: f64, value| largest.max(value.abs()))
     }
 
-    /// Whether a derivative vanishes on every piece.
+    /// True if a derivative vanishes on every piece.
     pub fn vanishes(&self, orders: &[u8]) -> bool {
         orders.iter().any(|order| usize::from(*order) >= self.interpolation.coefficients())
     }
 
-    /// Whether second derivatives are continuous.
+    /// True if second derivatives are continuous.
     pub fn is_twice_differentiable(&self) -> bool {
         self.interpolation == Interpolation::Natural && self.outside != Outside::Clamp
     }
 
-    /// Whether all polynomials between the points have finite coefficients.
+    /// True if all polynomials between the points have finite coefficients.
     pub fn is_finite(&self) -> bool {
         let per_row = self.axes.last().map_or(1, Axis::pieces);
         let is_between = |axis: &Axis, piece: usize| (1..axis.knots.len()).contains(&piece);

@@ -52,7 +52,7 @@ impl Callables {
     }
 }
 
-/// Whether a program calls a function of that name.
+/// True if a program calls a function of that name.
 pub(super) fn calls(program: &Program, name: &str) -> bool {
     let is_call = |op: &Op| matches!(op, Op::Opaque(function, _) if function.rust_name() == name);
     program.values().any(|(_, op)| is_call(op))

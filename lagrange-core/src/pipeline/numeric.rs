@@ -31,7 +31,7 @@ pub struct NumericSystem {
     switches: Program,
     accelerations: Program,
     multipliers: Program,
-    /// By how much rounding grows on the way to them; nothing if it does not.
+    /// Growth of rounding errors in the computation; empty if there is none.
     growth: Program,
     /// Matrices and vectors that the second way starts from; nothing for large systems.
     undivided: Program,

@@ -46,7 +46,7 @@ pub fn parse(text: &str) -> Result<System, Report> {
     parse_with(text, &no_files)
 }
 
-/// The same where tables may be files.
+/// Parses a declaration whose tables may be files.
 ///
 /// # Errors
 /// Everything that is wrong with the declaration or with its files.

@@ -80,7 +80,7 @@ impl OperationCounts {
     }
 }
 
-/// Such as `14 additions, 1 multiplication, 2 sin_cos`; what does not occur is left out.
+/// Formats as `14 additions, 1 multiplication, 2 sin_cos`, omitting zero counts.
 impl fmt::Display for OperationCounts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kinds = [

@@ -15,7 +15,7 @@ pub fn run(program: &Program, value_of: impl Fn(Role) -> f64) -> Vec<f64> {
     run_with(program, value_of, |_, _| f64::NAN)
 }
 
-/// The same, where functions of the user's have the values that `call` gives.
+/// Runs a program whose user functions have the values that `call` returns.
 pub fn run_with(
     program: &Program,
     value_of: impl Fn(Role) -> f64,

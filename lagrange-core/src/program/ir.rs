@@ -163,7 +163,7 @@ impl Op {
         }
     }
 
-    /// Whether this is a number known now.
+    /// True if this is a number known now.
     pub fn is_constant(&self) -> bool {
         matches!(self, Op::Constant(_) | Op::Float(_))
     }
@@ -216,7 +216,7 @@ impl Program {
         self.values.len()
     }
 
-    /// Whether nothing is computed.
+    /// True if nothing is computed.
     pub fn is_empty(&self) -> bool {
         self.values.len() == 0
     }

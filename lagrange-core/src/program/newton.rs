@@ -19,7 +19,7 @@ const MAX_BEND: f64 = 65_536.0;
 const CENTRAL: f64 = 4.0;
 const ASIDE: f64 = 32.0;
 
-/// What the method computes, in symbols for the arguments and the value of the unknown.
+/// The programs of Newton's method, in symbols for the arguments and the unknown.
 #[derive(Clone, Debug)]
 pub struct NewtonProgram {
     /// The function whose values it finds.
@@ -28,9 +28,10 @@ pub struct NewtonProgram {
     pub arguments: Vec<Role>,
     /// Role of the unknown.
     pub value: Role,
-    /// Where the method starts.
+    /// Initial guess.
     pub start: Program,
-    /// Of the residual r: r, ∂r/∂y, and the bound of what rounding leaves of it, in units of one rounding.
+    /// Program of the residual r: r, ∂r/∂y, and a bound of its rounding error, in units of one
+    /// rounding.
     pub equation: Program,
     /// The largest number of steps.
     pub iterations: u32,

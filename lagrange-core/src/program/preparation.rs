@@ -1,4 +1,4 @@
-//! What programs compute of parameters alone, taken out of them and computed once for all of them.
+//! Computations of parameters alone, extracted from programs and performed once for all.
 //!
 //! A value of numbers and parameters that a changing value needs becomes an input of its program. It is taken out before any pass runs: a
 //! product of parameters that had been fused into a sum could not be.
@@ -13,7 +13,7 @@ use crate::symbol::Role;
 #[derive(Debug)]
 pub struct Preparation {
     builder: Builder,
-    /// What becomes inputs, in the order of their roles.
+    /// Values that become inputs, in the order of their roles.
     kept: OrderedMap<ValueId, ()>,
     /// Number of the parameters, behind whose roles those of the new inputs are.
     parameters: u32,
@@ -82,7 +82,7 @@ impl Preparation {
         self.kept.len()
     }
 
-    /// Whether nothing is prepared.
+    /// True if nothing is prepared.
     pub fn is_empty(&self) -> bool {
         self.kept.is_empty()
     }

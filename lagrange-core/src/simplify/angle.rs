@@ -70,7 +70,7 @@ impl Angle {
         self.parts.is_empty() && self.constant.is_zero()
     }
 
-    /// Whether the first coefficient is negative.
+    /// True if the first coefficient is negative.
     fn is_reversed(&self) -> bool {
         self.parts.first().map_or(&self.constant, |(_, coefficient)| coefficient).is_negative()
     }
@@ -91,12 +91,12 @@ impl Wave {
         (Wave { is_sine, angle: Rc::new(angle.scaled(&Number::MINUS_ONE)) }, coefficient)
     }
 
-    /// Whether this is cos 0.
+    /// True if this is cos 0.
     pub(super) fn is_one(&self) -> bool {
         !self.is_sine && self.angle.is_zero()
     }
 
-    /// Whether this is sin 0.
+    /// True if this is sin 0.
     pub(super) fn is_zero(&self) -> bool {
         self.is_sine && self.angle.is_zero()
     }

@@ -91,7 +91,8 @@ impl Balance {
             .cloned()
     }
 
-    /// What a sum is divided by among other factors; `None` if they leave it a product of masses.
+    /// Returns the divisor of a sum among other factors; `None` if they leave it a product of
+    /// masses.
     fn divisor(
         &mut self,
         graph: &Graph,

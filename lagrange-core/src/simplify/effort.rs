@@ -26,7 +26,7 @@ impl Effort {
         }
     }
 
-    /// The same for another go, with the readings that are left.
+    /// Returns the effort of another attempt, with the readings that are left.
     pub(super) fn again(&self) -> Effort {
         Effort { readings: self.readings, ..Effort::new(self.budget) }
     }

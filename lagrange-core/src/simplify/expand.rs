@@ -27,7 +27,7 @@ const HIGHEST_POWER: i32 = 8;
 pub(super) enum Purpose {
     /// Short formulas.
     Reading,
-    /// The same value in as few different ways of writing as possible.
+    /// Equal values in as few different forms as possible.
     Comparing,
     /// Few operations, none of which loses digits that the expression as it stands keeps.
     Computing,
@@ -207,8 +207,9 @@ impl Expander {
     }
 }
 
-/// Whether a sum takes the difference of symbols or of products of symbols, as a spring does of its length and
-/// its length at rest. Multiplied out, it would round where the difference of near numbers is exact.
+/// True if a sum takes the difference of symbols or of products of symbols, as a spring does of its
+/// length and its length at rest. Multiplied out, it would round where the difference of near
+/// numbers is exact.
 pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
     let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));
     let is_plain = |id: ExprId| match graph.node(id) {

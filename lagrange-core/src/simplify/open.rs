@@ -65,7 +65,7 @@ pub fn factors_to_open(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<ExprId>
     found
 }
 
-/// Whether a sum may be opened with others without losing what a difference of near numbers keeps.
+/// True if a sum may be opened with others without losing what a difference of near numbers keeps.
 pub fn is_no_difference(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Sum { constant, terms } => constant.is_zero() && !is_difference(graph, terms),

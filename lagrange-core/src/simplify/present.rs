@@ -19,8 +19,8 @@ pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
     present_all(graph, &[expr], budget)[0]
 }
 
-/// The same for expressions that share parts, which are multiplied out once. The cost is bounded as if
-/// they were one.
+/// Presents expressions that share parts, which are expanded once. The cost is bounded as for a
+/// single expression.
 pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
     let mut current = exprs.to_vec();
     let mut is_final = vec![false; exprs.len()];
@@ -50,7 +50,7 @@ pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<E
     exprs.iter().map(&mut expanded).collect()
 }
 
-/// Whether the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
+/// True if the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
 ///
 /// Sines and cosines of sums are expanded, so that every polynomial identity between sines and cosines
 /// of independent angles is found. `true` is a proof; `false` says nothing. Nothing is multiplied out if a
@@ -67,7 +67,7 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     simplified.is_some_and(|polynomial| polynomial.is_zero())
 }
 
-/// Whether the value at a point without symmetries differs from zero by more than rounding: most
+/// True if the value at a point without symmetries differs from zero by more than rounding: most
 /// expressions that are asked about do, and seeing that is much cheaper than multiplying out.
 fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
     let value = evaluate(graph, &[expr], |role| {

@@ -31,7 +31,7 @@ pub struct Rule {
     pub left: [Function; 2],
     /// The functions of the second term.
     pub right: [Function; 2],
-    /// Whether the second term is subtracted.
+    /// True if the second term is subtracted.
     pub subtracts: bool,
     /// Relation between x and y.
     pub arguments: RuleArguments,

@@ -6,17 +6,19 @@ use crate::number::Number;
 /// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard, never a wrong answer.
 const DEEPEST: usize = 4;
 
-/// Whether an expression is known to vanish in no configuration, given that parameters are positive.
+/// True if an expression is known to vanish in no configuration, given that parameters are
+/// positive.
 pub fn never_vanishes(graph: &Graph, id: ExprId) -> bool {
     stays(graph, id, DEEPEST)
 }
 
-/// Whether an expression is known to be positive, or to be negative, wherever it has a value, whatever its symbols are.
+/// True if an expression is known to be positive, or to be negative, wherever it has a value,
+/// whatever its symbols are.
 pub fn has_one_sign(graph: &Graph, id: ExprId) -> bool {
     is_above(graph, id, false, DEEPEST) || is_above(graph, id, true, DEEPEST)
 }
 
-/// Whether an expression, or its opposite, is known to be positive.
+/// True if an expression, or its opposite, is known to be positive.
 fn is_above(graph: &Graph, id: ExprId, opposite: bool, depth: usize) -> bool {
     let is_wanted = |number: &Number| number.is_negative() == opposite;
     match graph.node(id) {
@@ -58,7 +60,7 @@ fn stays(graph: &Graph, id: ExprId, depth: usize) -> bool {
     }
 }
 
-/// Whether an expression is never negative, given that parameters are positive.
+/// True if an expression is never negative, given that parameters are positive.
 fn is_square(graph: &Graph, id: ExprId) -> bool {
     let is_fixed = |id: ExprId| graph.dependencies(id).is_constant_in_motion();
     match graph.node(id) {

@@ -44,7 +44,7 @@ pub struct Declaration {
     pub derives: Vec<Name>,
     /// Visibility of the struct, possibly empty.
     pub visibility: TokenStream,
-    /// Where the word `struct` stands, before which the compiler proposes to write attributes.
+    /// Place of the word `struct`, before which the compiler proposes to insert attributes.
     pub keyword: Span,
     /// Name of the struct.
     pub name: Name,
@@ -58,7 +58,7 @@ pub struct Declaration {
     pub reduction: Option<Statement>,
     /// Rigid bodies and frames in source order; known also where plain statements have taken the place of theirs.
     pub bodies: Vec<DeclaredBody>,
-    /// Whether these move in space; known where plain statements have taken the place of theirs.
+    /// True if these move in space; known where plain statements have taken the place of theirs.
     pub is_in_space: bool,
     /// Arrays whose elements have taken their place among the statements, in source order.
     pub arrays: Vec<DeclaredArray>,
@@ -77,7 +77,7 @@ pub struct Declaration {
 }
 
 impl Declaration {
-    /// Where a name that expressions may mention is declared, if it is, behind the number of that statement.
+    /// Returns the index of the statement that declares a name, and the place of the name.
     pub fn find(&self, name: &str) -> Option<(usize, Span)> {
         let numbered = self.statements.iter().enumerate();
         let mut declared = numbered.flat_map(|(number, statement)| {
@@ -115,7 +115,7 @@ impl Declaration {
         states.flatten()
     }
 
-    /// Whether there is an equation of the state of this name, be it wrong.
+    /// True if there is an equation of the state of this name, be it wrong.
     pub fn states_rate_of(&self, state: &str) -> bool {
         let is_its =
             |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
@@ -149,7 +149,7 @@ impl Declaration {
         named
     }
 
-    /// Whether a product that is emitted on demand is asked for: the last word counts.
+    /// True if a product that is emitted on demand is asked for: the last word counts.
     pub fn asks_for(&self, product: &str) -> bool {
         let items = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Emit(items) => Some(items),
@@ -200,7 +200,7 @@ impl Declaration {
 pub struct DeclaredBody {
     /// Its name.
     pub name: Name,
-    /// Whether it is a frame, which has no mass.
+    /// True if it is a frame, which has no mass.
     pub is_frame: bool,
     /// Its documentation, as attributes.
     pub docs: TokenStream,
@@ -233,9 +233,9 @@ pub struct DeclaredArray {
 /// An element of an array.
 #[derive(Clone, Debug)]
 pub struct ArrayElement {
-    /// What it is called where arrays are written out: `theta_2`.
+    /// Name in expanded declarations: `theta_2`.
     pub name: String,
-    /// How it is written where they are not: `theta[2]`.
+    /// Spelling in the declaration: `theta[2]`.
     pub written: String,
 }
 
@@ -261,9 +261,9 @@ pub fn acceleration_name(velocity: &str) -> String {
 pub struct Name {
     /// The identifier, without a raw prefix.
     pub text: String,
-    /// Where it stands.
+    /// Place in the declaration.
     pub span: Span,
-    /// What stands in square brackets behind it: the numbers of elements of an array that is declared, or the place of one element.
+    /// Expressions in square brackets: the sizes of a declared array, or the index of one element.
     pub indices: Vec<AstId>,
     /// The unit of measurement behind the colon where it is declared; of a function, that of its value.
     pub unit: Option<Box<Unit>>,
@@ -276,7 +276,7 @@ impl Name {
     }
 }
 
-/// Where a declared name is known.
+/// The scope of a declared name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Reach {
     /// In expressions behind the statement.

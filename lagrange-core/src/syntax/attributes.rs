@@ -12,14 +12,14 @@ use super::messages;
 use super::parser::{Parsed, Parser, Reported};
 use crate::diagnostics::{Origin, nearest};
 
-/// What the attributes of the struct say.
+/// The attributes of the struct.
 #[derive(Default)]
 pub(super) struct Attributes {
     pub(super) kept: TokenStream,
     pub(super) derives: Vec<Name>,
-    /// What `#[scalar(…)]` asks for, true for `f32`, and where it stands.
+    /// Argument of `#[scalar(…)]`, true for `f32`, and its place.
     pub(super) scalar: Option<(bool, Origin)>,
-    /// What `#[accuracy(…)]` asks for, and where it stands.
+    /// Argument of `#[accuracy(…)]`, and its place.
     pub(super) accuracy: Option<(Accuracy, Origin)>,
 }
 
@@ -169,7 +169,7 @@ impl Parser<'_> {
     }
 }
 
-/// The same group, also where a `macro_rules!` macro passes on all that stands between the brackets.
+/// Returns the group without the wrapper that a `macro_rules!` macro puts around a fragment.
 fn without_fragment(group: Group) -> Group {
     let mut content = Cursor::inside(&group);
     match content.eat_group(Delimiter::None).filter(|_| content.at_end()) {

@@ -20,7 +20,7 @@ use crate::number::Number;
 /// A list of names with commas between them.
 #[derive(Clone, Copy)]
 pub(super) struct List {
-    /// How it is written.
+    /// Form of the statement.
     pub(super) help: &'static str,
     /// True if values stand behind the names.
     pub(super) has_values: bool,
@@ -49,7 +49,8 @@ impl Parser<'_> {
         })
     }
 
-    /// Whether a list stands behind a name without numbers of elements, which is reported: the list says how many there are.
+    /// True if a list stands behind a name without numbers of elements, which is reported: the list
+    /// says how many there are.
     fn sized_by_list(&mut self, name: &mut Parsed<Name>, cursor: &Cursor) -> bool {
         let (Ok(name), Some(group)) = (name, cursor.group(Delimiter::Bracket)) else { return false };
         let sizes = sizes_of_list(group);

@@ -64,7 +64,7 @@ pub(super) fn begins_statement(word: &str) -> bool {
     statement(word).is_some_and(|keyword| keyword.soft.is_none())
 }
 
-/// What must follow a word that begins a statement, if not everywhere.
+/// Returns the tokens that must follow a word that begins a statement, if there is a restriction.
 pub(super) fn soft_statement(word: &str) -> Option<Soft> {
     statement(word)?.soft
 }
@@ -84,7 +84,7 @@ pub(super) fn is_function(name: &str) -> bool {
     elementary::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }
 
-/// What a name stands for in every system, if it does: time and the number π.
+/// Returns the built-in meaning of a name: time or the number π.
 pub(super) fn built_in(name: &str) -> Option<&'static str> {
     match name {
         "t" => Some("time"),

@@ -12,7 +12,7 @@ pub(super) struct StatementOptions {
     /// The keyword of the statement.
     pub(super) keyword: &'static str,
     pub(super) labels: [&'static str; 2],
-    /// What is said of a word that is none of the labels.
+    /// Message about a word that is not a label.
     pub(super) unknown: fn(&str) -> String,
 }
 

@@ -13,7 +13,7 @@ use super::messages::habits;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use crate::diagnostics::nearest;
 
-/// How reading goes on behind a turn of [`Parser::turns`].
+/// The way in which reading continues after a turn of [`Parser::turns`].
 pub(super) enum Turn {
     Next,
     Last,
@@ -188,7 +188,8 @@ impl Parser<'_> {
         Some((messages::unknown_statement(word), forms::meant_form(keyword)))
     }
 
-    /// What the left side of an equation is called elsewhere, `der(a) =` or `a_dot =`, and `dot(a)` here.
+    /// Returns the declared form of a rate written in foreign notation, `der(a) =` or `a_dot =`:
+    /// `dot(a)`.
     fn stated_rate(&self, word: &str, cursor: &Cursor) -> Option<String> {
         match cursor.group(Delimiter::Parenthesis) {
             Some(of) if foreign::derives(word) && at_equals_past(1, cursor) => {

@@ -13,7 +13,7 @@ use super::recovery::Turn;
 use crate::diagnostics::Origin;
 use crate::opaque::{Interpolation, Outside};
 
-/// What was said behind the points, with where.
+/// The options after the points, with their places.
 #[derive(Default)]
 struct TableOptions {
     interpolation: Option<(Interpolation, Span)>,

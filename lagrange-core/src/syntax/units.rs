@@ -53,7 +53,8 @@ impl Parser<'_> {
         Ok(self.add(Expression::Quantity(number.id, unit), origin))
     }
 
-    /// Whether the word here is a unit, rather than a name that is defined or a function that is called.
+    /// True if the word here is a unit, rather than a name that is defined or a function that is
+    /// called.
     fn is_unit_here(&self, word: &str, cursor: &Cursor) -> bool {
         let is_call = matches!(cursor.peek_past(1), Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Parenthesis);
         let is_word = keywords::is_rust_keyword(word) || keywords::is_connective(word);

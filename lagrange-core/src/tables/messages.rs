@@ -1,4 +1,4 @@
-//! What is said of files of tables.
+//! Messages about table files.
 
 /// Characters of a field that a message repeats at most.
 const MAX_SHOWN: usize = 40;

@@ -16,7 +16,7 @@ use crate::syntax::ast::{Declaration, Name, StatementKind, TableFile, TableSourc
 pub struct FileText {
     /// Path under which the compiler finds it, so that what is emitted is compiled again when it changes; nothing if it need not.
     pub path: String,
-    /// What it says.
+    /// Content.
     pub text: String,
 }
 
@@ -96,7 +96,7 @@ fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Optio
     Some(points)
 }
 
-/// What stands before a comment.
+/// Returns the text before a comment.
 fn uncommented(line: &str) -> &str {
     line.split('#').next().unwrap_or_default().trim()
 }
@@ -131,7 +131,7 @@ fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static 
     }
 }
 
-/// What a line consists of, between the strongest separators in it: in `1,5; 2` decimals are written with a comma.
+/// Splits a line at the strongest separators in it: in `1,5; 2`, decimals are written with a comma.
 fn fields(line: &str) -> Vec<&str> {
     match [';', '\t', ','].into_iter().find(|separator| line.contains(*separator)) {
         Some(separator) => line.split(separator).map(str::trim).collect(),

@@ -1,4 +1,4 @@
-//! What quantities measure.
+//! Dimensions of quantities.
 
 use crate::number::Number;
 
@@ -28,7 +28,7 @@ impl Dimension {
         &self.0
     }
 
-    /// Whether plain numbers have it.
+    /// True if plain numbers have it.
     pub fn is_none(&self) -> bool {
         self.0.iter().all(Number::is_zero)
     }

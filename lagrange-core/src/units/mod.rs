@@ -36,7 +36,7 @@ impl Scale {
     /// That of coherent units.
     pub const ONE: Scale = Scale { number: Number::ONE, pi: 0 };
 
-    /// Whether nothing is scaled.
+    /// True if nothing is scaled.
     pub fn is_one(&self) -> bool {
         *self == Scale::ONE
     }
@@ -74,11 +74,11 @@ pub struct UnitFactor {
 pub struct Unit {
     /// Factors in the order in which they are written.
     pub factors: Vec<UnitFactor>,
-    /// What it measures.
+    /// Dimension.
     pub dimension: Dimension,
     /// Its factor to the coherent unit.
     pub scale: Scale,
-    /// Where it stands.
+    /// Place in the declaration.
     pub origin: Origin,
 }
 
@@ -104,7 +104,7 @@ impl Unit {
         Unit::of(powers.iter().map(factor).collect(), origin)
     }
 
-    /// Whether numbers in it are numbers in coherent units.
+    /// True if numbers in it are numbers in coherent units.
     pub fn is_coherent(&self) -> bool {
         self.scale.is_one()
     }

@@ -16,7 +16,7 @@ const DERIVED: [(&str, [i8; 7]); 9] = [
     ("H", [1, 2, -2, -2, 0, 0, 0]),
 ];
 
-/// What quantities of a dimension are called.
+/// Nouns for quantities by dimension.
 const NOUNS: [(&str, [i8; 7]); 24] = [
     ("a plain number", [0; 7]),
     ("a mass", [1, 0, 0, 0, 0, 0, 0]),

@@ -3,10 +3,10 @@
 use super::{Dimension, Scale};
 use crate::number::Number;
 
-/// What a name of a unit means.
+/// The meaning of a unit name.
 #[derive(Clone, Debug)]
 pub struct UnitMeaning {
-    /// What it measures.
+    /// Dimension.
     pub dimension: Dimension,
     /// Its factor to the coherent unit.
     pub scale: Scale,
@@ -192,7 +192,7 @@ const MEANT: [(&[&str], &str); 26] = [
     (&["Ohm", "ohms"], "ohm"),
 ];
 
-/// What a name means, if it is that of a unit.
+/// Returns the meaning of a name that is a unit.
 pub fn meaning(name: &str) -> Option<UnitMeaning> {
     let exact = named(name).map(|(meaning, _)| meaning);
     exact.or_else(|| PREFIXES.into_iter().find_map(|(prefix, power)| with_prefix(name, prefix, power)))
@@ -205,7 +205,7 @@ fn with_prefix(name: &str, prefix: &str, power: i32) -> Option<UnitMeaning> {
     takes_prefixes.then_some(meaning)
 }
 
-/// What a name without a prefix means, and whether it takes one.
+/// Returns the meaning of a name without a prefix, and true if it accepts one.
 fn named(name: &str) -> Option<(UnitMeaning, bool)> {
     if let Some(row) = COHERENT.iter().find(|row| row.names.contains(&name)) {
         let (dimension, coherent) = (Dimension::of(row.exponents), vec![(row.names[0], 1)]);

@@ -14,7 +14,7 @@ use crate::error::DeviceError;
 pub(crate) trait Backend {
     fn name(&self) -> &str;
 
-    /// Whether it is a graphics processor, and not a processor that plays one.
+    /// True if it is a graphics processor, and not a processor that plays one.
     fn is_graphics(&self) -> bool;
 
     fn has_doubles(&self) -> bool;

@@ -1,4 +1,4 @@
-//! What a device is given and hands back, in columns.
+//! Columns that are transferred to and from a device.
 
 /// A method of integration by its kernel in `methods.c`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -16,7 +16,7 @@ impl Method {
     }
 }
 
-/// What becomes of a motion, by its number in `methods.c`.
+/// The status of a motion, by its number in `methods.c`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Status {
     Running,
@@ -37,7 +37,7 @@ impl Status {
         }
     }
 
-    /// Whether any motion has steps to go.
+    /// True if any motion has steps to go.
     pub(crate) fn any_running(numbers: &[u32]) -> bool {
         numbers.iter().any(|number| Status::of(*number) == Status::Running)
     }

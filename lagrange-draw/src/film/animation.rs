@@ -29,11 +29,12 @@ struct Clock {
     duration: f64,
     /// Parts of the duration.
     keys: Vec<String>,
-    /// Whether pictures follow each other at equal intervals, so that their times need not be written.
+    /// True if pictures follow each other at equal intervals, so that their times need not be
+    /// written.
     is_even: bool,
 }
 
-/// By how much of an interval pictures may be off and still count as evenly spaced.
+/// Relative deviation of intervals below which pictures count as evenly spaced.
 const EVENNESS: f64 = 1e-3;
 
 impl Clock {

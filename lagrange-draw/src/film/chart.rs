@@ -8,16 +8,16 @@ use lagrange_plot::characters::escaped;
 
 /// Width and height, in pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];
-/// Where the curves are.
+/// Left edge of the curves.
 const LEFT: f64 = 64.0;
 const RIGHT: f64 = 628.0;
 const TOP: f64 = 12.0;
 const BOTTOM: f64 = 256.0;
-/// What the axis of time says.
+/// Label of the time axis.
 const TIME: &str = "time t in s";
 /// About how many ticks an axis has.
 const TICKS: f64 = 6.0;
-/// How many colours curves may have.
+/// Number of colours for curves.
 const LOOKS: usize = 6;
 /// Curves whose values differ by a smaller part of them than this are shown as level, not as rounding.
 const LEVEL: f64 = 1e-6;
@@ -60,7 +60,7 @@ impl Chart<'_> {
         )
     }
 
-    /// What the script needs to know to move the cursor.
+    /// Returns the data that the script needs to move the cursor.
     pub(super) fn json(&self) -> String {
         let Range { start: low, end: high } = self.values;
         format!(

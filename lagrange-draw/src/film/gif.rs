@@ -52,7 +52,8 @@ impl Film {
     }
 }
 
-/// Which pictures are shown, and for how many hundredths of a second. The last one is shown as long as the one before it.
+/// Returns the pictures that are shown, and their durations in hundredths of a second. The last one
+/// lasts as long as the one before it.
 fn shown(elapsed: &[f64]) -> Vec<(usize, u64)> {
     let mut starts: Vec<(usize, u64)> = Vec::new();
     for (index, time) in elapsed.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What a film is made of: marks, and how each changes.
+//! The composition of a film: marks and their changes.
 //!
 //! Most marks of a film are the ground, which stays, or rigid bodies, which turn and move; few of them bend. A layer holds a mark
 //! once, with no more than what changes of it.
@@ -17,7 +17,8 @@ pub(super) struct Layer {
     pub(super) change: Change,
 }
 
-/// How a layer changes from picture to picture. There is nothing in pictures that do not show it.
+/// The change of a layer from picture to picture. Pictures that do not show the layer have no
+/// entry.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) enum Change {
     /// It only appears and vanishes.
@@ -55,8 +56,8 @@ pub(super) fn layers(pictures: &[Picture]) -> Vec<Layer> {
     (0..count).flat_map(of_mark).collect()
 }
 
-/// How far the end of a growing line may be from where it is drawn, in pixels. Points of lines are thinned, and so the last point of
-/// one picture may be lacking in the next.
+/// Maximum distance of the end of a growing line from its drawn position, in pixels. Points of
+/// lines are thinned, so the last point of one picture may be missing in the next.
 const TOLERANCE: f64 = 0.5;
 
 /// A line that is only ever added to, such as the path of a point.
@@ -81,7 +82,8 @@ fn growing(marks: &[Option<&Mark>]) -> Option<Layer> {
     Some(Layer { mark: longest.clone(), change: Change::Grows(drawn?) })
 }
 
-/// What is asked for and found, or not asked for; none if it is asked for and not found.
+/// Returns a requested item that was found, or nothing if it was not requested; none if it was
+/// requested and not found.
 fn known<T>(asked: Option<Option<T>>) -> Option<Option<T>> {
     match asked {
         Some(found) => found.map(Some),

@@ -9,16 +9,17 @@ use std::f64::consts::TAU;
 use crate::film::points;
 use crate::picture::{Point, Segment};
 
-/// Where a mark is: its own coordinates are turned by the angle and then moved.
+/// The pose of a mark: its coordinates are rotated by the angle and then translated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Pose {
-    /// Where the origin of its own coordinates is, in pixels.
+    /// Origin of its coordinates, in pixels.
     pub(super) at: Point,
     /// In radians, clockwise as seen, since y points downwards.
     pub(super) angle: f64,
 }
 
-/// How far points may be from where the motion puts them, in pixels: no more than the rounding of what is written.
+/// Maximum distance of points from their positions under the motion, in pixels: the rounding of
+/// written numbers.
 const TOLERANCE: f64 = 0.01;
 
 /// The shape in coordinates of its own and its pose in each picture that shows it; none if it changes its shape.

@@ -14,9 +14,9 @@ use lagrange_plot::characters::escaped;
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
-/// What shows the layers of pictures.
+/// Script that shows the layers of pictures.
 const LAYERS: &str = include_str!("layers.js");
-/// What a page without a title is called.
+/// Title of a page without one.
 const UNTITLED: &str = "Film";
 
 /// A page that plays something: its own style, data and script show a moment, the player does the rest.
@@ -26,13 +26,13 @@ pub(crate) struct Page<'a> {
     pub(crate) timeline: &'a Timeline,
     /// Rules that are added to those of all pages.
     pub(crate) style: &'a str,
-    /// What is shown, and changed by the viewer.
+    /// Content that the viewer shows and changes.
     pub(crate) picture: String,
     /// Fields of JSON that the viewer reads.
     pub(crate) shown: String,
     /// A script with a function `viewer`, which returns one that shows the moment between a picture and the next.
     pub(crate) viewer: &'a str,
-    /// What else keys do.
+    /// Further key bindings.
     pub(crate) keys: &'a str,
 }
 
@@ -118,7 +118,7 @@ impl Page<'_> {
     }
 }
 
-/// Whether a layer is shown all the time and never changes.
+/// True if a layer is shown all the time and never changes.
 fn is_still(layer: &Layer) -> bool {
     matches!(&layer.change, Change::Shows(shown) if shown.iter().all(|is_shown| *is_shown))
 }

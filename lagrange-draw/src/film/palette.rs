@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 /// Red, green, blue.
 pub(super) type Rgb = [u8; 3];
 
-/// How often each colour was seen.
+/// Counts of colours.
 #[derive(Default)]
 pub(super) struct Histogram {
     counts: BTreeMap<Rgb, u64>,

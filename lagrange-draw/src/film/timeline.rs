@@ -87,7 +87,7 @@ impl Timeline {
         self.with_values(name, values)
     }
 
-    /// How many seconds it lasts.
+    /// Returns the duration in seconds.
     pub(crate) fn duration(&self) -> f64 {
         self.elapsed().last().copied().unwrap_or(0.0)
     }

@@ -18,7 +18,8 @@ pub(crate) const ANGLE: f64 = 26.0;
 /// From two points to the line that tells their distance.
 pub(crate) const BESIDE: f64 = 18.0;
 
-/// Where an arrow starts that belongs to a point: there, or so that it ends there.
+/// Returns the start of an arrow that belongs to a point: the point, or the position from which it
+/// ends there.
 pub(crate) fn start(at: Point, vector: Point, is_push: bool) -> Point {
     if is_push { subtract(at, vector) } else { at }
 }

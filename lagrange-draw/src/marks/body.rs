@@ -8,7 +8,7 @@ use crate::outline::{Form, Piece};
 use crate::picture::{Colour, Mark, Point, Segment, Style};
 use crate::view::View;
 
-/// How thick point masses and rods look, in pixels.
+/// Width of point masses and rods, in pixels.
 const MASS: f64 = 11.0;
 const ROD: f64 = 6.0;
 
@@ -50,7 +50,7 @@ pub(super) fn marks(
     marks
 }
 
-/// What is seen of the rim of a part outside holes, or of that of a hole inside parts.
+/// Returns the visible rim of a part outside holes, or of a hole inside parts.
 fn rim(ring: &[Segment], is_hole: bool, all: &[(bool, Vec<Segment>)]) -> Vec<Segment> {
     let others = || all.iter().filter(|(other, _)| *other != is_hole).map(|(_, ring)| ring);
     let is_cut = others().any(|other| if is_hole { crosses(other, ring) } else { crosses(ring, other) });

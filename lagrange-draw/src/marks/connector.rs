@@ -9,9 +9,10 @@ use crate::picture::{Point, Segment};
 /// Windings of a spring, and how far they reach to both sides.
 const WINDINGS: usize = 8;
 const AMPLITUDE: f64 = 6.0;
-/// What is straight at either end, and the largest part of the length that it takes.
+/// Length of the straight piece at either end in pixels, and its maximum fraction of the length.
 const STRAIGHT: (f64, f64) = (10.0, 0.15);
-/// What lies on the line between the ends of a connector that lies beside it, and the largest part of the length that it takes.
+/// Length at either end that stays on the line between the ends of an offset connector, and its
+/// maximum fraction of the length.
 const INSET: (f64, f64) = (8.0, 0.12);
 /// Length and half width of the cylinder of a damper, and where the piston is in it.
 const CYLINDER: (f64, f64) = (22.0, 6.0);

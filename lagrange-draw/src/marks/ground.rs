@@ -1,4 +1,4 @@
-//! What does not move: lines with hatching, and pins on the ground.
+//! Fixed elements: lines with hatching, and pins on the ground.
 
 use crate::colour::{HATCHING, INK, PAPER};
 use crate::geometry::{Place, add, direction, length, polyline, subtract, times, turned};
@@ -9,7 +9,7 @@ use crate::view::View;
 /// Between strokes of hatching along a line, and how far they reach beside it.
 const SPACING: f64 = 8.0;
 const DEPTH: f64 = 7.0;
-/// What is left of a stroke at the border is left out if it is shorter.
+/// Minimum length of a stroke at the border; shorter remainders are omitted.
 const LEAST: f64 = 2.0;
 /// Half the length of a wall.
 const WALL: f64 = 14.0;

@@ -17,7 +17,7 @@ pub(super) struct Camera {
     distance: Option<f64>,
 }
 
-/// How a scene is looked at.
+/// The viewing direction of a scene.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Direction {
     /// In radians.
@@ -36,7 +36,7 @@ impl Default for Direction {
 pub(crate) const DISTANCE: f64 = 4.0;
 /// Towards the light, to the right, upwards and towards the eye.
 pub(super) const LIGHT: Vector = [-0.40, 0.55, 0.733];
-/// How bright faces are that no light falls on.
+/// Brightness of faces in shadow.
 pub(super) const SHADE: f64 = 0.55;
 
 impl Camera {
@@ -47,7 +47,7 @@ impl Camera {
         Camera { middle, axes: [right, cross(towards, right), towards], distance }
     }
 
-    /// Where a place is seen, to the right and upwards in lengths of the world, and how near it is to the eye.
+    /// Projects a place: to the right and upwards in world lengths, and its nearness to the eye.
     pub(super) fn seen(&self, place: Vector) -> (Point, f64) {
         let [x, y, z] = self.axes.map(|axis| dot(axis, subtract(place, self.middle)));
         let nearer = self.distance.map_or(1.0, |distance| distance / (distance - z));
@@ -63,7 +63,7 @@ impl Camera {
         }
     }
 
-    /// How bright a face is whose normal has length one.
+    /// Returns the brightness of a face with this unit normal.
     pub(super) fn brightness(&self, normal: Vector) -> f64 {
         let light = self.axes.iter().zip(LIGHT).map(|(axis, part)| part * dot(*axis, normal)).sum::<f64>();
         SHADE + (1.0 - SHADE) * light.max(0.0)

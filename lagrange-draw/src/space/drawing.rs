@@ -1,4 +1,4 @@
-//! What is drawn of a system in space.
+//! The drawing of a system in space.
 
 use std::fmt::{Debug, Formatter};
 use std::rc::Rc;
@@ -79,7 +79,7 @@ impl<'a, M: SpatialScene> SpatialDrawing<'a, M> {
         self
     }
 
-    /// What is written above.
+    /// Sets the title.
     pub fn title(mut self, title: &str) -> Self {
         title.clone_into(&mut self.look.title);
         self
@@ -92,7 +92,7 @@ impl<'a, M: SpatialScene> SpatialDrawing<'a, M> {
         self
     }
 
-    /// As the eye sees it, what is nearer larger, instead of by parallel rays.
+    /// Selects perspective projection instead of parallel projection.
     pub fn perspective(mut self) -> Self {
         self.look.direction.is_perspective = true;
         self
@@ -192,7 +192,7 @@ where
         Ok(Projector::new(&recording, &self.look)?.pictures(0..recording.times.len()))
     }
 
-    /// What is drawn of a motion, in which the system may be another one from instant to instant.
+    /// Records a motion in which the system may change between instants.
     pub(super) fn recording(&self, shots: &[Shot<M>]) -> Result<Recording, DrawError> {
         let snapshots = shots.iter().map(|shot| self.snapshot(shot)).collect::<Result<Vec<_>, _>>()?;
         let differing = snapshots.iter().find_map(|snapshot| snapshots[0].difference(snapshot));
@@ -244,7 +244,7 @@ where
         Ok(snapshot.without(&self.hidden))
     }
 
-    /// What is said of loads that act and cannot be drawn, where loads are drawn.
+    /// Returns the note about loads that act but cannot be drawn, if loads are drawn.
     fn note(&self, first: Option<&SpatialSnapshot>) -> String {
         let omitted = first.map(|snapshot| snapshot.omitted.as_slice()).unwrap_or_default();
         if omitted.is_empty() || !self.wanted.forces {

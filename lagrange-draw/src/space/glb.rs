@@ -57,7 +57,7 @@ struct Model<'a> {
     channels: Vec<String>,
 }
 
-/// How a mesh takes part in stretches.
+/// The role of a mesh in stretches.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Stretch {
     None,
@@ -190,7 +190,7 @@ impl<'a> Model<'a> {
         self.meshes.len() - 1
     }
 
-    /// Where vertices are, and by how much they are moved in the longest stretch.
+    /// Returns the positions of vertices, and their displacements in the longest stretch.
     fn positions(&mut self, mesh: &Mesh, vertices: &[usize], stretch: Stretch) -> Vec<usize> {
         let corners = vertices.iter().map(|&vertex| mesh.corners[vertex]);
         let scaled = if stretch == Stretch::Scaled { 1.0 } else { 0.0 };

@@ -12,9 +12,9 @@ use super::vector::{
 /// A corner in axes of its own.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Corner {
-    /// Where it is without stretch.
+    /// Position without stretch.
     pub(crate) at: Vector,
-    /// How much of the stretch along z it takes part in: 0 at the beginning of an arrow, 1 at its end.
+    /// Share of the stretch along z: 0 at the start of an arrow, 1 at its end.
     pub(crate) share: f64,
 }
 
@@ -26,19 +26,20 @@ pub(crate) struct Mesh {
     pub(crate) faces: Vec<Vec<usize>>,
     /// Lines through corners.
     pub(crate) lines: Vec<Vec<usize>>,
-    /// Whether the faces enclose a body, so that those that are seen from behind are hidden by others.
+    /// True if the faces enclose a body, so that those that are seen from behind are hidden by
+    /// others.
     pub(crate) is_closed: bool,
 }
 
-/// Where a thing is at one moment.
+/// The placement of a thing at one moment.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) struct Placement {
     pub(crate) origin: Vector,
     /// From its own axes to those of the world.
     pub(crate) rotation: Rotation,
-    /// How far it is stretched along its own z-axis.
+    /// Stretch along its own z axis.
     pub(crate) stretch: f64,
-    /// By which all of it but the stretch is scaled; 0 hides it.
+    /// Scale of everything but the stretch; 0 hides it.
     pub(crate) scale: f64,
 }
 
@@ -66,13 +67,13 @@ impl Placement {
         spans.into_iter().map(placed).collect()
     }
 
-    /// Where a corner is in the world.
+    /// Returns the world position of a corner.
     pub(crate) fn of(&self, corner: &Corner) -> Vector {
         let [x, y, z] = times(self.scale, corner.at);
         add(self.origin, apply(&self.rotation, [x, y, z + corner.share * self.stretch]))
     }
 
-    /// Whether its numbers are finite.
+    /// True if its numbers are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let rotation = self.rotation.as_flattened().iter();
         rotation.chain(&self.origin).chain([&self.stretch, &self.scale]).all(|number| number.is_finite())
@@ -89,7 +90,7 @@ pub(super) struct Edges {
     sides: Vec<Vec<Neighbour>>,
 }
 
-/// What there is behind a side of a face.
+/// The neighbour behind a side of a face.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Neighbour {
     /// Another face, at an angle.
@@ -131,12 +132,12 @@ impl Edges {
         Edges { sides: mesh.faces.iter().enumerate().map(of_face).collect() }
     }
 
-    /// What is behind each side of a face.
+    /// Returns the neighbours behind each side of a face.
     pub(super) fn behind(&self, face: usize) -> &[Neighbour] {
         &self.sides[face]
     }
 
-    /// Which sides of a face are drawn, if these faces are seen.
+    /// Returns the sides of a face that are drawn if these faces are visible.
     pub(super) fn drawn(&self, face: usize, is_seen: &[bool]) -> Vec<bool> {
         let is_drawn = |side: &Neighbour| match side {
             Neighbour::Sharp => true,
@@ -172,7 +173,7 @@ pub(super) fn normal(points: &[Vector]) -> Option<Vector> {
 }
 
 impl Mesh {
-    /// The same, placed: corners take part in stretches as before.
+    /// Places the mesh; corners keep their roles in stretches.
     pub(super) fn placed(mut self, origin: Vector, rotation: &Rotation) -> Mesh {
         for corner in &mut self.corners {
             corner.at = add(origin, apply(rotation, corner.at));

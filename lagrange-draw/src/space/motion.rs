@@ -7,7 +7,8 @@ use super::vector::{Rotation, Vector};
 /// A rotation as x, y, z and w = cos(φ/2).
 pub(super) type Quaternion = [f64; 4];
 
-/// How a thing moves; each of these has a value for each moment, or a single one if it does not change.
+/// The motion of a thing: each quantity has one value per moment, or a single one if it is
+/// constant.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Motion {
     pub(super) origins: Vec<Vector>,

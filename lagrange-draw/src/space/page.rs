@@ -74,7 +74,7 @@ impl Frame {
 }
 
 impl Scene<'_> {
-    /// What a viewer needs, and the first picture, which is shown without it.
+    /// Returns the elements for the viewer, and the first picture, which is shown without it.
     fn elements(&self, picture: &Picture) -> String {
         let (look, recording) = (self.look, self.recording);
         let labels =
@@ -162,7 +162,7 @@ impl Scene<'_> {
         )
     }
 
-    /// Where the label of a thing is, by its number among all labels.
+    /// Returns the place of a thing's label, by its number among all labels.
     fn place_of_label(&self, thing: &Thing, next: &mut usize) -> String {
         let Some(label) = &thing.label else { return "null".to_owned() };
         let number = *next;

@@ -14,7 +14,7 @@ use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
 use crate::view::{BORDER, MARGIN};
 
-/// What pictures look like, whatever is on them.
+/// The look of pictures, independent of their content.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Look {
     pub(crate) size: [f64; 2],
@@ -29,7 +29,7 @@ pub(super) struct Projector<'a> {
     camera: Camera,
     window: Window,
     heading: [Heading; 2],
-    /// Of each thing its edges, and whether it is a convex body.
+    /// Edges of each thing, and true if it is a convex body.
     meshes: Vec<(Edges, bool)>,
     /// Shorter lengths count as none.
     least: f64,
@@ -47,7 +47,7 @@ struct Window {
 pub(super) const EDGE: f64 = 0.8;
 pub(super) const LINE: f64 = 1.5;
 const GAP: f64 = 0.6;
-/// How much ink there is in the edges of coloured faces.
+/// Fraction of ink in the edges of coloured faces.
 pub(super) const DARK: f64 = 0.65;
 /// Room for labels at the borders.
 const ROOM: f64 = 14.0;
@@ -125,7 +125,7 @@ impl<'a> Projector<'a> {
         (marks, Sheet { tags, lines, areas })
     }
 
-    /// What a face of a body covers.
+    /// Returns the area that a face of a body covers.
     fn area(&self, piece: &Fragment) -> Option<(usize, Vec<Point>)> {
         let is_face = matches!(piece.shape, FragmentShape::Face { .. });
         let is_body = self.recording.things.get(piece.thing).is_some_and(|thing| thing.kind == Kind::Body);

@@ -12,25 +12,25 @@ pub(crate) struct Recording {
     pub(crate) times: Vec<f64>,
     pub(crate) things: Vec<Thing>,
     pub(crate) traces: Vec<Trace>,
-    /// What acts and is not drawn, in words; empty if nothing does.
+    /// Description of loads that act but are not drawn; empty if there are none.
     pub(crate) note: String,
 }
 
 /// Something that turns, moves and is stretched, but is the same mesh at all moments.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Thing {
-    /// What it is called in messages and files.
+    /// Name in messages and files.
     pub(crate) name: String,
-    /// What is written beside it, and where that belongs; none if nothing is.
+    /// Label and its place; `None` if there is none.
     pub(crate) label: Option<Label>,
     pub(crate) colour: Colour,
     pub(crate) kind: Kind,
     pub(crate) mesh: Mesh,
-    /// Where it is at each moment.
+    /// Placement at each moment.
     pub(crate) track: Vec<Placement>,
 }
 
-/// What a thing is.
+/// The kind of a thing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Kind {
     Body,
@@ -54,7 +54,7 @@ pub(crate) struct Label {
 pub(crate) struct Trace {
     pub(crate) label: String,
     pub(crate) colour: Colour,
-    /// Where the point is before the first moment, and at each moment.
+    /// Positions of the point before the first moment, and at each moment.
     pub(crate) past: Vec<Vector>,
     pub(crate) points: Vec<Vector>,
 }
@@ -129,7 +129,7 @@ impl Kind {
 }
 
 impl Trace {
-    /// What is drawn of it at a moment.
+    /// Returns the points drawn at a moment.
     pub(crate) fn until(&self, moment: usize) -> impl Iterator<Item = Vector> + '_ {
         self.past.iter().chain(&self.points[..=moment]).copied()
     }

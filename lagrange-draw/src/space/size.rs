@@ -1,4 +1,4 @@
-//! How large a motion is, by which everything is sized that has no size of its own.
+//! The size of a motion, which determines all sizes that are not specified.
 
 use super::snapshot::{Link, SpatialSnapshot};
 use super::solids::solid;

@@ -1,4 +1,5 @@
-//! What bodies look like: their solids or, where a body is given by numbers only, rods between the joints that it carries.
+//! The shapes of bodies: their solids or, for bodies given by numbers only, rods between the joints
+//! that they carry.
 
 use super::mesh::Mesh;
 use super::snapshot::{Joint, Link, SpatialSnapshot};
@@ -23,7 +24,7 @@ impl<'a> Skeleton<'a> {
         Skeleton { scene, thin }
     }
 
-    /// What a link looks like, if there is anything to see.
+    /// Returns the mesh of a link, if it is visible.
     pub(super) fn mesh(&self, link: &Link) -> Option<Mesh> {
         match link.parts.is_empty() {
             true => self.rods(link),
@@ -68,7 +69,7 @@ impl<'a> Skeleton<'a> {
     }
 }
 
-/// How far a place is from the rod between the origin and its end.
+/// Returns the distance of a place from the rod between the origin and its end.
 fn distance(place: Vector, end: Vector) -> f64 {
     let along = (dot(place, end) / dot(end, end)).clamp(0.0, 1.0);
     length(subtract(place, times(along, end)))

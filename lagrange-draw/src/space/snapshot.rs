@@ -1,4 +1,4 @@
-//! What a scene in space hands out at one moment, kept.
+//! A stored scene in space at one moment.
 
 use super::vector::{Rotation, Vector, add, apply, apply_back, subtract};
 use lagrange_runtime::body::SpatialMotion;
@@ -13,7 +13,7 @@ pub(super) struct SpatialSnapshot {
     pub(super) connectors: Vec<Span>,
     pub(super) joints: Vec<Joint>,
     pub(super) loads: Vec<SpatialLoad>,
-    /// What acts and is not known.
+    /// Loads that act but are unknown.
     pub(super) omitted: Vec<String>,
 }
 
@@ -23,7 +23,7 @@ pub(super) struct Link {
     pub(super) name: String,
     pub(super) origin: Vector,
     pub(super) rotation: Rotation,
-    /// How it moves, if it has mass.
+    /// Motion, if it has mass.
     pub(super) motion: Option<SpatialMotion<f64>>,
     pub(super) parts: Vec<SolidPart<f64>>,
 }

@@ -6,10 +6,10 @@ use super::mesh::{Corner, Mesh};
 use super::vector::Vector;
 use lagrange_runtime::scene::Solid;
 
-/// How many corners stand for a circle, and rings of faces for half a great circle of a sphere.
+/// Number of corners of a circle, and of rings of faces on half a great circle of a sphere.
 const ROUND: usize = 28;
 const RINGS: usize = 12;
-/// Those of small things.
+/// Number of corners for small things.
 const SMALL_ROUND: usize = 12;
 const SMALL_RINGS: usize = 6;
 /// Windings of a spring, and the part of its length at each end that is straight.
@@ -177,7 +177,7 @@ pub(super) fn damper(radius: f64) -> Mesh {
     rods.into_iter().fold(cylinder, Mesh::with)
 }
 
-/// How long and how wide the head of an arrow is, in terms of the radius of its shaft.
+/// Length and width of an arrowhead, as multiples of the radius of its shaft.
 const HEAD: f64 = 9.0;
 const WIDTH: f64 = 3.2;
 /// The length of an arrow whose head does not take more than this part of it, in terms of the radius of its shaft.

@@ -77,13 +77,13 @@ pub(super) fn back_to_front(
     painted
 }
 
-/// As far as their middles tell.
+/// Sorts by the distance of midpoints.
 fn by_nearness(mut pieces: Vec<Fragment>, camera: &Camera) -> Vec<Fragment> {
     pieces.sort_by(|a, b| a.nearness(camera).total_cmp(&b.nearness(camera)));
     pieces
 }
 
-/// Whether nothing of this hides anything else of it.
+/// True if nothing of this hides anything else of it.
 fn is_in_order(pieces: &[Fragment], is_convex: &[bool]) -> bool {
     let Some(first) = pieces.first() else { return true };
     pieces.len() == 1 || (is_convex[first.thing] && pieces.iter().all(|piece| piece.thing == first.thing))
@@ -133,7 +133,7 @@ fn best_plane(pieces: &[Fragment], least: f64) -> Option<Plane> {
     faces.iter().step_by(faces.len().div_ceil(TRIED).max(1)).min_by_key(|plane| cost(plane)).copied()
 }
 
-/// What is on the side of the normal, in the plane, and on the other side.
+/// Divides pieces into those on the side of the normal, in the plane, and on the other side.
 fn divided(pieces: Vec<Fragment>, plane: Plane, least: f64) -> [Vec<Fragment>; 3] {
     let mut parts = [Vec::new(), Vec::new(), Vec::new()];
     for piece in pieces {
@@ -182,7 +182,7 @@ impl Fragment {
         camera.seen(middle).1
     }
 
-    /// Whether there is something of it above a plane, and below.
+    /// Returns true for a part above the plane, and for a part below.
     fn sides(&self, plane: Plane, least: f64) -> [bool; 2] {
         let mut sides = [false; 2];
         for corner in self.corners() {
@@ -236,13 +236,13 @@ fn clipped(corners: &[Vector], drawn: &[bool], heights: &[f64], least: f64) -> (
     (kept, sides)
 }
 
-/// Where a line from one height to another of the other sign passes zero.
+/// Returns the zero of a line between two heights of opposite sign.
 fn crossing([a, b]: [Vector; 2], [from, to]: [f64; 2]) -> Vector {
     debug_assert!(from != to, "a line along the plane does not cross it");
     mix(a, b, from / (from - to))
 }
 
-/// Whether all corners are behind all faces: a convex body.
+/// True if all corners are behind all faces: a convex body.
 pub(super) fn is_convex(faces: &[(Vec<Vector>, Vector)], least: f64) -> bool {
     let corners = || faces.iter().flat_map(|(corners, _)| corners);
     faces
@@ -277,7 +277,7 @@ mod tests {
         }
     }
 
-    /// How far along the ray from a place towards the eye it meets a face.
+    /// Returns the distance along the ray from a place towards the eye at which it meets a face.
     fn met(piece: &Fragment, from: Vector, ray: Vector) -> Option<f64> {
         let FragmentShape::Face { corners, normal, .. } = &piece.shape else { return None };
         let along = dot(*normal, subtract(corners[0], from)) / dot(*normal, ray);

@@ -14,7 +14,7 @@ use crate::stage::is_made_up;
 use crate::text::formula;
 use lagrange_runtime::scene::{Connector, SpatialJoint};
 
-/// What is drawn beside the scene itself.
+/// The requested additions to the scene.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]
 pub(super) struct Wanted {
     pub(super) velocities: bool,
@@ -131,7 +131,8 @@ impl Stage<'_> {
         Thing { name: span.name.clone(), label, colour, kind: Kind::Connector, mesh, track }
     }
 
-    /// Which connector between the same points is the first, and how far beside the line between them this one lies: side by side.
+    /// Returns the first connector between the same points, and the offset of this one from the
+    /// line between them, side by side.
     fn lane(&self, index: usize) -> (usize, f64) {
         let near = TOUCHING * self.size.diagonal();
         let are_one = |other: usize| {

@@ -10,7 +10,7 @@ pub(super) struct Store {
     accessors: Vec<String>,
 }
 
-/// What numbers are for.
+/// The purpose of numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Purpose {
     /// Places of vertices, whose bounds are told.
@@ -19,7 +19,7 @@ pub(super) enum Purpose {
     Attributes,
     /// Times, whose bounds are told.
     Times,
-    /// What changes with time.
+    /// A quantity that changes with time.
     Track,
 }
 

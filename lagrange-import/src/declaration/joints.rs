@@ -15,7 +15,7 @@ pub(super) struct Placed<'r> {
 }
 
 impl Placed<'_> {
-    /// Where the joint's frame is in what carries it.
+    /// Writes the pose of the joint's frame in its carrier.
     fn frame(&self) -> Vec<String> {
         [at(&self.joint.at), turned(&self.joint.turned)].into_iter().flatten().collect()
     }

@@ -2,7 +2,7 @@
 
 /// Lines are broken where they would be longer.
 const WIDEST: usize = 120;
-/// What stands in front of every statement.
+/// Indentation of every statement.
 const INDENT: &str = "    ";
 
 /// Statements, comments and empty lines.

@@ -13,17 +13,17 @@ use crate::robot::{Inertial, Joint, Kind, Link, Robot};
 use joints::Placed;
 use layout::{Page, vector};
 
-/// What is not said by the robot.
+/// The choices that the robot does not determine.
 pub(crate) struct Style {
     /// Name of the struct.
     pub(crate) name: String,
-    /// Whether the base moves freely.
+    /// True if the base moves freely.
     pub(crate) is_free: bool,
-    /// Whether each coordinate gets an input that is a force on it.
+    /// True if each coordinate gets an input that is a force on it.
     pub(crate) has_inputs: bool,
 }
 
-/// What moves: a joint, or the base.
+/// A moving part: a joint, or the base.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Motion {
     /// The name of the joint in the file; `None` of a base that moves freely.
@@ -38,7 +38,7 @@ pub struct Motion {
 pub(crate) struct Declared {
     /// With the macro around it.
     pub(crate) text: String,
-    /// What stands within the macro.
+    /// Statements within the macro.
     pub(crate) statements: String,
     pub(crate) motions: Vec<Motion>,
 }
@@ -231,7 +231,7 @@ impl<'r> Writer<'r> {
     }
 }
 
-/// What is zero of follower = multiplier · leader + offset.
+/// Writes the residual of follower = multiplier · leader + offset.
 fn residual(follower: &str, leader: &str, multiplier: &Decimal, offset: &Decimal) -> String {
     let sign = |number: &Decimal| if number.value() < 0.0 { "+" } else { "-" };
     let mut text = follower.to_owned();
@@ -251,7 +251,8 @@ fn free_motion(joint: Option<&str>, name: &str) -> Motion {
     Motion { joint: joint.map(str::to_owned), positions: positions.to_vec(), velocities: 6 }
 }
 
-/// Whether a joint puts no frame of its own between what carries it and a link that moves in any way.
+/// True if a joint puts no frame of its own between what carries it and a link that moves in any
+/// way.
 fn is_plainly_floating(joint: &Joint) -> bool {
     joint.kind == Kind::Floating && joint.at.iter().chain(&joint.turned).all(Decimal::is_zero)
 }

@@ -1,4 +1,4 @@
-//! What documentation and comments say of links and joints.
+//! Documentation and comments about links and joints.
 
 use super::layout::vector;
 use crate::decimal::Decimal;
@@ -14,7 +14,8 @@ fn units(kind: Kind) -> [&'static str; 3] {
     }
 }
 
-/// What a file says of a coordinate that has no part in the equations, as a sentence; empty if that is nothing.
+/// Returns a sentence about the limits in the file, which have no part in the equations; empty if
+/// there are none.
 pub(super) fn limits(joint: &Joint) -> String {
     let Limit { lower, upper, effort, velocity } = &joint.limit;
     let [unit, force, rate] = units(joint.kind);
@@ -36,7 +37,7 @@ fn sentence(text: &str) -> String {
     letters.next().map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
 }
 
-/// What pictures show of a link, as a property of its body.
+/// Returns the visual of a link as a property of its body.
 pub(super) fn visual(shapes: &[Shape]) -> Option<String> {
     let visuals = shapes.iter().filter(|shape| shape.is_visual);
     let parts =

@@ -39,7 +39,7 @@ pub(super) struct NamedMimic<'a> {
     pub(super) offset: Decimal,
 }
 
-/// What other programs make of a joint.
+/// Elements of a joint for other programs.
 const LEFT_OUT: [&str; 2] = ["calibration", "safety_controller"];
 
 /// `None` if nothing says what it connects.

@@ -84,16 +84,17 @@ use source::{Source, attribute_of, tagged};
 
 pub use crate::declaration::Motion;
 
-/// How a file is imported.
+/// The options of an import.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// Name of the struct; if it is not given it is made of the robot's.
     pub name: Option<String>,
-    /// Whether the base moves freely instead of being fixed to the ground.
+    /// True if the base moves freely instead of being fixed to the ground.
     pub is_free: bool,
-    /// Whether each coordinate gets an input that is a force on it, as of a motor.
+    /// True if each coordinate gets an input that is a force on it, as of a motor.
     pub has_inputs: bool,
-    /// Whether inertia that no body has becomes parameters, of which the compiler warns, instead of a mistake.
+    /// True if inertia that no body has becomes parameters, of which the compiler warns, instead of
+    /// a mistake.
     pub trusts_inertia: bool,
 }
 
@@ -102,9 +103,9 @@ pub struct Options {
 pub struct Import {
     /// The declaration as a person would write it.
     pub declaration: String,
-    /// What moves, in the order of the state.
+    /// Moving parts, in the order of the state.
     pub motions: Vec<Motion>,
-    /// What was left out.
+    /// Warnings about omitted elements.
     pub warnings: Vec<Mistake>,
 }
 
@@ -192,5 +193,5 @@ fn check_version<'d>(source: &mut Source<'d>, root: Node<'_, 'd>) {
     }
 }
 
-/// What a robot may hold; from the third on it says nothing about motion.
+/// Elements of a robot; from the third on, they do not concern motion.
 const KNOWN: [&str; 7] = ["link", "joint", "material", "transmission", "gazebo", "sensor", "ros2_control"];

@@ -13,7 +13,7 @@ use crate::rotation::{angles_of, from_quaternion};
 const MECHANICAL: [&str; 11] = [
     "link", "joint", "inertial", "origin", "mass", "inertia", "parent", "child", "axis", "mimic", "dynamics",
 ];
-/// Those of which every attribute counts. Other programs have some of their own for joints and their dynamics.
+/// Elements whose attributes must all be known. Other programs add attributes to joints and their dynamics.
 const EXACT: [&str; 7] = ["origin", "mass", "inertia", "parent", "child", "axis", "mimic"];
 
 /// A file that is read, and what is wrong with it so far.
@@ -71,7 +71,7 @@ impl<'d> Source<'d> {
         first
     }
 
-    /// The same, but without it there is a mistake.
+    /// Returns the required child; a missing one is a mistake.
     pub(super) fn required_child<'a>(
         &mut self,
         node: Node<'a, 'd>,
@@ -241,7 +241,7 @@ fn attribute_node<'a, 'd>(node: Node<'a, 'd>, name: &str) -> Option<Attribute<'a
     node.attributes().find(|attribute| attribute.namespace().is_none() && attribute.name() == name)
 }
 
-/// Those of a tag.
+/// Returns the nodes with a tag.
 pub(super) fn tagged<'a, 'd>(node: Node<'a, 'd>, tag: &str) -> impl Iterator<Item = Node<'a, 'd>> {
     elements(node).filter(move |child| child.tag_name().name() == tag)
 }

@@ -51,7 +51,7 @@ pub(super) fn tree(
 /// Names for which the nearest known one is looked for: behind so many, nobody reads what is suggested.
 const MAX_SUGGESTIONS: usize = 50;
 
-/// What has a name in the file.
+/// An element with a name.
 struct Named<'n> {
     indices: HashMap<&'n str, usize>,
     /// In their order; made when the first name is not found.

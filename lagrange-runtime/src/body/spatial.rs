@@ -14,7 +14,7 @@ use crate::Scalar;
 /// A vector in space.
 type Vector<S> = [S; 3];
 
-/// How a rigid body in space moves at one moment.
+/// The motion of a rigid body in space at one moment.
 ///
 /// Positions are in m, masses in kg, times in s, angles in rad, if the numbers of the declaration are. Own coordinates are those of the
 /// frame that the declaration states centroid and inertia in. All other vectors are in the axes of the world.

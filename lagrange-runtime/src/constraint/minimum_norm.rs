@@ -22,7 +22,7 @@ pub struct RedundantMotion<S, const N: usize, const D: usize> {
     pub acceleration: [S; N],
     /// The multipliers λ, of all that give these accelerations those with the smallest sum of squares.
     pub multipliers: [S; D],
-    /// How many constraints are independent.
+    /// Number of independent constraints.
     pub rank: usize,
 }
 
@@ -137,10 +137,10 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
 #[derive(Debug)]
 struct ScaledEquations<S, const N: usize, const D: usize> {
     mass: [[S; N]; N],
-    /// By which coordinates were multiplied: a = scales a′.
+    /// Scales of coordinates: a = scales a′.
     scales: [S; N],
     rows: [[S; N]; D],
-    /// By which constraints were multiplied: λ = row_scales λ′.
+    /// Scales of constraints: λ = row_scales λ′.
     row_scales: [S; D],
     factors: OrthogonalFactors<S, N, D>,
 }
@@ -217,7 +217,7 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         is_determined.then(|| self.factors.outward(factors.combination(right)))
     }
 
-    /// Whether the constraints that depend on others hold, too.
+    /// True if the constraints that depend on others hold, too.
     fn agrees(&self, acceleration: &[S; N], forcing: &[S; N], drift: &[S; D]) -> bool {
         let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * forcing[j]);
         let drifts: [S; D] = core::array::from_fn(|i| self.row_scales[i] * drift[i]);
@@ -254,7 +254,7 @@ fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
     OrthogonalFactors::new(rows, S::ZERO).shortest(&products)
 }
 
-/// What a symmetric matrix maps to zero.
+/// The null space of a symmetric matrix.
 #[derive(Debug)]
 struct Ignored<S, const D: usize> {
     basis: OrthogonalFactors<S, D, D>,
@@ -274,7 +274,7 @@ impl<S: Scalar, const D: usize> Ignored<S, D> {
         Ignored { basis: OrthogonalFactors::new(basis, S::ZERO) }
     }
 
-    /// What is left of a vector without its part of this.
+    /// Removes the null-space component of a vector.
     fn remove(&self, x: [S; D]) -> [S; D] {
         if self.basis.rank() == 0 {
             return x;
@@ -306,7 +306,7 @@ fn reciprocal<S: Scalar>(x: S) -> S {
     if reciprocal.is_finite() { reciprocal } else { S::ONE }
 }
 
-/// What is rounding in a matrix of K rows that is scaled.
+/// Returns the rounding level of a scaled matrix with K rows.
 pub(super) fn roundings<S: Scalar, const K: usize>() -> S {
     DEPENDENT_COLUMN.times(K).part::<S>()
 }

@@ -77,10 +77,10 @@ pub trait ConstrainedSystem: MechanicalSystem {
     /// The multipliers λ in M a = f + Aᵀλ.
     fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 
-    /// What must be zero of positions: c(t, q) of holonomic constraints; zero for the others.
+    /// Returns the residuals of positions: c(t, q) of holonomic constraints; zero for the others.
     fn position_residuals(&self, t: Self::Scalar, q: &Self::Coordinates) -> Self::Multipliers;
 
-    /// What must be zero of velocities: dc/dt, or c itself where it holds velocities.
+    /// Returns the residuals of velocities: dc/dt, or c itself if it contains velocities.
     fn velocity_residuals(
         &self,
         t: Self::Scalar,
@@ -88,8 +88,9 @@ pub trait ConstrainedSystem: MechanicalSystem {
         v: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// How far the residuals go at most if positions are displaced, or velocities change, by as much as `by`: Σⱼ |Aᵢⱼ| byⱼ of each
-    /// constraint, with A the gradients with respect to velocities. What counts as zero is measured by it, see [`project`].
+    /// Returns the scales of the residuals: the maximum change if positions are displaced, or
+    /// velocities change, by `by`, Σⱼ |Aᵢⱼ| byⱼ for each constraint, where A contains the gradients
+    /// with respect to velocities. Tolerances are relative to them; see [`project`].
     fn residual_scales(
         &self,
         t: Self::Scalar,

@@ -40,13 +40,13 @@ struct SearchPoint<Q, V> {
     pull: V,
 }
 
-/// Where a step along a direction ends.
+/// The end of a step along a direction.
 struct End<S, Q, V> {
     point: SearchPoint<Q, V>,
     /// The direction, carried there.
     direction: V,
     length: S,
-    /// How fast the distance still falls.
+    /// Slope of the distance.
     slope: S,
 }
 
@@ -123,7 +123,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         End { point, direction, length, slope }
     }
 
-    /// Whether a point is farther away by more than rounding, both measured by the mass matrix of one of them.
+    /// True if a point is farther away by more than rounding, both measured by the mass matrix of
+    /// one of them.
     fn is_farther(&self, start: &Positions<M>, end: &Positions<M>) -> bool {
         let [before, after] = [start, end].map(|q| {
             let way = self.way_back(q);
@@ -149,7 +150,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         if is_nearer { next } else { point.pull }
     }
 
-    /// What is left of a displacement without its part normal to the constraints.
+    /// Removes the component of a displacement normal to the constraints.
     fn tangential(&self, q: &Positions<M>, change: &Velocities<M>) -> Velocities<M> {
         let NearestSearch { system, t, v, .. } = self;
         let mut residuals = system.velocity_residuals(*t, q, &Velocities::<M>::ZERO);

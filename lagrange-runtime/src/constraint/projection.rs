@@ -38,7 +38,7 @@ const LARGE: f64 = 1e-6;
 const LEAP: f64 = 0.1;
 /// unless the change is slower than this part of the coordinates in a unit of time.
 const SLOW: f64 = 1e-4;
-/// What is wrong then.
+/// Error message for dependent constraints.
 pub(crate) const UNDETERMINED: &str =
     "constraints depend on each other here, and do not determine how the motion goes on";
 /// Starts are admitted if constraints miss by no more than this part of their scales.
@@ -145,8 +145,9 @@ pub fn restore<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Whether velocities change so much that what follows is another motion. Errors of a step do not do that, but the smallest
-/// residual does where constraints are on the point of depending on each other.
+/// True if velocities change so much that what follows is another motion. Errors of a step do not
+/// do that, but the smallest residual does where constraints are on the point of depending on each
+/// other.
 #[inline]
 fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V, q: &Q) -> bool {
     let changes = before.as_ref().iter().zip(after.as_ref()).map(|(before, after)| (*after - *before).abs());
@@ -230,8 +231,8 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     newton(system, t, v, step, most).map(|found| *q = found).is_some()
 }
 
-/// Whether a correction is out of proportion to what it is to remove, which is next to nothing: constraints are on the point of
-/// depending on each other, and what is left is better left alone.
+/// True if a correction is out of proportion to what it is to remove, which is next to nothing:
+/// constraints are on the point of depending on each other, and what is left is better left alone.
 #[inline]
 fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
     let part = part();
@@ -263,7 +264,8 @@ fn newton<M: ConstrainedSystem + ?Sized>(
     None
 }
 
-/// Where a step leads if it is shortened until the next one by the same gradients is smaller, the residuals there, and that step.
+/// Shortens a step until the next one with the same gradients is smaller; returns its end, the
+/// residuals there, and that next step.
 fn shortened<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -298,7 +300,7 @@ impl<S: Scalar, Q, V: StateVector<S>> Correction<S, Q, V> {
     }
 }
 
-/// Where this part of a correction of positions leads.
+/// Returns the positions after a fraction of a correction.
 #[inline]
 fn end<M: MechanicalSystem + ?Sized>(
     system: &M,

@@ -1,16 +1,17 @@
-//! Whether constraints are independent enough for elimination, and how large their residuals may be.
+//! Tests if constraints are independent enough for elimination, and bounds on their residuals.
 
 use crate::constraint::minimum_norm::rank_tolerance;
 use crate::scalar::Scalar;
 
-/// Whether all values are finite and the growth of rounding errors, `condition`, is such that the straight way to them can be
-/// trusted: below the inverse square of [`rank_tolerance`], since pivots are squares of what is left of a gradient.
+/// True if all values are finite and the growth of rounding errors, `condition`, is such that the
+/// straight way to them can be trusted: below the inverse square of [`rank_tolerance`], since
+/// pivots are squares of what is left of a gradient.
 #[inline]
 pub fn are_regular<S: Scalar>(values: &[S], condition: S) -> bool {
     condition * rank_tolerance::<S>() * rank_tolerance::<S>() < S::ONE && are_finite(values)
 }
 
-/// Whether all values are finite.
+/// True if all values are finite.
 #[inline]
 pub fn are_finite<S: Scalar>(values: &[S]) -> bool {
     values.iter().all(|value| value.is_finite())
@@ -22,7 +23,7 @@ pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], sh
     rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))
 }
 
-/// The same for the entries `(i, j, Aᵢⱼ)` of a matrix that are not zero, by rows.
+/// Weighs the nonzero entries `(i, j, Aᵢⱼ)` of a matrix, by rows.
 ///
 /// # Panics
 /// If an index is too large.

@@ -1,4 +1,4 @@
-//! How large residuals are.
+//! The sizes of residuals.
 
 use super::ConstrainedSystem;
 use crate::scalar::{Number, Scalar};
@@ -15,7 +15,7 @@ pub(super) struct Worst<S> {
     pub(super) part: S,
 }
 
-/// What the positions violate most.
+/// Returns the largest violation of the positions.
 pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -26,7 +26,7 @@ pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
     Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Positions)
 }
 
-/// What the velocities violate most.
+/// Returns the largest violation of the velocities.
 pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -49,7 +49,7 @@ pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
     largest(system.position_residuals(t, q).as_ref()) / largest(scales.as_ref())
 }
 
-/// The same of velocities.
+/// Returns the largest violation of the velocities, all taken together.
 #[cold]
 pub(super) fn of_velocities_together<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -66,7 +66,8 @@ pub(super) fn largest<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::ZERO, |most, x| most.max(x.abs()))
 }
 
-/// What positions, or else velocities, violate most, if it is by more than this part of its scale.
+/// Returns the largest violation of positions, or else of velocities, if it exceeds this fraction
+/// of its scale.
 pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
     part: M::Scalar,
     system: &M,
@@ -77,7 +78,7 @@ pub(super) fn beyond<M: ConstrainedSystem + ?Sized>(
     too_much(of_positions(system, t, q)).or_else(|| too_much(of_velocities(system, t, (q, v))))
 }
 
-/// What a state violates most, of positions if those do not satisfy their constraints.
+/// Returns the largest violation of a state; of positions, if those violate their constraints.
 #[cold]
 pub(super) fn worst<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -117,7 +118,7 @@ fn proportion<S: Scalar>(residual: S, scale: S) -> S {
     if part >= S::ZERO { part } else { S::ONE / S::ZERO }
 }
 
-/// What coordinates or velocities are measured by: their magnitudes, but at least [`size`].
+/// Returns the scales of coordinates or velocities: their magnitudes, but at least [`size`].
 pub(crate) fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
     let least = size(x.as_ref());
     let mut sizes = *x;

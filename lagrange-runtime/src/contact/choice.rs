@@ -1,8 +1,8 @@
-//! What each reaction may do, and rules chosen out of that.
+//! The choices of each reaction, and the rules chosen from them.
 
 use super::reaction_forces::Rule;
 
-/// What a reaction may do.
+/// The choices of a reaction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Choice {
     /// Nothing but this.

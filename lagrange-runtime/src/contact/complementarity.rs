@@ -1,4 +1,4 @@
-//! Which reactions fit together.
+//! The search for consistent reactions.
 //!
 //! Contacts that touch either press or part, friction that is at rest either holds or slips in the direction that results:
 //!
@@ -55,7 +55,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         possible
     }
 
-    /// What Lemke's method finds, made exact.
+    /// Returns the solution of Lemke's method, refined to full accuracy.
     fn complement(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
         let found = self.complementary(choices)?;
         let is_near = || self.contradiction(choices, &found, BALANCED_BY_SEARCH).is_none();

@@ -67,19 +67,20 @@ pub fn event_values<M, const N: usize, const K: usize>(
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// What rounding may make of slip velocity k where it is held at zero: of the velocities, and of accelerations in the time that
-    /// has passed.
+    /// Bounds the rounding error of slip velocity k where it is held at zero: from the velocities,
+    /// and from accelerations in the elapsed time.
     fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
         let size = self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs();
         BOUND.part::<S>() * size
     }
 
-    /// How large the terms are of the rate of rate k without reactions.
+    /// Returns the size of the terms in the rate of rate k without reactions.
     pub(super) fn acceleration_of(&self, k: usize) -> S {
         self.size_of(k, &self.free) + self.drifts[k].abs()
     }
 
-    /// How large the terms are of the rate of rate k under these reactions, of which those that are not finite do not count.
+    /// Returns the size of the terms in the rate of rate k under these reactions; reactions that are not
+    /// finite are ignored.
     pub(super) fn acceleration_under(&self, k: usize, reactions: &[S; K]) -> S {
         let parts = self.responses.iter().zip(reactions).filter(|(_, reaction)| reaction.is_finite());
         parts.fold(self.acceleration_of(k), |sum, (response, reaction)| {

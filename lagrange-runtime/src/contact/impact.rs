@@ -38,21 +38,21 @@ use crate::tolerance::IMPACT_ENERGY;
 
 /// The part of restitution is found to so many binary digits where it must be found.
 const MOST_BISECTIONS: u32 = 40;
-/// The same where there are no impulses with all of it.
+/// Number of bisections if the full impulses do not exist.
 const FEW_BISECTIONS: u32 = 6;
 /// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the smaller ones for contacts of which one
 /// slips much more slowly than another.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
 
-/// What an impact changed.
+/// The effect of an impact.
 pub(super) struct Collision<S, const N: usize, const K: usize> {
     /// The velocities after it.
     pub(super) velocities: [S; N],
     pub(super) impulses: [S; K],
     /// The kinetic energy that all contacts and friction took, by the mean of their rates before and after.
     pub(super) energy_loss: S,
-    /// Which rates are zero after it, but for rounding.
+    /// True for each rate that is zero after the impact, up to rounding.
     pub(super) is_still: [bool; K],
 }
 
@@ -126,7 +126,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         })
     }
 
-    /// What contacts that take part and friction may do in an impact.
+    /// Returns the choices of participating contacts and friction in an impact.
     fn choices(&self, modes: &[Mode; K], is_touching: &[bool; K]) -> [Choice; K] {
         array::from_fn(|k| match modes[k] {
             Mode::Contact(_) if is_touching[k] => Choice::Touch,
@@ -165,14 +165,14 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         Collision { velocities: self.added(v, &impulses), impulses, energy_loss, is_still }
     }
 
-    /// What is rounding beside the energy that impulses exchange.
+    /// Returns the rounding level of the energy that impulses exchange.
     fn rounding(&self, collision: &Collision<S, N, K>) -> S {
         let works = collision.impulses.iter().zip(&self.rates);
         let exchanged = works.fold(S::ZERO, |sum, (impulse, rate)| sum + (*impulse * *rate).abs());
         IMPACT_ENERGY.part::<S>() * exchanged
     }
 
-    /// Whether the limits of friction k grow with reactions.
+    /// True if the limits of friction k grow with reactions.
     fn has_impulses(&self, k: usize) -> bool {
         let slopes = self.kinetic_slopes[k].iter().chain(&self.static_slopes[k]);
         slopes.copied().any(|slope| slope != S::ZERO)

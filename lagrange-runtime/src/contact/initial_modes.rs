@@ -47,10 +47,10 @@ where
     Ok((settled != modes).then(|| system.in_modes(settled)))
 }
 
-/// Which gaps and rates are zero.
+/// The gaps and rates that are zero.
 pub(super) struct Position<const K: usize> {
     pub(super) is_touching: [bool; K],
-    /// Whether bodies overlap by more than rounding.
+    /// True for each gap at which bodies overlap by more than rounding.
     is_beyond: [bool; K],
     pub(super) is_still: [bool; K],
 }
@@ -86,8 +86,8 @@ impl<const K: usize> Position<K> {
     }
 }
 
-/// What coordinates are measured by where gaps are judged. If all of them are zero nothing tells how large they might be but their
-/// unit, as in the tolerances of methods.
+/// Returns the length scales of coordinates for judging gaps. If all coordinates are zero, the unit
+/// length is the only scale, as in the tolerances of methods.
 pub(super) fn lengths<S: Scalar, Q: StateVector<S>>(q: &Q) -> Q {
     if q.as_ref().iter().any(|entry| *entry != S::ZERO) {
         return sizes(q);
@@ -97,13 +97,13 @@ pub(super) fn lengths<S: Scalar, Q: StateVector<S>>(q: &Q) -> Q {
     ones
 }
 
-/// Whether this mode keeps a rate at zero.
+/// True if this mode keeps a rate at zero.
 pub(super) fn holds(mode: Mode) -> bool {
     matches!(mode, Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks))
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// How large the terms of rate k are, that of a motion of the surroundings included.
+    /// Returns the size of the terms of rate k, including those from a motion of the surroundings.
     pub(super) fn speed_of(&self, k: usize, v: &[S; N]) -> S {
         let own = dot(&self.rows[k], v);
         self.size_of(k, v) + (self.rates[k] - own).abs()

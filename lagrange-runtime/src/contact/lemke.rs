@@ -53,9 +53,10 @@ struct Row<S, const K: usize> {
     variable: Variable,
     value: S,
     slopes: Pairs<S, K>,
-    /// How it grows with the variable of the column that z₀ has at first.
+    /// Slope with respect to the variable of the initial column of z₀.
     cover: S,
-    /// Whether it must not be negative; rows of pairs that take no part, and of reactions without a sign, may.
+    /// True if it must not be negative; rows of pairs that take no part, and of reactions without a
+    /// sign, may.
     has_sign: bool,
 }
 
@@ -67,7 +68,7 @@ struct PivotTableau<S, const K: usize> {
     cover: Variable,
 }
 
-/// Which column: that of a pair, or the last.
+/// The column of a pair, or the last one.
 type Column = Option<usize>;
 
 impl Variable {
@@ -264,7 +265,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
         Problem { balance, choices, units: balance.units() }
     }
 
-    /// Whether reaction k is friction that is known to slip.
+    /// True if reaction k is friction that is known to slip.
     fn is_equation(&self, k: usize) -> bool {
         matches!(self.choices[k], Choice::Only(Rule::Forwards | Rule::Backwards | Rule::Smooth))
     }

@@ -63,7 +63,7 @@ pub use crate::system::{EventKind, Impact};
 use crate::scalar::Scalar;
 use crate::system::MechanicalSystem;
 
-/// Whether a unilateral contact is closed.
+/// The state of a unilateral contact: open or closed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Contact {
     /// Bodies are apart: no force.
@@ -73,7 +73,7 @@ pub enum Contact {
     Closed,
 }
 
-/// What dry friction does.
+/// The state of dry friction.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Friction {
     /// Slips in the direction that the present slip velocity has, without friction where it is zero. Runs replace it by another
@@ -91,17 +91,17 @@ pub enum Friction {
 /// The mode of a reaction.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Mode {
-    /// Of a contact.
+    /// A contact.
     Contact(Contact),
-    /// Of dry friction.
+    /// A dry friction.
     Friction(Friction),
-    /// Of friction that is a smooth function of the slip velocity, r = −tanh(slip/width)·limit: its kinetic limit holds the
-    /// hyperbolic tangent. It never changes its mode and has no event.
+    /// A smooth function of the slip velocity, r = −tanh(slip/width)·limit: its kinetic limit
+    /// contains the hyperbolic tangent. It never changes its mode and has no event.
     Smooth,
 }
 
-/// What an emitted type with contacts or friction knows about its reactions at one state: N velocities, K reactions in the
-/// order of declaration.
+/// The reaction terms of an emitted type with contacts or friction at one state: N velocities, K
+/// reactions in the order of declaration.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Terms<S, const N: usize, const K: usize> {
     /// Accelerations with all reactions zero.
@@ -135,22 +135,22 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Names of the reactions.
     const REACTIONS: [&'static str; K];
 
-    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state: such a one is judged at
-    /// impacts only, others where a motion starts, too.
+    /// True for each reaction whose coefficient of restitution depends on time or the state. Such a
+    /// coefficient is checked at impacts only, others also at the start of a motion.
     const RESTITUTIONS_VARY: [bool; K] = [false; K];
 
-    /// Of each friction, whether its limit holds forces of constraints, which press from either side: such a limit counts by its
-    /// magnitude, others must not be negative.
+    /// True for each friction whose limit contains constraint forces, which press from either side: such a
+    /// limit counts by its magnitude. Other limits must not be negative.
     const LIMITS_REVERSE: [bool; K] = [false; K];
 
     /// The modes, in the order of declaration.
     fn modes(&self) -> [Mode; K];
 
-    /// The same system in other modes.
+    /// Returns the system in other modes.
     #[must_use]
     fn in_modes(&self, modes: [Mode; K]) -> Self;
 
-    /// What is known about the reactions at a state.
+    /// Returns the reaction terms at a state.
     fn terms(
         &self,
         t: Self::Scalar,

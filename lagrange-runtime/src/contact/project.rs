@@ -81,7 +81,8 @@ where
     Err(StepFailure::Violated(Violation::of_gap(M::REACTIONS[k], terms.gaps[k])))
 }
 
-/// Whether two vectors differ by no more than the rounding of a third. One that is not a number differs from every other.
+/// True if two vectors differ by no more than the rounding of a third. One that is not a number
+/// differs from every other.
 fn is_same<S: Scalar, Q: StateVector<S>>(one: &Q, other: &Q, scale: &Q) -> bool {
     let rounding = CLOSED_GAP.part::<S>();
     let differences = one.as_ref().iter().zip(other.as_ref()).zip(scale.as_ref());
@@ -162,7 +163,7 @@ fn displace<M, const N: usize, const K: usize>(
     *q = displaced(system, t, q, shares.into_iter().zip(&terms.responses));
 }
 
-/// How much of each response takes these values away where they are held.
+/// Returns the multiples of the responses that remove these values where they are held.
 fn shares<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     values: [S; K],

@@ -14,12 +14,12 @@ use crate::linalg::singular::{nearest, solve};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// By what rule a reaction acts.
+/// The rule by which a reaction acts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Rule {
     /// Not at all.
     Absent,
-    /// So that its rate is zero.
+    /// Its rate stays zero.
     Holds,
     /// r = −|kinetic limit|
     Forwards,
@@ -41,7 +41,8 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     sizes: [S; K],
     /// One if limits hold what is there without reactions; zero for impulses, to which finite forces do not contribute.
     presence: S,
-    /// Whether rates that cannot be held together are an error; else they are held as nearly as they can be.
+    /// True if rates that cannot be held together are an error; else they are held as nearly as
+    /// they can be.
     is_exact: bool,
 }
 
@@ -71,7 +72,7 @@ impl Rule {
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
-    /// Of forces and the rates of rates.
+    /// Builds the problem for forces and the rates of rates.
     pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
         let offset = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
         let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
@@ -79,7 +80,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ONE, is_exact: true }
     }
 
-    /// Of impulses and what is to be zero or positive after an impact: rate⁺ + e rate⁻.
+    /// Builds the problem for impulses and the post-impact values rate⁺ + e rate⁻, which are zero
+    /// or positive.
     pub(super) fn of_impulses(terms: &'a Terms<S, N, K>, restitutions: &[S; K]) -> Self {
         let offsets: [S; K] = array::from_fn(|k| match terms.rates[k] {
             rate if rate < S::ZERO => rate + restitutions[k] * rate,
@@ -89,7 +91,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: true }
     }
 
-    /// The same where these contacts approach with a part of the largest slip velocity that their friction meets.
+    /// Lets these contacts approach with a fraction of the largest slip velocity that their
+    /// friction meets.
     pub(super) fn approached(mut self, part: S, contacts: &[bool; K]) -> Self {
         let units = self.units();
         let meets_friction = |k: &usize| !contacts[*k] && self.has_limit(*k, |j| contacts[j]);
@@ -102,39 +105,40 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         self
     }
 
-    /// Of changes of the state that take away these values. Those of a state that is at rest but for rounding need not fit together.
+    /// Builds the problem for changes of the state that remove these values. For a state at rest up
+    /// to rounding, they need not be consistent.
     pub(super) fn of_values(terms: &'a Terms<S, N, K>, values: [S; K]) -> Self {
         let (offsets, sizes) = (values, values);
         Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ZERO, is_exact: false }
     }
 
-    /// Whether rates without reactions, and what reactions change, are numbers.
+    /// True if rates without reactions, and what reactions change, are numbers.
     pub(super) fn is_finite(&self) -> bool {
         self.matrix.iter().chain([&self.offsets]).flatten().all(|entry| entry.is_finite())
     }
 
-    /// Whether reactions are impulses.
+    /// True if reactions are impulses.
     pub(super) fn is_of_impulses(&self) -> bool {
         self.is_exact && self.presence == S::ZERO
     }
 
-    /// What rate k is under these reactions.
+    /// Returns rate k under these reactions.
     pub(super) fn rate(&self, k: usize, reactions: &[S; K]) -> S {
         self.offsets[k] + self.change(k, reactions)
     }
 
-    /// By how much these reactions change rate k.
+    /// Returns the change of rate k under these reactions.
     pub(super) fn change(&self, k: usize, reactions: &[S; K]) -> S {
         dot(&self.matrix[k], reactions)
     }
 
-    /// How large the terms are of which that is the sum.
+    /// Returns the size of the terms of this sum.
     pub(super) fn size(&self, k: usize, reactions: &[S; K]) -> S {
         let parts = self.matrix[k].iter().zip(reactions);
         parts.fold(self.sizes[k], |sum, (g, r)| sum + (*g * *r).abs())
     }
 
-    /// By how much reaction k changes its own rate.
+    /// Returns the change of a reaction's own rate per unit of the reaction.
     pub(super) fn response(&self, k: usize) -> S {
         self.matrix[k][k]
     }
@@ -154,7 +158,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
     }
 
-    /// What rates are measured in; reactions are measured in its reciprocal.
+    /// Returns the units of rates; those of reactions are the reciprocals.
     pub(super) fn units(&self) -> [S; K] {
         array::from_fn(|k| match self.response(k) {
             response if response > S::ZERO => response.sqrt(),
@@ -162,7 +166,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         })
     }
 
-    /// Whether friction k has a limit if these reactions may act.
+    /// True if friction k has a limit if these reactions may act.
     pub(super) fn has_limit(&self, k: usize, may_act: impl Fn(usize) -> bool) -> bool {
         let Terms { kinetic, fixed, kinetic_slopes, static_slopes, .. } = self.terms;
         let is_present = self.presence * (kinetic[k].abs() + fixed[k].abs()) != S::ZERO;
@@ -170,12 +174,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         is_present || (0..K).any(|j| grows(j) && may_act(j))
     }
 
-    /// What friction k has at most while it slips, with the sign that comes out.
+    /// Returns the kinetic limit of friction k while it slips, with the computed sign.
     pub(super) fn kinetic(&self, k: usize, reactions: &[S; K]) -> S {
         self.presence * self.terms.kinetic[k] + dot(&self.terms.kinetic_slopes[k], reactions)
     }
 
-    /// What friction k has at most while it sticks; never less than while it slips.
+    /// Returns the static limit of friction k while it sticks; never below the kinetic one.
     pub(super) fn fixed(&self, k: usize, reactions: &[S; K]) -> S {
         let fixed = self.presence * self.terms.fixed[k] + dot(&self.terms.static_slopes[k], reactions);
         fixed.abs().max(self.kinetic(k, reactions).abs())
@@ -207,8 +211,9 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         [S::NAN; K]
     }
 
-    /// Whether the limit of friction k is that of a contact which pulls. Such states lie beyond the event by which the contact opens;
-    /// methods look at them on their way there, and want what continues the motion smoothly.
+    /// True if the limit of friction k is that of a contact which pulls. Such states lie beyond the
+    /// event by which the contact opens; methods look at them on their way there, and want what
+    /// continues the motion smoothly.
     fn is_beyond(&self, k: usize, rules: &[Rule; K], reactions: &[S; K]) -> bool {
         let slopes = &self.terms.kinetic_slopes[k];
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
@@ -260,7 +265,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         array::from_fn(|k| array::from_fn(|j| dot(&self.rows[k], &self.responses[j])))
     }
 
-    /// How large the terms of d_k·x are.
+    /// Returns the size of the terms of d_k·x.
     pub(super) fn size_of(&self, k: usize, x: &[S; N]) -> S {
         self.rows[k].iter().zip(x).fold(S::ZERO, |sum, (d, x)| sum + (*d * *x).abs())
     }

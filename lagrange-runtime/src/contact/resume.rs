@@ -37,11 +37,11 @@ pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: u
     pub(super) v: [M::Scalar; N],
 }
 
-/// How a motion goes on.
+/// The continuation of a motion.
 pub(super) struct Resumed<S, const N: usize, const K: usize> {
     pub(super) velocities: [S; N],
     pub(super) modes: [Mode; K],
-    /// How long bounces that were taken together last.
+    /// Duration of bounces that were summed.
     pub(super) rest: [S; K],
 }
 
@@ -50,7 +50,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         self.system.terms(self.t, &self.q, v)
     }
 
-    /// Which gaps and rates are zero at these velocities.
+    /// Returns the gaps and rates that are zero at these velocities.
     pub(super) fn position(&self, terms: &Terms<M::Scalar, N, K>, v: &[M::Scalar; N]) -> Position<K> {
         Position::of(self.system, terms, [self.t, self.elapsed], (&self.q, v))
     }
@@ -146,7 +146,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     }
 }
 
-/// Whether a contact that has opened would close again at once.
+/// True if a contact that has opened would close again at once.
 fn is_drawn_in<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],

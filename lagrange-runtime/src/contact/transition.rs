@@ -1,4 +1,4 @@
-//! What happens where a mode ends.
+//! Transitions at the end of a mode.
 
 use super::initial_modes::{Position, holds};
 use super::project::{close, correct, halt, part};
@@ -8,8 +8,9 @@ use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::scalar::Number;
 use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 
-/// What the declared event of this index, which belongs to a reaction, does to the state at which it happened: an impact, a
-/// contact that opens, friction that comes to hold or gives way. Nothing if it belongs to none.
+/// Applies the declared event of this index to the state at which it happened: an impact, a contact
+/// that opens, friction that starts to stick or slips. `None` if the event does not belong to a
+/// reaction.
 ///
 /// Bounces whose series would end within 10⁻⁹ of the time `elapsed` since the run started, or whose
 /// height or duration is near the rounding of the gap or of time, are taken together: the contact
@@ -130,7 +131,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(settled, &v, kind))
     }
 
-    /// Which gaps and rates are zero, those that are held at zero among them.
+    /// Returns the gaps and rates that are zero, including those that are held at zero.
     fn held(&self, terms: &Terms<M::Scalar, N, K>) -> Position<K> {
         let modes = self.system.modes();
         let mut position = self.position(terms, &self.v);

@@ -1,4 +1,4 @@
-//! What is asked of an ensemble, whatever its method and its drive are.
+//! The request for an ensemble, independent of its method and its drive.
 
 use core::marker::PhantomData;
 use core::ops::Range;
@@ -35,21 +35,21 @@ pub(super) struct Within<'s, 'a: 's>(PhantomData<&'s &'a ()>);
 pub(super) type Request<'a, M> =
     Box<dyn for<'s> Fn(Within<'s, 'a>, usize, Plain<'s, M>) -> Plain<'s, M> + Send + Sync + 'a>;
 
-/// Where a motion starts.
+/// The start of a motion.
 pub(super) type StartOf<'a, M> =
     Box<dyn Fn(usize, &mut Random) -> <M as OdeSystem>::State + Send + Sync + 'a>;
 
 /// The system of a motion.
 pub(super) type Variation<'a, M> = Box<dyn Fn(usize, &M) -> M + Send + Sync + 'a>;
 
-/// Which samples a run keeps that was not asked for any.
+/// The samples of a run without a sampling request.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Unasked {
     EveryStep,
     EndsOnly,
 }
 
-/// What is asked of an ensemble, whatever its method and its drive are.
+/// The request for an ensemble, independent of its method and its drive.
 pub(super) struct Asked<'a, M: MechanicalSystem> {
     pub(super) system: &'a M,
     pub(super) number: usize,
@@ -59,11 +59,11 @@ pub(super) struct Asked<'a, M: MechanicalSystem> {
     pub(super) end: M::Scalar,
     pub(super) seed: u64,
     requests: Vec<Request<'a, M>>,
-    /// Whether every motion is to be a run by itself.
+    /// True if every motion is to be a run by itself.
     pub(super) is_one_by_one: bool,
-    /// How often samples are kept, if they are.
+    /// Interval between samples, if samples are kept.
     pub(super) interval: Option<M::Scalar>,
-    /// Whether columns beside the state were asked for.
+    /// True if columns beside the state were asked for.
     pub(super) has_columns: bool,
     pub(super) most_steps: Option<u64>,
     pub(super) longest_step: Option<M::Scalar>,
@@ -226,7 +226,7 @@ impl<'a, M: SharedSystem> Asked<'a, M> {
         Ok(self.shard.share(parts))
     }
 
-    /// How many parts all shards have.
+    /// Returns the number of parts of all shards.
     pub(super) fn number_of_parts(&self) -> usize {
         self.number.div_ceil(self.motions_per_part.max(1))
     }

@@ -1,4 +1,4 @@
-//! What is asked of an ensemble: where its motions start, when they end, and by which method they go.
+//! The builder of an ensemble: starts and ends of its motions, and their method.
 
 use core::marker::PhantomData;
 use std::boxed::Box;
@@ -77,17 +77,17 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     }
 }
 
-/// Of every motion its end is kept.
+/// Keeps the final state of every motion.
 #[derive(Clone, Copy, Debug)]
 pub struct KeepEnds;
 
-/// Of every motion samples are kept.
+/// Keeps samples of every motion.
 #[derive(Clone, Copy, Debug)]
 pub struct KeepSamples;
 
-/// What is kept of every motion: [`KeepEnds`] or [`KeepSamples`].
+/// The recorded data of every motion: [`KeepEnds`] or [`KeepSamples`].
 pub trait Keep {
-    /// Whether it is samples.
+    /// True if it is samples.
     const SAMPLES: bool;
 }
 
@@ -196,8 +196,9 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// How many motions a [shard](Shard) has at least, and a file that is saved; 65 536 by default. As much is lost if a process is
-    /// killed, and as much lies in memory while it is saved.
+    /// Sets the minimum number of motions in a [shard](Shard) and in a saved file; 65 536 by
+    /// default. A killed process loses at most this many motions, and this many are in memory while
+    /// a file is saved.
     pub fn motions_per_part(mut self, motions: usize) -> Self {
         self.asked.motions_per_part = motions;
         self

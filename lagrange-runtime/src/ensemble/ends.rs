@@ -1,4 +1,4 @@
-//! Where motions ended.
+//! Final states of motions.
 
 use core::fmt::{Debug, Formatter};
 use core::ops::{Deref, Range};
@@ -17,7 +17,7 @@ use crate::integrate::Method;
 use crate::simulate::{Drive, Table};
 use crate::system::{MechanicalSystem, StateVector};
 
-/// Where the motions of an ensemble ended: a row for each, in named columns.
+/// The final states of an ensemble's motions: one row each, in named columns.
 ///
 /// Columns are the coordinates and velocities, then what was observed, and then, if motions were given
 /// [parameters](crate::ensemble::Motions::parameters) of their own, all parameters. Of an emitted system those of the state are also
@@ -30,7 +30,7 @@ pub struct Ends<M: MechanicalSystem> {
 }
 
 impl<M: MechanicalSystem> Ends<M> {
-    /// How many rows there are, those of failed motions among them; at least one.
+    /// Returns the number of rows, including those of failed motions; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one motion")]
     pub fn len(&self) -> usize {
         self.table().len()

@@ -27,12 +27,12 @@ pub(super) struct Engine {
     pool: Option<ThreadPool>,
     threads: usize,
     pub(super) chunk: usize,
-    /// How many chunks of each thread are computed before they are merged.
+    /// Number of chunks per thread that are computed before they are merged.
     ahead: usize,
 }
 
 impl Engine {
-    /// So many threads, or everybody's.
+    /// Returns an engine with this many threads, or with the shared pool.
     pub(super) fn new(threads: Option<usize>) -> Result<Self, EnsembleError> {
         let pool = match threads {
             None | Some(1) => None,
@@ -43,12 +43,12 @@ impl Engine {
         Ok(Engine { pool, threads, chunk: BLOCK, ahead: CHUNKS_PER_THREAD })
     }
 
-    /// The same with chunks for lanes, of which there are enough for all threads.
+    /// Uses chunks for lanes, with enough of them for all threads.
     pub(super) fn with_wide_chunks(self, motions: usize) -> Self {
         Engine { chunk: BLOCK * self.blocks(motions, BLOCKS_IN_LANES), ..self }
     }
 
-    /// The same with chunks for lanes and samples, of as many motions ahead as if there were no lanes.
+    /// Uses chunks for lanes and samples, with as many motions ahead as without lanes.
     pub(super) fn with_chunks_of_samples(self, motions: usize) -> Self {
         let blocks = self.blocks(motions, BLOCKS_OF_SAMPLES);
         Engine { chunk: BLOCK * blocks, ahead: CHUNKS_PER_THREAD / blocks, ..self }

@@ -17,49 +17,49 @@ pub enum EnsembleError {
     Panicked {
         /// In which motion; the first of those in which one did.
         motion: usize,
-        /// What it said.
+        /// Message of the panic.
         message: String,
     },
     /// The progress callback panicked.
     ProgressPanicked {
-        /// What it said.
+        /// Message of the panic.
         message: String,
     },
     /// The progress callback cancelled it.
     Cancelled {
-        /// How many motions were done.
+        /// Number of finished motions.
         motions: u64,
     },
     /// The operating system did not start as many threads.
     Threads(String),
     /// A file could not be read or written. What was finished before is kept.
     File {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
-        /// What the operating system or the format says.
+        /// Error of the operating system or the format.
         source: io::Error,
     },
     /// The folder holds a file that is called like a part and is none.
     ForeignFile(PathBuf),
     /// A part is not what was written, or not in its place.
     Damaged {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
-        /// What is wrong with it.
+        /// Reason.
         why: String,
     },
     /// The folder holds a part of another ensemble.
     OtherEnsemble {
-        /// Which file.
+        /// Path of the file.
         path: PathBuf,
-        /// What it says of its ensemble that is not so of this one, and what is so of this one that it does not say.
+        /// Property of the ensemble in the file that differs, and the property of this one.
         differs: [String; 2],
     },
     /// Another process writes the same parts into the folder, or one was killed on another machine.
     Locked {
         /// The file that says so.
         path: PathBuf,
-        /// Which process, as it says.
+        /// Process that holds the lock, as it names itself.
         holder: String,
     },
 }
@@ -112,7 +112,7 @@ impl Error for EnsembleError {
     }
 }
 
-/// What a panic says.
+/// Returns the message of a panic.
 pub(super) fn panic_message(panic: &(dyn Any + Send)) -> String {
     let text = panic.downcast_ref::<&str>().map(ToString::to_string);
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_else(|| "without a message".into())

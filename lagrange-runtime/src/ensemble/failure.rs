@@ -9,7 +9,7 @@ use crate::system::{MechanicalSystem, StepFailure};
 /// A motion that failed: how far it came, and why no further.
 #[non_exhaustive]
 pub struct Failure<M: MechanicalSystem> {
-    /// Which motion.
+    /// Index of the motion.
     pub index: usize,
     /// The time of the last good state.
     pub time: M::Scalar,
@@ -17,7 +17,7 @@ pub struct Failure<M: MechanicalSystem> {
     pub state: M::State,
     /// Why it came no further.
     pub cause: StepFailure<M::Scalar>,
-    /// What the event is called that the cause is about, if it is about one.
+    /// Name of the event that the cause concerns, if any.
     pub name: Option<String>,
 }
 

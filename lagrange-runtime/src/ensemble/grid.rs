@@ -50,12 +50,12 @@ impl Grid {
         Grid { x: quantity(x), y: quantity(y) }
     }
 
-    /// How many cells there are.
+    /// Returns the number of cells.
     pub fn len(&self) -> usize {
         self.x.cells.saturating_mul(self.y.cells)
     }
 
-    /// Whether there is none.
+    /// True if there is none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

@@ -24,7 +24,7 @@ pub struct Histogram {
     pub(super) most: usize,
     /// The width is two to the power of this.
     pub(super) exponent: i32,
-    /// By lower edge in widths, where there is something.
+    /// Counts by lower edge in units of the width, where nonzero.
     pub(super) counts: BTreeMap<i64, u64>,
     pub(super) not_finite: u64,
 }
@@ -70,12 +70,12 @@ impl Histogram {
         })
     }
 
-    /// How many finite numbers were counted.
+    /// Returns the number of finite numbers.
     pub fn count(&self) -> u64 {
         self.counts.values().sum()
     }
 
-    /// How many numbers were NaN or infinite; they are in no bin.
+    /// Returns the number of NaN or infinite values, which are in no bin.
     pub fn not_finite(&self) -> u64 {
         self.not_finite
     }
@@ -102,7 +102,7 @@ impl Histogram {
         libm::ldexp(place as f64, self.exponent)
     }
 
-    /// How many bins reach over all places and from `first` to `last`.
+    /// Returns the number of bins between all places and `first` to `last`.
     fn span(&self, first: i64, last: i64) -> u64 {
         let first = self.counts.first_key_value().map_or(first, |(least, _)| first.min(*least));
         let last = self.counts.last_key_value().map_or(last, |(greatest, _)| last.max(*greatest));

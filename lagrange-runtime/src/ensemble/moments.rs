@@ -2,7 +2,7 @@
 
 use super::reduce::Reduce;
 
-/// How many numbers there were, their mean, variance, least and greatest. A number that is NaN makes all but the count NaN.
+/// Count, mean, variance, minimum and maximum of numbers. A NaN makes all but the count NaN.
 ///
 /// Sources: Welford, Technometrics 4 (1962), of a number more; Chan, Golub, LeVeque, *Algorithms for computing the sample variance*, The
 /// American Statistician 37 (1983), eq. 2.1, of two parts.
@@ -25,12 +25,12 @@ pub struct Moments {
 }
 
 impl Moments {
-    /// Those of no number.
+    /// Returns the moments of no numbers.
     pub fn new() -> Self {
         Moments { count: 0, mean: 0.0, squares: 0.0, min: f64::INFINITY, max: f64::NEG_INFINITY }
     }
 
-    /// Those with a number more.
+    /// Adds a number.
     pub fn add(&mut self, value: f64) {
         self.count += 1;
         let deviation = value - self.mean;
@@ -40,7 +40,7 @@ impl Moments {
         self.max = -least(-self.max, -value);
     }
 
-    /// How many numbers there were.
+    /// Returns the count of numbers.
     pub fn count(&self) -> u64 {
         self.count
     }

@@ -21,7 +21,7 @@ pub struct Motion<'m, M: MechanicalSystem> {
     kept: Memory<'m, M>,
 }
 
-/// What is kept of a motion.
+/// The recorded data of a motion.
 #[derive(Clone, Copy)]
 pub(super) enum Memory<'m, M: MechanicalSystem> {
     Trajectory(&'m Trajectory<M>),
@@ -73,7 +73,7 @@ impl<M: MechanicalSystem> Debug for Motion<'_, M> {
     }
 }
 
-/// What came of a motion.
+/// The outcome of a motion.
 pub(super) type Ran<M> = Result<Trajectory<M>, SimulationError<M>>;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -161,12 +161,12 @@ where
         Ok(())
     }
 
-    /// What would be kept of one instant of a motion.
+    /// Returns the record of a single instant of a motion.
     pub(super) fn instant(&self, index: usize, system: &M, (time, state): (M::Scalar, M::State)) -> Ran<M> {
         self.run_over(index, (system, state), [time, time], Unasked::EndsOnly)
     }
 
-    /// What is kept of a motion that is given up after so many steps.
+    /// Returns the record of a motion that ends after a number of steps.
     #[cfg(feature = "parquet")]
     pub(super) fn first_steps(&self, index: usize, origin: (&M, M::State), steps: u64) -> Ran<M> {
         let span = [self.asked.from, self.asked.end];
@@ -186,7 +186,7 @@ where
     }
 }
 
-/// What a closure gives in this motion.
+/// Runs a closure for this motion and catches panics.
 ///
 /// # Errors
 /// If it panics.
@@ -207,7 +207,7 @@ pub(super) fn refuse_settings<M: MechanicalSystem>(index: usize, ran: &Ran<M>) -
     }
 }
 
-/// Whether what failed was not the motion but what was asked of all.
+/// True if what failed was not the motion but what was asked of all.
 fn is_setting<S: Copy>(cause: StepFailure<S>) -> bool {
     matches!(
         cause,

@@ -1,4 +1,4 @@
-//! What processes send each other, in words of 64 bits.
+//! Messages between processes, in words of 64 bits.
 
 use std::vec::Vec;
 

@@ -1,4 +1,4 @@
-//! How far an ensemble has come, told now and then.
+//! Progress reports of an ensemble.
 
 use std::boxed::Box;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use super::error::{EnsembleError, panic_message};
 use crate::simulate::Verdict;
 
-/// How far an ensemble has come.
+/// The progress of an ensemble.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Done {
@@ -20,7 +20,7 @@ pub struct Done {
     pub of: u64,
 }
 
-/// What is called back.
+/// The callback.
 type Callback<'a> = Box<dyn FnMut(Done) -> bool + Send + 'a>;
 
 /// A callback and when it was called.
@@ -41,7 +41,7 @@ pub(super) struct Counter<'r, 'a> {
     motions: AtomicU64,
     of: u64,
     is_cancelled: AtomicBool,
-    /// What the callback said when it panicked.
+    /// Message of a panic in the callback.
     panic: Mutex<Option<String>>,
 }
 

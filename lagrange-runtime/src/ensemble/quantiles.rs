@@ -1,4 +1,4 @@
-//! How motions spread over time.
+//! The spread of motions over time.
 
 use std::vec::Vec;
 
@@ -62,7 +62,7 @@ impl<M: MechanicalSystem> Samples<M> {
     }
 }
 
-/// How long it is from the first to the last of these times.
+/// Returns the time from the first to the last of these times.
 fn span<S: Scalar>(times: &[S]) -> S {
     times.first().zip(times.last()).map_or(S::ZERO, |(first, last)| (*last - *first).abs())
 }

@@ -59,13 +59,13 @@ pub struct Random<P: Purpose = OfStart> {
     purpose: PhantomData<P>,
 }
 
-/// What random numbers are for, each with sequences of its own.
+/// The purpose of random numbers; each has independent sequences.
 pub trait Purpose: sealed::Sealed + Clone + Debug {}
 
 mod sealed {
     /// Purposes are those of this module.
     pub trait Sealed {
-        /// What tells the sequences of a purpose from others, below 256.
+        /// Number that distinguishes the sequences of a purpose, below 256.
         const NUMBER: u64;
     }
 }

@@ -1,4 +1,4 @@
-//! What a whole ensemble comes down to, so that no motion is kept.
+//! Reductions of a whole ensemble, which keep no motion.
 
 use std::vec::Vec;
 

@@ -18,28 +18,30 @@ use crate::integrate::Method;
 use crate::simulate::Drive;
 use crate::system::MechanicalSystem;
 
-/// What an ensemble came down to, and which motions are not in it because they failed. It is used as what it holds.
+/// The reduction of an ensemble, and the motions that it omits because they failed. It dereferences
+/// to its value.
 pub struct Reduced<M: MechanicalSystem, R> {
     value: R,
     failed: u64,
     failures: Vec<Failure<M>>,
 }
 
-/// Of more failed motions it is only known how many there were, so that memory is bounded.
+/// Maximum number of failures in the list, so that memory is bounded; of further ones only the
+/// count is known.
 const MOST_FAILURES: usize = 1000;
 
 impl<M: MechanicalSystem, R> Reduced<M, R> {
-    /// Of no motion.
+    /// Returns the reduction of no motions.
     fn new(value: R) -> Self {
         Reduced { value, failed: 0, failures: Vec::new() }
     }
 
-    /// What the motions that did not fail came down to.
+    /// Returns the value reduced from the motions that succeeded.
     pub fn into_value(self) -> R {
         self.value
     }
 
-    /// How many motions failed.
+    /// Returns the number of failed motions.
     pub fn failed(&self) -> u64 {
         self.failed
     }

@@ -1,4 +1,4 @@
-//! What is asked of every run of an ensemble, as it is asked of a single one.
+//! The settings of an ensemble's runs, which are those of a single run.
 
 use std::format;
 use std::sync::Arc;

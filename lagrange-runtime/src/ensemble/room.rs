@@ -1,4 +1,4 @@
-//! Whether there is room in memory for what is kept of all motions.
+//! Memory checks for the recorded data of all motions.
 
 use core::hint::black_box;
 use std::format;
@@ -65,7 +65,7 @@ impl<M: SharedSystem> Asked<'_, M> {
     }
 }
 
-/// Whether as much memory could be had in one piece.
+/// True if as much memory could be had in one piece.
 fn has_room(bytes: usize) -> bool {
     let mut room = Vec::<u8>::new();
     let has_room = room.try_reserve_exact(bytes).is_ok();

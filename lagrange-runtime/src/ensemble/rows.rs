@@ -13,7 +13,7 @@ use crate::system::MechanicalSystem;
 pub(super) struct Rows<M: MechanicalSystem> {
     /// None before the first.
     pub(super) table: Option<Table<M::Scalar>>,
-    /// How many of the columns are parameters, the last ones.
+    /// Number of parameter columns, the last ones.
     pub(super) parameters: usize,
     pub(super) failures: Vec<Failure<M>>,
 }
@@ -92,7 +92,7 @@ impl<M: SharedSystem> Rows<M> {
     }
 }
 
-/// What was kept of a motion, and whether it came to its end.
+/// Returns the samples of a motion, and true if it reached its end.
 pub(super) fn samples<M: MechanicalSystem>(ran: &Ran<M>) -> (&Table<M::Scalar>, bool) {
     match ran {
         Ok(trajectory) => (trajectory.table(), true),

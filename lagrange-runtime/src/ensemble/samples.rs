@@ -20,13 +20,13 @@ pub struct Samples<M: MechanicalSystem> {
 }
 
 impl<M: MechanicalSystem> Samples<M> {
-    /// How many motions there are, failed ones among them; at least one.
+    /// Returns the number of motions, including failed ones; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one motion")]
     pub fn len(&self) -> usize {
         self.ran.len()
     }
 
-    /// Which motions these are: all, or those of a shard.
+    /// Returns the range of motions: all, or those of a shard.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }

@@ -50,9 +50,9 @@ const LAUNCHERS: [[&str; 2]; 3] = [
 const BATCH: &str = "SLURM_PROCID";
 const ARRAY_TASK: &str = "SLURM_ARRAY_TASK_ID";
 const HYPER_QUEUE_TASK: &str = "HQ_TASK_ID";
-/// By hand: `3/8` is the fourth of eight.
+/// Variable set by hand: `3/8` is the fourth of eight.
 const BY_HAND: &str = "LAGRANGE_SHARD";
-/// How many tasks there are, where the launcher does not say it.
+/// Variable with the number of tasks, for launchers that do not provide it.
 const COUNT: &str = "LAGRANGE_SHARDS";
 
 impl Shard {
@@ -102,7 +102,7 @@ impl Shard {
         self.index
     }
 
-    /// How many there are.
+    /// Returns the number of shards.
     pub fn count(self) -> u64 {
         self.count
     }

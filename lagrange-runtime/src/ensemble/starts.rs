@@ -1,12 +1,13 @@
-//! How many motions there are, and where they start.
+//! The number of motions and their starts.
 
 use std::vec::Vec;
 
 use crate::simulate::InitialState;
 use crate::system::MechanicalSystem;
 
-/// What an ensemble is made of: a number of motions, whose starts are then said by [`start`](crate::ensemble::Motions::start), or a list
-/// of starts, a vector, slice or array. Of an iterator collect a vector.
+/// The source of an ensemble: a number of motions, whose starts
+/// [`start`](crate::ensemble::Motions::start) defines, or a list of starts as a vector, slice or
+/// array. Collect an iterator into a vector.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is neither a number of motions nor a list of starts",
     note = "for example `system.ensemble(1000)`, or `system.ensemble(starts)` of a vector of states; collect an iterator into one"

@@ -1,4 +1,4 @@
-//! What the compiler says where an ensemble is to do what only a feature lets it.
+//! Compiler messages for methods of ensembles behind a missing feature.
 //!
 //! The methods are there without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
 
@@ -48,7 +48,7 @@ impl<M: MechanicalSystem, K, D, P> Ensemble<'_, M, K, D, P> {
     }
 }
 
-/// What `map` would hand out if it could be called.
+/// Return type of `map`, which can never be called.
 #[cfg(not(feature = "plot"))]
 #[doc(hidden)]
 #[derive(Debug)]

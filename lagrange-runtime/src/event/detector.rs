@@ -17,13 +17,13 @@ use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
 const SHORTLY: f64 = 1e-10;
 /// A step is halved so often in search of a hop that is shorter.
 const MOST_HALVINGS: u32 = 60;
-/// So many events at the same time are taken for infinitely many.
+/// Number of events at the same time that counts as infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
 /// An event that happened.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Occurrence<S, Y> {
-    /// Which of the functions passed zero, counted from zero.
+    /// Index of the function that passed zero, counted from zero.
     pub event: usize,
     /// When.
     pub time: S,
@@ -39,22 +39,23 @@ pub struct Detector<S, const K: usize> {
     reached: S,
     /// The step that is looked at, and how.
     search: Search<S>,
-    /// Where the functions were started, or last restarted.
+    /// Time at which the functions were started, or last restarted.
     started: S,
-    /// Whether the state was replaced there.
+    /// True if the state was replaced there.
     is_replaced: bool,
-    /// How often it was, each time no later than rounding can tell, and the last event before.
+    /// Number of repetitions, each within rounding of the previous event, and that event.
     repetitions: u32,
     last: usize,
-    /// Whether the last event came before its function had got away from zero by more than rounding.
+    /// True if the last event came before its function had got away from zero by more than
+    /// rounding.
     is_noise: bool,
-    /// Whether one of the functions had an event since then, and whether one had it that led there: the functions of others may
-    /// have had it.
+    /// True if one of the functions had an event since then, and whether one had it that led there:
+    /// the functions of others may have had it.
     has_fired: bool,
     was_fired: bool,
 }
 
-/// Which function has an event, and when.
+/// The function that has an event, and its time.
 type Suspect<S> = (usize, S);
 
 /// The first event in a piece.
@@ -87,7 +88,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// The same with functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a system.
+    /// Adds functions that [switch](crate::event::DeclaredEvent::is_switch) the first modes of a
+    /// system.
     pub(crate) fn with_switches(mut self, declared: &[DeclaredEvent]) -> Self {
         for (function, event) in self.functions.iter_mut().zip(declared) {
             function.is_switch = event.is_switch;
@@ -142,7 +144,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Some(Occurrence { event, time, state: *state })
     }
 
-    /// Which function has the next event in this step, and when.
+    /// Searches this step for the next event; returns its function and time.
     fn search_step(
         &mut self,
         (from, to): (S, S),
@@ -377,8 +379,9 @@ fn shortly<S: Scalar>(from: S, to: S) -> S {
     if part < way.abs() { from + way.sign() * part } else { to }
 }
 
-/// Whether a function is as small at this state as it changes by when entries are rounded. Hops end there where places are rounded more
-/// coarsely than times: 3.7 m below the origin those that are lower than 10⁻¹³ m.
+/// True if a function is as small at this state as it changes by when entries are rounded. Hops end
+/// there where places are rounded more coarsely than times: 3.7 m below the origin those that are
+/// lower than 10⁻¹³ m.
 fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y) -> S) -> bool {
     let here = value(state);
     let change = |entry: usize| {

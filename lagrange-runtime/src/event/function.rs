@@ -1,4 +1,4 @@
-//! What is remembered of one function whose zeros are looked for.
+//! The state of one function in the search for zeros.
 
 use crate::scalar::Scalar;
 use crate::system::Direction;
@@ -6,11 +6,12 @@ use crate::system::Direction;
 /// A value after a replacement that is larger than that at the event by no more than this factor is still that of the event.
 const NEARLY: f64 = 4.0;
 
-/// What is remembered of one function.
+/// The state of one function.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EventFunction<S> {
     pub(super) direction: Direction,
-    /// Whether the function counts as positive from where it was started or restarted: that of a contact or friction.
+    /// True if the function counts as positive from where it was started or restarted: that of a
+    /// contact or friction.
     pub(super) is_switch: bool,
     /// The value where the search has got to.
     pub(super) here: S,
@@ -58,12 +59,12 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// Whether the sign that counts was not found since the last start.
+    /// True if the sign that counts was not found since the last start.
     pub(super) fn is_armed(&self) -> bool {
         self.claim != Claim::Found
     }
 
-    /// Whether its zero was an event at this time.
+    /// True if its zero was an event at this time.
     pub(super) fn has_fired_at(&self, t: S) -> bool {
         self.fired[0].is_some_and(|fired| fired.time == t)
     }
@@ -109,8 +110,8 @@ impl<S: Scalar> EventFunction<S> {
         (self.here, self.sign, self.claim) = (value, -self.sign, Claim::Found);
     }
 
-    /// Whether a run that ends where the function is now ends on an event: exactly on its zero, reached from the right side. It
-    /// counts once.
+    /// True if a run that ends where the function is now ends on an event: exactly on its zero,
+    /// reached from the right side. It counts once.
     pub(super) fn ends_on_zero(&mut self) -> bool {
         let is_reached = self.here == S::ZERO && self.direction.counts(self.sign, -self.sign);
         if is_reached && !self.is_armed() {

@@ -8,7 +8,7 @@ pub(super) fn accuracy<S: Scalar>(from: S, to: S) -> S {
     S::from_f64(ACCURACY) * (to - from).abs()
 }
 
-/// Whether two times in a step cannot be told apart.
+/// True if two times in a step cannot be told apart.
 pub(crate) fn is_at_once<S: Scalar>(one: S, other: S, from: S, to: S) -> bool {
     (one - other).abs() <= instant(one, from, to)
 }

@@ -13,7 +13,7 @@ pub(super) struct Piece<S, const K: usize> {
     pub(super) values: [[S; K]; POINTS],
 }
 
-/// Where a function has an event in a piece.
+/// The place of an event in a piece.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Sight<S> {
     /// Nowhere.
@@ -29,7 +29,8 @@ pub(super) enum Sight<S> {
 }
 
 impl<S: Scalar, const K: usize> Piece<S, K> {
-    /// What the values of function `k` tell. In a piece that cannot be made shorter signs must do where they are not clear.
+    /// Evaluates the values of function `k`. In a piece that cannot be shortened, signs decide even
+    /// if they are unclear.
     /// `passable` is where the functions were last started, if what was at zero there may go on through it.
     pub(super) fn sight(
         &self,
@@ -73,8 +74,9 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         }
     }
 
-    /// Whether a function that was at zero when it was started goes on in the direction in which it passed zero, and was not turned
-    /// round: at once, and then with no more than a part of its rate gained since.
+    /// True if a function that was at zero when it was started goes on in the direction in which it
+    /// passed zero, and was not turned round: at once, and then with no more than a part of its
+    /// rate gained since.
     fn passes(&self, polynomial: &Polynomial<S>, function: &EventFunction<S>, started: S) -> bool {
         let [from, to] = [self.times[0], self.times[POINTS - 1]];
         let rise = polynomial.rise(-function.sign);

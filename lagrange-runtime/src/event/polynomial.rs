@@ -1,4 +1,5 @@
-//! What a function does along a piece of a step, as far as a polynomial through a few of its values tells.
+//! The behaviour of a function along a piece of a step, as described by a polynomial through some
+//! of its values.
 //!
 //! Values at Chebyshev points give a polynomial of degree eight; the last of its Chebyshev coefficients tell how far it can be
 //! trusted. Its Bernstein coefficients enclose it, so that a part of the piece in which it does not change its sign is
@@ -11,7 +12,7 @@ use crate::tolerance::BERNSTEIN_COEFFICIENT;
 
 /// The degree of polynomials.
 const DEGREE: usize = 8;
-/// How many values make one.
+/// Number of values of a polynomial.
 pub(super) const POINTS: usize = DEGREE + 1;
 /// cos(π k/8) for k from 0 to 4.
 const COSINES: [f64; 5] =
@@ -47,7 +48,7 @@ pub(super) struct Polynomial<S> {
     cut_off: S,
 }
 
-/// Where a polynomial changes its sign.
+/// The change of sign of a polynomial.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum SignChange<S> {
     /// Nowhere.
@@ -73,18 +74,19 @@ impl<S: Scalar> Polynomial<S> {
         Polynomial { bernstein, scale, rounding, cut_off }
     }
 
-    /// Whether it can be trusted where it changes its sign.
+    /// True if it can be trusted where it changes its sign.
     pub(super) fn is_trusted(&self) -> bool {
         self.cut_off <= S::from_f64(CUT_OFF * TRUSTED) * self.scale
     }
 
-    /// Whether it is as good as values are.
+    /// True if it is as good as values are.
     pub(super) fn is_exact(&self) -> bool {
         self.cut_off <= self.rounding
     }
 
-    /// How it rises at its start towards numbers of the sign of `sign`, by so much in the whole piece; zero if that may be noise, or
-    /// less than a motion that starts at rest gains.
+    /// Returns the rise of the function at the start of the piece towards numbers of the sign of
+    /// `sign`, over the whole piece. Zero if it may be noise, or is below the gain of a motion that
+    /// starts at rest.
     pub(super) fn rise(&self, sign: S) -> S {
         let rise = sign.sign() * (self.bernstein[1] - self.bernstein[0]);
         let at_rest = S::from_f64(AT_REST).max(BERNSTEIN_COEFFICIENT.part::<S>()) * self.scale;
@@ -98,7 +100,7 @@ impl<S: Scalar> Polynomial<S> {
         self.rounding + cut_off
     }
 
-    /// Where it next changes to the sign opposite to that of `sign`, from the place `x` on.
+    /// Returns the next change, from the place `x` on, to the sign opposite to that of `sign`.
     ///
     /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial can be trusted.
     pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> SignChange<S> {
@@ -156,12 +158,12 @@ impl<S: Scalar> Polynomial<S> {
     }
 }
 
-/// Whether coefficients, and so the polynomial, only rise or only fall.
+/// True if coefficients, and so the polynomial, only rise or only fall.
 fn is_steady<S: Scalar>(part: &[S; POINTS]) -> bool {
     part.windows(2).all(|pair| pair[0] <= pair[1]) || part.windows(2).all(|pair| pair[0] >= pair[1])
 }
 
-/// How often coefficients change their sign, those aside that are no larger than the error.
+/// Counts the changes of sign of the coefficients, ignoring those within the error.
 fn changes<S: Scalar>(part: &[S; POINTS], error: S) -> u32 {
     let (mut changes, mut last) = (0, S::ZERO);
     for b in part.iter().filter(|b| b.abs() > error) {

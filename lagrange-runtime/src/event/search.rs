@@ -1,4 +1,4 @@
-//! How a step is cut into pieces in search of zeros.
+//! The division of a step into pieces in the search for zeros.
 
 use crate::scalar::Scalar;
 
@@ -9,7 +9,7 @@ const MOST_UNCLEAR: u32 = 64;
 /// no shorter than this.
 const SHORTEST_IF_UNCLEAR: f64 = 1.0 / 16.0;
 
-/// How a step is looked at: in pieces, the shorter the more a function changes.
+/// The search of a step in pieces, which are shorter where a function changes more.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Search<S> {
     /// Start and end of the step.
@@ -17,7 +17,7 @@ pub(super) struct Search<S> {
     to: S,
     /// The next piece to try, as a part of the step.
     part: S,
-    /// How many pieces were as short as they may be and did not tell.
+    /// Number of inconclusive pieces of minimum length.
     unclear: u32,
 }
 
@@ -34,12 +34,12 @@ impl<S: Scalar> Search<S> {
         if is_last { self.to } else { end }
     }
 
-    /// Whether it is about this step.
+    /// True if it is about this step.
     pub(super) fn is_of(&self, from: S, to: S) -> bool {
         (self.from, self.to) == (from, to)
     }
 
-    /// Whether the next piece is as short as it may be.
+    /// True if the next piece is as short as it may be.
     pub(super) fn is_shortest(&self) -> bool {
         let shortest = if self.unclear < MOST_UNCLEAR { SHORTEST } else { SHORTEST_IF_UNCLEAR };
         self.part <= S::from_f64(shortest)

@@ -47,7 +47,7 @@ impl Switches {
         if self.positive >> k & 1 != 0 { S::ONE } else { -S::ONE }
     }
 
-    /// The same with the side of this switch fixed.
+    /// Fixes the side of this switch.
     fn with(self, k: usize, is_positive: bool) -> Self {
         let bit = 1 << k;
         let positive = if is_positive { self.positive | bit } else { self.positive & !bit };
@@ -63,7 +63,7 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The sides on which it is computed.
     fn switches(&self) -> Switches;
 
-    /// The same system on other sides.
+    /// Returns the system on other sides.
     #[must_use]
     fn with_switches(&self, switches: Switches) -> Self;
 
@@ -115,7 +115,8 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
     }
 }
 
-/// What comes of a declared event without a reaction of its own: a side changes, or the motion just goes on.
+/// Responds to a declared event that belongs to no reaction: a side changes, or the motion
+/// continues.
 ///
 /// # Errors
 /// Never.

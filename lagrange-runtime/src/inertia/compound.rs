@@ -54,7 +54,7 @@ impl<S: Scalar> MassGeometry<S> {
         }
     }
 
-    /// What is left without a part of it: the same with a negative mass and moment of inertia.
+    /// Removes a part: adds it with a negative mass and moment of inertia.
     ///
     /// The hole must lie within the body, which is not checked.
     #[must_use]
@@ -62,13 +62,13 @@ impl<S: Scalar> MassGeometry<S> {
         self.with(MassGeometry { mass: -hole.mass, center: hole.center, inertia: -hole.inertia })
     }
 
-    /// The same body elsewhere.
+    /// Translates the body.
     #[must_use]
     pub fn moved(self, by: [S; 2]) -> MassGeometry<S> {
         MassGeometry { center: [self.center[0] + by[0], self.center[1] + by[1]], ..self }
     }
 
-    /// The same body turned about the origin by an angle in rad, counterclockwise.
+    /// Rotates the body about the origin by an angle in rad, counterclockwise.
     #[must_use]
     pub fn turned(self, angle: S) -> MassGeometry<S> {
         let (sine, cosine) = angle.sin_cos();

@@ -27,12 +27,12 @@ impl<S: Number> Clock<S> {
         Clock { time, remainder: S::ZERO, step }
     }
 
-    /// The same steps from another time.
+    /// Starts the same steps at another time.
     pub(super) fn at(&self, time: S) -> Self {
         Clock::new(time, self.step)
     }
 
-    /// The same time with other steps.
+    /// Keeps the time and changes the step.
     pub(super) fn with_step(&self, step: S) -> Self {
         Clock { step, ..*self }
     }
@@ -64,7 +64,7 @@ impl<S: Number> Clock<S> {
         S::select(is_last, left, step)
     }
 
-    /// Where steps from this clock to another one left the time where it was.
+    /// Returns the lanes in which steps from this clock to another one did not advance time.
     #[inline(always)]
     pub(super) fn is_stopped(&self, after: &Self) -> S::Mask {
         is_equal(self.time, after.time)

@@ -3,7 +3,7 @@
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// Whether time and state can be gone on from.
+/// Checks that time and state are finite, so that a motion can continue from them.
 #[inline]
 pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<(), StepFailure<S>> {
     if t.is_finite() && y.as_ref().iter().all(|component| component.is_finite()) {
@@ -12,7 +12,7 @@ pub(super) fn check_finite<S: Scalar, Y: StateVector<S>>(t: S, y: &Y) -> Result<
     Err(StepFailure::NotFinite)
 }
 
-/// Whether this is neither NaN nor infinite, for numbers side by side as well.
+/// True if this is neither NaN nor infinite, for numbers side by side as well.
 #[inline(always)]
 pub(super) fn is_finite<S: Number>(value: S) -> S::Mask {
     // Infinity by zero is NaN.
@@ -46,7 +46,7 @@ pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::S
     }
 }
 
-/// Whether nothing moved.
+/// True if nothing moved.
 #[inline]
 pub(super) fn is_same<S: Scalar, Y: StateVector<S>>(from: &Y, to: &Y) -> bool {
     from.as_ref() == to.as_ref()

@@ -5,7 +5,7 @@ use core::fmt::{Debug, Display, Formatter};
 
 use crate::system::{OdeSystem, StepFailure};
 
-/// What came of an integration of the system M.
+/// The result of an integration of the system M.
 pub type Outcome<M, T> = Result<T, IntegrationError<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
 /// An integration stopped before its end; S is the scalar and Y the state.

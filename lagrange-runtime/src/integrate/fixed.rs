@@ -16,7 +16,8 @@ pub(super) use self::lanes::FixedLanes;
 /// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
 /// compensation, so that what the formula conserves is conserved to rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// Whether steps end on the constraints of the system by themselves, so that states need no correction.
+    /// True if steps end on the constraints of the system by themselves, so that states need no
+    /// correction.
     const KEEPS_CONSTRAINTS: bool = false;
 
     /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
@@ -39,7 +40,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         Ok(*variables)
     }
 
-    /// By how much the variables change from time `t` to `t + h`. What is not finite is returned as it is.
+    /// Returns the change of the variables from time `t` to `t + h`. Values that are not finite are
+    /// returned unchanged.
     ///
     /// # Errors
     /// If the step could not be taken.

@@ -31,10 +31,10 @@ pub(super) fn cubic<S: Number, Y: StateVector<S>>(
     y
 }
 
-/// What is known of a mechanical system in a step.
+/// The known motion of a mechanical system in a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion<Q> {
-    /// By how much the coordinates change.
+    /// Change of the coordinates.
     pub(super) change: Q,
     /// Velocities at both ends.
     pub(super) velocities: [Q; 2],
@@ -42,8 +42,8 @@ pub(super) struct Motion<Q> {
     pub(super) accelerations: [Q; 2],
 }
 
-/// By how much coordinates have changed and what the velocities are, by quintic Hermite interpolation. The errors are
-/// O(h⁶) and O(h⁵).
+/// Interpolates the change of coordinates, and the velocities, by quintic Hermite polynomials. The
+/// errors are O(h⁶) and O(h⁵).
 ///
 /// The velocity is the cubic that has the right values and rates at the ends, and κ s² (1 − s)², which makes its
 /// integral the change of the coordinates.

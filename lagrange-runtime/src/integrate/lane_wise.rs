@@ -16,13 +16,13 @@ pub(super) fn smaller<S: SideBySide<Element: Scalar>>(one: S, other: S) -> S {
     one.zip(other, |one, other| if one < other { one } else { other })
 }
 
-/// Whether two numbers are the same.
+/// True if two numbers are the same.
 #[inline(always)]
 pub(super) fn is_equal<S: Number>(one: S, other: S) -> S::Mask {
     one.less_equal(other) & other.less_equal(one)
 }
 
-/// Whether all components are neither NaN nor infinite.
+/// True in each lane whose components are neither NaN nor infinite.
 #[inline(always)]
 pub(super) fn are_finite<S: Number, Y: StateVector<S>>(y: &Y) -> S::Mask {
     let zero = y.as_ref().iter().fold(S::ZERO, |sum, component| sum + *component * S::ZERO);

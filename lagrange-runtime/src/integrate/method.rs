@@ -1,4 +1,4 @@
-//! What a method of integration is to those who drive it.
+//! Integration methods as seen by their callers.
 //!
 //! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds all that changes
 //! from step to step and needs no heap.
@@ -16,7 +16,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// An integration by this method in progress.
     type Stepper: Stepper<M>;
 
-    /// What the method is called in tables.
+    /// Returns the name of the method for tables.
     fn name(&self) -> &'static str;
 
     /// The power of the step with which the global error falls.
@@ -34,7 +34,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>>;
 
-    /// The same method with no step longer than this.
+    /// Returns the method with a maximum step length.
     ///
     /// # Errors
     /// If the lengths of its steps are a setting already.
@@ -85,8 +85,9 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// them when first asked after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
-    /// Whether [`interpolate`](Stepper::interpolate) is as accurate within the last step as the step itself, as far as the method
-    /// can tell. If not, the step is taken back: time and state are those before it, and the next attempt is shorter.
+    /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the
+    /// step itself, as far as the method can tell. If not, the step is taken back: time and state
+    /// are those before it, and the next attempt is shorter.
     ///
     /// To be asked once after a step, before anything within it is, and before the step is made use of.
     fn confirm(&mut self, _system: &M) -> bool {
@@ -103,11 +104,11 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// If the state or, where the method asks for it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
-    /// What it took so far.
+    /// Returns the work so far.
     fn work(&self) -> Work;
 }
 
-/// What an integration took.
+/// The work of an integration.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 #[non_exhaustive]
 pub struct Work {
@@ -155,7 +156,8 @@ pub trait LanesMethod<T: Scalar>: Copy {
         O: SideBySide<Element = T>,
         F: Equations<O>;
 
-    /// Whether a motion of this system, which is under [suspicion](LanesStepper::suspicion) for this step, may go on in its lane.
+    /// True if a motion of this system, which is under [suspicion](LanesStepper::suspicion) for
+    /// this step, may go on in its lane.
     fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
         false
     }
@@ -170,9 +172,9 @@ pub struct SuspectStep<S, Y> {
     pub y: Y,
     /// Its length, negative backwards in time.
     pub h: S,
-    /// By how much rates differed within it, in the place of the components they belong to.
+    /// Differences of rates within it, in place of the corresponding components.
     pub direction: Y,
-    /// How far it led, as a sum of magnitudes.
+    /// Length of the change, as a sum of magnitudes.
     pub change: S,
 }
 
@@ -194,10 +196,10 @@ impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
 
 /// Motions in progress, one in each lane.
 pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
-    /// What is known of the last step in every lane, by which states within it are told. Who asks for none keeps none.
+    /// Data of the last step in every lane for states within it; empty unless requested.
     type LastStep: Copy;
 
-    /// What is known before any step.
+    /// Returns the data before any step.
     fn last_step(&self) -> Self::LastStep;
 
     /// Remembers where a step begins that is about to be tried.
@@ -219,7 +221,7 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// The states that were reached.
     fn state(&self) -> &E::State;
 
-    /// Where it showed in the last step that the method may not be fit for the motion.
+    /// Returns the lanes whose last step suggested that the method does not suit the motion.
     fn suspicion(&self) -> S::Mask;
 
     /// The steps that are under suspicion, in the lanes where they are.
@@ -230,13 +232,13 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up then.
     fn limit_steps(&mut self, most: u64);
 
-    /// What the motion in a lane took so far.
+    /// Returns the work of the motion in a lane so far.
     fn work(&self, lane: usize) -> Work;
 }
 
 /// Something to do with a method if it can take motions side by side.
 pub trait LanesMethodVisitor<T: Scalar> {
-    /// What comes of it.
+    /// The result.
     type Output;
 
     /// Does it.

@@ -11,10 +11,10 @@ use crate::system::{StateVector, StepFailure};
 
 /// Equations for K vectors of unknowns.
 pub(super) trait Equations<S: Scalar, Y: StateVector<S>, const K: usize> {
-    /// What is left of the equations at `unknowns`; what an evaluation finds on its way may be kept.
+    /// Returns the residual of the equations at `unknowns`; intermediate results may be stored.
     fn residual(&mut self, unknowns: &[Y; K], work: &mut Work) -> [Y; K];
 
-    /// By how much the unknowns should change for a residual, to first order.
+    /// Returns the first-order correction of the unknowns for a residual.
     fn correction(&self, residual: &[Y; K]) -> [Y; K];
 
     /// The magnitude of the terms that make up each residual, of which rounding errors are a small part.
@@ -65,7 +65,7 @@ pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     Err(StepFailure::NotConverged { iterations: LIMIT })
 }
 
-/// Whether every entry is finite.
+/// True if every entry is finite.
 pub(super) fn finite<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> bool {
     vectors.iter().all(|vector| vector.as_ref().iter().all(|entry| entry.is_finite()))
 }
@@ -94,7 +94,7 @@ impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
         Convergence { rounding, seen: None }
     }
 
-    /// What one more correction makes of it.
+    /// Judges the next correction.
     #[inline]
     fn after<const K: usize>(&mut self, unknowns: &[Y; K], correction: &[Y; K]) -> Trend {
         let (now, scale) = (largest(correction), largest(unknowns));
@@ -124,7 +124,7 @@ impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
     }
 }
 
-/// What corrections do.
+/// The trend of corrections.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Trend {
     /// Some still fall.
@@ -147,7 +147,8 @@ fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
     vector
 }
 
-/// Whether the correction `now` is the rounding of an unknown, on which a change by `unseen` is lost.
+/// True if the correction `now` is the rounding of an unknown, on which a change by `unseen` is
+/// lost.
 ///
 /// Without rounding it would be no larger than `expected`, what the best rate of convergence so far makes of the one
 /// before. Small is not enough: what slow convergence leaves has the same sign in every step.
@@ -156,7 +157,7 @@ fn is_settled<S: Scalar>(now: S, expected: S, unseen: S) -> bool {
     now == S::ZERO || (now <= S::from_f64(100.0) * unseen && S::from_f64(8.0) * expected <= unseen)
 }
 
-/// Whether residuals are a small part of the terms they are made of.
+/// True if residuals are a small part of the terms they are made of.
 fn is_rounding<S: Scalar, Y: StateVector<S>>(residuals: &[Y], magnitude: &Y, rounding: S) -> bool {
     let root = rounding.sqrt();
     let part = root * root.sqrt();

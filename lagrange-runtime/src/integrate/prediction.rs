@@ -5,7 +5,7 @@
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// How much of the value at each node and of one more makes up a value.
+/// The weights of the values at the nodes and of one further value.
 type Weights<S, const K: usize> = ([S; K], S);
 
 /// Slopes at the nodes of the last step and at its end, and how they continue into the next.
@@ -58,7 +58,8 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
     }
 }
 
-/// How much of the values at the nodes and at one more makes up the value of their polynomial at x.
+/// Returns the weights of the values at the nodes, and at one further node, in the value of their
+/// polynomial at x.
 ///
 /// Lagrange's formula.
 pub(super) fn weights<S: Scalar, const K: usize>(nodes: &[S; K], last: S, x: S) -> Weights<S, K> {

@@ -1,4 +1,4 @@
-//! Whether a step is longer than stability allows.
+//! The stability limit of explicit steps.
 //!
 //! An explicit method grows without bound along an eigenvector of the Jacobian whose eigenvalue λ has h |λ| beyond a
 //! limit of the method. How much rates differ between two stages hints at it for nothing, but mistakes differences of
@@ -16,7 +16,7 @@ const MULTIPLICATIONS: u32 = 8;
 const PART: f64 = 1e-3;
 /// A second eigenvalue that shows in the powers by less than this does not count beside the first.
 const SINGLE: f64 = 1e-4;
-/// What a look costs.
+/// Number of evaluations per check.
 pub(super) const EVALUATIONS: u64 = 1 + MULTIPLICATIONS as u64;
 /// After hints that came to nothing, no more steps than this pass without another look.
 const LONGEST_WAIT: u32 = 31;
@@ -26,12 +26,12 @@ const LONGEST_WAIT: u32 = 31;
 pub(super) struct Watch {
     /// Steps until hints count again.
     wait: u32,
-    /// How long the last wait was.
+    /// Length of the last wait.
     waited: u32,
 }
 
 impl Watch {
-    /// Whether to look, given this hint.
+    /// True if to look, given this hint.
     #[inline]
     pub(super) fn follows(&mut self, is_hint: bool) -> bool {
         if self.wait > 0 {
@@ -47,7 +47,7 @@ impl Watch {
         is_hint
     }
 
-    /// Whether it remembers hints.
+    /// True if it remembers hints.
     #[inline]
     pub(super) fn is_awake(&self) -> bool {
         self.wait > 0 || self.waited > 0
@@ -80,7 +80,8 @@ pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     if found.grows { S::ZERO } else { found.magnitude }
 }
 
-/// The same with differences that are as small as rounding allows, whatever a step was; `None` if nothing moves.
+/// Estimates the eigenvalue with differences as small as rounding allows, independent of any step;
+/// `None` if nothing moves.
 #[cold]
 pub(super) fn eigenvalue_at<S: Scalar, Y: StateVector<S>>(
     mut rates: impl FnMut(&Y) -> Y,
@@ -106,7 +107,7 @@ struct Power<S, Y> {
 #[derive(Clone, Copy, Debug)]
 struct Dominant<S> {
     magnitude: S,
-    /// Whether its real part is positive and larger than its imaginary part.
+    /// True if its real part is positive and larger than its imaginary part.
     grows: bool,
 }
 

@@ -1,4 +1,4 @@
-//! What it is that is not finite, where a method says only that something is.
+//! Diagnosis of values that are not finite, which methods only detect.
 //!
 //! Methods check what they go on from and leave the rest to the loops that drive them: they know the system, whose
 //! [`undefined`](OdeSystem::undefined) gives names. What is finite where a run stopped is looked at ahead of there, along the
@@ -42,7 +42,8 @@ fn of_times<S: Scalar>(start: S, end: S) -> Option<Undefined<S>> {
     }
 }
 
-/// What is not finite first on this part of the way to `end`, along the rates at the start.
+/// Returns the first value that is not finite on this fraction of the way to `end`, along the rates
+/// at the start.
 fn ahead<M: OdeSystem + ?Sized>(
     system: &M,
     (t, y): (M::Scalar, &M::State),

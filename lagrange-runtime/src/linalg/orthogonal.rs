@@ -9,11 +9,12 @@ use crate::scalar::Scalar;
 /// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
-    /// Of the column taken k-th, R above row k and, if k is below the rank, the reflection u with I − u uᵀ from there on.
+    /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with
+    /// I − u uᵀ from there on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
     diagonal: [S; COLUMNS],
-    /// Which column was taken k-th.
+    /// Index of the column taken k-th.
     order: [usize; COLUMNS],
     rank: usize,
 }
@@ -41,12 +42,12 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         OrthogonalFactors { columns, diagonal, order, rank }
     }
 
-    /// How many columns are independent.
+    /// Returns the number of independent columns.
     pub(crate) fn rank(&self) -> usize {
         self.rank
     }
 
-    /// Which columns were taken, the independent ones first.
+    /// Returns the columns in the order in which they were taken, independent ones first.
     pub(crate) fn order(&self) -> &[usize; COLUMNS] {
         &self.order
     }

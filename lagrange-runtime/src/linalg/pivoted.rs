@@ -154,7 +154,7 @@ fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, k: usize) 
 /// The factors L and U of a complex matrix with rows exchanged.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ComplexFactors<S: Scalar, Y: StateVector<S>> {
-    /// As in [`Factors`].
+    /// Real part, as in [`Factors`].
     real: Matrix<S, Y>,
     imaginary: Matrix<S, Y>,
     exchanged: Y::Indices,

@@ -15,7 +15,8 @@ pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], scal
     if residual(a, b, &x) <= size * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
 }
 
-/// The same without a look at whether A x = b: rows that depend on others are left out, and may contradict these.
+/// Solves without checking A x = b: rows that depend on others are omitted, and may contradict
+/// these.
 pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
     let negligible = negligible::<S>();
     let factors = Factors::<S, [S; K]>::new(Matrix(*a));
@@ -25,7 +26,7 @@ pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) ->
     }
 }
 
-/// What is rounding beside one: a little below the three quarters of all digits.
+/// Returns the rounding level relative to one: slightly below three quarters of all digits.
 pub(crate) fn negligible<S: Scalar>() -> S {
     let root = S::epsilon().sqrt();
     root * root.sqrt()
@@ -36,7 +37,7 @@ fn residual<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) 
     rows.fold(S::ZERO, |sum, (row, b)| sum + (dot(row, x) - *b).abs())
 }
 
-/// How large the terms are whose difference is the residual.
+/// Returns the size of the terms whose difference is the residual.
 fn size<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S {
     let terms = |row: &[S; K]| row.iter().zip(x).fold(S::ZERO, |sum, (a, x)| sum + (*a * *x).abs());
     a.iter().zip(b).fold(S::ZERO, |sum, (row, b)| sum + terms(row) + b.abs())

@@ -8,7 +8,7 @@ use crate::scalar::{Number, Scalar};
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
     type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
-    /// As many indices as the vector has entries, such as `[usize; K]`.
+    /// An array of indices with the length of the vector, such as `[usize; K]`.
     type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
     /// The vector of zeros.

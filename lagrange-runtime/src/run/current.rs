@@ -42,7 +42,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         self.switched.as_ref()
     }
 
-    /// The same, to be kept.
+    /// Returns the switched system for storage.
     pub fn into_switched(self) -> Option<M> {
         self.switched
     }
@@ -56,7 +56,8 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     }
 }
 
-/// Whether a run may go this way: not backwards through impacts and friction, whose past does not follow from the present.
+/// Checks the direction of a run: impacts and friction exclude backward runs, since the past does
+/// not follow from the present.
 ///
 /// # Errors
 /// If it may not, or if there are more events than can be looked for.

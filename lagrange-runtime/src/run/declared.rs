@@ -15,7 +15,7 @@ pub struct DeclaredEvents<M: OdeSystem> {
     start: M::Scalar,
     /// The last change of a side.
     change: Option<Change<M::Scalar>>,
-    /// Which other sides change with the event that was found last.
+    /// True for each further side that changes with the last event.
     together: [bool; MOST_LOCATED],
 }
 
@@ -26,7 +26,7 @@ struct Change<S> {
     time: S,
     /// The value of its event right after.
     value: S,
-    /// How often it had changed by then without having left its surface.
+    /// Number of changes without having left its surface.
     returns: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Where a run looks for events: in the declaration of its system, among those that it was given, or nowhere.
+//! The events that a run looks for: those of its system's declaration, those passed to it, or none.
 
 use crate::event::Occurrence;
 use crate::integrate::Stepper;
@@ -22,7 +22,7 @@ pub type Found<M> = Occurrence<<M as OdeSystem>::Scalar, <M as OdeSystem>::State
 
 /// Functions of time and state whose zeros are looked for, with what comes of them.
 pub trait Events<M: OdeSystem> {
-    /// Whether there is nothing to look for.
+    /// True if there is nothing to look for.
     fn is_empty(&self) -> bool;
 
     /// The next event in the last step of a run to `end`: of those at the same time, the one given first.
@@ -34,7 +34,7 @@ pub trait Events<M: OdeSystem> {
     /// The event that was found; the next look finds the one after it.
     fn take(&mut self, origin: Origin) -> Option<Found<M>>;
 
-    /// What comes of an event.
+    /// Returns the response to an event.
     ///
     /// # Errors
     /// If the motion cannot go on.
@@ -49,9 +49,9 @@ pub trait Events<M: OdeSystem> {
 
 /// The events of a declaration together with those that a run was given.
 pub struct AllEvents<D, G> {
-    /// Those of the declaration, which come before others at the same time.
+    /// Declared events, which precede others at the same time.
     pub declared: D,
-    /// Those that were given.
+    /// Events passed to the run.
     pub given: G,
 }
 

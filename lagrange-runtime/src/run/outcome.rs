@@ -1,8 +1,8 @@
-//! How a motion goes on after events at the same time.
+//! The continuation of a motion after events at the same time.
 
 use crate::system::{Action, OdeSystem, Response, StepFailure};
 
-/// What comes of events that happen at the same time. To stop prevails.
+/// The combined outcome of simultaneous events. Stopping prevails.
 pub(super) struct EventOutcome<M: OdeSystem> {
     action: Action<M::State>,
     /// The system that goes on, if events switched it.
@@ -31,7 +31,7 @@ impl<M: OdeSystem> EventOutcome<M> {
         };
     }
 
-    /// Whether nothing has changed.
+    /// True if nothing has changed.
     pub(super) fn goes_on(&self) -> bool {
         matches!(self.action, Action::Continue)
     }

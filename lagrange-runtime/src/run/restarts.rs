@@ -30,7 +30,8 @@ struct Restart<S> {
 }
 
 impl<'a, S: Scalar> Restarts<'a, S> {
-    /// Those of a run between these times, with `given` times in the order in which it meets them.
+    /// Returns the restarts of a run between these times, with the `given` times in the order in
+    /// which it meets them.
     pub fn new(start: S, end: S, given: &'a [S]) -> Self {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
@@ -93,7 +94,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.after)
     }
 
-    /// Whether the last step ended at a restart, so that [`resume`](Self::resume) restarts the method.
+    /// True if the last step ended at a restart, so that [`resume`](Self::resume) restarts the
+    /// method.
     pub fn is_due<M>(&self, stepper: &impl Stepper<M>) -> bool
     where
         M: OdeSystem<Scalar = S>,
@@ -136,7 +138,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         has_room.then_some(restart)
     }
 
-    /// Whether the run meets `later` after `time`; not so if one of them is NaN.
+    /// True if the run meets `later` after `time`; not so if one of them is NaN.
     fn is_ahead(&self, time: S, later: S) -> bool {
         if self.is_backwards { later < time } else { time < later }
     }

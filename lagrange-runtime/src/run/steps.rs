@@ -12,9 +12,9 @@ use crate::event::{Occurrence, is_at_once};
 use crate::integrate::{IntegrationError, Outcome, Stepper, Work, explained};
 use crate::system::{EventKind, OdeSystem, StepFailure};
 
-/// What sees a run.
+/// An observer of a run.
 pub trait Sink<M: OdeSystem> {
-    /// Whether states before the end of a step to `to` will be asked for.
+    /// True if states before the end of a step to `to` will be asked for.
     fn looks_before(&self, _to: M::Scalar) -> bool {
         false
     }
@@ -38,7 +38,7 @@ pub trait Sink<M: OdeSystem> {
     fn exchange(&mut self, _system: &M, _from: (M::Scalar, &M::State)) {}
 }
 
-/// What a turn came to.
+/// The result of a turn.
 #[derive(Clone, Copy, Debug)]
 pub enum Turn<S, Y> {
     /// The motion goes on, unless it has reached its end.
@@ -49,13 +49,13 @@ pub enum Turn<S, Y> {
     Cancelled,
 }
 
-/// What one turn of a run of the system M came to, or why there is none.
+/// The result of one turn of a run of the system M.
 type Turned<M> = Outcome<M, Turn<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>>;
 
 /// The next event of the system M and whose it is, if there is one, or E.
 type NextEvent<M, E> = Result<Option<(Origin, Found<M>)>, E>;
 
-/// What came of events, and whether the first of them was not told.
+/// The outcome of events, and true if the first of them was not reported.
 type Reaction<M> = Result<(EventOutcome<M>, bool), StepFailure<<M as OdeSystem>::Scalar>>;
 
 /// A run of a system by a method, whose stepper this is, with events of the kind E.
@@ -79,7 +79,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Run { current, stepper, events, restarts: Restarts::new(start, end, restarts), end }
     }
 
-    /// Whether the end is reached.
+    /// True if the end is reached.
     pub fn is_over(&self) -> bool {
         self.stepper.time() == self.end
     }
@@ -109,7 +109,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.state()
     }
 
-    /// What it took so far.
+    /// Returns the work so far.
     pub fn work(&self) -> Work {
         self.stepper.work()
     }
@@ -183,7 +183,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         }
     }
 
-    /// What comes of an event and of those at the same time, which follow each other, each from the state that the last one left.
+    /// Returns the outcome of an event and of those at the same time, each starting from the state
+    /// that the last one left.
     fn react(&mut self, sink: &mut impl Sink<M>, origin: Origin, first: Found<M>) -> Reaction<M> {
         let time = first.time;
         let mut outcome = EventOutcome::new();
@@ -266,7 +267,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     }
 }
 
-/// Whether an event is that of a contact, of friction or of a switch, by which a mode ends.
+/// True if an event is that of a contact, of friction or of a switch, by which a mode ends.
 fn is_switch<M: OdeSystem>(origin: Origin, event: &Found<M>) -> bool {
     origin == Origin::Declared && M::EVENTS[event.event].is_switch
 }

@@ -49,7 +49,7 @@ pub struct Lanes<T, const N: usize, const FUSED: bool = false>(pub [T; N]);
 pub struct LaneMask<const N: usize>(pub [bool; N]);
 
 impl<T: Scalar, const N: usize, const FUSED: bool> Lanes<T, N, FUSED> {
-    /// What a function makes of the number in each lane.
+    /// Applies a function to the number in each lane.
     #[inline(always)]
     pub(crate) fn each(self, function: impl Fn(T) -> T) -> Self {
         let mut value = self;
@@ -59,7 +59,7 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Lanes<T, N, FUSED> {
         value
     }
 
-    /// What a function makes of the two numbers in each lane.
+    /// Applies a function to the two numbers in each lane.
     #[inline(always)]
     pub(crate) fn zip(self, other: Self, function: impl Fn(T, T) -> T) -> Self {
         let mut value = self;

@@ -3,20 +3,21 @@
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// What a comparison of [numbers](super::Number) gives: a `bool`, or as many truth values as there are numbers side by side.
+/// The result of comparing [numbers](super::Number): a `bool`, or one truth value per number side
+/// by side.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> + 'static
 {
-    /// The same everywhere.
+    /// Returns the same value in every lane.
     fn splat(value: bool) -> Self;
 
-    /// Whether it is true anywhere.
+    /// True if it is true anywhere.
     fn any(self) -> bool;
 
-    /// Whether it is true everywhere.
+    /// True if it is true everywhere.
     fn all(self) -> bool;
 
-    /// Whether it is true in this lane, counted from zero.
+    /// True if it is true in this lane, counted from zero.
     fn lane(self, lane: usize) -> bool;
 }
 

@@ -1,4 +1,4 @@
-//! What there is to draw of bodies in space.
+//! A description of bodies in space to be drawn.
 
 use super::{Connector, LoadOrigin};
 use crate::body::SpatialMotion;
@@ -29,7 +29,7 @@ pub enum SpatialItem<'a, S> {
     Body {
         /// Its name.
         name: &'a str,
-        /// How it moves.
+        /// Motion.
         motion: SpatialMotion<S>,
         /// Its shape, in its own axes; empty if it has none.
         parts: &'a [SolidPart<S>],
@@ -47,7 +47,7 @@ pub enum SpatialItem<'a, S> {
     Connector {
         /// Its name.
         name: &'a str,
-        /// What it is.
+        /// Kind of connector.
         kind: Connector,
         /// One end.
         from: [S; 3],
@@ -60,21 +60,22 @@ pub enum SpatialItem<'a, S> {
     Joint {
         /// Its name: that of its quaternion, of its first coordinate, or of what it places; that of a pin.
         name: &'a str,
-        /// What it is.
+        /// Kind of joint.
         kind: SpatialJoint,
-        /// Where it is: the origin of its frame on what carries it.
+        /// Position: the origin of its frame on the carrier.
         at: [S; 3],
         /// The direction of its axis, of length one: the first axis of a universal joint, the normal of a planar one, z of the joint's frame
         /// if it has no axis.
         axis: [S; 3],
-        /// What carries it, and what it places, or the two that are pinned; none for the ground.
+        /// Names of the carrying and the placed body, or of the two that are pinned; `None` for the
+        /// ground.
         bodies: [Option<&'a str>; 2],
     },
     /// A force.
     Force {
         /// Its name.
         name: &'a str,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
@@ -87,11 +88,11 @@ pub enum SpatialItem<'a, S> {
     Moment {
         /// Its name.
         name: &'a str,
-        /// Where it comes from.
+        /// Origin of the load.
         cause: LoadOrigin,
         /// The body it acts on, if that is known.
         body: Option<&'a str>,
-        /// Where to draw it.
+        /// Position at which it is drawn.
         at: [S; 3],
         /// Its components.
         moment: [S; 3],
@@ -107,13 +108,13 @@ pub enum SpatialItem<'a, S> {
 /// A part of a body's shape.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SolidPart<S> {
-    /// What it is, in its own axes.
+    /// Solid, in its own axes.
     pub solid: Solid<S>,
-    /// Where the origin of its own axes is in those of the body.
+    /// Origin of its own axes in those of the body.
     pub at: [S; 3],
     /// The rotation from its own axes to those of the body, in rows.
     pub rotation: [[S; 3]; 3],
-    /// Whether it is cut out of the parts before it.
+    /// True if it is cut out of the parts before it.
     pub is_hole: bool,
 }
 
@@ -142,7 +143,7 @@ pub enum Solid<S> {
     Cone(S, S),
 }
 
-/// What a joint in space is.
+/// The kind of a joint in space.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SpatialJoint {
     /// It turns about its axis.

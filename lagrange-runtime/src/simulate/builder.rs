@@ -1,4 +1,4 @@
-//! What is asked of a run.
+//! The settings of a run.
 
 use std::boxed::Box;
 use std::format;
@@ -17,7 +17,7 @@ use crate::system::{
 };
 use crate::tolerance::DEFAULT_TOLERANCE;
 
-/// Where a run starts. It wants to know when it ends.
+/// The start of a run, which still needs an end.
 #[derive(Clone, Copy, Debug)]
 #[must_use = "say when the run ends: `.until(time)`"]
 pub struct Start<'a, M: MechanicalSystem> {
@@ -147,7 +147,7 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
         self.method
     }
 
-    /// The same with another method, another drive.
+    /// Returns the simulation with another method and another drive.
     pub(crate) fn exchange<N, E>(self, exchange: impl FnOnce(K, D) -> (N, E)) -> Simulation<'a, M, N, E> {
         let (method, drive) = exchange(self.method, self.drive);
         Simulation {

@@ -14,9 +14,9 @@ use crate::system::{
 };
 use crate::tolerance::SAME_INSTANT;
 
-/// What sets the inputs of the system M at every instant of a run: nothing, or a [`Law`].
+/// The source of the inputs of the system M at every instant of a run: nothing, or a [`Law`].
 pub trait Drive<M: MechanicalSystem>: Clone {
-    /// What methods integrate.
+    /// The system that methods integrate.
     type Closed: ClosedLoop<M>;
 
     /// Hands over the closed loop.
@@ -80,7 +80,7 @@ pub trait ClosedLoop<M: MechanicalSystem>:
     /// The plant in its present modes, with the inputs that it has by itself.
     fn plant(&self) -> &M;
 
-    /// The same loop around another plant.
+    /// Returns the loop around another plant.
     fn with_plant(&self, plant: M) -> Self;
 
     /// The plant.
@@ -248,7 +248,7 @@ impl<M: MechanicalSystem> Clone for InputColumns<M> {
 impl<M: MechanicalSystem> Copy for InputColumns<M> {}
 
 impl<M: ControlledSystem> InputColumns<M> {
-    /// Those of all inputs, from this column on.
+    /// Returns the indices of all inputs, starting at this column.
     pub(super) fn from(first: usize) -> Self {
         let set = |system: &M, values: &[M::Scalar]| {
             let mut inputs = M::InputVector::ZERO;
@@ -299,7 +299,7 @@ pub(super) struct Controllers<'a, M: MechanicalSystem> {
 }
 
 impl<'a, M: MechanicalSystem> Controllers<'a, M> {
-    /// Those of a run to this end.
+    /// Returns the controllers of a run to this end.
     pub(super) fn new(controllers: Vec<Controller<'a, M>>, end: M::Scalar) -> Self {
         Controllers { controllers, end }
     }
@@ -322,7 +322,8 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         self.ask(|_| true, system, (t, y))
     }
 
-    /// Those act whose instants have been reached, or nearly so: instants that differ by rounding are the same.
+    /// Runs the controllers whose instants have been reached; instants that differ by rounding are
+    /// the same.
     pub(super) fn act(&mut self, system: &M, reached: M::Scalar, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
         let rounding = SAME_INSTANT.part::<M::Scalar>() * reached.abs();
         let reached = if self.end < t { reached - rounding } else { reached + rounding };
@@ -336,7 +337,8 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         self.ask(is_due, system, (t, y))
     }
 
-    /// Those that are due act, in the order in which they were given, each on the system that the last one left.
+    /// Runs the controllers that are due, in the order in which they were added, each on the system
+    /// that the last one left.
     fn ask(
         &mut self,
         mut is_due: impl FnMut(&mut Grid<M::Scalar>) -> bool,

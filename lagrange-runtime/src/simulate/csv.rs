@@ -59,7 +59,7 @@ impl<S: Copy + Debug> Table<S> {
     }
 }
 
-/// The same error with the path that it is about.
+/// Adds the path to an error.
 pub(super) fn cannot_write(path: &Path, error: &io::Error) -> io::Error {
     io::Error::new(error.kind(), std::format!("cannot write `{}`: {error}", path.display()))
 }

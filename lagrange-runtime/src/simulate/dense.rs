@@ -21,7 +21,7 @@ use crate::system::StateVector;
 /// The steps of a run, each as a polynomial.
 #[derive(Clone, Debug)]
 pub(super) struct Dense<S, Y> {
-    /// Where the points lie in a step, from 0 to 1; d + 1 numbers.
+    /// Positions of the points in a step, from 0 to 1; d + 1 numbers.
     points: Vec<S>,
     /// Start and end of each step.
     steps: Vec<(S, S)>,

@@ -22,9 +22,10 @@ pub(super) fn repeated(names: &[String]) -> Option<String> {
 pub struct SimulationError<M: MechanicalSystem> {
     /// Why.
     pub cause: StepFailure<M::Scalar>,
-    /// What the event or the column is called that the cause is about, if it is about one.
+    /// Name of the event or column that the cause concerns, if any.
     pub name: Option<String>,
-    /// What was found until then. Every sample is finite, except that the first is the initial state as it was given.
+    /// Data recorded up to the failure. Every sample is finite, except that the first is the given
+    /// initial state.
     pub trajectory: Box<Trajectory<M>>,
 }
 

@@ -17,13 +17,13 @@ use crate::system::{
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Event<S, Y> {
-    /// What it is called.
+    /// Name.
     pub name: String,
     /// When it happened.
     pub time: S,
     /// The state then, before any reaction.
     pub state: Y,
-    /// What it was: more than a zero if it is the event of a contact or of dry friction.
+    /// Kind: more than a zero for the event of a contact or of dry friction.
     pub kind: EventKind<S>,
 }
 
@@ -34,7 +34,7 @@ type Value<'a, M> =
 /// An event as those are told who asked for it.
 type Told<M> = Event<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// What to do at an event.
+/// The response to an event.
 type React<'a, M> = Box<dyn FnMut(&M, &Told<M>) -> Action<<M as OdeSystem>::State> + 'a>;
 
 /// A function whose zeros are looked for.

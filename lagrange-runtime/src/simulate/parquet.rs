@@ -22,9 +22,9 @@ use crate::simulate::units::unit;
 use crate::system::MechanicalSystem;
 use lagrange_files::save;
 
-/// What the schema is called.
+/// Name of the schema.
 const SCHEMA: &str = "trajectory";
-/// What stands before the name of a column where its unit is kept.
+/// Prefix of a column name in the key of its unit.
 const UNIT: &str = "lagrange.unit.";
 
 impl<M: MechanicalSystem> Trajectory<M>

@@ -11,7 +11,7 @@ use crate::simulate::units::{labelled, unit, with_unit};
 use crate::system::{MechanicalSystem, StateVector, WithSuffix};
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
-/// What the axis of time is called; SI units, as everywhere.
+/// Label of the time axis; SI units, as everywhere.
 pub(crate) const TIME_AXIS: &str = "time t in s";
 /// Up to this many coordinates have a panel each.
 const SEPARATE: usize = 4;
@@ -178,7 +178,8 @@ fn panel<M: MechanicalSystem>(x: &str, y: &str, mut curves: Vec<Curve>) -> Panel
     Panel { x, y, curves, ..Panel::default() }
 }
 
-/// How far energies are from the first, what that is called, with and without its sign, and whether it is relative to the first.
+/// Returns the deviations of energies from the first, their labels with and without sign, and true
+/// if they are relative to the first.
 fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2], bool) {
     let start = energies.first().copied().unwrap_or(0.0);
     let drift: Vec<f64> = energies.iter().map(|energy| energy - start).collect();
@@ -190,7 +191,7 @@ fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2], bool) {
     (drift, ["E − E0", "|E − E0|"], false)
 }
 
-/// Whether a drift grows by orders of magnitude.
+/// True if a drift grows by orders of magnitude.
 fn grows(drift: &[f64]) -> bool {
     let largest = |drift: &[f64]| drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
     let early = largest(&drift[..drift.len().div_ceil(10).max(2).min(drift.len())]);

@@ -1,4 +1,4 @@
-//! What is asked of a run about inputs and outputs.
+//! Settings of a run for inputs and outputs.
 
 use std::boxed::Box;
 use std::string::ToString;

@@ -1,11 +1,11 @@
-//! How far a run has come, told now and then.
+//! Progress reports of a run.
 
 use std::boxed::Box;
 use std::ops::ControlFlow;
 
 use crate::scalar::Scalar;
 
-/// How far a run has come.
+/// The progress of a run.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub struct Progress<S> {
@@ -29,9 +29,9 @@ impl<S: Scalar + Into<f64>> Progress<S> {
     }
 }
 
-/// What a progress callback may return: nothing, or whether to go on.
+/// The return value of a progress callback: nothing, or true to continue.
 pub trait Verdict {
-    /// Whether to go on.
+    /// True if to go on.
     fn go_on(self) -> bool;
 }
 
@@ -82,7 +82,7 @@ impl<'a, S: Scalar> Reporter<'a, S> {
         (self.callback)(progress)
     }
 
-    /// How many parts of the time are done, not less than were reported.
+    /// Returns the number of finished parts of the time, at least as many as were reported.
     fn parts_done(&self, progress: &Progress<S>) -> u32 {
         if progress.time == progress.end {
             return PARTS;

@@ -1,4 +1,4 @@
-//! What is kept of a run while it goes on.
+//! The record of a run in progress.
 
 use std::string::String;
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{MechanicalSystem, StepFailure};
 use crate::tolerance::SAME_INSTANT;
 
-/// What is kept of a run while it goes on.
+/// The record of a run in progress.
 pub(super) struct Record<'a, M: MechanicalSystem, C> {
     /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
@@ -33,7 +33,7 @@ pub(super) struct Record<'a, M: MechanicalSystem, C> {
     pub(super) work: Work,
 }
 
-/// Which samples are still to come.
+/// The samples that are still to come.
 enum Samples<S> {
     EveryStep,
     Grid(Grid<S>),
@@ -100,7 +100,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         Ok(())
     }
 
-    /// Whether states before `to` that lie within the step to it will be kept.
+    /// True if states before `to` that lie within the step to it will be kept.
     pub(super) fn looks_before(&self, to: M::Scalar) -> bool {
         let is_sampled = match self.samples {
             Samples::Grid(mut grid) => grid.up_to(to).is_some_and(|time| time != to),
@@ -186,7 +186,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.table.push(time, &self.row);
     }
 
-    /// What was found, with the last good state as its last sample.
+    /// Returns the trajectory, with the last good state as its last sample.
     pub(super) fn close(
         mut self,
         current: Current<'_, C>,

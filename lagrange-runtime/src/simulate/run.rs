@@ -34,7 +34,7 @@ impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
     }
 }
 
-/// What is told of a run by who computed it otherwise.
+/// A trajectory assembled from samples that were computed elsewhere, in lanes.
 #[cfg(feature = "ensemble")]
 impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
     /// The trajectory of this run, given the samples after its start, the last of which is its end.
@@ -159,7 +159,7 @@ fn check_names<M: MechanicalSystem>(
     Ok(())
 }
 
-/// What is kept of a run, told turn by turn.
+/// The recorder of a run, notified every turn.
 struct Recorder<'a, 'r, M: MechanicalSystem, C> {
     record: &'r mut Record<'a, M, C>,
     /// The names of the events that the run was given.

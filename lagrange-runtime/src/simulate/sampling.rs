@@ -1,10 +1,10 @@
-//! Which times of a run are kept.
+//! The sampling times of a run.
 
 use crate::scalar::Scalar;
 use crate::system::{StepFailure, Undefined};
 use crate::tolerance::SAME_INSTANT;
 
-/// Which times of a run are kept, besides its start and its end.
+/// The sampling times of a run, beside its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) enum Sampling<S> {
     /// The end of every step.
@@ -47,7 +47,7 @@ impl<S: Scalar> Grid<S> {
         Ok(Grid { start, interval, end, index: 1 })
     }
 
-    /// The same if its times can be kept.
+    /// Returns the sampling if its times fit into memory.
     pub(crate) fn that_can_be_kept(self) -> Result<Self, StepFailure<S>> {
         let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
@@ -57,7 +57,7 @@ impl<S: Scalar> Grid<S> {
         Err(StepFailure::TooManySamples { samples, most })
     }
 
-    /// Whether time runs backwards.
+    /// True if time runs backwards.
     #[cfg(feature = "ensemble")]
     pub(crate) fn is_backwards(&self) -> bool {
         self.interval < S::ZERO
@@ -83,8 +83,8 @@ impl<S: Scalar> Grid<S> {
         if self.interval > S::ZERO { time > other } else { time < other }
     }
 
-    /// Whether a time is the end or beyond it, but for rounding: closer than a part of the interval, or its
-    /// neighbour among the numbers.
+    /// True if a time is the end or beyond it, but for rounding: closer than a part of the
+    /// interval, or its neighbour among the numbers.
     fn is_end(&self, time: S) -> bool {
         let left = self.end - time;
         let middle = time + left / S::from_f64(2.0);

@@ -1,4 +1,4 @@
-//! What a run may start from.
+//! The possible starts of a run.
 
 /// Something that stands for a state Y: the array `[q…, v…]`, the emitted type with named fields, or whatever else converts into the
 /// array.

@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use crate::system::Columns;
 
-/// What the column of times is called in files.
+/// Name of the time column in files.
 pub(crate) const TIME: &str = "t";
 
 /// Samples in columns: their times and, for each name, a number for each time.
@@ -57,12 +57,12 @@ impl<S: Copy> Table<S> {
         });
     }
 
-    /// How many samples there are.
+    /// Returns the number of samples.
     pub fn len(&self) -> usize {
         self.times.len()
     }
 
-    /// Whether there is no sample.
+    /// True if there is no sample.
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()
     }
@@ -89,7 +89,7 @@ impl<S: Copy> Table<S> {
     }
 }
 
-/// By index, for the named columns that are emitted with a system.
+/// Access by index, for the named columns that are emitted with a system.
 impl<S: Copy> Columns for Table<S> {
     type Scalar = S;
 

@@ -1,4 +1,4 @@
-//! What a run found.
+//! The result of a run.
 
 use std::fmt::{Debug, Display, Formatter};
 use std::ops::Deref;
@@ -14,7 +14,7 @@ use crate::simulate::table::Table;
 use crate::simulate::units::unit;
 use crate::system::{MechanicalSystem, StateVector, normalised};
 
-/// What a run found: samples in named columns, and what it took.
+/// The result of a run: samples in named columns, and the work of the run.
 ///
 /// Columns are the coordinates and velocities and then what observers added. There is at least one sample, the initial
 /// state, and the last sample is where the run ended.
@@ -36,7 +36,7 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) system: Option<Arc<M>>,
 }
 
-/// How a run ended.
+/// The ending of a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Ending {
@@ -51,7 +51,7 @@ pub enum Ending {
 }
 
 impl<M: MechanicalSystem> Trajectory<M> {
-    /// How many samples there are; at least one.
+    /// Returns the number of samples; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one sample")]
     pub fn len(&self) -> usize {
         self.table().len()
@@ -150,22 +150,23 @@ impl<M: MechanicalSystem> Trajectory<M> {
         dense.at(t).map(|state| normalised::<M>(&state)).ok_or(outside)
     }
 
-    /// What happened, in the order of the run: events of the declaration, and those that were asked for.
+    /// Returns the events in the order of the run: those of the declaration, and those that were
+    /// requested.
     pub fn events(&self) -> &[Event<M::Scalar, M::State>] {
         &self.events
     }
 
-    /// What the run took.
+    /// Returns the work of the run.
     pub fn work(&self) -> Work {
         self.work
     }
 
-    /// How the run ended.
+    /// Returns the ending of the run.
     pub fn ending(&self) -> Ending {
         self.ending
     }
 
-    /// What the method is called.
+    /// Returns the name of the method.
     pub fn method(&self) -> &'static str {
         self.method
     }
@@ -216,9 +217,9 @@ pub enum NotKept<S> {
     Outside {
         /// This time.
         time: S,
-        /// Where the run started.
+        /// Start of the run.
         start: S,
-        /// Where the run ended.
+        /// End of the run.
         end: S,
     },
 }

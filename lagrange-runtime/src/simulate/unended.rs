@@ -1,4 +1,4 @@
-//! What the compiler says where a run is not told when it ends.
+//! Compiler messages for runs without an end.
 //!
 //! The methods of [`Simulation`] that are asked of a [`Start`] are here, with a bound that nothing fulfils and that says what is
 //! missing; none is ever called.

@@ -1,4 +1,4 @@
-//! What the compiler says where a trajectory is to do what only a feature lets it.
+//! Compiler messages for methods of trajectories behind a missing feature.
 //!
 //! The methods are there without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
 

@@ -29,7 +29,7 @@ pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
             `GaussLegendre` with `.plain()`"
 )]
 pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
-    /// Whether constraints hold it, and the corrections below are known.
+    /// True if constraints hold it, and the corrections below are known.
     const IS_HELD: bool = false;
 
     /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the coordinates `to` of the time
@@ -101,8 +101,9 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         self.momentum_rates(t, q, v)
     }
 
-    /// Whether [`constraint_values`](Self::constraint_values) says all that holds the system. Methods that enforce constraints
-    /// by themselves do so then; elsewhere states are corrected after steps.
+    /// True if [`constraint_values`](Self::constraint_values) says all that holds the system.
+    /// Methods that enforce constraints by themselves do so then; elsewhere states are corrected
+    /// after steps.
     const SAYS_CONSTRAINTS: bool = false;
 
     /// The constraints that act, always in the same order.

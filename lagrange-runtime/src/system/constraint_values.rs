@@ -19,9 +19,9 @@ use crate::scalar::Scalar;
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintValues<S: Scalar, Q: StateVector<S>> {
-    /// What must be zero of positions; zero for constraints on velocities.
+    /// Residuals of positions; zero for constraints on velocities.
     pub(crate) positions: Q,
-    /// What must be zero of velocities.
+    /// Residuals of velocities.
     pub(crate) velocities: Q,
     /// A in rows; those beyond the last constraint are zero.
     pub(crate) jacobian: Q::Square,
@@ -52,7 +52,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         self.push(0, S::ZERO, velocity, row);
     }
 
-    /// How many constraints there are.
+    /// Returns the number of constraints.
     #[inline]
     pub fn count(&self) -> usize {
         self.count
@@ -118,7 +118,7 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         entries
     }
 
-    /// Whether the constraint of this index holds positions.
+    /// True if the constraint of this index holds positions.
     #[inline]
     pub(crate) fn is_holonomic(&self, index: usize) -> bool {
         self.is_holonomic.as_ref()[index] == 1

@@ -7,14 +7,14 @@ use crate::scalar::Scalar;
 pub struct DeclaredEvent {
     /// Its name.
     pub name: &'static str,
-    /// Which zeros count.
+    /// Direction of the zeros that count.
     pub direction: Direction,
-    /// Whether it belongs to a contact or to dry friction. Its function then is positive, but for rounding, while the present
-    /// mode lasts, and falling through zero is what ends the mode: a body that touches at the start and is pushed below the
-    /// ground has hit it.
+    /// True if it belongs to a contact or to dry friction. Its function then is positive, but for
+    /// rounding, while the present mode lasts, and falling through zero is what ends the mode: a
+    /// body that touches at the start and is pushed below the ground has hit it.
     pub is_switch: bool,
-    /// Whether it belongs to a surface on which the equations are not smooth, and then its name says to which. It is no event for
-    /// those who watch a motion.
+    /// True if it belongs to a surface on which the equations are not smooth, and then its name
+    /// says to which. It is no event for those who watch a motion.
     pub is_side: bool,
 }
 
@@ -41,8 +41,8 @@ pub const MOST_DECLARED: usize = 32;
 /// The largest number of events that runs look for, those by which [switches](crate::event::Switches) change their sides among them.
 pub(crate) const MOST_LOCATED: usize = 64;
 
-/// How a function passes zero as the integration proceeds. Where time runs backwards, a function
-/// that rises with time is falling.
+/// The direction in which a function passes zero as the integration proceeds. If time runs backwards, a
+/// function that rises with time is falling.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// From negative to positive.
@@ -54,7 +54,8 @@ pub enum Direction {
 }
 
 impl Direction {
-    /// Whether a change from a value of the sign of `before` to one of the sign of `after`, not zero, counts.
+    /// True if a change from a value of the sign of `before` to one of the sign of `after`, not
+    /// zero, counts.
     pub(crate) fn counts<S: Scalar>(self, before: S, after: S) -> bool {
         let (rises, falls) = (before < S::ZERO && after > S::ZERO, before > S::ZERO && after < S::ZERO);
         match self {
@@ -65,14 +66,14 @@ impl Direction {
     }
 }
 
-/// What a declared event does.
+/// The response to a declared event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Response<M, S, Y> {
-    /// How to go on.
+    /// Action.
     pub action: Action<Y>,
     /// The system that goes on, if it is not the same: with other contacts closed, other friction sticking.
     pub system: Option<M>,
-    /// What happened.
+    /// Kind of event.
     pub kind: EventKind<S>,
 }
 
@@ -83,7 +84,7 @@ impl<M, S, Y> Response<M, S, Y> {
     }
 }
 
-/// What to do at an event.
+/// The action at an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Action<Y> {
     /// Go on.
@@ -94,7 +95,7 @@ pub enum Action<Y> {
     Replace(Y),
 }
 
-/// What an impact did.
+/// The effect of an impact.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
@@ -104,7 +105,7 @@ pub struct Impact<S> {
     pub energy_loss: S,
 }
 
-/// What a declared event was.
+/// The kind of a declared event.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 #[non_exhaustive]
 pub enum EventKind<S> {

@@ -9,7 +9,7 @@ pub trait SideBySide: Number {
     type Element: Number;
     /// A number of the same kind, whose lane computes what one of these does.
     type One: SideBySide<Element = Self::Element>;
-    /// How many lanes there are.
+    /// Number of lanes.
     const LANES: usize;
 
     /// The number in this lane, counted from zero.
@@ -18,19 +18,19 @@ pub trait SideBySide: Number {
     /// Puts a number into this lane and leaves the others.
     fn set_lane(&mut self, lane: usize, value: Self::Element);
 
-    /// The same number in every lane.
+    /// Returns the same number in every lane.
     #[inline(always)]
     fn splat(value: Self::Element) -> Self {
         Self::ZERO.each(|_| value)
     }
 
-    /// What a function makes of the number in each lane.
+    /// Applies a function to the number in each lane.
     #[inline(always)]
     fn each(self, function: impl Fn(Self::Element) -> Self::Element) -> Self {
         self.zip(self, |element, _| function(element))
     }
 
-    /// What a function makes of the two numbers in each lane.
+    /// Applies a function to the two numbers in each lane.
     #[inline(always)]
     fn zip(self, other: Self, function: impl Fn(Self::Element, Self::Element) -> Self::Element) -> Self {
         let mut value = self;
@@ -101,7 +101,7 @@ pub trait LanesSystem: OdeSystem {
 
 /// Something to do with a system if its equations can be evaluated side by side.
 pub trait LanesVisitor<M> {
-    /// What comes of it.
+    /// The result.
     type Output;
 
     /// Does it.

@@ -1,4 +1,4 @@
-//! What is said about runs that stopped early.
+//! Messages about runs that stopped early.
 
 use core::fmt::{Debug, Display, Formatter, Result};
 

@@ -136,8 +136,9 @@ pub trait OdeSystem {
         None
     }
 
-    /// Whether states must satisfy something beside the equations, to which [`correct`](Self::correct) brings them: constraints, or
-    /// quaternions that have the length one.
+    /// True if states must satisfy something beside the equations, to which
+    /// [`correct`](Self::correct) brings them: constraints, or quaternions that have the length
+    /// one.
     const IS_CONSTRAINED: bool = false;
 
     /// Brings a state onto the constraints; methods ask for this after every accepted step, and before they hand out a state within
@@ -177,9 +178,9 @@ pub trait OdeSystem {
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
-    /// What the declared event of this index does to the state `y` at which it happened, at time
-    /// `t` in a run that has taken the time `elapsed` so far: what takes a negligible part of that
-    /// need not be resolved, wherever time is counted from.
+    /// Responds to the declared event of this index at the state `y` and the time `t`, after the time
+    /// `elapsed` since the start of the run. Durations that are negligible relative to `elapsed` need not
+    /// be resolved, independent of the origin of time.
     ///
     /// # Errors
     /// If the motion cannot go on.
@@ -211,8 +212,8 @@ pub trait OdeSystem {
         Ok(None)
     }
 
-    /// The same system on the sides of its [switches](crate::event::Switches) on which this state is, as after inputs jumped; `None` if
-    /// it has none.
+    /// Returns the system on the sides of its [switches](crate::event::Switches) that this state is
+    /// on, as after a jump of inputs; `None` if it has none.
     #[inline]
     fn on_sides(&self, _t: Self::Scalar, _y: &Self::State) -> Option<Self>
     where
@@ -221,7 +222,8 @@ pub trait OdeSystem {
         None
     }
 
-    /// The same system with its [switches](crate::event::Switches) free, as it is for whoever looks at it; `None` if it has none.
+    /// Returns the system with its [switches](crate::event::Switches) free, as observers see it;
+    /// `None` if it has none.
     #[inline]
     fn freed(&self) -> Option<Self>
     where
@@ -231,7 +233,7 @@ pub trait OdeSystem {
     }
 }
 
-/// What a declared event of the system M does.
+/// The response of a system M to a declared event.
 pub type Reacted<M> = Result<
     Response<M, <M as OdeSystem>::Scalar, <M as OdeSystem>::State>,
     StepFailure<<M as OdeSystem>::Scalar>,

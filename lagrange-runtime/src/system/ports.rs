@@ -35,7 +35,7 @@ use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
 pub trait ControlledSystem: NamedSystem + Sized {
     /// A number for each input under its name.
     type Inputs: Copy + Debug + Into<Self::InputVector> + From<Self::InputVector>;
-    /// The same in the order of the declaration, such as `[S; K]`.
+    /// The inputs in the order of declaration, such as `[S; K]`.
     type InputVector: StateVector<Self::Scalar>;
 
     /// The names of the inputs in the order of the declaration.
@@ -44,7 +44,7 @@ pub trait ControlledSystem: NamedSystem + Sized {
     /// The inputs as they are.
     fn inputs(&self) -> Self::Inputs;
 
-    /// The same system with other inputs.
+    /// Returns the system with other inputs.
     #[must_use]
     fn with_inputs(&self, inputs: Self::Inputs) -> Self;
 }
@@ -61,7 +61,8 @@ pub trait OutputSystem: MechanicalSystem {
     /// A number for each component of each output, such as `[S; K]`.
     type Outputs: AsRef<[Self::Scalar]>;
 
-    /// What the components are called: `height`, or `tip.x` and `tip.y`, or, of longer vectors, `all.0`, `all.1`, ….
+    /// Names of the components: `height`, or `tip.x` and `tip.y`, or, for longer vectors, `all.0`,
+    /// `all.1`, ….
     const OUTPUTS: &'static [&'static str];
 
     /// All components at time `t`, positions `q` and velocities `v`.

@@ -24,7 +24,7 @@ pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities)
     y
 }
 
-/// What is wrong with a quaternion that cannot be brought to length one.
+/// Error message for a quaternion that cannot be normalised.
 const NO_ORIENTATION: &str = "a quaternion of zeros is no orientation";
 
 /// Brings unit quaternions among the positions of a state back to length one, and leaves the rest as it is, as all of it where
@@ -75,8 +75,9 @@ where
     to
 }
 
-/// How far each freedom goes if positions change by as much as `by`: so far themselves where velocities are rates. Elsewhere
-/// Σᵢ |Nᵢⱼ| |byᵢ| / Σᵢ Nᵢⱼ², which is the most that it can be where the columns of N are at right angles, as those of unit quaternions are.
+/// Returns the displacement of each freedom if positions change by `by`: `by` itself where
+/// velocities are rates. Elsewhere Σᵢ |Nᵢⱼ| |byᵢ| / Σᵢ Nᵢⱼ², the maximum if the columns of N are
+/// orthogonal, as for unit quaternions.
 #[inline]
 pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     system: &M,

@@ -37,21 +37,21 @@ pub enum StepFailure<S> {
         /// The time, of the way that the run was to go.
         time: S,
     },
-    /// As many steps were taken as are allowed.
+    /// The run took the maximum number of steps.
     TooManySteps {
-        /// How many that is.
+        /// Maximum number of steps.
         limit: u64,
     },
     /// More samples were asked for than can be kept.
     TooManySamples {
-        /// How many there would be.
+        /// Number of samples.
         samples: S,
-        /// How many there may be.
+        /// Maximum number of samples.
         most: S,
     },
     /// An output was asked for that the system does not declare.
     UnknownOutput {
-        /// What was asked for.
+        /// Requested name.
         name: &'static str,
         /// The outputs that there are, or their components.
         known: &'static [&'static str],
@@ -71,14 +71,14 @@ pub enum StepFailure<S> {
     },
     /// The equations of an implicit step could not be solved.
     NotConverged {
-        /// How many iterations were made.
+        /// Number of iterations.
         iterations: u32,
     },
     /// The mass matrix is singular, so that velocities do not follow from momenta.
     SingularMassMatrix,
     /// An event function is NaN or infinite.
     EventNotFinite {
-        /// Which event.
+        /// Source of the event.
         event: EventSource,
     },
     /// A state violates a constraint, and cannot be brought onto it.
@@ -87,7 +87,7 @@ pub enum StepFailure<S> {
     Restitution {
         /// The name of the contact.
         contact: &'static str,
-        /// What it is.
+        /// Value.
         value: S,
     },
     /// A limit of friction that is negative.
@@ -101,12 +101,12 @@ pub enum StepFailure<S> {
     Stuck(&'static str),
     /// A method of another crate failed, in words.
     Adapted(&'static str),
-    /// So many events follow each other at the same time that they are taken for infinitely many, as the bounces of a ball
-    /// that comes to rest.
+    /// The number of events at the same time is so large that it counts as infinite, as for the
+    /// bounces of a ball that comes to rest.
     EventsAccumulate {
-        /// How many were counted.
+        /// Number of events.
         events: u32,
-        /// Which event the last of them was.
+        /// Source of the last event.
         event: EventSource,
     },
     /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
@@ -116,14 +116,14 @@ pub enum StepFailure<S> {
     },
     /// The zero of an event function could not be located.
     EventNotLocated {
-        /// Which event.
+        /// Source of the event.
         event: EventSource,
-        /// How many bisections were made.
+        /// Number of bisections.
         bisections: u32,
     },
 }
 
-/// Where the function of an event comes from.
+/// The source of an event function.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum EventSource {
     /// The declaration of the system, where it has this name.
@@ -143,7 +143,7 @@ impl<S> StepFailure<S> {
         }
     }
 
-    /// The same about the event that `source` makes of the one that it is about.
+    /// Replaces the event that the failure concerns by the result of `source`.
     pub(crate) fn of_event(mut self, source: impl FnOnce(EventSource) -> EventSource) -> Self {
         if let StepFailure::EventNotFinite { event }
         | StepFailure::EventsAccumulate { event, .. }
@@ -154,7 +154,7 @@ impl<S> StepFailure<S> {
         self
     }
 
-    /// The same with the name of the event among these instead of its place. Where switches accumulate the state slides.
+    /// Replaces the index of the event by its name. Where switches accumulate, the state slides.
     pub(crate) fn named(self, declared: &'static [DeclaredEvent]) -> Self {
         let Some(EventSource::Given(index)) = self.event() else { return self };
         match (declared.get(index), self) {

@@ -12,19 +12,19 @@ use crate::scalar::Scalar;
 pub enum Undefined<S> {
     /// The time at which a run starts.
     StartTime {
-        /// What it is.
+        /// Value.
         value: S,
     },
     /// The time at which a run ends.
     EndTime {
-        /// What it is.
+        /// Value.
         value: S,
     },
     /// An input of the system, as it was set or as a control gave it.
     Input {
         /// Its name.
         name: &'static str,
-        /// What it is.
+        /// Value.
         value: S,
         /// At which time.
         time: S,
@@ -33,21 +33,21 @@ pub enum Undefined<S> {
     Parameter {
         /// Its name.
         name: &'static str,
-        /// What it is.
+        /// Value.
         value: S,
     },
     /// A component of the state: of the initial one, or of one that an event put in the place of another.
     State {
-        /// Which it is.
+        /// Component.
         component: Component,
-        /// What it is.
+        /// Value.
         value: S,
     },
     /// The rate of a component of the state, where the state itself is finite.
     Rate {
         /// Whose rate it is.
         component: Component,
-        /// What it is.
+        /// Value.
         value: S,
         /// At which time.
         time: S,
@@ -125,7 +125,8 @@ impl<S: Scalar> Undefined<S> {
         }
     }
 
-    /// The same of a state of the system M, or of a longer one that begins with that, by name.
+    /// Replaces a component index by its name, for states of `M` and for longer states that start
+    /// with one.
     #[must_use]
     pub fn with_names_of<M: MechanicalSystem + ?Sized>(mut self) -> Self {
         if let Undefined::State { component, .. } | Undefined::Rate { component, .. } = &mut self

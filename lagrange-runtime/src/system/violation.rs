@@ -1,4 +1,4 @@
-//! Which constraint does not hold, and by how much.
+//! The violated constraint and its residual.
 
 use core::error::Error;
 use core::fmt::{Debug, Display, Formatter};
@@ -8,13 +8,13 @@ use core::fmt::{Debug, Display, Formatter};
 pub struct Violation<S> {
     /// The name of the constraint that is violated most, or of the contact.
     pub constraint: &'static str,
-    /// What it comes to: c, dc/dt or a gap, as `of` says.
+    /// Residual: c, dc/dt or a gap, according to `of`.
     pub residual: S,
-    /// What violates it.
+    /// Violating part of the state.
     pub of: Violated,
 }
 
-/// What violates a constraint.
+/// The part of the state that violates a constraint.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Violated {
     /// Positions: c is not zero.

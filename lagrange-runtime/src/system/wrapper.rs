@@ -76,8 +76,8 @@ pub trait Wrapper: Sized {
     /// The system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
-    /// The same around the inner system in other modes: with other contacts closed, other friction sticking, on other sides of its
-    /// [switches](crate::event::Switches).
+    /// Returns the wrapper around the inner system in other modes: with other contacts closed,
+    /// other friction sticking, on other sides of its [switches](crate::event::Switches).
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 

@@ -9,7 +9,7 @@ use super::ideas::{Chain, Derivation};
 /// A function in the crate.
 pub(super) struct Variant {
     pub(super) chain: Chain,
-    /// Which idea it shows.
+    /// Index of the idea.
     pub(super) idea: usize,
     /// The idea that it is compared with.
     pub(super) base: usize,

@@ -1,5 +1,5 @@
-//! What each idea of derivation and code generation is worth: the accelerations of chains with that idea switched off,
-//! counted and written down as functions.
+//! The value of each idea of derivation and code generation: accelerations of chains with one idea
+//! disabled, counted and written as functions.
 
 use std::fs;
 use std::path::Path;
@@ -15,14 +15,14 @@ use super::undo::{divide_each, split_batches};
 
 /// A way to derive and to write the accelerations.
 pub(super) struct Idea {
-    /// What is switched off, as a row of the table; nothing for what others are compared with.
+    /// Title of the table row for the disabled idea; empty for the reference.
     pub(super) title: &'static str,
     pub(super) accuracy: Accuracy,
     strategy: StrategyChoice,
     change: Change,
 }
 
-/// What becomes of the passes.
+/// The change to the passes.
 #[derive(Clone, Copy)]
 enum Change {
     Nothing,

@@ -14,7 +14,7 @@ pub(super) const DEFAULT: Target = Target { name: "default", flags: "" };
 pub(super) const NATIVE: Target = Target { name: "native", flags: "-C target-cpu=native" };
 pub(super) const UNPAIRED: Target = Target { name: "unpaired", flags: "-C no-vectorize-slp" };
 
-/// What `cargo` prints when it is run in a folder, compiled for a target beside what others are.
+/// Returns the output of `cargo` in a folder, compiled for a target in its own folder.
 pub(super) fn cargo(
     root: &Path,
     folder: &Path,
@@ -30,7 +30,7 @@ pub(super) fn cargo(
     output(&mut command)
 }
 
-/// What a command prints.
+/// Returns the output of a command.
 pub(super) fn output(command: &mut Command) -> Result<String, String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let result = command.stderr(std::process::Stdio::inherit()).output();

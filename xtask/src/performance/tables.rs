@@ -1,4 +1,4 @@
-//! What has been measured, as tables in Markdown.
+//! Measurements as tables in Markdown.
 
 use std::fmt::Write;
 
@@ -63,7 +63,7 @@ fn chains<'a>(level: &str, compared: &'a [Comparison]) -> Vec<&'a str> {
     chains
 }
 
-/// What was measured on each target, in a cell: `1.02 / 0.97`, or nothing.
+/// Returns the measurements on all targets in a cell: `1.02 / 0.97`, or nothing.
 fn on_targets(
     targets: &[Vec<Comparison>],
     level: &str,

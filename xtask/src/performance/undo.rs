@@ -15,7 +15,7 @@ pub(super) fn divide_each(program: &Program) -> Program {
     })
 }
 
-/// What the value is the reciprocal of.
+/// Returns the value whose reciprocal this is.
 fn denominator(builder: &Builder, value: ValueId) -> Option<ValueId> {
     let Op::Divide(above, below) = builder.op(value) else { return None };
     matches!(builder.op(*above), Op::Constant(one) if *one == Number::ONE).then_some(*below)

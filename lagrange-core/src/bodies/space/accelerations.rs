@@ -22,7 +22,7 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// How the motion of a frame changes, in its own axes.
+/// The change of a frame's motion, in its own axes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Acceleration {
     /// Angular acceleration.
@@ -77,7 +77,7 @@ pub(super) fn acceleration_behind(
     named(translation, name, next)
 }
 
-/// The same in axes that are the columns of a matrix.
+/// Expresses an acceleration in axes that are the columns of a matrix.
 fn in_axes(terms: &mut TermWriter<'_>, acceleration: Acceleration, axes: Matrix) -> Acceleration {
     let columns = transposed(axes);
     Acceleration {

@@ -29,7 +29,7 @@ pub(super) struct InertialParameters {
     pub(super) tensor: [[Quantity; 3]; 3],
 }
 
-/// What lies between a body and its carrier, from the body inwards.
+/// A step from a body towards its carrier.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum JointStep {
     /// A turn about a coordinate axis.
@@ -51,7 +51,7 @@ impl InertialParameters {
         tensor: [[Quantity::ZERO; 3]; 3],
     };
 
-    /// Those of a body from what is known about its centre of mass.
+    /// Returns the parameters of a body from known facts about its centre of mass.
     pub(super) fn of_body(
         terms: &mut TermWriter<'_>,
         mass: Quantity,
@@ -78,7 +78,7 @@ impl InertialParameters {
         self.entries().all(|entry| entry.term.is_none())
     }
 
-    /// The same with the numbers of sums in their terms.
+    /// Writes the numbers of sums into their terms.
     pub(super) fn as_terms(self, terms: &mut TermWriter<'_>) -> InertialParameters {
         let mut whole = |entry: Quantity| entry.as_term(terms);
         let (mass, moment) = (whole(self.mass), self.moment.map(&mut whole));
@@ -98,7 +98,8 @@ impl InertialParameters {
         }
     }
 
-    /// What a step cannot tell from what is before it, taken out of this, and in the frame before the step.
+    /// Removes the parameters that a step makes indistinguishable and returns them in the frame
+    /// before the step.
     pub(super) fn take_hidden(&mut self, terms: &mut TermWriter<'_>, step: JointStep) -> InertialParameters {
         match step {
             JointStep::Turn(axis) => self.take_symmetric(terms, axis),

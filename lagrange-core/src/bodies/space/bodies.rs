@@ -79,7 +79,8 @@ fn declare(
     index
 }
 
-/// Where the user says that a body is; the velocity of its centre of mass, if that is the rate of what was written.
+/// Returns the stated pose of a body, and the velocity of its centre of mass if that is the rate of
+/// the stated position.
 fn pose_by_hand(
     translation: &mut Translation<'_>,
     statement: &ast::Body,

@@ -92,7 +92,7 @@ fn named_tensor(translation: &mut Translation<'_>, name: &str, tensor: Tensor) -
     [moments[0], moments[1], moments[2], products[0], products[1], products[2]]
 }
 
-/// What a body is seen as.
+/// Returns the outlines with which a body is shown.
 pub(super) fn visual_outlines(translation: &mut Translation<'_>, visuals: &[Part]) -> Vec<Outline> {
     report_masses(translation, visuals);
     let placed = visuals.iter().map(|part| placed_solid(translation, part)).collect::<Vec<_>>();

@@ -1,4 +1,4 @@
-//! Whether a scene is one in the plane or in space.
+//! Detection of plane and spatial scenes.
 
 use super::solids;
 use crate::collections::HashMap;
@@ -47,7 +47,7 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
     }
 }
 
-/// What is a vector in a statement about bodies.
+/// Returns the vectors in a statement about bodies.
 fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
     let given = match statement {
         SceneStatement::Gravity(value) => vec![Some(*value)],

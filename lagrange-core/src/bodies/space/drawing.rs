@@ -1,4 +1,4 @@
-//! What there is to draw in space: bodies, frames and joints.
+//! The drawing of a scene in space: bodies, frames and joints.
 
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, MassProperties, Path};

@@ -46,7 +46,8 @@ fn world_place(translation: &mut Translation<'_>, pose: &Pose, point: Triple) ->
     terms.vector(&place)
 }
 
-/// What is known of a link; without a place, which is reported, everything about it is invalid.
+/// Returns the pose and properties of a link. A link without a place is reported, and everything
+/// about it is invalid.
 fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<MassProperties>, Pose) {
     let pose = has_place(translation, link, translation.origin);
     let pose = pose.unwrap_or_else(|| Pose::invalid(&mut translation.terms()));

@@ -4,7 +4,7 @@ use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, unit, 
 use crate::bodies::terms::TermWriter;
 use crate::syntax::ast::{AstId, Expression, Expressions};
 
-/// Where a frame is and how it moves.
+/// The pose and motion of a frame.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::bodies) struct Pose {
     /// Angular velocity in the frame's own axes.
@@ -61,7 +61,7 @@ impl Pose {
         combined(terms, own, self.axes)
     }
 
-    /// The same under one expression.
+    /// Expresses a world vector and gives it one name.
     pub(in crate::bodies) fn world_vector(&self, terms: &mut TermWriter<'_>, own: Triple) -> AstId {
         let world = self.in_world(terms, own);
         terms.vector(&world)
@@ -87,9 +87,9 @@ pub(super) enum FrameStep {
     Shift(Triple),
     /// To axes that are fixed in the frame, the columns of a matrix.
     Reorientation(Matrix),
-    /// By a turn about an axis, which may change.
+    /// A turn about an axis that may change.
     Turn(JointAxis, AstId),
-    /// By a move along an axis, which may change.
+    /// A move along an axis that may change.
     Slide(JointAxis, AstId),
     /// To axes that turn in any direction.
     Orientation(TurningAxes),
@@ -138,7 +138,7 @@ impl JointAxis {
     }
 }
 
-/// What relative accelerations within a frame are made of.
+/// The terms of relative accelerations within a frame.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Relative {
     /// ω_x², ω_y², ω_z²

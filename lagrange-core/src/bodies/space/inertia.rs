@@ -14,7 +14,7 @@ use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Shape};
 use crate::syntax::foreign;
 
-/// What a body is made of, as stated; of parts see [`super::compound`].
+/// Returns the stated mass properties of a body; for parts see [`super::compound`].
 pub(super) fn mass_properties(
     translation: &mut Translation<'_>,
     statement: &ast::Body,

@@ -1,4 +1,4 @@
-//! Where bodies and frames are and how they move, in the axes of the world: what is handed out of a scene in space.
+//! Poses and motions of bodies and frames in world axes, as returned by emitted code.
 //!
 //! Motions are those of the recursion in own axes, turned into the world. Twists are written joint by joint from the way to a frame:
 //! a turn by θ about the axis e through the point o adds θ̇ e to ω and θ̇ e × (r − o) to the velocity of the origin r, a move by s along e
@@ -14,7 +14,7 @@ use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::Declaration;
 
-/// What a declaration asks for.
+/// The kinematics that a declaration requests.
 #[derive(Clone, Copy)]
 pub(in crate::bodies) struct Asked {
     motions: bool,
@@ -30,7 +30,7 @@ impl Asked {
     }
 }
 
-/// What is asked for; nothing after a mistake, or in the plane.
+/// Returns the requested kinematics; empty after a mistake, or in the plane.
 pub(in crate::bodies) fn kinematics_asked_for(
     translation: &mut Translation<'_>,
     asked: Asked,
@@ -119,7 +119,7 @@ fn twist(translation: &mut Translation<'_>, link: &Link, place: Triple) -> [Trip
     twist
 }
 
-/// What a step adds to angular velocity and velocity of a place.
+/// Adds the contribution of a step to the angular velocity and to the velocity of a point.
 fn with_step(
     terms: &mut TermWriter<'_>,
     [spin, velocity]: [Triple; 2],
@@ -154,7 +154,8 @@ fn turning_about(terms: &mut TermWriter<'_>, turning: Triple, point: Triple, pla
     [turning, cross(terms, turning, arm)]
 }
 
-/// What the link adds that begins the way, whose motion is written in the rates of what the user wrote: ω and ṙ_O + ω × (r − r_O).
+/// Returns the contribution of the first link of the path, whose motion uses the rates of the
+/// user's expressions: ω and ṙ_O + ω × (r − r_O).
 fn twist_by_hand(
     terms: &mut TermWriter<'_>,
     [spin, velocity]: [Triple; 2],

@@ -1,4 +1,4 @@
-//! What moves in a scene in space: bodies and frames, and where joints put them.
+//! The moving parts of a scene in space: bodies and frames, and their placement by joints.
 
 use super::frames::{FrameStep, Pose};
 use super::vectors::{Tensor, Triple};
@@ -12,9 +12,9 @@ pub(in crate::bodies) struct Link {
     pub(super) name: Name,
     /// Mass and its distribution; a frame has none.
     pub(super) inertia: Option<MassProperties>,
-    /// Where it is, and the statement that says so; unknown until a joint places it.
+    /// Pose and the statement that defines it; unknown until a joint places the link.
     pub(super) placed: Option<(Pose, Origin)>,
-    /// How a joint places it.
+    /// Path by which a joint places the link.
     pub(super) path: Option<Path>,
     /// Its shape, as it is drawn.
     pub(super) outlines: Vec<Outline>,

@@ -134,7 +134,7 @@ pub(in crate::bodies) fn dampen(translation: &mut Translation<'_>, joint: &Mobil
     translation.push(StatementKind::Dissipation(dissipation));
 }
 
-/// What carries a joint, unless that is the ground, and its pose.
+/// Returns the link that carries a joint, unless it is the ground, and its pose.
 fn carrier_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(Option<usize>, Pose)> {
     let name = &joint.inboard;
     if is_ground(translation, name) {
@@ -330,7 +330,7 @@ fn normalised(translation: &mut Translation<'_>, joint: &Mobilizer, direction: T
     JointAxis::Direction(named_vector(translation, &format!("{}_axis", joint.outboard.text), unit))
 }
 
-/// How far a screw has come: p q / 2π.
+/// Returns the advance of a screw: p q / 2π.
 fn advance(translation: &mut Translation<'_>, joint: &Mobilizer, angle: AstId) -> Option<AstId> {
     let Some(pitch) = joint.pitch else {
         translation.report.error(joint.outboard.span, words::PITCH_MISSING).help(words::PITCH_HELP);

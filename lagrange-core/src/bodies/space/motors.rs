@@ -14,15 +14,15 @@ use crate::bodies::plain::{Drawn, DrawnKind, LoadOrigin};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, Mobilizer, StatementKind};
 
-/// What a coordinate does at a joint.
+/// The effect of a coordinate at a joint.
 struct JointMotion {
-    /// Whether it turns what the joint places; it moves it otherwise.
+    /// True if it turns what the joint places; it moves it otherwise.
     turns: bool,
     /// In the world.
     axis: Triple,
     /// The origin of what the joint places.
     at: Triple,
-    /// What it places, and what carries it.
+    /// The placed and the carrying link.
     sides: [Option<usize>; 2],
 }
 
@@ -117,7 +117,8 @@ fn draw_on_both_sides(
     }
 }
 
-/// What a joint does by a coordinate, or by a velocity that is its rate; `None` if no joint does only one thing by it.
+/// Returns the motion that a coordinate, or a velocity that is its rate, causes at a joint; `None`
+/// unless it causes exactly one.
 fn motion_by(translation: &mut Translation<'_>, coordinate: AstId) -> Option<JointMotion> {
     let name = coordinate_behind(translation, coordinate)?;
     let links = translation.space.as_ref()?.links.iter().enumerate();

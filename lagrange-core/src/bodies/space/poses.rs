@@ -43,7 +43,7 @@ fn shifted(terms: &mut TermWriter<'_>, pose: Pose, by: Triple) -> Pose {
     Pose { velocity: pose.velocity_of(terms, by), origin: pose.place_of(terms, by), ..pose }
 }
 
-/// The same point in a frame with these axes.
+/// Returns the point in a frame with these axes.
 fn in_axes(terms: &mut TermWriter<'_>, pose: Pose, columns: [Triple; 3]) -> Pose {
     Pose {
         spin: columns.map(|axis| inner(terms, axis, pose.spin)),

@@ -22,7 +22,7 @@ impl Quantity {
         Quantity { number, term: None }
     }
 
-    /// What an expression stands for: its value, if that is known.
+    /// Returns the quantity of an expression, with its value if known.
     pub(super) fn of(translation: &Translation<'_>, id: AstId) -> Quantity {
         match value_of_numbers(translation, id) {
             Some(number) => Quantity::known(number),
@@ -35,7 +35,7 @@ impl Quantity {
         self.number == 0.0 && self.term.is_none()
     }
 
-    /// The same with its number in its term, if it has one.
+    /// Writes the number of a quantity into its term, if it has one.
     pub(super) fn as_term(self, terms: &mut TermWriter<'_>) -> Quantity {
         match self.term {
             None => self,
@@ -47,7 +47,7 @@ impl Quantity {
         self.term.is_none().then_some(self.number)
     }
 
-    /// As one expression.
+    /// Returns the quantity as one expression.
     pub(super) fn written(self, terms: &mut TermWriter<'_>) -> AstId {
         match self.term {
             None => written_number(terms, self.number),

@@ -23,8 +23,9 @@ pub(super) struct WrittenParameters {
     pub(super) tensor: Tensor,
 }
 
-/// What is left in each frame on the way to each link when base parameters have gone to its carrier; nothing for bodies placed by hand,
-/// whose energies say how they move. `None` if what is computed of numbers is too large for one.
+/// Returns the parameters that remain in each frame on the path to each link after base parameters
+/// moved to its carrier. Empty for bodies placed by hand, whose energies define their motion.
+/// `None` if a computed number is too large.
 pub(super) fn regrouped(
     translation: &mut Translation<'_>,
     order: &[usize],
@@ -63,7 +64,7 @@ pub(super) fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link
     translation.space.as_ref().map(|space| space.links[link].clone())
 }
 
-/// Those of the body itself; none of a frame.
+/// Returns the parameters of the body itself; zero for a frame.
 fn own_parameters(translation: &mut Translation<'_>, inertia: Option<MassProperties>) -> InertialParameters {
     let Some(MassProperties { mass, centroid, tensor }) = inertia else { return InertialParameters::NONE };
     let mass = Quantity::of(translation, mass);
@@ -73,7 +74,7 @@ fn own_parameters(translation: &mut Translation<'_>, inertia: Option<MassPropert
     InertialParameters::of_body(&mut translation.terms(), mass, centroid, tensor)
 }
 
-/// The same with a name for what is not a number.
+/// Gives names to parameters that are not numbers.
 fn under_names(
     translation: &mut Translation<'_>,
     name: &str,
@@ -162,7 +163,8 @@ fn motions(steps: &[JointStep]) -> usize {
     steps.iter().filter(moves).count()
 }
 
-/// What stays in the frame behind each step, and what goes to the carrier.
+/// Splits parameters at each step into those that stay in the frame behind it and those that move
+/// to the carrier.
 fn split(
     terms: &mut TermWriter<'_>,
     own: InertialParameters,

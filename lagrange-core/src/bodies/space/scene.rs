@@ -8,7 +8,7 @@ use crate::collections::HashMap;
 use crate::diagnostics::Origin;
 use crate::syntax::ast::{AstId, Name};
 
-/// What is known of a scene in space.
+/// A scene in space as known so far.
 #[derive(Default)]
 pub(in crate::bodies) struct Space {
     /// Bodies and frames in the order of their declaration, by whose numbers everything else names them.

@@ -21,7 +21,8 @@ pub enum Precision {
     Single,
 }
 
-/// What stands in front of functions: the type `REAL` of numbers and everything that bodies call, for OpenCL C, CUDA C++ and C.
+/// Returns the text before all functions: the number type `REAL` and every function that bodies
+/// call, for OpenCL C, CUDA C++ and C.
 pub fn prelude(precision: Precision) -> String {
     let (real, is_single) = match precision {
         Precision::Double => ("double", 0),
@@ -70,7 +71,7 @@ pub fn statements(
     }
 }
 
-/// What the values of a program are called.
+/// The names of the values of a program.
 struct ValueNames {
     /// Variables and literals.
     values: ValueTable<String>,

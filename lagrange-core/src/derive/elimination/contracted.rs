@@ -79,7 +79,7 @@ pub(in crate::derive) fn solve_contracted(
 struct Equation {
     entries: Vec<ExprId>,
     linear: ExprId,
-    /// Whether its acceleration has been eliminated from the other equations.
+    /// True if its acceleration has been eliminated from the other equations.
     is_done: bool,
 }
 

@@ -13,7 +13,7 @@ use crate::functions;
 /// Time at which multipliers are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Multipliers {
-    /// As soon as their squares are complete.
+    /// Once their squares are complete.
     Early,
     /// After the velocities.
     Late,

@@ -47,7 +47,7 @@ impl Elimination {
         ratios.into_iter().reduce(|a, b| functions::apply(graph, Function::Max, &[a, b]))
     }
 
-    /// Whether a constraint follows from others wherever they hold.
+    /// True if a constraint follows from others wherever they hold.
     pub(in crate::derive) fn is_redundant(&self) -> bool {
         !self.redundant.is_empty()
     }

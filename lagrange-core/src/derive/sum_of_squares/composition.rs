@@ -17,7 +17,7 @@ pub(super) struct AffineExpansion {
     pub(super) drift: ExprId,
 }
 
-/// What each variable is made of: y = Σ slope·part, hence ÿ = Σ slope·p̈ + drift.
+/// The composition of each variable: y = Σ slope·part, hence ÿ = Σ slope·p̈ + drift.
 ///
 /// Variables may be measured from an offset: what is called the acceleration of y is then ÿ plus the offset.
 /// Gravity as the offset of all points leaves no force behind.

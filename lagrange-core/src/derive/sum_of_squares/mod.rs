@@ -204,8 +204,9 @@ impl<'g> SquareElimination<'g> {
         self.squares.push(square);
     }
 
-    /// How many inertias and how many squares a velocity moves. What moves the fewest is eliminated first, the pole
-    /// before its cart: what is left of it then adds to the inertia of what carries it.
+    /// Returns the number of inertias and the number of squares that a velocity moves. The velocity
+    /// that moves the fewest is eliminated first, the pole before its cart: its remainder then adds
+    /// to the inertia of its carrier.
     fn moved_by(&self, velocity: ExprId) -> (usize, usize) {
         let made_of = self.composition.made_of(velocity);
         let touches = |square: &&Square| square.form.iter().any(|(id, _)| made_of.binary_search(id).is_ok());

@@ -117,7 +117,7 @@ fn rotate_pair(
     (Some(lost), guard.kept(algebra.graph, &pair[0], &kept))
 }
 
-/// Whether a square holds the unknown in every configuration.
+/// True if a square holds the unknown in every configuration.
 fn always_holds_unknown(graph: &Graph, square: &Carried) -> bool {
     never_vanishes(graph, square.weight) && never_vanishes(graph, square.arm)
 }

@@ -6,7 +6,7 @@ pub(in crate::elaborate) fn needs_bodies(name: &str) -> String {
 
 pub(in crate::elaborate) const BODY_HELP: &str = "declare one: `body name { … }`";
 
-/// What dimensions of drawn solids are, in words.
+/// Description of the dimensions of drawn solids.
 pub(in crate::elaborate) const DIMENSION: &str = "a dimension of a solid";
 
 pub(in crate::elaborate) fn only_in_space(product: &str) -> String {

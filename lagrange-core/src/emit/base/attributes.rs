@@ -21,7 +21,7 @@ struct Attribute<'a> {
 }
 
 impl Attribute<'_> {
-    /// Whether it is `#[name]`, `#[name(…)]` or `#[name = …]`.
+    /// True if it is `#[name]`, `#[name(…)]` or `#[name = …]`.
     fn is(&self, name: &str) -> bool {
         matches!(self.group.stream().into_iter().next(), Some(TokenTree::Ident(word)) if word == name)
     }

@@ -170,7 +170,7 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
     bound.collect()
 }
 
-/// Whether the system has fields beside these.
+/// True if the system has fields beside these.
 fn has_others(shape: &Shape<'_>, bound: &[TokenStream]) -> bool {
     !shape.switches.is_empty()
         || shape.fields_of_modes().next().is_some()

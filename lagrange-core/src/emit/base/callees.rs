@@ -10,7 +10,7 @@ use super::messages;
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(in crate::emit) struct MissingDerivative {
     pub(in crate::emit) derivative: Opaque,
-    /// What calls it, in words, and whether that can be left out.
+    /// The caller, in words, and whether it can be omitted.
     pub(in crate::emit) needed_by: String,
     pub(in crate::emit) product: Option<&'static str>,
 }
@@ -54,7 +54,7 @@ pub(in crate::emit) fn report_missing(
     }
 }
 
-/// Where a function is called first.
+/// Returns the first call of a function.
 fn first_call(declaration: &Declaration, name: &str) -> Option<AstId> {
     let mut expressions = declaration.expressions.iter();
     let is_call =

@@ -1,4 +1,4 @@
-//! What of a system keeps a product from being emitted.
+//! Properties of a system that exclude a product.
 
 use super::messages;
 use crate::derive::Equations;
@@ -50,7 +50,7 @@ impl Exclusion {
     }
 }
 
-/// Whether the equations of motion hold functions without a formula.
+/// True if the equations of motion hold functions without a formula.
 fn calls_functions(model: &Model, equations: &Equations) -> bool {
     let roots = [&equations.accelerations[..], &model.position_rates()].concat();
     let nodes = model.graph.reachable(&roots);

@@ -51,12 +51,12 @@ impl Field {
         quote!(#(#level)*)
     }
 
-    /// How its names are written, `theta[2]` for an element of an array.
+    /// Returns the names as written, `theta[2]` for an element of an array.
     pub(in crate::emit) fn written(&self) -> Vec<String> {
         self.places().iter().map(|place| place.to_string().replace(' ', "")).collect()
     }
 
-    /// Where each of its names stands in the struct: `theta[2]` behind a dot.
+    /// Returns the place of each name in the struct: `theta[2]` after a dot.
     pub(in crate::emit) fn places(&self) -> Vec<TokenStream> {
         let field = &self.identifier;
         let place = |number: usize| {
@@ -123,7 +123,7 @@ pub(in crate::emit) fn entries(fields: &[Field], values: &[TokenStream]) -> Vec<
     entries.collect()
 }
 
-/// Where each name stands in a struct with these fields.
+/// Returns the place of each name in a struct with these fields.
 pub(in crate::emit) fn places(fields: &[Field]) -> Vec<TokenStream> {
     fields.iter().flat_map(Field::places).collect()
 }

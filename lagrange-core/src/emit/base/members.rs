@@ -1,4 +1,4 @@
-//! What differs between a derived system and a skeleton.
+//! Differences between a derived system and a skeleton.
 
 use std::collections::BTreeSet;
 
@@ -19,15 +19,15 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) constrained: Vec<Method>,
     /// Methods of `CanonicalSystem` that only constrained systems have of their own.
     pub(in crate::emit) canonical: Vec<Method>,
-    /// Of each constraint, whether it holds positions.
+    /// True for each constraint that contains positions.
     pub(in crate::emit) are_holonomic: Vec<bool>,
     /// The body of `ContactSystem::terms`.
     pub(in crate::emit) terms: TokenStream,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
     pub(in crate::emit) switch_times: Option<TokenStream>,
-    /// Of each reaction, whether it has a coefficient of restitution that depends on time or the state.
+    /// True for each reaction whose coefficient of restitution depends on time or the state.
     pub(in crate::emit) restitutions_vary: Vec<bool>,
-    /// Of each reaction, whether it is friction whose limit holds forces of constraints.
+    /// True for each friction whose limit contains constraint forces.
     pub(in crate::emit) limits_reverse: Vec<bool>,
     /// Methods that only others call.
     pub(in crate::emit) hidden: TokenStream,
@@ -35,11 +35,11 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) motions: TokenStream,
     /// The body of `Scene::items`, if that is asked for.
     pub(in crate::emit) items: Option<TokenStream>,
-    /// What the prepared type consists of, if that is asked for.
+    /// Parts of the prepared type, if requested.
     pub(in crate::emit) prepared: Option<Prepared>,
     /// The constants with the text of the kernel, if that is asked for.
     pub(in crate::emit) kernel: Option<TokenStream>,
-    /// What the type for numbers side by side consists of, if that is asked for.
+    /// Parts of the type for numbers side by side, if requested.
     pub(in crate::emit) lanes: Option<Lanes>,
     /// Associated constants.
     pub(in crate::emit) constants: TokenStream,
@@ -52,9 +52,9 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) solvers: TokenStream,
     /// Statements and a list of the unknowns that rates are made of, each with its name and its value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
-    /// Whether explicit symplectic methods take the system.
+    /// True if explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
-    /// Whether the methods hold rounded values of irrational constants.
+    /// True if the methods hold rounded values of irrational constants.
     pub(in crate::emit) has_rounded_constants: bool,
 }
 
@@ -92,12 +92,12 @@ impl Members {
 
 /// A type that keeps what is computed of parameters alone.
 pub(in crate::emit) struct Prepared {
-    /// What it keeps.
+    /// Stored fields.
     pub(in crate::emit) fields: PreparedFields,
     /// Statements that compute that, and a value for each field.
     pub(in crate::emit) values: (TokenStream, Vec<TokenStream>),
     pub(in crate::emit) methods: Vec<Method>,
-    /// What of it is said in its documentation.
+    /// Documentation of the type.
     pub(in crate::emit) docs: String,
 }
 
@@ -107,7 +107,7 @@ pub(in crate::emit) struct Lanes {
     pub(in crate::emit) rhs: TokenStream,
     /// The body of the method that says on which sides of its switches each motion is, if there are any.
     pub(in crate::emit) sides: Option<TokenStream>,
-    /// What of it is said in its documentation.
+    /// Documentation of the type.
     pub(in crate::emit) docs: String,
 }
 

@@ -62,7 +62,7 @@ pub(in crate::emit) fn missing_derivative_help(label: &str, product: Option<&str
 
 pub(in crate::emit) const CALLED_HERE: &str = "the function is called here";
 
-/// What a product that does not go with a system is for.
+/// Returns the purpose of a product that a system excludes.
 pub(in crate::emit) fn without(product: Product) -> &'static str {
     match product {
         Product::Kernel => {

@@ -6,7 +6,7 @@ use quote::quote;
 use super::shape::{Shape, length};
 use crate::code::Names;
 
-/// What a method is a function of, beside the parameters.
+/// The arguments of a method, beside the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(in crate::emit) enum Arguments {
     /// None.
@@ -25,7 +25,7 @@ pub(in crate::emit) enum Arguments {
     Shares,
 }
 
-/// What a method returns.
+/// The result of a method.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(in crate::emit) enum Returns {
     Scalar,
@@ -46,7 +46,7 @@ pub(in crate::emit) struct ArgumentNames {
     pub(in crate::emit) state: Ident,
     pub(in crate::emit) residuals: Ident,
     pub(in crate::emit) shares: Ident,
-    /// What takes the items of a scene.
+    /// Name of the closure that receives the items of a scene.
     pub(in crate::emit) visit: Ident,
 }
 
@@ -83,7 +83,7 @@ impl ArgumentNames {
 }
 
 impl Arguments {
-    /// Those that are vectors.
+    /// Returns the arguments that are vectors.
     pub(in crate::emit) fn vectors(self, names: &ArgumentNames) -> Vec<&Ident> {
         let ArgumentNames { positions, velocities, accelerations, state, residuals, shares, .. } = names;
         match self {
@@ -109,7 +109,7 @@ impl Method {
         }
     }
 
-    /// As a method of a trait.
+    /// Returns the method as a trait method.
     pub(in crate::emit) fn of_trait(&self, shape: &Shape<'_>, names: &ArgumentNames) -> TokenStream {
         let function = self.function(shape, names);
         quote!(#[inline] #function)
@@ -138,7 +138,7 @@ impl Method {
 }
 
 impl Returns {
-    /// How many numbers that are.
+    /// Returns the count of numbers.
     pub(in crate::emit) fn count(self) -> usize {
         match self {
             Returns::Scalar => 1,

@@ -43,7 +43,7 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
     }
 }
 
-/// Where a product is asked for.
+/// Returns the place where a product is requested.
 fn demand(declaration: &Declaration, product: Product) -> Span {
     let items = declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Emit(items) => Some(items),

@@ -36,7 +36,7 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) frames_with_jacobian: Vec<&'a Name>,
     pub(in crate::emit) constraints: Vec<&'a Name>,
     pub(in crate::emit) events: Vec<&'a Event>,
-    /// Whether constraints are stabilised instead of projected onto.
+    /// True if constraints are stabilised instead of projected onto.
     pub(in crate::emit) is_stabilised: bool,
     /// Contacts and friction.
     pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
@@ -50,7 +50,7 @@ pub(in crate::emit) struct Shape<'a> {
     docs: HashMap<&'a str, &'a TokenStream>,
     /// Units of names, in which their numbers are; none where the declaration says none.
     pub(in crate::emit) units: NamedUnits,
-    /// How elements of arrays are written.
+    /// Spelling of array elements.
     written: HashMap<&'a str, &'a str>,
 }
 
@@ -158,7 +158,7 @@ impl<'a> Shape<'a> {
         self.touching.iter().map(event).collect()
     }
 
-    /// Whether a product that is emitted on demand is asked for.
+    /// True if a product that is emitted on demand is asked for.
     pub(in crate::emit) fn asks_for(&self, product: Product) -> bool {
         self.declaration.asks_for(product.name())
     }
@@ -191,7 +191,7 @@ impl<'a> Shape<'a> {
         if self.is_input(name) { "Input" } else { "Parameter" }
     }
 
-    /// Whether a field is an input.
+    /// True if a field is an input.
     pub(in crate::emit) fn is_input(&self, name: &Name) -> bool {
         self.declaration.statements.iter().any(|statement| match &statement.kind {
             StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
@@ -300,7 +300,7 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Whether the struct needs a field only to mention its type parameter.
+    /// True if the struct needs a field only to mention its type parameter.
     pub(in crate::emit) fn needs_marker(&self) -> bool {
         self.fields.is_empty() && matches!(self.declaration.scalar, ScalarType::Generic(_))
     }

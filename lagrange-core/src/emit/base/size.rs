@@ -27,7 +27,7 @@ impl Size {
         self.0 += counts.total() + results;
     }
 
-    /// Whether the compiler could not be expected to finish.
+    /// True if the compiler could not be expected to finish.
     pub(in crate::emit) fn is_hopeless(self) -> bool {
         self.0 > MAX_OPERATIONS
     }

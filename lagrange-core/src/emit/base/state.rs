@@ -90,7 +90,7 @@ pub(in crate::emit) fn state_conversions(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// What is said of an entry of the state.
+/// The documentation of an entry of the state.
 struct Line {
     text: String,
     /// True of components of quaternions and of angular velocities.
@@ -98,7 +98,7 @@ struct Line {
 }
 
 impl Line {
-    /// What is said of the first entry of a field, said of all of it.
+    /// Documents a whole field by its first entry.
     fn of(self, field: &Field) -> Line {
         let Some(first) = field.names.first().filter(|_| field.is_array()) else { return self };
         let (of_one, of_all) = (first.text.as_str(), field.identifier.to_string());

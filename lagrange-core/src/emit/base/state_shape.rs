@@ -28,7 +28,7 @@ impl Shape<'_> {
         self.quaternions.is_empty() && self.states == 0
     }
 
-    /// Whether a position is a first-order state.
+    /// True if a position is a first-order state.
     pub(in crate::emit) fn is_state(&self, position: usize) -> bool {
         position + self.states >= self.coordinates.len()
     }

@@ -27,7 +27,8 @@ impl Shape<'_> {
         }
     }
 
-    /// Whether all elements of the array that a name is an element of have its unit and its default.
+    /// True if all elements of the array that a name is an element of have its unit and its
+    /// default.
     fn is_alike(&self, name: &str) -> bool {
         let mut arrays = self.declaration.arrays.iter().map(|array| &array.elements);
         let array = arrays.find(|elements| elements.iter().any(|element| element.name == name));

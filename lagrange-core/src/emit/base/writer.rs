@@ -59,7 +59,7 @@ impl<'a> MethodWriter<'a> {
         Ok((self.members, self.size))
     }
 
-    /// Whether no compiler would get through the methods so far.
+    /// True if no compiler would get through the methods so far.
     pub(in crate::emit) fn is_hopeless(&self) -> bool {
         self.size.is_hopeless()
     }
@@ -138,7 +138,7 @@ impl<'a> MethodWriter<'a> {
         self.lowered_for(EmittedType::System, roots, arguments, collect)
     }
 
-    /// The same as a body of the type for numbers side by side.
+    /// Lowers to a body of the type for numbers side by side.
     pub(in crate::emit) fn lowered_in_lanes(
         &mut self,
         roots: &[ExprId],
@@ -163,7 +163,7 @@ impl<'a> MethodWriter<'a> {
         (self.body(&program, arguments, emitted_type, collect), counts)
     }
 
-    /// The same as a body of the prepared type, which gets a field for whatever is new.
+    /// Lowers to a body of the prepared type, which gets a field for each new value.
     pub(in crate::emit) fn lowered_prepared(
         &mut self,
         roots: &[ExprId],

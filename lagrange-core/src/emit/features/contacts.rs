@@ -89,7 +89,7 @@ fn varying_restitutions(writer: &MethodWriter<'_>) -> Vec<bool> {
     writer.model.reactions.iter().map(|reaction| varies(&reaction.kind)).collect()
 }
 
-/// Of each reaction, whether it is friction whose limit holds forces of constraints.
+/// Returns true for each friction whose limit contains constraint forces.
 fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
     let graph = &writer.model.graph;
     let holds = |limit: ExprId| graph.dependencies(limit).intersects(Dependencies::MULTIPLIER);

@@ -55,7 +55,7 @@ impl<'a> Values<'a> {
         Returns::Matrix(3, 3).collect(&self.scalars(9))
     }
 
-    /// How a body moves in the plane.
+    /// Emits the motion of a body in the plane.
     pub(super) fn motion(&mut self, krate: &TokenStream) -> TokenStream {
         let (mass, inertia, centroid) = (self.scalar(), self.scalar(), self.vector());
         let (center, angle) = (self.vector(), self.scalar());
@@ -76,7 +76,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// How a body moves in space.
+    /// Emits the motion of a body in space.
     pub(super) fn spatial_motion(&mut self, krate: &TokenStream) -> TokenStream {
         let (mass, inertia) = (self.scalar(), self.matrix());
         let (centroid, center, rotation) = (self.vector(), self.vector(), self.matrix());

@@ -19,7 +19,7 @@ use crate::model::{Model, Product};
 use crate::program::{Labels, lower, optimise};
 use crate::symbol::Role;
 
-/// What a kernel does not compute.
+/// Features that a kernel does not support.
 const EXCLUSIONS: [Exclusion; 5] = [
     Exclusion::Contacts,
     Exclusion::Constraints,

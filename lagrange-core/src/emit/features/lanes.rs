@@ -18,7 +18,7 @@ use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 
-/// What a loop of many motions side by side cannot do.
+/// Features that a loop over motions side by side does not support.
 const EXCLUSIONS: [Exclusion; 5] = [
     Exclusion::Contacts,
     Exclusion::Constraints,

@@ -1,4 +1,4 @@
-//! What needs derivatives of functions of the user's crate that are not named.
+//! Missing derivatives of user functions.
 
 use super::product::plan;
 use crate::emit::base::callees::MissingDerivative;
@@ -6,7 +6,7 @@ use crate::emit::base::writer::MethodWriter;
 use crate::expr::{ExprId, Node};
 use crate::opaque::Opaque;
 
-/// What the equations of motion are called where they need something.
+/// Description of the equations of motion as a caller.
 const EQUATIONS: &str = "the equations of motion";
 
 /// The derivatives that are called by what was written and that nobody named, each with what calls it.

@@ -52,7 +52,7 @@ pub(in crate::emit) fn position_rates(shape: &Shape<'_>, members: &Members) -> T
     }
 }
 
-/// What a system says of velocities with names of their own, and of quaternions.
+/// Emits the constants about named velocities and quaternions.
 pub(in crate::emit) fn orientation_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     if !shape.names_velocities() {
         return None;
@@ -99,7 +99,7 @@ fn position_change(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> 
     })
 }
 
-/// How a velocity is written: as its own element, or as the rate of one.
+/// Returns the spelling of a velocity: its own element, or the rate of one.
 fn written_velocity(shape: &Shape<'_>, velocity: &StateVelocity<'_>) -> String {
     let is_rate = |name: &&Name| velocity.name.text == format!("{}_dot", name.text);
     match velocity.coordinate.filter(is_rate).map(|name| shape.written(name)) {

@@ -111,7 +111,7 @@ fn outputs<'a>(shape: &Shape<'a>, members: &Members) -> Vec<(&'a Name, Returns)>
     shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns))).collect()
 }
 
-/// Whether there is an implementation of `OutputSystem`.
+/// True if there is an implementation of `OutputSystem`.
 pub(in crate::emit) fn has_outputs(shape: &Shape<'_>, members: &Members) -> bool {
     outputs(shape, members).iter().any(|(_, returns)| returns.count() > 0)
 }

@@ -22,7 +22,8 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use crate::program::Preparation;
 
-/// What the prepared type has methods for, beside `acceleration` and `rhs`, if the system has them.
+/// Products, beside `acceleration` and `rhs`, for which the prepared type has methods if the system
+/// has them.
 pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 9] = [
     Product::MassMatrix,
     Product::Forcing,
@@ -35,7 +36,7 @@ pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 9] = [
     Product::ParameterJacobian,
 ];
 
-/// What cannot be prepared.
+/// Features that cannot be prepared.
 const EXCLUSIONS: [Exclusion; 4] =
     [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Switches, Exclusion::Indefinite];
 

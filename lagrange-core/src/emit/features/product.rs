@@ -1,4 +1,4 @@
-//! What is emitted for each product: arguments and result for a system, from what its row says.
+//! Emission of each product: arguments and result for a system, from its row.
 
 use super::jacobian::{by_displacements, by_fields, by_state};
 use crate::derive::Equations;

@@ -233,7 +233,7 @@ fn with_values(
 struct StateBody {
     statements: TokenStream,
     fields: TokenStream,
-    /// Whether it holds rounded values of irrational constants.
+    /// True if it holds rounded values of irrational constants.
     is_rounded: bool,
 }
 

@@ -112,12 +112,13 @@ impl Graph {
         Some(vec![(self.total(squares), exponent * Number::HALF)])
     }
 
-    /// Whether a power of this with an odd exponent is a factor.
+    /// True if a power of this with an odd exponent is a factor.
     pub(in crate::expr) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
         self.whole_powers(id).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
     }
 
-    /// Whether the slope of |x| itself is a factor with an odd exponent, beside which no power of x has one.
+    /// True if the slope of |x| itself is a factor with an odd exponent, beside which no power of x
+    /// has one.
     pub(in crate::expr) fn has_bare_slope(&self, id: ExprId, of: ExprId) -> bool {
         let is_slope = |base: ExprId| match self.node(base) {
             Node::Call(Function::MagnitudeSlope, arguments) => arguments[0] == of,

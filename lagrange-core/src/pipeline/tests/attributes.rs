@@ -1,4 +1,4 @@
-//! What attributes of the head mean for all that is emitted.
+//! The effect of attributes of the head on emitted items.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! What is derived and emitted of rigid bodies.
+//! Derived and emitted products of rigid bodies.
 
 use super::{derived, expand, parse};
 use crate::bodies::DrawnKind;

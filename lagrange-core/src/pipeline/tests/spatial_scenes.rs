@@ -1,4 +1,4 @@
-//! What there is to draw of bodies in space.
+//! The drawing of bodies in space.
 
 use super::{derived, expand, parse};
 use crate::bodies::{DrawnKind, SpatialJointForm};

@@ -14,7 +14,7 @@ const LARGEST_UNROLLED_POWER: i32 = 64;
 pub(super) struct Fraction {
     pub(super) above: Vec<(Variability, ValueId)>,
     pub(super) below: Vec<ValueId>,
-    /// Whether something below changes in the motion.
+    /// True if something below changes in the motion.
     pub(super) divides_by_moving: bool,
 }
 

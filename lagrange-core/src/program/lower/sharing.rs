@@ -89,13 +89,13 @@ impl Sharing {
         }
     }
 
-    /// Whether an expression gets no value of its own.
+    /// True if an expression gets no value of its own.
     pub(super) fn is_merged(&self, id: ExprId) -> bool {
         self.merged.contains(&id)
     }
 
-    /// Whether several products divide by the same thing: then a division and several multiplications are
-    /// cheaper than several divisions.
+    /// True if several products divide by the same thing: then a division and several
+    /// multiplications are cheaper than several divisions.
     pub(super) fn shares_reciprocal(&self, reciprocal: Reciprocal) -> bool {
         self.reciprocals.get(&reciprocal).is_some_and(|&count| count > 1)
     }

@@ -1,4 +1,4 @@
-//! What single passes do.
+//! The effects of single passes.
 
 use super::{letters, lowered};
 use crate::expr::Function;

@@ -11,7 +11,7 @@ pub struct FunctionDefinition {
     pub name: Name,
     /// Names that stand for arguments in its value.
     pub parameters: Vec<Name>,
-    /// What it stands for.
+    /// Value.
     pub value: AstId,
 }
 
@@ -29,7 +29,7 @@ pub struct ExternalFunction {
 /// A derivative of a function of the user's crate.
 #[derive(Clone, Debug)]
 pub struct ExternalDerivative {
-    /// How often the function is differentiated by each of its arguments.
+    /// Order of differentiation by each argument.
     pub orders: Vec<u8>,
     /// The name of the function that computes it.
     pub name: Name,
@@ -40,9 +40,9 @@ pub struct ExternalDerivative {
 pub struct UnknownDefinition {
     /// Its name.
     pub name: Name,
-    /// What is zero where it is right.
+    /// Expression that is zero at the solution.
     pub residual: AstId,
-    /// Where the search for it starts; zero is meant if that is not said.
+    /// Initial guess; zero if it is omitted.
     pub start: Option<AstId>,
     /// The number of steps after which the search ends.
     pub iterations: Option<AstId>,

@@ -20,7 +20,7 @@ impl IndexCondition {
         expressions.collect()
     }
 
-    /// The same, to be changed.
+    /// Returns the expressions for modification.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let tests = self.alternatives.iter_mut().flatten();
         let expressions = tests.flat_map(|test| match &mut test.kind {
@@ -34,13 +34,13 @@ impl IndexCondition {
 /// One test of a condition.
 #[derive(Clone, Debug)]
 pub struct IndexTest {
-    /// Whether `!` stands before it.
+    /// True if `!` stands before it.
     pub is_negated: bool,
     /// The test itself.
     pub kind: TestKind,
 }
 
-/// What is tested.
+/// The kind of a test.
 #[derive(Clone, Debug)]
 pub enum TestKind {
     /// `i < n`
@@ -49,7 +49,7 @@ pub enum TestKind {
     Nested(IndexCondition),
 }
 
-/// How indices are compared.
+/// The comparison of indices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Comparison {
     /// `<`
@@ -77,7 +77,7 @@ impl Comparison {
         (">", Comparison::Greater),
     ];
 
-    /// Whether it holds of two things in this order.
+    /// True if it holds of two things in this order.
     pub fn holds(self, order: std::cmp::Ordering) -> bool {
         match self {
             Comparison::Less => order.is_lt(),

@@ -71,7 +71,7 @@ pub enum Expression {
         /// Value elsewhere.
         otherwise: AstId,
     },
-    /// Of arrays.
+    /// An expression with arrays.
     Array(ArrayExpression),
     /// Placeholder for what was reported already.
     Invalid,
@@ -111,7 +111,7 @@ impl Expression {
     }
 }
 
-/// What is written of arrays in expressions. None of it is left where expressions have a meaning.
+/// The array syntax of expressions, which is expanded before expressions have a meaning.
 #[derive(Clone, Debug)]
 pub enum ArrayExpression {
     /// `p[i + 1]`
@@ -122,12 +122,12 @@ pub enum ArrayExpression {
         variable: Name,
         /// Its values.
         range: Range,
-        /// What is added up for each of them.
+        /// Term added for each of them.
         term: AstId,
     },
     /// `if i == 0 { a } else { b }`, where indices decide.
     Select {
-        /// What decides.
+        /// Deciding condition.
         condition: IndexCondition,
         /// Value where it holds.
         then: AstId,
@@ -151,7 +151,7 @@ impl ArrayExpression {
         }
     }
 
-    /// The same with other operands.
+    /// Replaces the operands.
     fn with_operands(mut self, parts: &[AstId]) -> ArrayExpression {
         match &mut self {
             ArrayExpression::Element(name) => name.indices = parts.to_vec(),
@@ -175,7 +175,7 @@ pub struct Range {
     pub from: AstId,
     /// The end.
     pub to: AstId,
-    /// Whether the end is a value, too.
+    /// True if the end is a value, too.
     pub is_inclusive: bool,
 }
 

@@ -5,13 +5,13 @@
 pub struct Keyword {
     /// The word.
     pub word: &'static str,
-    /// How the statement is written, as advice; what stands first between backquotes is an example.
+    /// Form of the statement, as advice; the first text between backquotes is an example.
     pub form: &'static str,
-    /// What must follow where the word is free as a name otherwise.
+    /// Condition on the following tokens if the word is otherwise a free name.
     pub soft: Option<Soft>,
 }
 
-/// What follows a word that begins a statement only before certain tokens.
+/// The tokens that must follow a word that begins a statement only before certain tokens.
 #[derive(Clone, Copy, Debug)]
 pub enum Soft {
     /// A name and `=`.
@@ -40,7 +40,7 @@ impl Keyword {
         Keyword { word, form, soft: None }
     }
 
-    /// The same word, which begins a statement only before these tokens.
+    /// Restricts a word to begin a statement only before these tokens.
     pub(super) const fn before(self, soft: Soft) -> Keyword {
         Keyword { soft: Some(soft), ..self }
     }

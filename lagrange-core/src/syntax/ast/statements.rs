@@ -21,7 +21,7 @@ pub use loops::{Repetition, Selection};
 /// A statement and the stretch of source it covers.
 #[derive(Clone, Debug)]
 pub struct Statement {
-    /// What it says.
+    /// Kind and content.
     pub kind: StatementKind,
     /// From the keyword to the semicolon.
     pub origin: Origin,
@@ -29,7 +29,7 @@ pub struct Statement {
     pub docs: TokenStream,
 }
 
-/// What a statement says.
+/// The kind and content of a statement.
 ///
 /// ```text
 /// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
@@ -167,7 +167,7 @@ pub enum StatementKind {
     Repeat(Box<Repetition>),
     /// `if i > 0 { … } else { … }`
     Select(Selection),
-    /// Of rigid bodies.
+    /// A statement about rigid bodies.
     Scene(SceneStatement),
 }
 
@@ -375,22 +375,22 @@ fn defined(list: &[Definition]) -> Vec<&Name> {
 pub struct Reduction {
     /// Its name.
     pub name: Name,
-    /// What is done to which coordinates.
+    /// Changes to coordinates.
     pub items: Vec<ReductionItem>,
 }
 
-/// What is done to one coordinate of a reduced type.
+/// The change to one coordinate of a reduced type.
 #[derive(Clone, Debug)]
 pub struct ReductionItem {
     /// The coordinate.
     pub coordinate: Name,
-    /// What is done to it.
+    /// Kind of change.
     pub kind: ReductionKind,
     /// The value behind `=`, if there is one; 0 is meant if there is none.
     pub value: Option<AstId>,
 }
 
-/// What can be done to a coordinate.
+/// The possible changes to a coordinate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ReductionKind {
     /// `freeze x = e;`: held at a value.

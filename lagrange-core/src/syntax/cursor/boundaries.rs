@@ -1,4 +1,4 @@
-//! Where statements begin and end.
+//! The beginnings and ends of statements.
 
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 

@@ -39,7 +39,7 @@ impl SquareBrackets {
         self.0.get(&word)?.groups.last()
     }
 
-    /// Those behind a word, which are read now.
+    /// Reads the groups after a word.
     pub(super) fn read(&mut self, word: usize) -> Vec<Group> {
         let Some(behind) = self.0.get_mut(&word) else { return Vec::new() };
         behind.is_read = true;

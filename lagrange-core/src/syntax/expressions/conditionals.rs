@@ -19,7 +19,7 @@ struct Branch {
     then: AstId,
 }
 
-/// What decides between the branches.
+/// The condition that decides between the branches.
 enum Decision {
     /// A comparison during the motion, or of indices.
     Comparison(Condition),

@@ -1,4 +1,4 @@
-//! What is said of how arrays and loops are written.
+//! Messages about the syntax of arrays and loops.
 
 pub(in crate::syntax) const EMPTY_BRACKETS: &str = "nothing stands between these brackets";
 pub(in crate::syntax) const INDEX_FORM_HELP: &str = "write one index: `p[i]`, or `u[i][j]` in a grid";

@@ -15,7 +15,7 @@ pub(in crate::syntax) fn defined_function(name: &str) -> String {
     )
 }
 
-/// How derivatives of a function with these arguments are written.
+/// Describes the syntax for derivatives of a function with these arguments.
 pub(in crate::syntax) fn derivatives_are(parameters: &[Name]) -> String {
     match parameters {
         [_] => {

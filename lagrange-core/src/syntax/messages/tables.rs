@@ -9,7 +9,7 @@ pub(in crate::syntax) const MONOTONE_SURFACE: &str = "a table of two arguments c
 pub(in crate::syntax) const MONOTONE_SURFACE_HELP: &str =
     "write `interpolation: natural` or `interpolation: linear`";
 
-/// How a point with so many components is written.
+/// Describes the syntax of a point with this many components.
 pub(in crate::syntax) fn point_help(components: usize) -> &'static str {
     match components {
         2 => "a point is an argument and a value, `(x, y)`",

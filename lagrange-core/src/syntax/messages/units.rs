@@ -1,4 +1,4 @@
-//! What is said of how units of measurement are written.
+//! Messages about the syntax of units.
 
 use super::quoted;
 

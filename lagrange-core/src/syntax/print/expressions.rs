@@ -180,7 +180,7 @@ fn array_pieces(array: &ArrayExpression) -> Vec<PrintedPiece> {
     }
 }
 
-/// What stands between the ends of a range.
+/// Returns the text between the ends of a range.
 pub(super) fn dots(range: &Range) -> &'static str {
     if range.is_inclusive { "..=" } else { ".." }
 }

@@ -1,4 +1,4 @@
-//! How fast corrections converge, what they leave alone, and what is refused.
+//! Tests of the convergence of corrections, the entries that they leave unchanged, and refusals.
 
 use super::{admit, consistent_velocity, correct, project};
 use crate::constraint::ConstrainedSystem;

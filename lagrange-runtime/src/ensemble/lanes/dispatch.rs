@@ -1,4 +1,4 @@
-//! What the processor has, found out at run time.
+//! Run-time detection of processor features.
 
 use pulp::{Arch, NullaryFnOnce};
 
@@ -27,7 +27,7 @@ fn compute_on<T: Task>(processor: Arch, task: T) -> T::Output {
     }
 }
 
-/// Whether products are fused.
+/// True if products are fused.
 #[cfg(any(feature = "parquet", test))]
 pub(in crate::ensemble) fn is_fused() -> bool {
     struct Ask;
@@ -44,7 +44,7 @@ pub(in crate::ensemble) fn is_fused() -> bool {
     compute(Ask)
 }
 
-/// The same with fused products.
+/// Numbers with fused products.
 struct Fused<T>(T);
 
 impl<T: Task> NullaryFnOnce for Fused<T> {
@@ -85,7 +85,7 @@ mod tests {
         }
     }
 
-    /// Where nothing is found but what every processor has, products that are not fused are what differs.
+    /// If only the baseline of the target is detected, results differ from fused products alone.
     #[test]
     fn bits_depend_on_fused_products_alone() {
         let apart = compute_on(Arch::Scalar, Recursion);

@@ -35,7 +35,7 @@ const LEAST_TOGETHER: usize = 16;
 /// and never more than these if there are samples of them.
 const MOST_TOGETHER: usize = 256;
 
-/// What came of a motion.
+/// The outcome of a motion in lanes.
 pub(super) enum Came<M: MechanicalSystem> {
     /// It was a run by itself.
     Ran(Ran<M>),
@@ -50,7 +50,8 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// Whether motions are computed side by side, several at a time with each instruction of the processor.
+    /// True if motions are computed side by side, several at a time with each instruction of the
+    /// processor.
     ///
     /// They are if the declaration says `emit { lanes }` and has neither constraints nor events, contacts or friction, if the method is
     /// [`Verner98`](crate::integrate::Verner98), [`RungeKutta4`](crate::integrate::RungeKutta4),
@@ -95,7 +96,8 @@ where
         Ok(())
     }
 
-    /// How many motions are computed together: as many as are given, or so few that their samples are not too many.
+    /// Returns the number of motions computed together: all of them, or fewer if their samples
+    /// would be too many.
     fn together(&self) -> usize {
         let Some(interval) = self.asked.interval else { return usize::MAX };
         let samples = ((self.asked.end - self.asked.from) / interval).abs();
@@ -138,7 +140,7 @@ where
         Ok(())
     }
 
-    /// Where a motion begins.
+    /// Returns the start of a motion.
     ///
     /// # Errors
     /// If a closure panics, or what was asked for makes no sense.
@@ -149,7 +151,7 @@ where
         })
     }
 
-    /// Where motions end that start there.
+    /// Computes the final states of motions with these starts.
     fn in_lanes(&self, beginnings: &[Beginning<M>], counter: &Counter<'_, '_>) -> EndsOf<M> {
         let asked = &self.asked;
         let is_plain = |motion: &usize| {
@@ -170,7 +172,7 @@ where
         }
     }
 
-    /// Where these motions end, which are places in the list of where motions start.
+    /// Computes the final states of these motions, given by their indices in the list of starts.
     fn arrivals<const SAMPLED: bool>(
         &self,
         beginnings: &[Beginning<M>],

@@ -15,12 +15,13 @@ use crate::system::{Equations, LanesSystem, MechanicalSystem, OdeSystem, ScalarO
 
 /// Motions that fill a register of the widest instructions twice, or four times one of the usual.
 const LANES: usize = 8;
-/// Where products are not fused, which few processors are left to do: a register of theirs once, so that this costs little to compile.
+/// Number of lanes where products are not fused, which concerns few processors: a single register,
+/// so this costs little to compile.
 const LANES_APART: usize = 2;
 /// Stands in the place of the motion in a lane that has none.
 const FREE: usize = usize::MAX;
 
-/// Where a motion begins.
+/// The start of a motion.
 pub(in crate::ensemble) struct Beginning<M: MechanicalSystem> {
     /// Its system, if that is not the one of all.
     pub(in crate::ensemble) system: Option<M>,
@@ -34,7 +35,7 @@ impl<M: MechanicalSystem> Beginning<M> {
     }
 }
 
-/// Where a motion ended, and what it took, with its samples between start and end if any were asked for.
+/// The final state of a motion and its work, with its samples between start and end if requested.
 #[derive(Clone, Debug)]
 pub(in crate::ensemble) struct Arrival<T, Y> {
     pub(in crate::ensemble) state: Y,
@@ -42,10 +43,10 @@ pub(in crate::ensemble) struct Arrival<T, Y> {
     pub(in crate::ensemble) work: Work,
 }
 
-/// Where a motion of this system ended.
+/// The final state of a motion of this system.
 pub(in crate::ensemble) type ArrivalOf<M> = Arrival<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// Where motions ended, in their order; `None` of one that is to be told by a run of its own.
+/// Final states of motions, in order; `None` for a motion that a single run must compute.
 pub(in crate::ensemble) type EndsOf<M> = Vec<Option<ArrivalOf<M>>>;
 
 /// Motions that are to be computed, with samples if they are `SAMPLED`.
@@ -89,16 +90,16 @@ where
 struct LanesGroup<E, T> {
     equations: E,
     stepper: T,
-    /// Which motion is in which lane.
+    /// Index of the motion in each lane.
     motions: [usize; MOST_LANES],
 }
 
 type LanesGroupOf<M, L, S> = LanesGroup<<M as LanesSystem>::Lanes<S>, StepperOf<M, L, S>>;
 
-/// What advances motions side by side.
+/// Stepper of motions side by side.
 type StepperOf<M, L, S> = <L as LanesMethod<ScalarOf<M>>>::Stepper<S, <M as LanesSystem>::Lanes<S>>;
 
-/// What keeps samples of them.
+/// Sampler of motions side by side.
 type SamplerOf<M, L, S> = Sampler<
     S,
     <M as OdeSystem>::State,
@@ -150,7 +151,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     }
 }
 
-/// Where the motions of a queue end.
+/// Computes the final states of the motions in a queue.
 #[inline(always)]
 pub(super) fn refilled<M, L, S, const SAMPLED: bool>(
     queue: &Queue<'_, '_, M, SAMPLED>,
@@ -181,7 +182,7 @@ where
     filling.ends
 }
 
-/// Whether motions at these times have ended or were given up.
+/// True if motions at these times have ended or were given up.
 #[inline(always)]
 fn is_settled<S: SideBySide>(time: S, end: S::Element) -> S::Mask {
     let end = S::splat(end);
@@ -189,7 +190,7 @@ fn is_settled<S: SideBySide>(time: S, end: S::Element) -> S::Mask {
     is_at_end | !time.less_equal(time)
 }
 
-/// How far a queue is computed.
+/// The progress of a queue.
 struct Filling<'p, 'q, 'a, M, L, S, const SAMPLED: bool>
 where
     M: MechanicalSystem + LanesSystem,
@@ -199,9 +200,9 @@ where
     queue: &'p Queue<'q, 'a, M, SAMPLED>,
     method: &'p L,
     ends: EndsOf<M>,
-    /// How many motions were started.
+    /// Number of motions started.
     next: usize,
-    /// How many motions are in lanes.
+    /// Number of motions in lanes.
     busy: usize,
     /// There is one if motions are `SAMPLED`.
     sampler: Option<SamplerOf<M, L, S>>,
@@ -213,7 +214,7 @@ where
     L: LanesMethod<ScalarOf<M>>,
     S: SideBySide<Element = ScalarOf<M>>,
 {
-    /// Whether there are motions that were not started, and that are still wanted.
+    /// True if there are motions that were not started, and that are still wanted.
     fn has_more(&self) -> bool {
         self.next < self.queue.motions.len() && !self.queue.counter.is_cancelled()
     }

@@ -17,7 +17,7 @@ pub(super) struct Sampler<S: SideBySide, Y, W> {
     next: S,
     last: W,
     kept: [SamplesWithin<S::Element, Y>; MOST_LANES],
-    /// How many a motion had that ended, and so all have.
+    /// Number of samples per motion, known once the first motion has ended.
     number: usize,
 }
 
@@ -79,7 +79,7 @@ where
         }
     }
 
-    /// Where there are samples up to these times.
+    /// Returns the lanes that have samples up to these times.
     #[inline(always)]
     fn are_due(&self, reached: S) -> S::Mask {
         if self.grid.is_backwards() { reached.less_equal(self.next) } else { self.next.less_equal(reached) }

@@ -22,14 +22,14 @@ pub(super) struct Folder {
     checked: BTreeSet<usize>,
 }
 
-/// What a file in a folder is, by its name.
+/// The kind of a file in a folder, by its name.
 enum Kind {
     Part(usize),
-    /// What was written of a part when its process was killed.
+    /// The unfinished file of a part whose process was killed.
     Unfinished(usize),
-    /// Of a shard of so many.
+    /// A lock of one of this many shards.
     Lock(u64),
-    /// What is called nearly like a part, and would be read with them.
+    /// A name similar to that of a part, which readers would include.
     Misnamed,
     Other,
 }
@@ -65,10 +65,10 @@ impl Folder {
         Ok(lock)
     }
 
-    /// Which of all parts are there. Those of this shard, and one of others, were checked, each once.
+    /// Returns the parts that exist. The parts of this shard, and one of another, are checked, each once.
     ///
     /// # Errors
-    /// If one of these is damaged, or of another ensemble, or there are files that are called like parts and are none.
+    /// If one of these is damaged or belongs to another ensemble, or another file has a name like a part.
     pub(super) fn find(
         &mut self,
         shard: &Range<usize>,
@@ -152,7 +152,7 @@ pub(super) fn refuse_other(path: &Path, label: &Label, expected: &Label) -> Resu
     Err(EnsembleError::Damaged { path: path.into(), why })
 }
 
-/// What a file is.
+/// Returns the kind of a file.
 fn kind(path: &Path) -> Kind {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     if let Some(count) = name.strip_suffix(LOCK).and_then(shards) {

@@ -15,7 +15,7 @@ use crate::ensemble::error::EnsembleError;
 /// A file that says that this process writes; it is deleted when this is dropped.
 pub(super) struct Lock {
     path: PathBuf,
-    /// What the operating system keeps locked.
+    /// File that the operating system keeps locked.
     _file: File,
 }
 
@@ -47,7 +47,7 @@ impl Drop for Lock {
     }
 }
 
-/// What came of one attempt to take a lock.
+/// The result of one attempt to take a lock.
 enum LockAttempt {
     Taken(File),
     /// Somebody else has it, who calls himself like this.
@@ -130,8 +130,8 @@ fn is_gone(holder: &str) -> bool {
 
 const BOOT: &str = " (boot ";
 
-/// How this process calls itself: its number and machine, and where they are known when the machine was started, its namespace of numbers
-/// and when it started there.
+/// Returns the name of this process in lock files: its number and machine and, where known, the boot time
+/// of the machine, its PID namespace and its start time there.
 fn this() -> String {
     let read = |path| fs::read_to_string(path).unwrap_or_default().trim().to_string();
     let [name, boot] = ["/proc/sys/kernel/hostname", "/proc/sys/kernel/random/boot_id"].map(read);

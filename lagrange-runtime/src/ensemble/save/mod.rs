@@ -27,7 +27,7 @@ use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::Drive;
 
-/// What was saved.
+/// The result of saving an ensemble.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Saved {

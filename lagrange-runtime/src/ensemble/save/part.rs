@@ -24,7 +24,7 @@ use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::error::EnsembleError;
 use crate::simulate::units;
 
-/// What the schema is called.
+/// Name of the schema.
 const SCHEMA: &str = "motions";
 /// Under which name the settings are kept.
 const SETTINGS: &str = "lagrange.ensemble";
@@ -36,12 +36,12 @@ const CAUSE: &str = "cause";
 /// A row group is written when so many rows wait: a megabyte a column.
 const ROWS_PER_GROUP: usize = 1 << 17;
 
-/// What a part says of itself.
+/// The metadata of a part.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Label {
-    /// Which ensemble it is of.
+    /// Identity of its ensemble.
     pub(super) settings: String,
-    /// Which of the parts it is,
+    /// Index of the part.
     pub(super) part: usize,
     /// and how many there are.
     pub(super) number: usize,
@@ -74,7 +74,7 @@ impl Label {
         Some(Label { settings: value(SETTINGS)?, part: part.parse().ok()?, number: number.parse().ok()? })
     }
 
-    /// What the metadata of a file hold of it, and a place for the checksum.
+    /// Returns the metadata entries, with a place for the checksum.
     fn pairs(&self) -> [KeyValue; 3] {
         let place = format!("{} of {}", self.part, self.number);
         [(SETTINGS, self.settings.as_str()), (PART, &place), (KEY, UNSEALED)]
@@ -214,7 +214,7 @@ fn schema(names: &[&str]) -> Result<Type, ParquetError> {
     Type::group_type_builder(SCHEMA).with_fields(columns).build()
 }
 
-/// What the operating system said, where it did.
+/// Returns the error of the operating system, if there is one.
 fn into_io(error: ParquetError) -> io::Error {
     match error {
         ParquetError::External(source) => match source.downcast::<io::Error>() {

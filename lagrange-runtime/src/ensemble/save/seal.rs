@@ -18,7 +18,7 @@ pub(super) const KEY: &str = "lagrange.checksum";
 pub(super) const UNSEALED: &str = "xxh64:0000000000000000";
 const LABEL: &str = "xxh64:";
 const ZEROS: [u8; 16] = [b'0'; 16];
-/// What ends a file, behind the length of its metadata.
+/// Last bytes of a file, after the length of its metadata.
 const END: &[u8; 4] = b"PAR1";
 
 /// Writes the checksum of a file, whose metadata have a place for it.
@@ -39,7 +39,7 @@ pub(super) fn is_intact(mut file: &File) -> io::Result<Option<bool>> {
     Ok(Some(sealed == digits.as_bytes()))
 }
 
-/// Where the digits of the checksum are.
+/// Returns the offset of the checksum's digits.
 fn place(mut file: &File) -> io::Result<Option<u64>> {
     let length = file.metadata()?.len();
     let Some(end) = length.checked_sub(8) else { return Ok(None) };

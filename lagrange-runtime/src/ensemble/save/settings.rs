@@ -1,4 +1,5 @@
-//! What an ensemble is, in lines of text, so that its parts are not mixed with those of another.
+//! The identity of an ensemble, in lines of text, so that its parts are never mixed with those of
+//! another.
 
 use core::fmt::Debug;
 use std::any::type_name;
@@ -27,7 +28,7 @@ where
     K: Method<D::Closed> + Clone + Debug + Sync,
     P: Keep,
 {
-    /// What this ensemble is, but for how it is computed: lines of text.
+    /// Returns the identity of this ensemble in lines of text, independent of how it is computed.
     ///
     /// # Errors
     /// If a closure that was given panics.
@@ -83,10 +84,11 @@ fn bits<S: Copy + Into<f64>>(values: &[S]) -> String {
     bits.collect::<Vec<_>>().join(" ")
 }
 
-/// So many steps tell by their bits what no name tells: methods, functions of the user's crate, inputs and columns.
+/// Number of steps whose bits identify what names do not: methods, functions of the user's crate, inputs
+/// and columns.
 const STEPS: u64 = 8;
 
-/// What lines about single motions begin with. They differ where others do, too, which say more.
+/// Prefix of lines about single motions. They differ if other lines do, which are more informative.
 const MOTION: &str = "motion ";
 
 /// The first line of each that the other has not, if there are such; nothing if the other has all.

@@ -32,12 +32,12 @@ impl<M: SharedSystem> Sheet<M> {
         self.motions.extend(later.motions);
     }
 
-    /// How many rows there are.
+    /// Returns the number of rows.
     pub(super) fn len(&self) -> usize {
         self.motions.len()
     }
 
-    /// How many motions failed.
+    /// Returns the number of failed motions.
     pub(super) fn failed(&self) -> usize {
         self.rows.failures.len()
     }
@@ -52,7 +52,7 @@ impl<M: SharedSystem> Sheet<M> {
         columns
     }
 
-    /// How many of the columns are parameters, the first ones.
+    /// Returns the number of parameter columns, the first ones.
     pub(super) fn parameters(&self) -> usize {
         self.rows.parameters
     }

@@ -1,4 +1,4 @@
-//! What is saved reads back.
+//! Tests that saved data read back.
 
 use std::fs::{self, File};
 use std::path::PathBuf;

@@ -6,7 +6,7 @@ use super::folder::{Folder, refuse_other};
 use super::part::Label;
 use crate::ensemble::error::EnsembleError;
 
-/// What [`verify`] found.
+/// The result of [`verify`].
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Verified {

@@ -1,4 +1,4 @@
-//! What implicit methods in coordinates and momenta have in common.
+//! The common parts of implicit methods in coordinates and momenta.
 //!
 //! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of P(Q, V) = ∂L/∂v and that of
 //! the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method needs derivatives. Differentiating d/dt P = R along

@@ -8,7 +8,7 @@ use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
 use crate::system::{SideBySide, StateVector};
 
-/// What methods in equal steps have in common side by side; Y is the state.
+/// The common parts of fixed-step methods in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct FixedLanes<S: Number, Y> {
     end: S,
@@ -47,7 +47,7 @@ where
         }
     }
 
-    /// The same motions from this state.
+    /// Continues the motions from this state.
     #[inline(always)]
     pub(in crate::integrate) fn at(self, y: &Y) -> Self {
         FixedLanes { state: Compensated::new(*y), ..self }
@@ -65,7 +65,7 @@ where
         self.state.value()
     }
 
-    /// Where a hint at instability in the last step was worth following.
+    /// Returns the lanes whose last step hinted at instability strongly enough to follow up.
     #[inline(always)]
     pub(in crate::integrate) fn suspicion(&self) -> S::Mask {
         self.suspicion
@@ -76,7 +76,7 @@ where
         &self.suspects
     }
 
-    /// How many steps the motion in a lane took.
+    /// Returns the number of steps of the motion in a lane.
     pub(in crate::integrate) fn steps(&self, lane: usize) -> u64 {
         self.counts.taken(lane)
     }

@@ -28,7 +28,7 @@ type CanonicalStages<M, const K: usize> = [Vector<M>; K];
 pub struct Canonical<M: CanonicalSystem + ?Sized, const K: usize> {
     tableau: Tableau<ScalarOf<M>, K>,
     rounding: ScalarOf<M>,
-    /// How the velocity at the end of a step follows from its stages and its start.
+    /// Weights of the stages and the start in the velocity at the end of a step.
     end: ([ScalarOf<M>; K], ScalarOf<M>),
     prediction: Prediction<ScalarOf<M>, Vector<M>, K>,
     reached: Reached<M>,

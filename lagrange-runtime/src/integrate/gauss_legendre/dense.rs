@@ -28,7 +28,8 @@ pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
     }
 }
 
-/// As [`between`], for a system whose velocities need not be rates of coordinates; for three stages the error is O(h⁵).
+/// Interpolates as [`between`] for a system whose velocities need not be rates of coordinates; for
+/// three stages the error is O(h⁵).
 pub(super) fn plainly_between<M: OdeSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
@@ -126,7 +127,7 @@ fn integrated<S: Scalar, Y: StateVector<S>>(ends: [&Y; 2], rates: &[Y; 4], place
     result
 }
 
-/// By how much a value changes up to the part s of a step over which it changes by `change`.
+/// Returns the change of a value up to the fraction s of a step over which it changes by `change`.
 fn integral<S: Scalar>([f0, f1, f2, f3]: [S; 4], change: S, Place { h, s }: Place<S>) -> S {
     let n = S::from_f64;
     let (d1, d2) = (f1 - f0, (f2 - f1) - (f1 - f0));

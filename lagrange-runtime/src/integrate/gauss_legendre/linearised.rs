@@ -92,7 +92,7 @@ fn at_real<S: Scalar, Y: StateVector<S>>(
     Factors::new(Matrix::of(|i, j| constant[(i, j)] - first * linear[(i, j)] - second * quadratic[(i, j)]))
 }
 
-/// As [`at_real`] for a complex λ.
+/// Factorises as [`at_real`] for a complex λ.
 fn at_complex<S: Scalar, Y: StateVector<S>>(
     constant: &Matrix<S, Y>,
     linear: &Matrix<S, Y>,

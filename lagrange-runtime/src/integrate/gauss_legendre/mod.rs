@@ -72,7 +72,7 @@ where
 }
 
 impl<S, const K: usize> GaussLegendre<S, K> {
-    /// The same method for systems without momenta.
+    /// Returns the method for systems without momenta.
     pub fn plain(self) -> PlainGaussLegendre<S, K> {
         PlainGaussLegendre { step: self.step }
     }

@@ -20,7 +20,7 @@ pub struct RungeKuttaLanes<S: Number, Y> {
 /// The last steps by [`RungeKutta4`] side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct RungeKuttaLastStep<S, Y> {
-    /// Where they began.
+    /// Start time of the steps.
     t: S,
     y: Y,
     /// The rates where they ended, if states within them were asked for.

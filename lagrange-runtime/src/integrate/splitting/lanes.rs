@@ -23,12 +23,12 @@ pub struct SplittingLanes<S: Number, Y, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
     /// The rates at both ends of the last steps.
     rates: [Y; 2],
-    /// By how much these changed states.
+    /// Change of the states.
     increment: Y,
     h: S,
 }
 
-/// Where the last steps by a composition began.
+/// The starts of the last steps by a composition.
 #[derive(Clone, Copy, Debug)]
 pub struct SplittingLastStep<S, Y> {
     t: S,
@@ -46,7 +46,7 @@ where
         SplittingLanes { motions, composition, rates: [Y::ZERO; 2], increment: Y::ZERO, h: S::ZERO }
     }
 
-    /// The same motions from this state.
+    /// Continues the motions from this state.
     #[inline(always)]
     fn at<E: Equations<S, State = Y>>(self, equations: &E, y: &Y) -> Self {
         let rate = equations.rhs(self.motions.time(), y);
@@ -69,7 +69,7 @@ where
         (self.rates[1], self.increment, self.h) = (rate, increment, h);
     }
 
-    /// Whether an oscillation may be too fast for the last steps.
+    /// True in each lane with an oscillation that may be too fast for the last step.
     #[inline(always)]
     fn hints_at_instability(&self) -> S::Mask {
         let half = half(&self.increment);
@@ -81,12 +81,12 @@ where
     }
 }
 
-/// How many coordinates a state has.
+/// Returns the number of coordinates in a state.
 fn half<S, Y: AsRef<[S]>>(y: &Y) -> usize {
     y.as_ref().len() / 2
 }
 
-/// How far steps led that changed states by this.
+/// Returns the length of the change of states.
 #[inline(always)]
 fn change<S: Number, Y: AsRef<[S]>>(increment: &Y) -> S {
     increment.as_ref()[..half(increment)].iter().fold(S::ZERO, |sum, change| sum + change.abs())
@@ -121,7 +121,7 @@ fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
     moved
 }
 
-/// Whether this step by a composition is stable.
+/// True if this step by a composition is stable.
 #[cold]
 pub(super) fn bears<M: OdeSystem, const DRIFTS: usize>(
     composition: &Composition<DRIFTS>,

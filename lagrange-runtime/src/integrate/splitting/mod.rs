@@ -51,9 +51,9 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
     /// When the last accepted step ended, if the acceleration there still holds.
     known: Option<S>,
-    /// Whether the state was moved onto constraints there.
+    /// True if the state was moved onto constraints there.
     was_moved: bool,
-    /// What the last increment was made of.
+    /// Parts of the last increment.
     trial: Trial<S, Q>,
     /// That of the last accepted step.
     taken: Trial<S, Q>,

@@ -36,7 +36,7 @@ pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
     coupled: Coupled<M>,
     /// The constraints at the start, with the velocities there.
     start: (AtPlace<M>, Vector<M>),
-    /// Those in the middle and at the end, for the first evaluation.
+    /// Values in the middle and at the end, for the first evaluation.
     known: Option<[AtPlace<M>; 2]>,
     /// The change of the momenta at the last evaluation, without the last multipliers.
     change: Vector<M>,
@@ -70,7 +70,8 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
         Ok(Solved { ends: [first, last], multipliers: [start, middle], change: self.change })
     }
 
-    /// What is left of the constraints in the first half and in the whole of the step, by its length.
+    /// Returns the constraint residuals in the first half and in the whole of the step, divided by
+    /// its length.
     fn violations(
         &self,
         places: &[Configuration<M>; 3],
@@ -93,7 +94,7 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
     }
 }
 
-/// What came of a step.
+/// The solution of a step.
 pub(super) struct Solved<M: MechanicalSystem + ?Sized> {
     /// Velocities of the parabola at both ends.
     pub(super) ends: [Vector<M>; 2],

@@ -17,15 +17,16 @@ type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeS
 /// The constraints at a place.
 pub(super) type AtPlace<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// How much of the velocities at the start, in the middle and at the end of a step moves coordinates in its first half, and in
-/// all of it.
+/// Weights of the velocities at the start, in the middle and at the end of a step in the change of
+/// coordinates in its first half, and in the whole.
 pub(super) const PARTS: [[f64; 3]; 2] =
     [[5.0 / 24.0, 1.0 / 3.0, -1.0 / 24.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0]];
 
-/// How much of the velocities at both ends of the parabola does.
+/// Weights of the velocities at both ends of the parabola.
 pub(super) const PARABOLA: [[f64; 2]; 2] = [[0.375, 0.125], [0.5, 0.5]];
 
-/// How the forces of constraints at the start and in the middle enter the two equations of a step, in its length.
+/// Weights of the constraint forces at the start and in the middle in the two equations of a step,
+/// in units of its length.
 pub(super) const FORCES: [[f64; 2]; 2] = [[1.0 / 6.0, 0.0], [1.0 / 6.0, 1.0]];
 
 /// The factors of the equations, by blocks.
@@ -36,9 +37,10 @@ pub(super) struct Coupled<M: CanonicalSystem + ?Sized> {
     stiffness: M::Scalar,
     /// The constraints at the start, in the middle and at the end.
     places: [AtPlace<M>; 3],
-    /// How each multiplier at the start and in the middle moves the velocities at both ends.
+    /// Changes of the velocities at both ends per multiplier at the start and in the middle.
     moved: [[Square<M>; 2]; 2],
-    /// How all multipliers move all constraints, those of the first half before those of the whole step.
+    /// Changes of all constraints per multiplier, those of the first half before those of the whole
+    /// step.
     mobility: RankedFactors<M::Scalar, M::State>,
 }
 
@@ -65,7 +67,8 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
         Ok(Coupled { linearised, stiffness, places, moved, mobility })
     }
 
-    /// By how much velocities and multipliers should change for what is left of the equations and of the constraints.
+    /// Returns the corrections of velocities and multipliers for the residuals of the equations and
+    /// of the constraints.
     #[inline]
     pub(super) fn solve(&self, residual: &[M::State; 2]) -> [M::State; 2] {
         let [(first, half), (second, whole)] = residual.each_ref().map(split::<M>);
@@ -89,7 +92,7 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
         [join::<M>(&ends[0], &shares[0]), join::<M>(&ends[1], &shares[1])]
     }
 
-    /// What of the constraints these changes of velocities leave.
+    /// Returns the constraint residuals that remain after these changes of velocities.
     fn missing(&self, [half, whole]: [&M::Coordinates; 2], ends: &[M::Coordinates; 2]) -> M::State {
         let count = self.places[0].count();
         let mut missing = demands::<M>(&self.places, ends);
@@ -132,7 +135,8 @@ fn linearised<M: CanonicalSystem + ?Sized>(
     }
 }
 
-/// How each multiplier at the start and in the middle moves the velocities at both ends.
+/// Returns the changes of the velocities at both ends per multiplier at the start and in the
+/// middle.
 fn moved<M: CanonicalSystem + ?Sized>(
     linearised: &Linearised<M::Scalar, M::Coordinates>,
     places: &[AtPlace<M>; 3],
@@ -154,7 +158,8 @@ fn moved<M: CanonicalSystem + ?Sized>(
     moved
 }
 
-/// What velocities at both ends move the constraints by, in the first half and in all of a step of the length one.
+/// Returns the changes of the constraints, in the first half and in the whole of a step of length
+/// one, due to velocities at both ends.
 fn demands<M: CanonicalSystem + ?Sized>(places: &[AtPlace<M>; 3], ends: &[M::Coordinates; 2]) -> M::State {
     let (mut demands, count) = (M::State::ZERO, places[0].count());
     for (part, (parabola, parts)) in PARABOLA.iter().zip(PARTS).enumerate() {

@@ -19,8 +19,8 @@ const TURNED: [[f64; 2]; 2] = [[1.0, -1.0 / 3.0], [1.0, 2.0 / 3.0]];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
     first: Factors<S, Y>,
-    /// What the elimination of the first velocity leaves, and the blocks off the diagonal, the upper one solved for it;
-    /// nothing if the velocities do not depend on each other.
+    /// Remainder of the elimination of the first velocity, and the off-diagonal blocks, the upper
+    /// one solved for it; `None` if the velocities are independent.
     rest: Option<Rest<S, Y>>,
 }
 
@@ -51,13 +51,13 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
         coupled.or_else(|| Some(Linearised { first: Factors::new(pencil.constant)?, rest: None }))
     }
 
-    /// By how much both velocities should change for what is left of the equations.
+    /// Returns the corrections of both velocities for the residuals of the equations.
     #[inline]
     pub(super) fn solve(&self, residual: &[Y; 2]) -> [Y; 2] {
         self.solve_turned(&turned(residual))
     }
 
-    /// The same for residuals that are [`turned`] already.
+    /// Solves for residuals that are [`turned`] already.
     #[inline]
     pub(super) fn solve_turned(&self, [one, two]: &[Y; 2]) -> [Y; 2] {
         let mut first = self.first.solve(one);
@@ -72,7 +72,7 @@ impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
     }
 }
 
-/// What is left of the equations, as equations that hold one velocity each where derivatives are not known.
+/// Combines the residuals into equations with one velocity each, for unknown derivatives.
 #[inline]
 pub(super) fn turned<S: Scalar, Y: StateVector<S>>(residual: &[Y; 2]) -> [Y; 2] {
     TURNED.map(|row| {

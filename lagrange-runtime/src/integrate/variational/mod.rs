@@ -89,7 +89,8 @@ pub struct Discrete<M: CanonicalSystem + ?Sized> {
     rounding: ScalarOf<M>,
     /// Velocities at both ends of the next step, from those at the start and in the middle of the last one.
     prediction: Prediction<ScalarOf<M>, Vector<M>, 2>,
-    /// By how much the velocities of the parabola differ from those of the motion, for a step of the length one.
+    /// Differences between the velocities of the parabola and those of the motion, for a step of
+    /// length one.
     excess: [Vector<M>; 2],
     reached: Reached<M>,
     /// Velocities of the parabola of the step that is being taken, and its length.
@@ -145,7 +146,7 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         Ok(join::<M>(&q, &equations.change))
     }
 
-    /// The same under constraints, with which the momenta at the end agree.
+    /// Solves under constraints, with consistent momenta at the end.
     fn solve_held(
         &mut self,
         step: &Step<'_, M>,
@@ -276,7 +277,8 @@ fn places<M: CanonicalSystem + ?Sized>(step: &Step<'_, M>, ends: &[Vector<M>; 2]
     [(t, q, ends[0]), (t + h * n(0.5), middle, mean(ends)), (t + h, last, ends[1])]
 }
 
-/// What is left of the equations with these momenta and rates at the three places, and the change of the momenta.
+/// Returns the residuals of the equations with these momenta and rates at the three places, and the
+/// change of the momenta.
 #[inline]
 fn balance<M: CanonicalSystem + ?Sized>(
     step: &Step<'_, M>,

@@ -1,4 +1,4 @@
-//! How long the next step is.
+//! The choice of the next step length.
 //!
 //! A proportional–integral controller: the step follows the error of the last two steps, so that it does not swing.
 //! Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
@@ -17,7 +17,7 @@ pub(super) const MOST_SHRINKING: f64 = 0.2;
 pub(super) const LEAST_SHRINKING: f64 = 0.9;
 /// and none is longer by more than this.
 pub(super) const MOST_GROWTH: f64 = 6.0;
-/// How much shorter the next attempt is when a step led to NaN or infinity.
+/// Factor of the next step length after a step that led to NaN or infinity.
 pub(super) const RETREAT: f64 = 0.1;
 
 /// Errors are remembered as no smaller than this.

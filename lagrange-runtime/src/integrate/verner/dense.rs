@@ -39,7 +39,7 @@ pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S,
     interpolated(span, s, rates)
 }
 
-/// The same, always inlined.
+/// Interpolates the state; always inlined.
 #[inline(always)]
 pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
     let (both, mut bend) = (s * (S::ONE - s), Y::ZERO);
@@ -61,7 +61,8 @@ fn bent<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, bend: &Y, rates: 
     y
 }
 
-/// By how much the rate of the interpolant at the part `s` of the step differs from that of the system at the state there.
+/// Returns the difference between the rate of the interpolant at the fraction `s` of the step and
+/// the rate of the system there.
 pub(super) fn defect<M>(
     system: &M,
     span: &Span<M::Scalar, M::State>,
@@ -74,7 +75,7 @@ where
     defect_of(system.rhs(s.multiply_add(span.h, span.t), &interpolate(span, s, rates)), s, rates)
 }
 
-/// The same, given the rate of the system there.
+/// Returns the same difference, given the rate of the system there.
 fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
     let (one, two) = (S::ONE, S::from_f64(2.0));
     let mut slope = Y::ZERO;
@@ -85,7 +86,7 @@ fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) ->
     beside(rate, &slope, rates)
 }
 
-/// By how much the slope of the chord and that of the bend differ from this rate.
+/// Returns the differences between this rate and the slopes of the chord and of the bend.
 #[inline(always)]
 fn beside<S: Number, Y: StateVector<S>>(rate: Y, slope: &Y, rates: &[Y; RATES]) -> Y {
     let (chord, mut defect) = (ADVANCE.weighted(rates), rate);
@@ -127,7 +128,7 @@ impl FixedPart {
         bent(span, S::from_f64(self.s), &weighted_bend(&self.bend, rates), rates)
     }
 
-    /// By how much the rate of the interpolant differs there from that of the system at the state there.
+    /// Returns the difference between the rate of the interpolant and that of the system there.
     #[inline(always)]
     pub(super) fn defect<S: Number, Y: StateVector<S>>(&self, rate: Y, rates: &[Y; RATES]) -> Y {
         beside(rate, &weighted_bend(&self.slope, rates), rates)

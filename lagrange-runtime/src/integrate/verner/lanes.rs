@@ -41,7 +41,7 @@ pub struct VernerLanes<S, Y> {
     stiffness: [Stiffness; MOST_LANES],
 }
 
-/// What is the same in all lanes.
+/// The settings common to all lanes.
 #[derive(Clone, Copy, Debug)]
 struct Settings<S> {
     tolerated: Tolerated<S>,
@@ -192,7 +192,8 @@ where
         state
     }
 
-    /// Where motions look stiff, given the lengths of the last steps, the states before them, and where these were taken.
+    /// Returns the motions that appear stiff, given the lengths of the last steps, the states
+    /// before them, and the lanes in which they were accepted.
     #[cold]
     #[inline(never)]
     fn look_stiff(&mut self, h: S, before: &Y, is_taken: S::Mask) -> [bool; MOST_LANES] {
@@ -211,7 +212,7 @@ where
         look_stiff
     }
 
-    /// Where the last steps led, in lanes in which they were taken.
+    /// Returns the ends of the last steps, in lanes in which they were accepted.
     #[inline(always)]
     fn reached(&self) -> StepEnd<'_, S, Y> {
         StepEnd { h: self.h, t: self.clock.time(), y: self.state.value() }

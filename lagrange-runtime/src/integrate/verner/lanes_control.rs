@@ -1,4 +1,5 @@
-//! How long the next step is, in every lane by itself: the controller of `control` in logarithms, with powers to three digits.
+//! The choice of the next step length per lane: the controller of `control` in logarithms, with
+//! powers to three digits.
 
 use super::control::{LEAST_SHRINKING, MEMORY, MOST_GROWTH, MOST_SHRINKING, POWER, RETREAT};
 use crate::integrate::corrected::is_finite;
@@ -20,7 +21,7 @@ pub(super) struct LanesControl<S> {
     pub(super) step: S,
     /// The binary logarithm of the last error.
     error: S,
-    /// By how much the next step may be longer.
+    /// Maximum growth of the next step.
     most_growth: S,
 }
 
@@ -72,7 +73,8 @@ where
     }
 }
 
-/// By how much a step is shorter than one that was thrown away for this error, whose binary logarithm is given, too.
+/// Returns the factor of a step after a rejection with this error, whose binary logarithm is also
+/// given.
 #[inline(always)]
 fn shrinking<S: SideBySide<Element: Scalar>>(error: S, log_error: S) -> S {
     let wanted = (S::from_f64(LOG_SAFETY) - log_error / S::from_f64(POWER)).each(Scalar::rough_exp2);

@@ -32,14 +32,14 @@ const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart
 /// The last steps by [`Verner98`](super::Verner98) side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct VernerLastStep<S, Y> {
-    /// Where they began.
+    /// Start of the steps.
     pub(super) clock: Clock<S>,
     pub(super) state: Compensated<Y>,
     /// Their rates, of which those of the stages of steps that were not looked into are of earlier ones.
     rates: [Y; RATES],
 }
 
-/// Where steps of the length `h` led.
+/// The ends of steps of length `h`.
 #[derive(Clone, Copy)]
 pub(super) struct StepEnd<'r, S, Y> {
     pub(super) h: S,

@@ -47,7 +47,7 @@ pub struct Verner98<S> {
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
-    /// Whether to give up where stability and not the tolerance limits the steps.
+    /// True if to give up where stability and not the tolerance limits the steps.
     pub refuses_stiff: bool,
 }
 

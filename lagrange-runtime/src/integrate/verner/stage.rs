@@ -3,12 +3,12 @@
 use crate::scalar::Number;
 use crate::system::StateVector;
 
-/// How many rates a step needs,
+/// Number of rates per step.
 pub(super) const STAGES: usize = 16;
 /// and how many of the state belong to it, those for the interpolant included.
 pub(super) const RATES: usize = 26;
 
-/// Where a stage lies in a step, and the weights of the rates that lead there.
+/// The position of a stage within a step, and the weights of the rates that lead there.
 pub(super) struct Stage<const N: usize> {
     /// The part of the step that is past.
     pub(super) node: f64,
@@ -65,13 +65,13 @@ pub(super) struct TableauRow {
 }
 
 impl TableauRow {
-    /// As for a [`Stage`].
+    /// Returns the time, as for a [`Stage`].
     #[inline(always)]
     pub(super) fn time<S: Number>(&self, t: S, h: S) -> S {
         S::from_f64(self.node).multiply_add(h, t)
     }
 
-    /// As for a [`Stage`].
+    /// Returns the state, as for a [`Stage`].
     #[inline(always)]
     pub(super) fn point<S: Number, Y: StateVector<S>>(&self, y: &Y, h: S, rates: &[Y]) -> Y {
         moved(weighted_in_blocks(rates, self.weights), y, h)

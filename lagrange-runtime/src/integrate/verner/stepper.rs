@@ -20,7 +20,8 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::DEFECT;
 
-/// So many steps, each next to nothing beside time, say that constraints which are about to depend on each other keep the motion.
+/// Number of consecutive negligible steps after which constraints that are about to become
+/// dependent count as blocking the motion.
 const MOST_CRAWLING: u32 = 1000;
 /// Steps longer than this part of the longest stable one are limited by it.
 const NEAR: f64 = 0.7;
@@ -34,7 +35,7 @@ pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
 /// The interpolant is refused if its defect times the step is larger than this times what is tolerated. On smooth motions the defect
 /// at the places above is a third to a half of the estimated error of the step, and the error within the step less than that.
 pub(super) const LARGEST_DEFECT: f64 = 2.0;
-/// Where the rate at the end of a step, which begins the next one, has its place.
+/// Index of the rate at the end of a step, which starts the next one.
 pub(super) const END: usize = 16;
 
 /// An integration by [`Verner98`] in progress.
@@ -54,17 +55,17 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     /// The last step, and its rates.
     last: Span<M::Scalar, M::State>,
     rates: [M::State; RATES],
-    /// How many of the rates of the last step are there.
+    /// Number of known rates of the last step.
     known: Known,
-    /// How many steps in a row were next to nothing beside time.
+    /// Number of consecutive steps that are negligible beside the time.
     crawled: u32,
     work: Work,
 }
 
-/// Which rates of the last step are known.
+/// The known rates of the last step.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Known {
-    /// Those that the step needs.
+    /// Only those that the step needs.
     Stages,
     /// And that at its end.
     End,
@@ -72,7 +73,7 @@ enum Known {
     All,
 }
 
-/// What came of an attempt.
+/// The judgement of an attempt.
 enum Judgement<S> {
     /// The step was taken.
     Taken,
@@ -198,7 +199,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// By how much the interpolant of the last step is less accurate than it may be, for which one is just enough.
+    /// Returns the error of the interpolant of the last step relative to the tolerance; one is just
+    /// accurate enough.
     fn excess(&self, system: &M) -> M::Scalar {
         let Span { y, h, .. } = &self.last;
         let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());

@@ -1,4 +1,4 @@
-//! Whether stability limits the steps.
+//! Detection of steps limited by stability.
 //!
 //! Two stages lie at the end of a step. How much their rates differ for how much their states do hints at the largest
 //! eigenvalue of the Jacobian, which is computed before a system is refused.
@@ -15,12 +15,12 @@ pub(super) const STABLE: f64 = 2.9;
 const MOST_AT_LIMIT: u32 = 15;
 /// so many below it in turn tell that it is not.
 const ENOUGH_BELOW: u32 = 6;
-/// As long as there is no suspicion, one step in so many is looked at.
+/// Number of steps per check while there is no suspicion.
 const INTERVAL: u64 = 100;
 /// If no more steps than this are ahead, the system is not stiff enough to bother.
 const BEARABLE: f64 = 1e4;
 
-/// What was seen of the limit.
+/// The observed stability limit.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Stiffness {
     at_limit: u32,
@@ -31,7 +31,7 @@ pub(super) struct Stiffness {
 pub(super) type Point<'a, Y> = (&'a Y, &'a Y);
 
 impl Stiffness {
-    /// Whether this step is to be looked at.
+    /// True if this step is to be looked at.
     pub(super) fn is_due(&self, steps: u64) -> bool {
         self.at_limit > 0 || steps.is_multiple_of(INTERVAL)
     }
@@ -62,13 +62,14 @@ impl Stiffness {
     }
 }
 
-/// Whether so many steps of the length `h` are ahead that it would be a bother.
+/// True if at least this many steps of length `h` lie ahead, which makes stiffness worth reporting.
 #[inline(always)]
 pub(super) fn are_many<S: Number>((h, ahead): (S, S)) -> S::Mask {
     S::from_f64(BEARABLE).less((ahead / h).abs())
 }
 
-/// Whether a step whose ends are these is at the limit of stability with many others ahead; states that differ by less than the part
+/// True if a step whose ends are these is at the limit of stability with many others ahead; states
+/// that differ by less than the part
 /// `rounding` of them do not tell.
 #[inline(always)]
 pub(super) fn is_at_limit<S: Number, Y: StateVector<S>>(

@@ -7,7 +7,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::LEAST_TOLERANCE;
 
-/// What is tolerated of the error of a component: a part of its size, and something besides.
+/// The tolerated error of a component: a fraction of its size, plus a constant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tolerated<S> {
     pub(super) relative: S,
@@ -30,7 +30,7 @@ impl<S: Number> Tolerated<S> {
         (sum / S::from_f64(from.as_ref().len() as f64)).sqrt()
     }
 
-    /// Whether a step of the length `h` at this rate changes the state by next to nothing.
+    /// True if a step of the length `h` at this rate changes the state by next to nothing.
     #[inline(always)]
     pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> S::Mask {
         self.norm(h, rate, y, y).less(S::from_f64(AT_REST))
@@ -70,7 +70,7 @@ impl<S: Number> Tolerated<S> {
 }
 
 impl<S: Scalar> Verner98<S> {
-    /// What is tolerated, with no less than rounding.
+    /// Returns the tolerance, with rounding as the minimum.
     pub(super) fn tolerated(&self) -> Tolerated<S> {
         let relative = self.relative.max(LEAST_TOLERANCE.part::<S>());
         Tolerated { relative, absolute: self.absolute }
@@ -87,7 +87,7 @@ impl<S: Scalar> Verner98<S> {
         self.longest_step.unwrap_or(span.abs() * S::from_f64(part))
     }
 
-    /// Whether a step of the length `h` at this rate changes the state by next to nothing.
+    /// True if a step of the length `h` at this rate changes the state by next to nothing.
     pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
         self.tolerated().is_at_rest(h, rate, y)
     }

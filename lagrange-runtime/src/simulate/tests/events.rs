@@ -1,4 +1,4 @@
-//! What happens between samples.
+//! Tests of events between samples.
 
 use std::f64::consts::PI;
 use std::string::ToString;

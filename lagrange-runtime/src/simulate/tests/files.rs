@@ -1,4 +1,4 @@
-//! What is written reads back.
+//! Tests that written files read back.
 
 use std::string::{String, ToString};
 use std::vec::Vec;

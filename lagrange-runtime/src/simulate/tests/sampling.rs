@@ -1,4 +1,4 @@
-//! Which times are kept.
+//! Tests of sampling times.
 
 use std::vec;
 use std::vec::Vec;

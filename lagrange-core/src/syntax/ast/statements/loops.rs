@@ -27,7 +27,7 @@ impl Repetition {
 pub struct Selection {
     /// Conditions, each with the statements that are meant where it holds and none before it does.
     pub branches: Vec<(IndexCondition, Vec<Statement>)>,
-    /// What is meant where none of them holds.
+    /// Statements that apply if no condition holds.
     pub otherwise: Vec<Statement>,
 }
 

@@ -1,4 +1,4 @@
-//! What methods for these systems have in common, as checks.
+//! Common checks of methods for these systems.
 
 use std::vec::Vec;
 
@@ -13,7 +13,7 @@ pub(crate) fn distance(one: &[f64], other: &[f64]) -> f64 {
     one.iter().zip(other).fold(0.0, |largest, (a, b)| largest.max((a - b).abs()))
 }
 
-/// Where a method leads, with no failure on the way.
+/// Returns the final state of a method, which must not fail.
 pub(crate) fn reached<M, K>(system: &M, t: f64, start: M::State, end: f64, method: &K) -> M::State
 where
     M: OdeSystem<Scalar = f64>,

@@ -1,4 +1,4 @@
-//! What methods for these systems have in common, as checks.
+//! Common checks of methods for these systems.
 
 use std::vec::Vec;
 
@@ -40,7 +40,7 @@ where
     largest
 }
 
-/// How far a step back is from undoing what was done.
+/// Returns the difference between a state and the result of a step forwards and a step back.
 pub(crate) fn defect_of_symmetry<M, K>(system: &M, start: M::State, end: f64, method: &K) -> f64
 where
     M: OdeSystem<Scalar = f64>,
@@ -52,8 +52,8 @@ where
     distance(back.as_ref(), start.as_ref())
 }
 
-/// By how much one step changes the symplectic form of coordinates and momenta, for changes of the K numbers that `chart` makes
-/// states on the constraints of.
+/// Returns the change of the symplectic form of coordinates and momenta in one step, for changes of
+/// the K numbers from which `chart` makes states on the constraints.
 pub(crate) fn defect_of_symplecticity<M, K, const N: usize>(
     system: &M,
     chart: impl Fn([f64; N]) -> M::State,

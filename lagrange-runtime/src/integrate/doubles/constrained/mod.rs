@@ -33,7 +33,7 @@ pub(in crate::integrate) trait Mechanism<const N: usize> {
 
     fn constraints(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> ConstraintValues<f64, [f64; N]>;
 
-    /// What constraints demand of accelerations beside A a.
+    /// Returns the part of the constrained accelerations beside A a.
     fn bend(&self, t: f64, q: &[f64; N], v: &[f64; N]) -> [f64; N];
 }
 

@@ -1,4 +1,4 @@
-//! Where the methods stop, and where they must not.
+//! Tests of refused steps and of steps that must not be refused.
 
 use std::vec::Vec;
 
