@@ -1,4 +1,4 @@
-//! Tests of the drawn elements and their places.
+//! What is drawn, and where.
 
 mod cells;
 mod documents;

@@ -17,7 +17,7 @@ impl OdeSystem for Oscillator {
     }
 }
 
-/// The system in short numbers.
+/// The same in short numbers.
 struct Short;
 
 impl OdeSystem for Short {

@@ -1,6 +1,6 @@
 use crate::pipeline::parse;
 
-/// Returns the errors reported for a declaration, without lines of help.
+/// What is reported of a declaration, lines of help left out.
 fn errors(text: &str) -> Vec<String> {
     let report = parse(text).err().map_or_else(String::new, |report| report.to_string());
     report.lines().filter(|line| line.starts_with("error")).map(str::to_owned).collect()
@@ -11,7 +11,7 @@ mod defaults {
     use crate::calculus::evaluate;
     use crate::pipeline::{System, parse};
 
-    /// Returns the default of a parameter.
+    /// Of a parameter of this name, the default.
     fn default(system: &System, name: &str) -> f64 {
         let model = &system.model;
         let parameter = model.parameters.iter().chain(&model.inputs).find(|one| one.name == name);

@@ -2,7 +2,7 @@ use super::without_arrays;
 use crate::diagnostics::Report;
 use crate::syntax::{parse_text, print};
 
-/// Returns the expanded text, printed.
+/// What a text is when it is written out, printed.
 fn written_out(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("consists of tokens");

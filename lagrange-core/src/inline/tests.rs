@@ -2,7 +2,7 @@ use super::without_functions;
 use crate::diagnostics::Report;
 use crate::syntax::{parse_text, print};
 
-/// Returns a text with its functions inlined, printed.
+/// What a text is without its functions, printed.
 fn inlined(text: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report).expect("consists of tokens");

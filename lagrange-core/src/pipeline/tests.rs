@@ -197,7 +197,7 @@ fn twenty_thousand_terms_are_derived_and_emitted() {
     assert!(derived.emit(&quote!(::lagrange)).is_ok());
 }
 
-/// Returns the expansion of a struct with these statements, which may be large.
+/// What the macro makes of a struct with these statements that may be large.
 fn expanded(statements: &str) -> String {
     let tokens = format!("#[allow(deprecated)] struct Large; {statements}").parse().expect("tokens");
     expand(tokens, &quote!(::lagrange)).to_string()
@@ -268,20 +268,20 @@ fn reduced_types_keep_attributes_but_not_documentation() {
 #[test]
 fn documentation_of_names_is_kept_in_emitted_code() {
     let text = "
-        /// A parameter.
+        /// Of a parameter.
         param m = 1, mu = 1/2;
-        /// An input.
+        /// Of an input.
         input u;
-        /// A coordinate.
+        /// Of a coordinate.
         coord x, y;
         kinetic = 1/2*m*(dot(x)^2 + dot(y)^2);
         potential = 9.81*m*y;
         force x = u;
-        /// A contact.
+        /// Of a contact.
         event floor = y, falling => impact(0);
-        /// A friction.
+        /// Of friction.
         friction rub = dot(x), mu*floor;
-        /// An output.
+        /// Of an output.
         output height = y;";
     let items = derived(text).emit(&quote!(::lagrange)).expect("constants that fit").to_string();
     for of in ["a parameter", "an input", "a coordinate", "a contact", "friction", "an output"] {

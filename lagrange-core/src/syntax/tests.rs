@@ -27,7 +27,7 @@ fn read(text: &str) -> Declaration {
     declaration.expect("a report without errors comes with a declaration")
 }
 
-/// Returns the report on a text, and the part that could be read.
+/// What is reported about a text, and what could be read.
 fn read_wrong(text: &str) -> (Option<Declaration>, String) {
     let mut report = Report::default();
     let declaration = parse_text(text, &mut report);

@@ -70,7 +70,7 @@ fn threads_one_after_the_other_compute_motions() {
     compare(starts.map(|(l, start)| end(&Verner98::tolerance(1e-13), l, start)), 1e-9);
 }
 
-/// Returns the final state of the scalar code.
+/// Where the scalar code ends.
 fn end(method: &impl Method<Pendulum>, l: f64, start: [f64; 2]) -> [f64; 2] {
     let pendulum = Pendulum { l, ..Pendulum::default() };
     let mut stepper = method.start(&pendulum, 0.0, &start, 2.0).expect("a start");

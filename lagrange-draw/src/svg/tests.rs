@@ -74,7 +74,7 @@ fn names_cannot_break_a_document() {
     assert!(words.contains("<v>") && words.contains("<Q>"));
 }
 
-/// The letters of a document have the positions and sizes of those in pixels.
+/// Where the letters of a document stand, and how large they are, is where pixels have them.
 #[test]
 fn subscripts_have_sizes_and_heights_in_units_of_the_picture() {
     for size in [10.0, 14.0, 160.0, 0.5] {

@@ -1,4 +1,4 @@
-//! Tests of the available characters, their widths and the positions of accents.
+//! Which characters there are, how wide they are, and where accents stand.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,11 +8,11 @@ use tiny_skia::Rect;
 
 use super::{CAPITALS, SMALL, Slope, UPRIGHT, outline, width};
 
-/// Characters of labels, ticks and titles in several languages.
+/// What labels, marks of axes and titles in several languages are written with.
 const WRITTEN: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789!\"#$%&'()*+,-./:;<=>?@[\\]^_`{|}~\
                        ΑΒΓΔΕΖΗΘΙΚΛΜΝΞΟΠΡΣΤΥΦΧΨΩαβγδεζηθικλμνξοπρςστυφχψωϑϕϵ′″·×−–—°½…±≈≠≤≥→∞√∂∑∫∥⊥⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻₀₁₂\
                        ẋẍẏäöüßéèçñåøłšž«»„“‚‘АБВГДабвгдёж";
-/// A character that no font contains.
+/// What no font of letters has.
 const UNKNOWN: &str = "\u{f8ff}";
 
 fn bounds(text: &str, slope: Slope) -> Rect {

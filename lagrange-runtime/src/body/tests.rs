@@ -2,7 +2,7 @@
 
 use super::{Motion, cross, difference, norm_squared, sum, turned};
 
-/// Number of random motions for each law.
+/// How many random motions each law is tried on.
 const TRIALS: u64 = 200;
 
 /// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random enough for places.
@@ -144,8 +144,7 @@ fn instantaneous_centre_has_no_velocity() {
     }
 }
 
-/// Returns the point where the normals to the velocities of two points meet, by Cramer's rule on (r
-/// − r_P)·v_P = 0 = (r − r_Q)·v_Q.
+/// Where the normals to the velocities of two points meet, by Cramer's rule on (r − r_P)·v_P = 0 = (r − r_Q)·v_Q.
 fn meeting_point(motion: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     let (v, w) = (motion.velocity_at(p), motion.velocity_at(q));
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];

@@ -1,4 +1,4 @@
-//! Tests of internals: chunks, and reductions of parts.
+//! What does not show from outside: chunks, and reductions of parts.
 
 use std::vec::Vec;
 

@@ -18,7 +18,7 @@ fn special<S: Scalar>() -> Special<S> {
     Special { zero: S::ZERO, one: S::ONE, infinity: S::from_f64(f64::INFINITY), nan: S::NAN }
 }
 
-/// True if two numbers agree, NaN with NaN and zeros in sign.
+/// Whether two numbers agree, NaN with NaN and zeros in sign.
 fn same<S: Scalar>(a: S, b: S) -> bool {
     let is_nan = |x: S| x.partial_cmp(&x).is_none();
     let same_zero = a != S::ZERO || S::ONE / a == S::ONE / b;
@@ -30,7 +30,7 @@ fn expect<S: Scalar>(found: S, wanted: S) {
     assert!(same(found, wanted), "{found:?} instead of {wanted:?}");
 }
 
-/// Checks a value up to rounding.
+/// As `expect`, but up to rounding.
 #[track_caller]
 fn expect_near<S: Scalar>(found: S, wanted: f64) {
     let error = (found - S::from_f64(wanted)).abs();

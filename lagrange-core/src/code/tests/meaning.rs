@@ -1,4 +1,4 @@
-//! Written programs mean the same as the programs, to the bit.
+//! What is written means what the program means, to the bit.
 
 use lagrange_math::sin_cos_each;
 use proptest::prelude::{ProptestConfig, prop_assert, proptest};

@@ -16,7 +16,7 @@ use crate::symbol::Role;
 const REMAINING: usize = 4;
 const PARTS: usize = 2;
 
-/// Numbers of carriers and squares, and true if squares contain variables other than the carriers.
+/// How many carriers and squares there are, and whether squares hold variables beside the carriers.
 type Shape = (usize, usize, bool);
 
 fn shapes() -> impl Strategy<Value = Shape> {
@@ -82,7 +82,7 @@ impl Setting {
         Setting { ids, expansions, squares }
     }
 
-    /// Moves the first two carriers along a unit vector.
+    /// The same with the first two carriers moved along a unit vector.
     fn with_rod(mut self, graph: &mut Graph, angle: ExprId) -> Setting {
         for (expansion, function) in self.expansions.iter_mut().zip([Function::Cos, Function::Sin]) {
             expansion.slope = apply(graph, function, &[angle]);
@@ -160,7 +160,7 @@ fn numbers(count: usize) -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(number, count)
 }
 
-/// True if a function of the remaining accelerations differs from another by a constant.
+/// Whether a function of the remaining accelerations differs from another by a constant.
 fn differ_by_a_constant(differences: [f64; 3], scale: f64) -> bool {
     differences.iter().all(|d| (d - differences[0]).abs() < 1e-9 * (1.0 + scale))
 }

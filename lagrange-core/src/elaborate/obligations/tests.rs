@@ -16,7 +16,7 @@ fn named(declaration: &Declaration, wanted: &str) -> (AstId, Name) {
     found.expect("a `let` of that name")
 }
 
-/// Returns the reports of obligations about statements.
+/// What is reported of obligations about statements.
 fn reported(statements: &str, obligations: impl Fn(&Declaration) -> Vec<Obligation>) -> String {
     let mut report = Report::default();
     let declaration = parse_text(statements, &mut report).expect("a readable declaration");
@@ -28,7 +28,7 @@ fn reported(statements: &str, obligations: impl Fn(&Declaration) -> Vec<Obligati
     report.to_string()
 }
 
-/// Returns the report on `let rod = …;` as a mass.
+/// What is reported of `let rod = …;` as a mass.
 fn of_mass(statements: &str) -> String {
     reported(statements, |declaration| {
         let (mass, body) = named(declaration, "rod");
@@ -36,8 +36,7 @@ fn of_mass(statements: &str) -> String {
     })
 }
 
-/// Returns the report on `let rod = …;` as a stated moment of inertia beside `let shape = …;` as
-/// that of the shape.
+/// What is reported of `let rod = …;` as a stated moment of inertia beside `let shape = …;` as that of the shape.
 fn of_inertia(statements: &str) -> String {
     reported(statements, |declaration| {
         let (stated, body) = named(declaration, "rod");
@@ -119,7 +118,7 @@ fn with_body(members: &str) -> String {
     format!("param m = 2, l = 3; coord x, y, a; let _l = m*l; body rod {{ angle: a; {members} }}")
 }
 
-/// Returns the report on a body.
+/// What is reported of it.
 fn of_body(members: &str) -> String {
     match parse(&with_body(members)) {
         Ok(system) => system.report.to_string(),

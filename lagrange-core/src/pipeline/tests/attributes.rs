@@ -1,4 +1,4 @@
-//! The effect of attributes of the head on emitted items.
+//! What attributes of the head mean for all that is emitted.
 
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,4 +1,4 @@
-//! Derived and emitted products of bodies and frames in space.
+//! What is derived and emitted of bodies and frames in space.
 
 use super::{derived, expand, parse};
 use crate::calculus::evaluate;
@@ -110,7 +110,7 @@ impl Values {
         values.chunks(self.q.len()).map(<[f64]>::to_vec).collect()
     }
 
-    /// Returns the values with one coordinate moved.
+    /// The same with a coordinate moved.
     fn moved(&mut self, coordinate: usize, by: f64) -> &Values {
         let n = self.q.len();
         self.q = Q[..n].to_vec();

@@ -4,7 +4,7 @@ use crate::pipeline::parse;
 
 const POINT: &str = "coord x; kinetic = 1/2 * dot(x)^2; ";
 
-/// Returns the report on a point with one more statement.
+/// What is reported of a point with one more statement.
 fn report(statement: &str) -> String {
     parse(&format!("{POINT}{statement}")).map_or_else(|report| report.to_string(), |_| String::new())
 }

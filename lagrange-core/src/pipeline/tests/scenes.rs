@@ -1,4 +1,4 @@
-//! Derived and emitted products of rigid bodies.
+//! What is derived and emitted of rigid bodies.
 
 use super::{derived, expand, parse};
 use crate::bodies::DrawnKind;

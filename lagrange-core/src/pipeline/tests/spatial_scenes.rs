@@ -1,4 +1,4 @@
-//! The drawing of bodies in space.
+//! What there is to draw of bodies in space.
 
 use super::{derived, expand, parse};
 use crate::bodies::{DrawnKind, SpatialJointForm};

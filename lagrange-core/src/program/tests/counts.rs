@@ -1,4 +1,4 @@
-//! Operation counts of small formulas.
+//! How many operations small formulas take.
 
 use super::{counts, letters};
 use crate::expr::{ExprId, Function, Graph};

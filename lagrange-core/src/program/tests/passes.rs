@@ -1,4 +1,4 @@
-//! The effects of single passes.
+//! What single passes do.
 
 use super::{letters, lowered};
 use crate::expr::Function;

@@ -14,7 +14,7 @@ use crate::program::{Op, Preparation, Variability, optimise, passes, run, schedu
 use crate::symbol::Role;
 use crate::syntax::ast::Accuracy;
 
-/// The next operation, and its operands among the expressions built so far.
+/// What to build next, and from which of the expressions built so far.
 pub(crate) type Step = (u8, u8, u8, i8);
 
 pub(crate) fn steps() -> impl Strategy<Value = Vec<Step>> {
@@ -54,15 +54,15 @@ pub(crate) fn at(role: Role, shift: f64) -> f64 {
     value * (1.0 + shift)
 }
 
-/// True if two results agree as far as the conditioning of the formula lets them: `shifted` is the
+/// Whether two results agree as far as the conditioning of the formula lets them: `shifted` is the
 /// expected result for slightly different symbols.
 fn agree(value: f64, expected: f64, shifted: f64) -> bool {
     let tolerance = 1e-9 * (1.0 + expected.abs()) + 1e3 * (shifted - expected).abs();
     value == expected || (value - expected).abs() <= tolerance || !tolerance.is_finite()
 }
 
-/// True if some condition compares values that are equal but for rounding, or infinite for that
-/// reason, and whether a function that jumps is taken there: either branch is right then.
+/// Whether some condition compares values that are equal but for rounding, or infinite for that reason, and whether a function that jumps
+/// is taken there: either branch is right then.
 fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
     let at = |ids: &[ExprId]| evaluate(graph, ids, |role| at(role, 0.0));
     graph.reachable(outputs).into_iter().any(|id| match graph.node(id) {
@@ -78,7 +78,7 @@ fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
     })
 }
 
-/// True if two results are the same number, or none.
+/// Whether two results are the same number, or none.
 pub(crate) fn same_bits((a, b): (&f64, &f64)) -> bool {
     a.to_bits() == b.to_bits() || a.is_nan() && b.is_nan()
 }

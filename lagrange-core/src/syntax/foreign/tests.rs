@@ -106,10 +106,10 @@ fn rates_are_recognised_by_what_changes() {
     assert_eq!(written("dd").as_deref(), Some("dot(d)"));
 }
 
-/// Arguments for the comparison of functions, within the domain of all of them.
+/// Where functions are compared: within the domain of all of them.
 const PLACE: [f64; 3] = [1.3, 0.7, 2.1];
 
-/// Evaluates an expression in x, y and z at [`PLACE`].
+/// What an expression in x, y and z is worth there.
 fn worth(expression: &str) -> Vec<f64> {
     let text =
         format!("coord x, y, z; kinetic = dot(x)^2 + dot(y)^2 + dot(z)^2; output worth = {expression};");

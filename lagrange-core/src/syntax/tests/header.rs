@@ -146,7 +146,7 @@ fn all_mistakes_of_a_head_are_found_at_once() {
     assert_eq!(places.collect::<Vec<_>>(), expected, "{:#?}", errors(text));
 }
 
-/// A fragment passed on by a `macro_rules!` macro is a group without brackets.
+/// What a `macro_rules!` macro passes on is a group without brackets.
 #[test]
 fn attributes_hold_fragments_of_other_macros() {
     let fragment = |text: &str| {

@@ -7,7 +7,7 @@ use crate::number::Number;
 use crate::syntax::ast::{AstId, Declaration, Expression, StatementKind};
 use crate::syntax::{parse_text, print};
 
-/// Returns the printed form of the expression in a single statement.
+/// What stands for the expression of a single statement.
 fn printed(text: &str) -> String {
     let printed = print::statements(&read(&format!("let a = {text};")));
     let value = printed.strip_prefix("let a = ").and_then(|rest| rest.strip_suffix(";\n"));
@@ -129,7 +129,7 @@ fn long_chains_are_printed() {
     }
 }
 
-/// A step that builds an expression from earlier ones: its kind, its operands, and a number.
+/// How an expression is made from earlier ones: which kind, from which, and a number.
 type Step = (u8, [Index; 4], i8);
 
 /// Adds an expression on top of others.

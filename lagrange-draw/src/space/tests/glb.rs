@@ -46,8 +46,7 @@ impl File {
         (0..count).map(|k| f64::from(number(k))).collect()
     }
 
-    /// Returns the value for a node at a moment: from its channel, from the node itself, or the
-    /// default.
+    /// What a node is told at a moment: by its channel, by itself, or by default.
     fn value(&self, node: usize, path: &str, moment: usize, default: &[f64]) -> Vec<f64> {
         let animation = &self.json["animations"][0];
         let mut channels = animation["channels"].as_array().into_iter().flatten();
@@ -63,7 +62,7 @@ impl File {
         self.floats(output)[default.len() * moment..][..default.len()].to_vec()
     }
 
-    /// Returns the positions of the vertices of a node's primitive.
+    /// Where the vertices of a primitive of a node are.
     fn places(&self, node: usize, primitive: usize, moment: usize) -> Vec<Vector> {
         let mesh = &self.json["meshes"][index(&self.json["nodes"][node]["mesh"])];
         let primitive = &mesh["primitives"][primitive];

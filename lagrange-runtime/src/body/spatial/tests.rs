@@ -2,7 +2,7 @@
 
 use super::{SpatialMotion, Vector, cross, difference, inner, scaled, sum};
 
-/// Number of random motions for each law.
+/// How many random motions each law is tried on.
 const TRIALS: u64 = 100;
 
 /// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random enough for places.

@@ -1,4 +1,4 @@
-//! Tests of the convergence of corrections, the entries that they leave unchanged, and refusals.
+//! How fast corrections converge, what they leave alone, and what is refused.
 
 use super::{admit, consistent_velocity, correct, project};
 use crate::constraint::ConstrainedSystem;

@@ -9,7 +9,7 @@ use crate::system::{Action, OdeSystem};
 /// Contacts of a body with friction in each, which follows its contact.
 const CONTACTS: usize = 4;
 const K: usize = 2 * CONTACTS;
-/// Moment of inertia of a body with a mass of 1 kg, in kg m².
+/// Of a body of mass 1 kg, in kg m².
 const INERTIA: f64 = 0.3;
 
 struct Random(u64);
@@ -46,8 +46,7 @@ fn kinetic_energy(v: &[f64; 3]) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1] + INERTIA * v[2] * v[2])
 }
 
-/// Returns the violation of the contact law by impulses and the velocities after an impact without
-/// restitution, relative to its terms.
+/// How far impulses are from the law at velocities after an impact without restitution, in its own terms.
 fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
     let mut worst = 0.0_f64;
     for k in (0..K).step_by(2) {

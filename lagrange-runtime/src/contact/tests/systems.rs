@@ -249,8 +249,7 @@ pub(super) struct Rod {
     pub(super) length: f64,
     pub(super) g: f64,
     pub(super) e: f64,
-    /// Possible points of support, from −1 at the left end to 1 at the right end, and the heights
-    /// of the ground there.
+    /// Where it may be supported, from −1 at its left end to 1 at its right end, and the heights of what is there.
     pub(super) places: [f64; 2],
     pub(super) supports: [f64; 2],
     pub(super) modes: [Mode; 2],

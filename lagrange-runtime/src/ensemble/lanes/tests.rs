@@ -193,7 +193,7 @@ fn ends_are_those_of_runs_to_within_the_tolerance() {
 
 type Pendulums<'a> = Ensemble<'a, DoublePendulum<f64>, Verner98<f64>>;
 
-/// Returns double pendulums that differ in start and parameter, and their motions.
+/// As many double pendulums that differ in start and parameter, and how they go.
 fn pendulums(system: &DoublePendulum<f64>, number: usize) -> Pendulums<'_> {
     let motions =
         system.ensemble(number).start(|_, random| [random.uniform(-2.0..2.0), 1.0, 0.0, random.normal()]);
@@ -292,7 +292,7 @@ fn motions_fail_as_they_do_alone_and_others_go_on() {
     assert_same_failures(move || springs(3.0).until(-1.0).longest_step(0.1), &[]);
 }
 
-/// A step that is too fast is searched for at its start: its end is a different place.
+/// What is too fast for a step is looked for where it began: where it led to is another place.
 #[test]
 fn steps_that_are_too_long_are_refused_as_they_are_alone() {
     let system = DoublePendulum::default();

@@ -1,4 +1,4 @@
-//! Tests that saved data read back.
+//! What is saved reads back.
 
 use std::fs::{self, File};
 use std::path::PathBuf;

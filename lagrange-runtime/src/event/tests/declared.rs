@@ -13,9 +13,9 @@ use crate::system::{
 /// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and one that is not a number late.
 #[derive(Clone, Copy)]
 struct Marks {
-    /// Displacement of the state by the second event.
+    /// How far the second event moves the state.
     jump: f64,
-    /// Place beyond which the last function is not a number.
+    /// Where the last function stops to be a number.
     edge: f64,
 }
 

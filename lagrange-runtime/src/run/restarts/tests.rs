@@ -12,9 +12,9 @@ use crate::system::{Action, Direction, OdeSystem};
 /// ẍ = 0 before the time 0, then 1, −2, 3, … between jumps one second apart.
 #[derive(Clone, Copy)]
 struct Pushed {
-    /// True if the instant of a jump belongs to the push before it.
+    /// Whether the instant of a jump belongs to the push before it.
     is_late: bool,
-    /// True if it tells when it jumps.
+    /// Whether it tells when it jumps.
     tells: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Tests of events between samples.
+//! What happens between samples.
 
 use std::f64::consts::PI;
 use std::string::ToString;

@@ -1,4 +1,4 @@
-//! Tests that written files read back.
+//! What is written reads back.
 
 use std::string::{String, ToString};
 use std::vec::Vec;

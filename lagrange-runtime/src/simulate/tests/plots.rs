@@ -52,7 +52,7 @@ fn run() -> Trajectory<Oscillator> {
     Oscillator.simulate(START).until(10.0).tolerance(1e-10).every(0.05).energy().run().expect("runs")
 }
 
-/// Returns the content of a plot written to a file of this name.
+/// What a plot writes to a file of this name.
 pub(super) fn written(name: &str, plot: impl FnOnce(PathBuf) -> Result<(), PlotError>) -> String {
     let path = std::env::temp_dir().join(std::format!("lagrange_{}_{name}.svg", std::process::id()));
     plot(path.clone()).expect("plots");

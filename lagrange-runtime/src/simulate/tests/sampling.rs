@@ -1,4 +1,4 @@
-//! Tests of sampling times.
+//! Which times are kept.
 
 use std::vec;
 use std::vec::Vec;

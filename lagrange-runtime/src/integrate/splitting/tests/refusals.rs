@@ -1,4 +1,4 @@
-//! Tests of refused steps and of steps that must not be refused.
+//! Where the methods stop, and where they must not.
 
 use std::vec::Vec;
 

@@ -1,4 +1,4 @@
-//! Tests of conserved structure.
+//! What the methods keep.
 
 use super::{DRIVEN, Force, HENON_HEILES, KEPLER, PENDULUM, difference, run};
 use crate::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, SymplecticEuler};
@@ -14,13 +14,13 @@ const NEIGHBOURS: Force<f64, 4, 8> = Force {
     },
 };
 
-/// Returns the image of (δq, δv).
+/// Where (δq, δv) leads.
 fn neighbour<K: Method<Force<f64, 4, 8>>>(method: &K, [dx, dy, du, dv]: [f64; 4]) -> [f64; 4] {
     let end = run(&NEIGHBOURS, [0.3, -0.2, dx, dy, 0.1, 0.25, du, dv], 2.0, method);
     [end[2], end[3], end[6], end[7]]
 }
 
-/// Returns the violation of Σ dq ∧ dv by the derivative of two seconds.
+/// How far the derivative of two seconds is from keeping Σ dq ∧ dv.
 fn defect<K: Method<Force<f64, 4, 8>>>(method: &K) -> f64 {
     let form = |a: &[f64; 4], b: &[f64; 4]| a[0] * b[2] - a[2] * b[0] + a[1] * b[3] - a[3] * b[1];
     let basis: [[f64; 4]; 4] = core::array::from_fn(|i| core::array::from_fn(|j| f64::from(i == j)));

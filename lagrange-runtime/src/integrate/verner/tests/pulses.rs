@@ -52,8 +52,7 @@ fn distance([x, v]: [f64; 2], [a, b]: [f64; 2]) -> f64 {
     (x - a).abs().max((v - b).abs())
 }
 
-/// Returns the maximum distance between samples at this interval and the exact motion, and the
-/// work.
+/// How far the samples, so far apart, are from the exact motion at most, and the work.
 fn sampled(system: &Struck, end: f64, tolerance: f64, interval: f64) -> (f64, Work) {
     let method = Verner98::tolerance(tolerance);
     let mut stepper = method.start(system, 0.0, &[0.0; 2], end).expect("starts");

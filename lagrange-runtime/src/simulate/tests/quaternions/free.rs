@@ -192,7 +192,7 @@ fn columns_are_called_as_positions_and_velocities_are() {
     assert!((rate[0] - (3.0 - 1.0) / y * 0.1 * -0.05).abs() < 1e-15);
 }
 
-/// The body in a fluid that slows its rotation.
+/// The same body in a fluid that slows its turning.
 struct Slowed(FreeBody);
 
 impl Wrapper for Slowed {

@@ -35,7 +35,7 @@ impl Hinged {
         ACROSS.map(|n| cross(AXIS, turned(conjugate(*q), n)))
     }
 
-    /// Returns the rates of ċ without acceleration: ω·(e₁ × (m × ω)).
+    /// What is left of the rates of ċ without acceleration: ω·(e₁ × (m × ω)).
     fn drift(q: &Quaternion, w: &Vector) -> [f64; 2] {
         ACROSS.map(|n| dot(*w, cross(AXIS, cross(turned(conjugate(*q), n), *w))))
     }
@@ -132,14 +132,14 @@ impl ConstrainedSystem for Hinged {
     }
 }
 
-/// Returns the deviation from unit length and from the constraints.
+/// What is left of unit length and of the constraints.
 fn residual(y: &[f64; 7]) -> f64 {
     let (q, w) = split::<Hinged>(y);
     let residuals = [Hinged.position_residuals(0.0, &q), Hinged.velocity_residuals(0.0, &q, &w)];
     residuals.as_flattened().iter().fold((length(&q) - 1.0).abs(), |most, residual| most.max(residual.abs()))
 }
 
-/// The pendulum by its angle: I₁ θ̈ = −m g s sin θ.
+/// The same pendulum by its angle: I₁ θ̈ = −m g s sin θ.
 struct ByAngle;
 
 impl OdeSystem for ByAngle {
