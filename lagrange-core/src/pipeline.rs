@@ -5,6 +5,7 @@
 
 mod callables;
 mod numeric;
+mod orthogonal;
 mod phases;
 mod second_way;
 mod system;

@@ -1,11 +1,23 @@
-//! Motion where elimination in a fixed order fails although the equations are regular: a mass is zero that constraints make up
-//! for, or a pivot of an indefinite mass matrix vanishes.
+//! Motion where elimination in a fixed order fails: constraints depend on each other or make up for a mass that is zero, or a
+//! pivot of an indefinite mass matrix vanishes.
 //!
-//! M a = f + Aᵀλ and A a + b = 0 are solved as one system by Gaussian elimination with complete pivoting (Golub, Van Loan, *Matrix
-//! Computations*, 4th ed., §3.4.8). Constraints that depend on each other are not for this: then all is NaN.
+//! The rule is that of emitted code (`constraint::redundant_motion` and `constraint::indefinite_motion` of `lagrange-runtime`), for
+//! sizes known at run time: M a = f + Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers that
+//! give the same motion, those with the smallest sum of squares are taken.
 
-/// Number of roundings, of rows scaled to one, below which a coefficient is zero.
+use super::orthogonal::{OrthogonalFactors, length, reciprocal};
+
+/// Number of roundings per row below which a remaining column of a scaled symmetric matrix is zero.
 const ROUNDINGS: f64 = 32.0;
+/// Number of rounds of equilibration.
+const SCALINGS: usize = 6;
+/// Multiple of the rank tolerance by which dependent constraints may miss each other.
+const CONTRADICTION: f64 = 100.0;
+
+/// Returns the fraction of a gradient below which the remainder beside other gradients is zero: ε^(5/16).
+fn rank_tolerance() -> f64 {
+    f64::EPSILON.powf(0.3125)
+}
 
 /// True if digits can be trusted whose rounding errors grow so: below ε^(−5/8), as emitted code has it
 /// (`lagrange::constraint::are_regular`).
@@ -13,70 +25,183 @@ pub(super) fn is_regular(growth: f64) -> bool {
     growth * f64::EPSILON.powf(0.625) < 1.0
 }
 
-/// The accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds M and A in rows, then f and b.
+/// Returns the accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds M and A in rows, then f and b.
+/// All are NaN if the accelerations are undetermined, or if constraints contradict each other.
 pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     let (mass, rest) = values.split_at(n * n);
     let (jacobian, rest) = rest.split_at(m * n);
-    let (forcing, drift) = rest.split_at(n);
-    let of_motion = (0..n).map(|i| {
-        let forces = (0..m).map(|k| -jacobian[k * n + i]);
-        mass[i * n..(i + 1) * n].iter().copied().chain(forces).chain([forcing[i]]).collect()
+    let (forcing, drifts) = rest.split_at(n);
+    let rows = |matrix: &[f64]| matrix.chunks(n.max(1)).map(<[f64]>::to_vec).collect::<Vec<_>>();
+    let is_finite = values.iter().all(|value| value.is_finite());
+    let found = is_finite.then(|| match m {
+        0 => unconstrained(rows(mass), forcing),
+        _ => ScaledEquations::new(rows(mass), &rows(jacobian)).motion(forcing, drifts),
     });
-    let of_constraints = (0..m).map(|k| {
-        let row = jacobian[k * n..(k + 1) * n].iter().copied();
-        row.chain(std::iter::repeat_n(0.0, m)).chain([-drift[k]]).collect()
-    });
-    let rows: Vec<Vec<f64>> = of_motion.chain(of_constraints).collect();
-    solve(rows).unwrap_or_else(|| vec![f64::NAN; n + m])
+    found.flatten().unwrap_or_else(|| vec![f64::NAN; n + m])
 }
 
-/// The solution of linear equations in rows, each with its right-hand side at the end; `None` if they are singular.
-fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
-    let size = rows.len();
-    scale(&mut rows)?;
-    let mut order = (0..size).collect::<Vec<_>>();
-    let smallest = ROUNDINGS * size as f64 * f64::EPSILON;
-    for k in 0..size {
-        let (i, j) = largest(&rows, k);
-        if rows[i][j].abs() <= smallest {
+/// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if it is singular.
+fn unconstrained(mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
+    let scales = equilibration(&mass);
+    let factors = OrthogonalFactors::new(scaled(mass, &scales), forcing.len(), roundings(forcing.len()));
+    (factors.rank() == forcing.len())
+        .then(|| product(&scales, &factors.combination(product(&scales, forcing))))
+}
+
+/// The matrices in coordinates whose masses are one, with the gradients of the constraints scaled to length one.
+struct ScaledEquations {
+    mass: Vec<Vec<f64>>,
+    /// Scales of coordinates: a = scales a′.
+    scales: Vec<f64>,
+    gradients: Vec<Vec<f64>>,
+    /// Scales of constraints: λ = gradient_scales λ′.
+    gradient_scales: Vec<f64>,
+    factors: OrthogonalFactors,
+}
+
+impl ScaledEquations {
+    fn new(mass: Vec<Vec<f64>>, jacobian: &[Vec<f64>]) -> ScaledEquations {
+        let scale = |j: usize| {
+            let column = jacobian.iter().fold(0.0, |most: f64, row| most.max(row[j].abs()));
+            reciprocal(if mass[j][j] > 0.0 { mass[j][j].sqrt() } else { column })
+        };
+        let scales = (0..mass.len()).map(scale).collect::<Vec<_>>();
+        let mut gradients = jacobian.iter().map(|row| product(row, &scales)).collect::<Vec<_>>();
+        let gradient_scales = gradients.iter().map(|row| reciprocal(length(row))).collect::<Vec<_>>();
+        for (row, scale) in gradients.iter_mut().zip(&gradient_scales) {
+            row.iter_mut().for_each(|entry| *entry *= scale);
+        }
+        let factors = OrthogonalFactors::new(gradients.clone(), scales.len(), rank_tolerance());
+        ScaledEquations { mass: scaled(mass, &scales), scales, gradients, gradient_scales, factors }
+    }
+
+    /// Returns the accelerations and multipliers; `None` if they are undetermined or constraints contradict each other.
+    fn motion(&self, forcing: &[f64], drifts: &[f64]) -> Option<Vec<f64>> {
+        let (forcing, drifts) = (product(&self.scales, forcing), product(&self.gradient_scales, drifts));
+        let demanded = drifts.iter().map(|drift| -drift).collect::<Vec<_>>();
+        let mut acceleration = self.factors.shortest(&demanded);
+        let free = self.free_part(self.forces_on(&acceleration, &forcing))?;
+        acceleration.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
+        let size = length(&acceleration) + length(&forcing) + length(&drifts);
+        let most = CONTRADICTION * rank_tolerance() * size;
+        let missed = |&i: &usize| (dot(&self.gradients[i], &acceleration) + drifts[i]).abs();
+        if self.factors.dependent().iter().any(|i| missed(i) > most) {
             return None;
         }
-        rows.swap(k, i);
-        rows.iter_mut().for_each(|row| row.swap(k, j));
-        order.swap(k, j);
-        let (done, below) = rows.split_at_mut(k + 1);
-        for row in below {
-            let factor = row[k] / done[k][k];
-            row.iter_mut().zip(&done[k]).skip(k).for_each(|(entry, pivot)| *entry -= factor * pivot);
-        }
+        let missing = self.forces_on(&acceleration, &forcing).iter().map(|force| -force).collect();
+        let multipliers = self.factors.shortest_amounts(&self.factors.inward(missing), &self.gradient_scales);
+        Some([product(&self.scales, &acceleration), multipliers].concat())
     }
-    let mut solution = vec![0.0; size];
-    for k in (0..size).rev() {
-        let known = (k + 1..size).map(|l| rows[k][l] * solution[order[l]]).sum::<f64>();
-        solution[order[k]] = (rows[k][size] - known) / rows[k][k];
+
+    /// f − M a
+    fn forces_on(&self, acceleration: &[f64], forcing: &[f64]) -> Vec<f64> {
+        self.mass.iter().zip(forcing).map(|(row, force)| force - dot(row, acceleration)).collect()
     }
-    Some(solution)
+
+    /// Returns the acceleration by these forces in the directions that no constraint restricts; `None` if it is undetermined.
+    fn free_part(&self, forces: Vec<f64>) -> Option<Vec<f64>> {
+        let (n, rank) = (self.scales.len(), self.factors.rank());
+        let unrestricted = |mut vector: Vec<f64>| {
+            vector[..rank].fill(0.0);
+            vector
+        };
+        let column = |j: usize| {
+            let mut direction = vec![0.0; n];
+            direction[j] = 1.0;
+            if j < rank {
+                return direction;
+            }
+            let direction = self.factors.outward(direction);
+            let inertial = self.mass.iter().map(|row| dot(row, &direction)).collect();
+            unrestricted(self.factors.inward(inertial))
+        };
+        let factors = OrthogonalFactors::new((0..n).map(column).collect(), n, roundings(n));
+        let right = unrestricted(self.factors.inward(forces));
+        (factors.rank() == n).then(|| self.factors.outward(factors.combination(right)))
+    }
 }
 
-/// Divides each equation by its largest coefficient; `None` if one has none or is not finite.
-fn scale(rows: &mut [Vec<f64>]) -> Option<()> {
-    for row in rows {
-        let coefficients = row.len() - 1;
-        let largest = row[..coefficients].iter().fold(0.0_f64, |largest, entry| largest.max(entry.abs()));
-        if largest == 0.0 || !row.iter().all(|entry| entry.is_finite()) {
-            return None;
-        }
-        row.iter_mut().for_each(|entry| *entry /= largest);
+/// Returns the factors that bring the largest entry of each row of a symmetric matrix near one if columns are multiplied by
+/// them, too.
+fn equilibration(matrix: &[Vec<f64>]) -> Vec<f64> {
+    let mut scales = vec![1.0; matrix.len()];
+    for _ in 0..SCALINGS {
+        let largest = |(row, scale): (&Vec<f64>, &f64)| {
+            row.iter()
+                .zip(&scales)
+                .fold(0.0, |most: f64, (entry, other)| most.max((scale * entry * other).abs()))
+        };
+        let largest = matrix.iter().zip(&scales).map(largest).collect::<Vec<_>>();
+        scales.iter_mut().zip(largest).for_each(|(scale, largest)| *scale *= reciprocal(largest.sqrt()));
     }
-    Some(())
+    scales
 }
 
-/// Place of the largest coefficient, from row and column `k` on.
-fn largest(rows: &[Vec<f64>], k: usize) -> (usize, usize) {
-    let size = rows.len();
-    let places = (k..size).flat_map(|i| (k..size).map(move |j| (i, j)));
-    let larger = |best: (usize, usize), place: (usize, usize)| {
-        if rows[place.0][place.1].abs() > rows[best.0][best.1].abs() { place } else { best }
-    };
-    places.fold((k, k), larger)
+/// Multiplies rows and columns of a matrix by scales.
+fn scaled(mut matrix: Vec<Vec<f64>>, scales: &[f64]) -> Vec<Vec<f64>> {
+    for (row, scale) in matrix.iter_mut().zip(scales) {
+        row.iter_mut().zip(scales).for_each(|(entry, other)| *entry *= scale * other);
+    }
+    matrix
+}
+
+/// Multiplies vectors entry by entry.
+fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a * b).collect()
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Returns the rounding level of a scaled matrix with this many rows.
+fn roundings(rows: usize) -> f64 {
+    ROUNDINGS * rows as f64 * f64::EPSILON
+}
+
+#[cfg(test)]
+mod tests {
+    use super::motion;
+
+    #[track_caller]
+    fn assert_near(found: &[f64], wanted: &[f64]) {
+        let is_near = |(found, wanted): (&f64, &f64)| (found - wanted).abs() <= 1e-12;
+        assert!(
+            found.len() == wanted.len() && found.iter().zip(wanted).all(is_near),
+            "{found:?} for {wanted:?}"
+        );
+    }
+
+    /// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0): the shortest forces that carry it are 10 + 5 x.
+    #[test]
+    fn redundant_constraints_share_a_force() {
+        let legs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| [1.0, y, -x]);
+        let mass = [4.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+        let values = [&mass[..], &legs.concat(), &[-40.0, 0.0, 20.0], &[0.0; 4]].concat();
+        assert_near(&motion(3, 4, &values), &[0.0, 0.0, 0.0, 15.0, 15.0, 5.0, 5.0]);
+    }
+
+    /// Gradients in the ratio a : b share a force in this ratio.
+    #[test]
+    fn multipliers_have_the_smallest_sum_of_squares() {
+        let (a, b) = (0.3_f64, 0.3_f64.sin());
+        let found = motion(1, 2, &[1.0, a, b, 1.0, 0.0, 0.0]);
+        let share = -1.0 / (a * a + b * b);
+        assert_near(&found, &[0.0, a * share, b * share]);
+    }
+
+    #[test]
+    fn contradictions_and_undetermined_motions_are_not_a_number() {
+        assert!(motion(1, 2, &[1.0, 1.0, 1.0, 0.0, 0.0, 1.0]).iter().all(|value| value.is_nan()));
+        assert!(
+            motion(2, 1, &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0]).iter().all(|value| value.is_nan())
+        );
+        assert!(motion(2, 0, &[1.0, 1.0, 1.0, 1.0, 2.0, 2.0]).iter().all(|value| value.is_nan()));
+    }
+
+    #[test]
+    fn constraints_make_up_for_a_mass_that_is_zero() {
+        assert_near(&motion(2, 1, &[2.0, 0.0, 0.0, 0.0, 1.0, -1.0, 6.0, 0.0, 0.0]), &[3.0, 3.0, 0.0]);
+        assert_near(&motion(2, 0, &[0.0, 1.0, 1.0, 0.0, 2.0, 3.0]), &[3.0, 2.0]);
+    }
 }

@@ -153,6 +153,29 @@ fn lagrangians_of_products_of_velocities_are_solved() {
     }
 }
 
+/// Three parallel cranks a, b, c: the coupler of the first two has one constraint too many.
+#[test]
+fn dependent_constraints_share_their_force() {
+    let system = derived(
+        "param l = 0.5; coord a, b, c;
+         kinetic = 1/2 * (dot(a)^2 + dot(b)^2 + dot(c)^2);
+         force a = 6;
+         constraint one = l * sin(a) - l * sin(b);
+         constraint two = l * cos(a) - l * cos(b);
+         constraint three = l * sin(b) - l * sin(c);",
+    );
+    let system = NumericSystem::new(&system);
+    let (angle, at_rest) = (0.7_f64, [0.0; 3]);
+    let acceleration = system.acceleration(0.0, &[angle; 3], &at_rest);
+    assert!(acceleration.iter().all(|a| (a - 2.0).abs() < 1e-13), "{acceleration:?}");
+    // The moment of 4 between a and b is shared in the ratio of the gradients; that of 2 between b and c is not shared.
+    let (sine, cosine) = angle.sin_cos();
+    let wanted = [-4.0 / 0.5 * cosine, 4.0 / 0.5 * sine, -2.0 / (0.5 * cosine)];
+    let multipliers = system.multipliers(0.0, &[angle; 3], &at_rest);
+    let is_near = |(found, wanted): (&f64, &f64)| (found - wanted).abs() < 1e-12;
+    assert!(multipliers.iter().zip(&wanted).all(is_near), "{multipliers:?} for {wanted:?}");
+}
+
 /// Three massless velocities move two points that are on a line with them: something moves nothing.
 #[test]
 fn what_no_square_moves_is_refused_at_every_level() {
