@@ -23,16 +23,12 @@ impl Parser<'_> {
         let text = |from: usize, to: usize| {
             (from..to).filter_map(|at| cursor.peek_past(at)).map(ToString::to_string)
         };
-        let mut end = factor_length(cursor, 0)?;
-        let mut count = 1;
-        while self.unit_follows(cursor, end)
-            && let Some(length) = factor_length(cursor, end + 1)
-        {
-            (end, count) = (end + 1 + length, count + 1);
-        }
-        if count == 1 {
-            return None;
-        }
+        let next = |&end: &usize| {
+            let follows = self.unit_follows(cursor, end);
+            follows.then(|| factor_length(cursor, end + 1)).flatten().map(|length| end + 1 + length)
+        };
+        let first = factor_length(cursor, 0)?;
+        let end = std::iter::successors(Some(first), next).last().filter(|&end| end != first)?;
         let (number, unit) = (cursor.previous()?.to_string(), text(0, end).collect::<String>());
         let rest = match at_product(cursor, end) {
             true => text(end, end + 2).map(|token| format!(" {token}")).collect::<String>(),
