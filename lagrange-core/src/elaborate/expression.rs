@@ -86,6 +86,9 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
             return entry.value.clone();
         }
         let kind = entry.kind;
+        if kind == NameKind::Implied && belongs_to_held_pin(evaluator, name) {
+            return Some(Operand::Scalar(evaluator.graph.number(0)));
+        }
         if kind == NameKind::Implied && !is_first_of_joint(evaluator, name) {
             return None;
         }
@@ -108,6 +111,17 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
         report_unknown(evaluator, name, origin, help);
     }
     None
+}
+
+/// True if another component of the pin that has this constraint has a multiplier. Any number would do for that of a constraint
+/// without gradient; the smallest is zero.
+fn belongs_to_held_pin(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
+    let Some((pin, _)) = constraint.rsplit_once('_') else { return false };
+    let held = |axis: &str| {
+        let entry = evaluator.scope.resolve(&format!("{pin}_{axis}"));
+        entry.is_some_and(|entry| entry.kind == NameKind::Constraint)
+    };
+    ["_x", "_y", "_z"].iter().any(|axis| constraint.ends_with(axis)) && ["x", "y", "z"].into_iter().any(held)
 }
 
 /// True if nothing was said yet of a joint without forces, one of whose constraints has this name.
