@@ -15,10 +15,10 @@ use lagrange_core::pipeline::expand;
 use crate::processor_time::of_this_thread;
 use crate::report;
 
-/// Processor time of an unoptimised build for a refusal.
-const MOST_TIME: Duration = Duration::from_secs(1);
-/// Processor time of an unoptimised build for three bodies with their equations in LaTeX.
-const MOST_TIME_OF_PRESENTATION: Duration = Duration::from_secs(5);
+/// Processor time beyond which a refusal counts as work that was done first; refusals take milliseconds.
+const MAX_TIME: Duration = Duration::from_secs(5);
+/// Processor time beyond which the presentation of three bodies counts as hanging; it takes two seconds unoptimised.
+const MAX_TIME_OF_PRESENTATION: Duration = Duration::from_secs(30);
 
 /// A row of the table: the limit, and what is said beyond it.
 struct Row {
@@ -181,7 +181,7 @@ fn giants_are_answered_quickly() {
         proc_macro2::extra::invalidate_current_thread_spans();
         let beginning = text.chars().take(80).collect::<String>();
         assert!(report.has_errors(), "{beginning}");
-        if time > MOST_TIME {
+        if time > MAX_TIME {
             slow.push(format!("{time:?}: {beginning}"));
         }
     }
@@ -203,5 +203,5 @@ fn equations_of_skew_frames_are_written_quickly() {
     let report = report(text);
     let time = of_this_thread() - start;
     assert!(!report.has_errors(), "{report}");
-    assert!(time < MOST_TIME_OF_PRESENTATION, "{time:?}");
+    assert!(time < MAX_TIME_OF_PRESENTATION, "{time:?}");
 }
