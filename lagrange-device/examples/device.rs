@@ -1,4 +1,4 @@
-//! How many motions a second a device computes, beside the scalar code on one thread of the processor.
+//! The number of motions per second of a device, compared with the scalar code on one thread of the processor.
 //!
 //! `cargo run --release --example device` in the folder of `lagrange-device`. The motions are those of double pendulums, 10 s each, from starts
 //! that differ by little. Ends of the device and of the scalar code must agree.

@@ -41,7 +41,7 @@ const LAGRANGE: &[Layer] = &[
 ];
 
 const CORE: &[Layer] = &[
-    Layer { modules: &["limits"], purpose: "largest numbers and sizes of a declaration" },
+    Layer { modules: &["limits"], purpose: "limits on numbers and sizes in a declaration" },
     Layer {
         modules: &["collections", "diagnostics", "number"],
         purpose: "containers with a fixed order; diagnostics with spans and help; exact rationals",
@@ -97,7 +97,7 @@ const CORE: &[Layer] = &[
     Layer { modules: &["pipeline"], purpose: "all phases, in order" },
 ];
 
-const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "files that declarations name, read" }];
+const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "reading of table files" }];
 
 const MATH: &[Layer] = &[
     Layer {
@@ -177,7 +177,10 @@ const MPI: &[Layer] = &[
 ];
 
 const PLOT: &[Layer] = &[
-    Layer { modules: &["characters"], purpose: "characters that pictures show, and how documents hold them" },
+    Layer {
+        modules: &["characters"],
+        purpose: "the characters that pictures can show, and their escapes in documents",
+    },
     Layer {
         modules: &["axis", "lettering", "thin"],
         purpose: "ranges and ticks of axes; glyph outlines of the embedded font; reduction of curves \

@@ -8,7 +8,7 @@ const TABLES: [&str; 4] = [
     include_str!("spatial_mechanisms.csv"),
 ];
 
-/// What the decimals of a declaration stand for in a reference.
+/// The meaning of a declaration's decimals in a reference.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[allow(dead_code, reason = "each target that includes this module needs some of it")]
 pub(crate) enum Numbers {

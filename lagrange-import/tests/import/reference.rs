@@ -4,7 +4,7 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_import::urdf::{Import, Motion};
 
-/// What stands in references for the base.
+/// The name of the base in references.
 const BASE: &str = "root_joint";
 
 /// The equations of what was imported.
@@ -14,7 +14,7 @@ pub(crate) fn derive(imported: &Import) -> Result<Derived, String> {
     system.derive(StrategyChoice::Cheapest).map_err(|report| report.to_string())
 }
 
-/// What stands within the macro.
+/// Returns the text within the macro.
 pub(crate) fn statements(declaration: &str) -> &str {
     let inner = declaration.strip_prefix("lagrange::system! {").and_then(|rest| rest.strip_suffix("}\n"));
     inner.expect("a declaration within the macro")
