@@ -218,7 +218,7 @@ fn listings_show_some_mistakes_and_count_the_others() {
     assert!(listed.ends_with(&format!("many.urdf: not shown: {} more errors\n", errors - 50)), "{listed}");
     assert_eq!(
         listing("a", &mistakes[..1]).lines().next(),
-        Some(&*format!("a:{}", mistakes[0]).lines().next().expect("a line"))
+        Some(format!("a:{}", mistakes[0]).lines().next().expect("a line"))
     );
 }
 
