@@ -318,7 +318,7 @@ fn steps_that_times_so_far_from_zero_cannot_tell_are_refused() {
 /// The same instants backwards, where what rises in time falls along the run.
 #[test]
 fn directions_of_events_are_those_along_the_run() {
-    let system = Swing::default();
+    let system = Swing;
     let swing = |direction, [from, until]: [f64; 2]| -> Vec<(String, f64)> {
         let phase = |t: f64| [-t.cos(), t.sin()];
         let run = system.simulate(phase(from)).from(from).until(until).tolerance(1e-12);
