@@ -90,7 +90,8 @@ fn flattened(elaborator: &mut Elaborator<'_>, values: &[AstId]) -> Option<Vec<Ex
 fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
     let constraints = elaborator.constraints.iter().map(|(constraint, _)| constraint.name.clone());
     let constraints = constraints.collect::<Vec<_>>();
-    let exists = |item: &Drawn| item.needs.iter().any(|name| constraints.contains(name));
+    let is_there = |name: &String| constraints.contains(name);
+    let exists = |item: &Drawn| item.needs.is_empty() || item.needs.iter().any(is_there);
     let mut items: Vec<DrawnItem> = Vec::new();
     for item in drawing {
         match &item.kind {
