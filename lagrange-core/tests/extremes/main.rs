@@ -3,12 +3,12 @@
 //! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors that were found.
 
 mod cases;
-#[path = "../shared/digits.rs"]
+#[path = "../common/digits.rs"]
 mod digits;
-#[path = "../shared/linear.rs"]
+#[path = "../common/linear.rs"]
 mod linear;
 mod oracle;
-#[path = "../shared/random.rs"]
+#[path = "../common/random.rs"]
 #[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod reference;

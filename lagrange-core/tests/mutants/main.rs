@@ -18,11 +18,11 @@ mod compiled;
 mod corpus;
 mod guard;
 mod mutation;
-#[path = "../shared/numbered.rs"]
+#[path = "../common/numbered.rs"]
 mod numbered;
-#[path = "../shared/project.rs"]
+#[path = "../common/project.rs"]
 mod project;
-#[path = "../shared/random.rs"]
+#[path = "../common/random.rs"]
 #[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod table_files;

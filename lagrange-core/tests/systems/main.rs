@@ -17,20 +17,20 @@
 //! What fails is made as small as it can be and printed with the number of its case.
 
 mod compare;
-#[path = "../shared/digits.rs"]
+#[path = "../common/digits.rs"]
 mod digits;
 mod elementary;
 mod faults;
 mod generate;
 mod jet;
 mod layout;
-#[path = "../shared/linear.rs"]
+#[path = "../common/linear.rs"]
 mod linear;
-#[path = "../shared/numbered.rs"]
+#[path = "../common/numbered.rs"]
 mod numbered;
 mod orientations;
 mod parts;
-#[path = "../shared/random.rs"]
+#[path = "../common/random.rs"]
 #[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod reference;
