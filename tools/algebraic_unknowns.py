@@ -1,6 +1,6 @@
 """Solutions of equations with one unknown, by mpmath with 60 digits.
 
-Writes `lagrange-runtime/src/root/solutions.csv`: equation, x, and for each solution y in ascending order y and what one rounding error in
+Writes `crates/lagrange-runtime/src/root/solutions.csv`: equation, x, and for each solution y in ascending order y and what one rounding error in
 every term of the equation makes of it, the sum of the magnitudes of the terms over that of the slope. No solution, no further columns.
 
     python3 tools/algebraic_unknowns.py
@@ -128,7 +128,7 @@ def main():
             found = [y for y in solutions(mpf(x)) if abs(y) < mpf(10) ** 300]
             cells = [f"{mp.nstr(y, 20)},{float(spread(terms, y, mpf(x))):.3e}" for y in found]
             lines.append(",".join([name, repr(x), *cells]))
-    place = Path(__file__).parent.parent / "lagrange-runtime/src/root/solutions.csv"
+    place = Path(__file__).parent.parent / "crates/lagrange-runtime/src/root/solutions.csv"
     place.write_text("\n".join(lines) + "\n")
 
 

@@ -6,7 +6,7 @@ if [ "${1:-}" = install ]; then
     ${SUDO:-} apt-get update
     ${SUDO:-} apt-get install --yes pocl-opencl-icd ocl-icd-libopencl1
 fi
-cd "$(dirname "$0")/../lagrange-device"
+cd "$(dirname "$0")/../crates/lagrange-device"
 cargo fmt --check
 for features in opencl cuda opencl,cuda; do
     cargo clippy --all-targets --no-default-features --features "$features" -- -D warnings

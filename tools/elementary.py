@@ -2,7 +2,7 @@
 """The numbers behind the elementary functions of `lagrange-math` other than sine and cosine (`tools/sin_cos.py`).
 
     tools/elementary.py constants      parts of ln 2 and pi/4 and coefficients, as they stand in the sources
-    tools/elementary.py data [--check] writes, or compares, lagrange-math/tests/elementary/reference.txt
+    tools/elementary.py data [--check] writes, or compares, crates/lagrange-math/tests/elementary/reference.txt
     cargo test -p lagrange-math --test elementary sweep -- --ignored --nocapture | tools/elementary.py sweep
                                        the largest errors among many more arguments, in some minutes
 
@@ -21,7 +21,7 @@ from mpmath import acos, asin, atan, atan2, cosh, exp, floor, hypot, log, mp, mp
 from sin_cos import bits, horner, nearest_angles, remez
 
 mp.prec = 300
-REFERENCE = Path(__file__).resolve().parent.parent / "lagrange-math" / "tests" / "elementary" / "reference.txt"
+REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "elementary" / "reference.txt"
 # What is reduced may exceed the interval by the rounding error of the multiple that is taken off.
 MARGIN = 1 + mpf(10) ** -9
 

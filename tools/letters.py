@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the fonts of lagrange-plot/letters: those characters of STIX Two that labels of mechanics need, and no tables beside.
+"""Makes the fonts of crates/lagrange-plot/letters: those characters of STIX Two that labels of mechanics need, and no tables beside.
 
     tools/letters.py FOLDER     with STIXTwoText-Regular.ttf, STIXTwoText-Italic.ttf, STIXTwoMath-Regular.ttf and OFL.txt of version
                                 2.13 b171: https://github.com/stipub/stixfonts/tree/v2.13b171, fonts/static_ttf
@@ -23,7 +23,7 @@ from fontTools.subset import Options, Subsetter
 from fontTools.ttLib import TTFont, newTable
 from fontTools.ttLib.tables._k_e_r_n import KernTable_format_0
 
-LETTERS = Path(__file__).resolve().parent.parent / "lagrange-plot" / "letters"
+LETTERS = Path(__file__).resolve().parent.parent / "crates" / "lagrange-plot" / "letters"
 SOURCES = {
     "STIXTwoText-Regular.ttf": "0566a1be411c0b2463fad8563b33f1c299442b8882c7fce9ef95e079f43233da",
     "STIXTwoText-Italic.ttf": "5a0ed1c0c1d3d4f83f2d00bcd4a0a991a7b0755beacee0a57b26762327a84c22",

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs an ensemble over the processes of an MPI job and kills one of them: `tools/mpi_check.py [--motions 20000] [--parts 40]`
 
-The program `lagrange-mpi/examples/pendulums.rs` saves double pendulums and sums them up, with 1, 2 and 4 processes. Then one of four
+The program `crates/lagrange-mpi/examples/pendulums.rs` saves double pendulums and sums them up, with 1, 2 and 4 processes. Then one of four
 processes is killed (SIGKILL) in the middle, which ends the others, and the job goes on with four, and another one with two. All files must have
 the SHA-256 of those of a single process, and all sums its bits. Before that an error in one process must end the others.
 
@@ -43,7 +43,7 @@ def build():
     """The program, optimised; its path."""
     target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "mpi"
     command = ["cargo", "build", "--release", "--locked", "--example", "pendulums", "--target-dir", target]
-    subprocess.run(command, check=True, cwd=ROOT / "lagrange-mpi")
+    subprocess.run(command, check=True, cwd=ROOT / "crates" / "lagrange-mpi")
     return target / "release" / "examples" / "pendulums"
 
 

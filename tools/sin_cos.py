@@ -3,7 +3,7 @@
 
     tools/sin_cos.py constants      parts of pi/2 and coefficients, as they stand in the sources
     tools/sin_cos.py angles         how near a double comes to a multiple of pi/2, and what reduction makes of it
-    tools/sin_cos.py data [--check] writes, or compares, lagrange-math/tests/sin_cos/reference.txt
+    tools/sin_cos.py data [--check] writes, or compares, crates/lagrange-math/tests/sin_cos/reference.txt
 
 Needs mpmath. Sources: W. J. Cody, W. Waite, "Software Manual for the Elementary Functions", 1980, ch. 8
 (reduction in parts); J.-M. Muller, "Elementary Functions", 3rd ed., 2016, ch. 3 (minimax polynomials by the
@@ -20,7 +20,7 @@ from pathlib import Path
 from mpmath import cos, floor, log, lu_solve, matrix, mp, mpf, nint, pi, sin
 
 mp.prec = 300
-REFERENCE = Path(__file__).resolve().parent.parent / "lagrange-math" / "tests" / "sin_cos" / "reference.txt"
+REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "sin_cos" / "reference.txt"
 LIMIT = 1e5
 # Multiples of pi/2 below the limit have 16 bits, so that they times a part of 37 bits are exact.
 PART_BITS = [37, 37, 53]

@@ -1,7 +1,7 @@
 """What Pinocchio reads from URDF files and computes of them, for the tests of `lagrange-import` and for `docs/robots.md`.
 
     pip install pin example-robot-data
-    python3 tools/urdf.py            # writes lagrange-import/tests/data/*.txt
+    python3 tools/urdf.py            # writes crates/lagrange-import/tests/data/*.txt
     python3 tools/urdf.py --robots   # measures all robots of example-robot-data and writes docs/robots.md
 
 Pinocchio reads the same file by itself. It keeps the scalar part of a quaternion last, and velocities of floating and planar joints in the axes
@@ -24,7 +24,7 @@ import numpy as np
 import pinocchio as pin
 
 ROOT = Path(__file__).resolve().parent.parent
-DATA = ROOT / "lagrange-import" / "tests" / "data"
+DATA = ROOT / "crates" / "lagrange-import" / "tests" / "data"
 ROBOTS = "cmeel.prefix/share/example-robot-data/robots"
 STATES = 6
 BASE = "root_joint"

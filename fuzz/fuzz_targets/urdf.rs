@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 
-#[path = "../../lagrange-import/tests/import/judge.rs"]
+#[path = "../../crates/lagrange-import/tests/import/judge.rs"]
 mod judge;
 
 fuzz_target!(|bytes: &[u8]| {

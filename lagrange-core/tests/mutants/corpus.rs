@@ -12,8 +12,8 @@ const PLACES: [&str; 9] = [
     "examples",
     "lagrange-core/tests/golden",
     "lagrange-core/tests/laws",
-    "lagrange-draw/src",
-    "lagrange-runtime/src",
+    "crates/lagrange-draw/src",
+    "crates/lagrange-runtime/src",
     "src",
     "tests",
 ];

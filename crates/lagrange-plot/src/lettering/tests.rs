@@ -40,7 +40,7 @@ fn every_character_of_labels_has_a_glyph() {
 
 #[test]
 fn every_character_that_examples_write_has_a_glyph() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let files = fs::read_dir(folder).expect("is there").map(|file| file.expect("is there").path());
     let mut written = BTreeSet::new();
     for file in files.filter(|path| path.is_file()) {

@@ -13,7 +13,7 @@ use crate::device::Device;
 use reference::{Reference, names};
 
 /// Only what is asked of it here.
-#[path = "../../../tests/oracle/reference.rs"]
+#[path = "../../../../tests/oracle/reference.rs"]
 #[allow(dead_code, reason = "other tests compare more")]
 mod reference;
 
@@ -50,16 +50,16 @@ macro_rules! declare {
     };
 }
 
-#[path = "../../../tests/oracle/systems.rs"]
+#[path = "../../../../tests/oracle/systems.rs"]
 mod systems;
 
 fn directory() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/oracle"))
+    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/oracle"))
 }
 
 #[test]
 fn every_reference_is_compiled() {
-    let systems = include_str!("../../../tests/oracle/systems.rs");
+    let systems = include_str!("../../../../tests/oracle/systems.rs");
     let declared = systems.lines().filter_map(|line| line.strip_prefix("declare! { ")?.split(',').next());
     assert!(declared.eq(names(directory()).iter()));
 }
