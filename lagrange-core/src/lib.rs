@@ -43,40 +43,24 @@
 //! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line [`Program`](program::Program)s, [`code`]
 //!    writes those as the body of a function, [`formula`] writes expressions as text, LaTeX or graphs.
 //!
-//! They stand on [`elementary`], one row for each elementary function, [`units`], one row for each unit of measurement, [`opaque`], functions without a formula, of which [`tables`] may be
-//! read from files, and [`solids`], one row for each solid; [`expr`], the graph
-//! that owns every expression of a system; [`functions`], their values as expressions; [`calculus`] and [`simplify`], algorithms
-//! that take the graph; and on [`limits`], [`number`], [`symbol`], [`diagnostics`] and [`collections`]. `ARCHITECTURE.md` says which may import
-//! which, and `docs/tour.md` shows what each phase makes of a double pendulum.
+//! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`] and [`pipeline`]. It re-exports the modules of
+//! three crates below it: `lagrange-expr`, the graph that owns every expression of a system, with its vocabulary;
+//! `lagrange-algebra`, the algorithms that take the graph; and `lagrange-language`, from tokens to plain statements.
+//! `ARCHITECTURE.md` lists their layers, and `docs/tour.md` follows a double pendulum through each phase.
 #![forbid(unsafe_code)]
 
-pub mod bodies;
-pub mod calculus;
-pub mod code;
-pub mod collections;
 pub mod derive;
-pub mod diagnostics;
-pub mod dimensions;
 pub mod elaborate;
-pub mod elementary;
 pub mod emit;
-pub mod expand;
-pub mod expr;
-pub mod formula;
-pub mod functions;
-pub mod inline;
-pub mod limits;
 pub mod model;
-pub mod number;
-pub mod opaque;
 pub mod pipeline;
-pub mod program;
-pub mod simplify;
-pub mod solids;
-pub mod symbol;
-pub mod syntax;
-pub mod tables;
-pub mod units;
+
+pub use lagrange_algebra::{calculus, code, formula, program, simplify};
+pub use lagrange_expr::{
+    accuracy, collections, diagnostics, elementary, expr, functions, keywords, limits, number, opaque,
+    solids, symbol, units,
+};
+pub use lagrange_language::{bodies, dimensions, expand, inline, syntax, tables};
 
 /// `docs/tour.md`, compiled and run.
 #[cfg(doctest)]

@@ -14,11 +14,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::derive::StrategyChoice;
-use crate::diagnostics::Report;
 use crate::emit;
-use crate::syntax::ast::Declaration;
-use crate::syntax::parse_tokens;
-use crate::tables::{Reader, no_files, read_files};
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::parse_tokens;
+use lagrange_language::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
 
 pub use numeric::NumericSystem;

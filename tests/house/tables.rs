@@ -13,13 +13,16 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 12] = [
+pub(crate) const LIBRARIES: [Library; 15] = [
     Library { name: "lagrange", layers: LAGRANGE },
+    Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-device", layers: DEVICE },
     Library { name: "lagrange-draw", layers: DRAW },
+    Library { name: "lagrange-expr", layers: EXPR },
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-import", layers: IMPORT },
+    Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: MACRO },
     Library { name: "lagrange-math", layers: MATH },
     Library { name: "lagrange-mpi", layers: MPI },
@@ -40,8 +43,11 @@ const LAGRANGE: &[Layer] = &[
     },
 ];
 
-const CORE: &[Layer] = &[
-    Layer { modules: &["limits"], purpose: "limits on numbers and sizes in a declaration" },
+const EXPR: &[Layer] = &[
+    Layer {
+        modules: &["accuracy", "keywords", "limits"],
+        purpose: "levels of accuracy; keywords of Rust; limits on numbers and sizes in a declaration",
+    },
     Layer {
         modules: &["collections", "diagnostics", "number"],
         purpose: "containers with a fixed order; diagnostics with spans and help; exact rationals",
@@ -57,21 +63,35 @@ const CORE: &[Layer] = &[
     },
     Layer {
         modules: &["expr"],
-        purpose: "the expression graph, typed ids, and the only constructors of sums, products and \
-                  conditionals",
+        purpose: "the expression graph, typed ids, the only constructors of sums, products and \
+                  conditionals, and evaluation",
     },
     Layer { modules: &["functions"], purpose: "function values as expressions, and their derivatives" },
     Layer {
-        modules: &["calculus", "formula", "solids"],
-        purpose: "derivatives, expansion, substitution and evaluation; output as text, LaTeX and \
-                  Graphviz; solids, one row each: dimensions, moment of inertia, centre of mass, \
-                  outline",
+        modules: &["solids"],
+        purpose: "solids, one row each: dimensions, moment of inertia, centre of mass, outline",
+    },
+];
+
+const ALGEBRA: &[Layer] = &[
+    Layer {
+        modules: &["calculus", "formula"],
+        purpose: "derivatives, expansion and substitution; output as text, LaTeX and Graphviz",
     },
     Layer {
-        modules: &["simplify", "syntax"],
+        modules: &["simplify"],
         purpose: "named rewrite rules, `collect` and `quotient` for equations, `present` for readers, \
-                  `proves_zero`; tokens to syntax tree and back to text",
+                  `proves_zero`",
     },
+    Layer {
+        modules: &["program"],
+        purpose: "straight-line programs: lowering, passes, verifier, interpreter, operation counts",
+    },
+    Layer { modules: &["code"], purpose: "programs as source text of a target language" },
+];
+
+const LANGUAGE: &[Layer] = &[
+    Layer { modules: &["syntax"], purpose: "tokens to syntax tree and back to text" },
     Layer { modules: &["expand"], purpose: "expansion of arrays, loops and sums" },
     Layer {
         modules: &["inline", "tables"],
@@ -79,15 +99,14 @@ const CORE: &[Layer] = &[
                   supplied by the caller",
     },
     Layer {
-        modules: &["bodies", "dimensions", "program"],
+        modules: &["bodies", "dimensions"],
         purpose: "rigid bodies, springs and joints, in the plane and in space, rewritten as plain \
-                  statements; conversion to coherent units, dimension checks; straight-line programs: \
-                  lowering, passes, verifier, interpreter, operation counts",
+                  statements; conversion to coherent units, dimension checks",
     },
-    Layer {
-        modules: &["code", "model"],
-        purpose: "programs as source text of a target language; the model of a system, as expressions",
-    },
+];
+
+const CORE: &[Layer] = &[
+    Layer { modules: &["model"], purpose: "the model of a system, as expressions" },
     Layer {
         modules: &["derive", "elaborate"],
         purpose: "model to equations: quadratic form, elimination, structure; declaration to model, \

@@ -48,13 +48,18 @@ fn root() -> PathBuf {
 
 /// Names of all crates and the paths of their roots.
 fn roots(root: &Path) -> Vec<(String, String)> {
-    let within = |parent: &'static str| entries(root, parent).into_iter().map(move |name| format!("{parent}{name}/"));
+    let within =
+        |parent: &'static str| entries(root, parent).into_iter().map(move |name| format!("{parent}{name}/"));
     let mut folders = within("").chain(within("crates/")).collect::<Vec<_>>();
     folders.insert(0, String::new());
     folders.retain(|folder| root.join(folder).join("Cargo.toml").is_file());
     let mut found = Vec::new();
     for folder in folders {
-        let name = if folder.is_empty() { "lagrange" } else { folder.trim_start_matches("crates/").trim_end_matches('/') };
+        let name = if folder.is_empty() {
+            "lagrange"
+        } else {
+            folder.trim_start_matches("crates/").trim_end_matches('/')
+        };
         let sources = ["lib.rs", "main.rs"].map(|file| format!("{folder}src/{file}"));
         let source = sources.into_iter().find(|path| root.join(path).is_file());
         found.extend(source.map(|path| (name.to_owned(), path)));

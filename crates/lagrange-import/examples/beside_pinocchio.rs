@@ -10,10 +10,10 @@ mod reference;
 use std::process::ExitCode;
 use std::{env, fs};
 
+use lagrange_core::accuracy::Accuracy;
 use lagrange_core::expr::ExprId;
 use lagrange_core::pipeline::Derived;
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
-use lagrange_core::syntax::ast::Accuracy;
 use lagrange_import::urdf::{Options, import};
 
 fn main() -> ExitCode {

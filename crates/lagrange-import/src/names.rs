@@ -2,7 +2,8 @@
 
 use std::collections::{HashMap, HashSet};
 
-use lagrange_core::syntax::{can_be_declared, is_rust_keyword};
+use lagrange_core::keywords::is_rust_keyword;
+use lagrange_core::syntax::can_be_declared;
 
 /// Name of the world in the language.
 pub(crate) const GROUND: &str = "ground";

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::collections::OrderedMap;
-use crate::expr::{ExprId, Graph, Node};
-use crate::number::Number;
-use crate::simplify::{self, Angles};
+use lagrange_algebra::simplify::{self, Angles};
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// Σ slope · variable, in ascending order of variables.
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;

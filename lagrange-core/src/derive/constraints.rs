@@ -7,10 +7,10 @@
 
 use super::elimination::record::Elimination;
 use super::quadratic_form::QuadraticForm;
-use crate::calculus::{AccelerationTerms, Rates};
-use crate::expr::ExprId;
 use crate::model::{Constraint, Model};
-use crate::number::Number;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::number::Number;
 
 /// Equations that follow from the constraints of a model.
 #[derive(Clone, Default, Debug)]

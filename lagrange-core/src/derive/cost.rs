@@ -4,9 +4,9 @@
 //! number of operations and with the longest chain of them; weights are latencies and costs on current
 //! processors, in cycles.
 
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph, Node};
-use crate::number::Number;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// Latency of an addition or a multiplication: four cycles on Intel cores since Skylake, three to four on Zen (Fog, *Instruction
 /// tables*).

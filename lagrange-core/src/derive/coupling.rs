@@ -1,10 +1,10 @@
 //! A look at how many velocities a system couples, before anything is derived from it.
 
-use crate::calculus::{Degree, Degrees};
-use crate::collections::HashMap;
-use crate::expr::Node;
 use crate::model::Model;
-use crate::number::Number;
+use lagrange_algebra::calculus::{Degree, Degrees};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::Node;
+use lagrange_expr::number::Number;
 
 /// Expressions looked at before the search ends.
 const LONGEST_LOOK: usize = 200_000;

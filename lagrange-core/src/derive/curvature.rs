@@ -4,9 +4,9 @@
 //! continued through the nonlinear nodes.
 
 use super::quadratic_form::QuadraticForm;
-use crate::calculus::{Degree, Degrees, partials, second_partials};
-use crate::collections::OrderedMap;
-use crate::expr::{ExprId, Graph};
+use lagrange_algebra::calculus::{Degree, Degrees, partials, second_partials};
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Second derivatives on the way from a root down to affine nodes.
 pub(super) struct Curvature {

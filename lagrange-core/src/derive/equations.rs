@@ -17,12 +17,12 @@ use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice
 use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
 use super::virtual_displacements::{add_slopes, add_turning};
-use crate::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
-use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::model::{Constraint, Energies, Model, Product};
-use crate::number::Number;
-use crate::simplify::{self, Angles};
-use crate::syntax::ast::Accuracy;
+use lagrange_algebra::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
+use lagrange_algebra::simplify::{self, Angles};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// The equations of motion and what else a model was asked for. Products that are not wanted are not
 /// among `products`; the two sides of M q̈ = f come with the accelerations.

@@ -11,13 +11,13 @@ use super::elimination::solution::{push_down, solve_dense};
 use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms, least_constraint_form};
 use super::quadratic_form::QuadraticForm;
-use crate::calculus::AccelerationTerms;
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
-use crate::number::Number;
-use crate::simplify::{self, vanishing};
-use crate::syntax::ast::Accuracy;
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_algebra::simplify::{self, vanishing};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does to itself cancels, but the number of
 /// coefficients grows as its square, and with it what they share when they stay closed.

@@ -5,9 +5,9 @@
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
 
-use crate::calculus::gradient;
-use crate::expr::ExprId;
 use crate::model::Model;
+use lagrange_algebra::calculus::gradient;
+use lagrange_expr::expr::ExprId;
 
 /// The Jacobians of all frames of a model, row by row.
 pub(super) fn frame_jacobians(model: &mut Model) -> Vec<Vec<ExprId>> {

@@ -29,11 +29,11 @@ use std::collections::BTreeMap;
 
 use super::curvature::Curvature;
 use super::quadratic_form::QuadraticForm;
-use crate::calculus::{AccelerationTerms, Degree, Degrees, adjoint, partials, substitute_all};
-use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::number::Number;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::{AccelerationTerms, Degree, Degrees, adjoint, partials, substitute_all};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
 
 /// Second derivatives and slopes of a Gibbs function, at velocities.
 #[derive(Debug)]

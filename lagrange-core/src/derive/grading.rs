@@ -7,12 +7,12 @@
 
 use std::collections::BTreeMap;
 
-use crate::calculus::keeps_units;
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Function, Graph, Node};
 use crate::model::Model;
-use crate::number::Number;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::keeps_units;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
 
 /// A grade as `known + Σ coefficient · grade of a symbol`.
 #[derive(Clone, Debug)]

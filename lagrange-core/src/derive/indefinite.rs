@@ -7,9 +7,9 @@
 //! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Function, Graph, Node};
-use crate::functions;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
+use lagrange_expr::functions;
 
 /// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB of `f64` at this size.
 const LARGEST: usize = 40;

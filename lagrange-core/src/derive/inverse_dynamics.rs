@@ -2,9 +2,9 @@
 
 use super::elimination::solution::push_down;
 use super::least_constraint::{SplitLagrangian, Terms, linear_form};
-use crate::calculus::AccelerationTerms;
-use crate::expr::ExprId;
 use crate::model::Model;
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_expr::expr::ExprId;
 
 /// The linear part at the generalised velocities.
 pub(super) fn residual(

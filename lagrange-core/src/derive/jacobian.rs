@@ -13,10 +13,10 @@ use super::inverse_dynamics::residual;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::strategies::Strategy;
 use super::sweep::Rotations;
-use crate::calculus::{AccelerationTerms, jacobian, substitute_all};
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
-use crate::syntax::ast::Accuracy;
+use lagrange_algebra::calculus::{AccelerationTerms, jacobian, substitute_all};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a factorised full
 /// matrix of n rows takes n³ operations, and differentiating it n⁴.

@@ -32,11 +32,11 @@ use super::gibbs_appell::{GibbsForm, remainder};
 use super::quadratic_form::QuadraticForm;
 use super::quasi_velocities::QuasiVelocities;
 use super::virtual_displacements::{add_slopes, add_turning};
-use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient};
-use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::model::{GibbsFunction, Model};
-use crate::number::Number;
+use lagrange_algebra::calculus::{AccelerationTerms, Degree, Degrees, Rates, gradient};
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// The Lagrangian sorted into terms that are treated alike.
 #[derive(Debug)]

@@ -103,9 +103,9 @@ mod virtual_displacements;
 
 use proc_macro2::Span;
 
-use crate::diagnostics::Report;
 use crate::model::Model;
-use crate::syntax::ast::{Declaration, StatementKind};
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use undetermined::undetermined;
 
 pub use constraints::ConstraintEquations;

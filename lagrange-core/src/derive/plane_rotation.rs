@@ -16,9 +16,9 @@
 
 use std::collections::BTreeSet;
 
-use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{ExprId, Function, Graph, Node};
-use crate::number::Number;
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// Two variables that are two others turned: u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, but for signs.
 #[derive(Clone, Debug)]

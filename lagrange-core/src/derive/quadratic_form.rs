@@ -4,10 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::plane_rotation::{TurnedPair, turned_back, turned_block};
 use super::sweep::Step;
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::simplify;
+use lagrange_algebra::simplify;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// A sum that is still being collected.
 type Contributions = Vec<(ExprId, Number)>;

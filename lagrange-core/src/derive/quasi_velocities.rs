@@ -23,10 +23,10 @@ use super::gibbs_appell::affine_operands;
 use super::plane_rotation::{TurnedPair, turned_back, turned_pairs};
 use super::quadratic_form::QuadraticForm;
 use super::virtual_displacements::{add_slopes, add_turning};
-use crate::calculus::{AccelerationTerms, Degree, Degrees, Rates, adjoint, partials};
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
+use lagrange_algebra::calculus::{AccelerationTerms, Degree, Degrees, Rates, adjoint, partials};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Terms of a Lagrangian in components that joints turn.
 #[derive(Debug)]

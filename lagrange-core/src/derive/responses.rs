@@ -5,11 +5,11 @@
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
 
 use super::elimination::record::Elimination;
-use crate::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
-use crate::expr::{ExprId, Graph};
-use crate::functions;
 use crate::model::{Model, ReactionKind};
-use crate::number::Number;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates, gradient, substitute_all};
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::functions;
+use lagrange_expr::number::Number;
 
 /// A quantity that is affine in the reactions.
 #[derive(Clone, Debug)]
@@ -136,7 +136,7 @@ impl Limits<'_> {
 fn share(graph: &mut Graph, velocity: ExprId, width: ExprId) -> ExprId {
     let inverse = graph.reciprocal(width);
     let ratio = graph.multiply(velocity, inverse);
-    functions::apply(graph, crate::expr::Function::Tanh, &[ratio])
+    functions::apply(graph, lagrange_expr::expr::Function::Tanh, &[ratio])
 }
 
 /// Σ d_k r_k, with symbols for the reactions.

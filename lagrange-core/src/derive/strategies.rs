@@ -10,10 +10,10 @@ use super::forms::Forms;
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
 use super::messages;
 use super::sum_of_squares::{Obstacle, solve_sum_of_squares};
-use crate::calculus::AccelerationTerms;
-use crate::expr::ExprId;
 use crate::model::Model;
-use crate::syntax::ast::Accuracy;
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::ExprId;
 
 /// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
 /// the factorisation down would be all that the trial finds.

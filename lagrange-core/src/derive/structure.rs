@@ -1,12 +1,13 @@
 //! Structure of a system as its equations show it: the shape of the mass matrix, cyclic coordinates,
 //! conserved quantities.
 
-use crate::calculus::{adjoint, evaluate, gradient};
-use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId, Graph};
 use crate::model::{Action, Model};
-use crate::simplify::{ROUNDING, somewhere, vanishing};
-use crate::symbol::Role;
+use lagrange_algebra::calculus::{adjoint, gradient};
+use lagrange_algebra::simplify::{ROUNDING, somewhere, vanishing};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph};
+use lagrange_expr::symbol::Role;
 
 /// The shape of the mass matrix.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -22,9 +22,9 @@
 use std::collections::BTreeSet;
 
 use super::plane_rotation::{PendingRotations, TurnedPair, turned_pairs};
-use crate::calculus::{Degree, Degrees, partials};
-use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{ExprId, Graph};
+use lagrange_algebra::calculus::{Degree, Degrees, partials};
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// An affine variable written in its affine parts.
 #[derive(Clone, Debug)]

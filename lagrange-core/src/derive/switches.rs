@@ -13,11 +13,11 @@ mod one_sided;
 
 pub use one_sided::one_sided;
 
-use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{Dependencies, ExprId, Function, Graph, Node};
 use crate::model::{Energies, Model, ReactionKind};
-use crate::number::Number;
-use crate::symbol::{Role, SymbolId};
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph, Node};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::{Role, SymbolId};
 
 /// A surface on which the equations of motion are not smooth.
 #[derive(Clone, Debug)]

@@ -3,10 +3,11 @@
 //! M, and A below it if there are constraints, are evaluated at a state without symmetries. A vector that both take to zero is a
 //! motion that neither inertia nor constraints determine.
 
-use crate::calculus::{evaluate, gradient};
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::gradient;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::symbol::Role;
 
 /// Fraction of the largest entry below which pivots and entries are zero but for rounding. Symbols have values between one and two, so
 /// that entries are far larger, while a few eliminations round in the last of sixteen digits.

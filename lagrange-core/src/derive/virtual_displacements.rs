@@ -9,8 +9,8 @@
 //! In numbers: with the moments of inertia 1, 2, 3 and ω = (0, 1, 1), p = (0, 2, 3) and ω × p = (1, 0, 0), so that ω̇ = (−1, 0, 0).
 
 use super::quadratic_form::QuadraticForm;
-use crate::expr::ExprId;
 use crate::model::Model;
+use lagrange_expr::expr::ExprId;
 
 /// −∂L/∂q at the rates of the positions. First-order states are not displaced.
 pub(super) fn add_slopes(model: &mut Model, form: &mut QuadraticForm, slopes: &[ExprId]) {

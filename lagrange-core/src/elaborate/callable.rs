@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use crate::opaque::Opaque;
+use lagrange_expr::opaque::Opaque;
 
 /// A function that calls may mention.
 pub(super) struct Callable {

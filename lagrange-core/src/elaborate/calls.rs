@@ -8,13 +8,13 @@ use super::messages;
 use super::opaque::evaluate_callable;
 use super::operand::{Operand, cross, half_square, inner, norm};
 use super::scope::NameKind;
-use crate::calculus::evaluate;
-use crate::diagnostics::nearest;
-use crate::elementary;
-use crate::expr::{Dependencies, ExprId};
-use crate::functions;
-use crate::syntax::ast::{AstId, Expression, Name};
-use crate::syntax::{foreign, print};
+use lagrange_expr::diagnostics::nearest;
+use lagrange_expr::elementary;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::functions;
+use lagrange_language::syntax::ast::{AstId, Expression, Name};
+use lagrange_language::syntax::{foreign, print};
 
 pub(super) fn evaluate_call(
     evaluator: &mut Evaluator<'_>,

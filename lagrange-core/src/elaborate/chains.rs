@@ -3,11 +3,11 @@
 use super::evaluator::{ChainLink, Evaluator};
 use super::messages;
 use super::operand::{Operand, rebuild};
-use crate::diagnostics::Origin;
-use crate::expr::{ExprId, Function};
-use crate::functions;
-use crate::number::Number;
-use crate::syntax::ast::AstId;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{ExprId, Function};
+use lagrange_expr::functions;
+use lagrange_expr::number::Number;
+use lagrange_language::syntax::ast::AstId;
 
 pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
     let links = evaluator.chain(id);

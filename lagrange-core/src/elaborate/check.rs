@@ -17,13 +17,13 @@ use super::solve::check_names_of_solvers;
 use super::stabilisation::check_stabilisation;
 use super::states::{check_states, positions_of_states, report_states_in_momenta};
 use super::tables::{check_names_of_derivatives, check_tables};
-use crate::calculus::{AccelerationTerms, Rates, gradient};
-use crate::collections::HashMap;
-use crate::diagnostics::Origin;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
-use crate::syntax::ast::StatementKind;
-use crate::units::NamedUnits;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates, gradient};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::units::NamedUnits;
+use lagrange_language::syntax::ast::StatementKind;
 
 /// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
 pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>)> {

@@ -1,9 +1,9 @@
 //! Values of expressions without symbols.
 
-use crate::calculus::node_value;
-use crate::collections::HashMap;
-use crate::elementary;
-use crate::expr::{ExprId, Graph, Node};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::elementary;
+use lagrange_expr::expr::node_value;
+use lagrange_expr::expr::{ExprId, Graph, Node};
 
 /// Values of expressions without symbols.
 #[derive(Default)]

@@ -5,15 +5,15 @@ use super::loads::forbid_states;
 use super::messages;
 use super::operand::Operand;
 use super::scope::NameKind;
-use crate::calculus::{Degree, Degrees};
-use crate::diagnostics::Origin;
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::formula::text;
 use crate::model::Constraint;
-use crate::number::Number;
-use crate::simplify::vanishing;
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Name};
+use lagrange_algebra::calculus::{Degree, Degrees};
+use lagrange_algebra::formula::text;
+use lagrange_algebra::simplify::vanishing;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{AstId, Name};
 
 pub(super) fn add_constraint(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let term = elaborator.term(syntax, name.span, "a constraint");

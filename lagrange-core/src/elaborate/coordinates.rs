@@ -5,11 +5,11 @@ use super::expression::value_of;
 use super::messages::{self, names};
 use super::operand::Operand;
 use super::scope::NameKind;
-use crate::expr::ExprId;
 use crate::model::{Coordinate, Orientation, Speed};
-use crate::number::Number;
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Name, Quaternion};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{AstId, Name, Quaternion};
 
 /// Components of a quaternion, the scalar part first, of whose products a rate is made, with the components of the angular velocity that
 /// multiply them and signs: q̇ = ½ q ⊗ (0, ω) for ω in the turned axes (Featherstone, *Rigid Body Dynamics Algorithms*, §4.5).

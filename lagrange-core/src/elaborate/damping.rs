@@ -9,10 +9,10 @@
 //! which needs no root. On a line, r = (x, 0), the square of the rate is ẋ² by itself.
 
 use super::elaborator::Elaborator;
-use crate::calculus::{AccelerationTerms, Rates, substitute};
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Graph, Node, Relation};
-use crate::number::Number;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates, substitute};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph, Node, Relation};
+use lagrange_expr::number::Number;
 
 /// The rate of a length.
 struct LengthRate {

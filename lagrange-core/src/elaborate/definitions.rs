@@ -6,11 +6,11 @@ use super::messages;
 use super::operand::Operand;
 use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
 use super::scope::NameKind;
-use crate::calculus::evaluate;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::Parameter;
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Definition, Name};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{AstId, Definition, Name};
 
 pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));

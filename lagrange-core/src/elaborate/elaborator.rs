@@ -9,16 +9,16 @@ use super::operand::Operand;
 use super::scope::NameKind;
 use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::bodies::Plain;
-use crate::calculus::evaluate;
-use crate::collections::HashMap;
-use crate::diagnostics::{Report, nearest};
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{
     Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output, Parameter,
     Product, Reaction, Reduction, Scene, Speed,
 };
-use crate::syntax::ast::{self, AstId, Declaration, Name};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::{Report, nearest};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_language::bodies::Plain;
+use lagrange_language::syntax::ast::{self, AstId, Declaration, Name};
 
 /// Quantities that only the equations of motion determine.
 pub(super) const UNKNOWNS: &[Dependencies] =

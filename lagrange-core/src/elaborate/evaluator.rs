@@ -6,12 +6,12 @@ use super::messages;
 use super::operand::Operand;
 use super::scope::Scope;
 use super::unresolved::Unresolved;
-use crate::calculus::{AccelerationTerms, Rates};
-use crate::collections::{HashMap, OrderedMap};
-use crate::diagnostics::{Origin, Report};
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+use lagrange_algebra::calculus::{AccelerationTerms, Rates};
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
 
 /// Evaluates the expressions of one declaration.
 pub(super) struct Evaluator<'a> {

@@ -10,12 +10,12 @@ use super::messages::states;
 use super::reactions::add_contact;
 use super::scope::NameKind;
 use super::states::state_named;
-use crate::diagnostics::Origin;
-use crate::expr::{Dependencies, ExprId};
-use crate::limits::MAX_EVENTS;
 use crate::model::{Action, Assignment};
-use crate::symbol::Symbol;
-use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::limits::MAX_EVENTS;
+use lagrange_expr::symbol::Symbol;
+use lagrange_language::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
 pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
     let (value, action) = match &event.action {

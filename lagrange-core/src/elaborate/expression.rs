@@ -12,11 +12,11 @@ use super::numbers::is_sound;
 use super::operand::{Operand, rebuild};
 use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::diagnostics::Origin;
-use crate::number::Number;
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Name};
-use crate::units::Unit;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
+use lagrange_expr::units::Unit;
+use lagrange_language::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Name};
 
 /// The value of an expression; `None` if something in it is wrong, which has been reported.
 pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {

@@ -1,8 +1,8 @@
 //! Names and arguments of the functions of the language.
 
-use crate::elementary;
-use crate::solids::{self, Dimensions, SOLIDS, Solid};
-use crate::syntax::STRUCTURAL_FUNCTIONS;
+use lagrange_expr::elementary;
+use lagrange_expr::solids::{self, Dimensions, SOLIDS, Solid};
+use lagrange_language::syntax::STRUCTURAL_FUNCTIONS;
 
 /// True if the language has a function of that name.
 pub(super) fn is_function(name: &str) -> bool {

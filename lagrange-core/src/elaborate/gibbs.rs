@@ -5,10 +5,10 @@ use proc_macro2::Span;
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
-use crate::calculus::polynomial_degree;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::GibbsFunction;
-use crate::syntax::ast::AstId;
+use lagrange_algebra::calculus::polynomial_degree;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_language::syntax::ast::AstId;
 
 pub(super) fn add_gibbs(elaborator: &mut Elaborator<'_>, function: AstId, stated: AstId, keyword: Span) {
     let value = gibbs_value(elaborator, function);

@@ -4,11 +4,11 @@ use super::evaluator::Evaluator;
 use super::function_names::MassFunction;
 use super::messages::{self, inertia as words};
 use super::operand::Operand;
-use crate::calculus::evaluate;
-use crate::expr::{Dependencies, ExprId};
-use crate::number::Number;
-use crate::solids::{self, Dimensions, Solid};
-use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::number::Number;
+use lagrange_expr::solids::{self, Dimensions, Solid};
+use lagrange_language::syntax::ast::{AstId, Name};
 
 pub(super) fn evaluate_mass_function(
     evaluator: &mut Evaluator<'_>,

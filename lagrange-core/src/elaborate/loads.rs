@@ -9,10 +9,10 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
-use crate::calculus::{Degree, Degrees};
-use crate::expr::{Dependencies, ExprId};
 use crate::model::Load;
-use crate::syntax::ast::{AstId, Name};
+use lagrange_algebra::calculus::{Degree, Degrees};
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_language::syntax::ast::{AstId, Name};
 
 pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let force = elaborator.term(syntax, name.span, "a force");

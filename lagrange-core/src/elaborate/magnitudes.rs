@@ -5,10 +5,10 @@ use super::elaborator::Elaborator;
 use super::evaluator::Evaluator;
 use super::messages;
 use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
-use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::number::Number;
-use crate::syntax::ast::{AstId, Declaration, Expression, ScalarType, StatementKind};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
+use lagrange_language::syntax::ast::{AstId, Declaration, Expression, ScalarType, StatementKind};
 
 /// Reports numbers that the scalar does not hold, each at the smallest expression that holds it.
 pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {

@@ -1,7 +1,7 @@
 //! Diagnostics for the meaning of a declaration.
 
-use crate::expr::Dependencies;
 use crate::model::Product;
+use lagrange_expr::expr::Dependencies;
 
 pub(super) mod events;
 pub(super) mod inertia;

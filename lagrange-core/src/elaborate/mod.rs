@@ -45,13 +45,13 @@ mod torques;
 mod unknown_names;
 mod unresolved;
 
-use crate::bodies::{Obligation, Plain};
-use crate::diagnostics::Report;
 use crate::model::Model;
-use crate::syntax::ast::StatementKind;
 use check::finish;
 use elaborator::Elaborator;
 use expression::value_of;
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::bodies::{Obligation, Plain};
+use lagrange_language::syntax::ast::StatementKind;
 use obligations::check_obligations;
 use opaque::define_external;
 use reduce::reduce;

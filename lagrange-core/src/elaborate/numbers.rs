@@ -6,11 +6,11 @@
 use super::evaluator::Evaluator;
 use super::messages;
 use super::operand::Operand;
-use crate::elementary;
-use crate::expr::{Dependencies, ExprId, Node};
-use crate::number::Number;
-use crate::opaque::Axis;
-use crate::syntax::ast::{AstId, Expression};
+use lagrange_expr::elementary;
+use lagrange_expr::expr::{Dependencies, ExprId, Node};
+use lagrange_expr::number::Number;
+use lagrange_expr::opaque::Axis;
+use lagrange_language::syntax::ast::{AstId, Expression};
 
 /// True if one can go on with a value; reports it if not.
 pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {

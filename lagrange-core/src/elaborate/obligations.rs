@@ -4,13 +4,13 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::inertia as words;
 use super::operand::Operand;
-use crate::bodies::Obligation;
-use crate::calculus::evaluate;
-use crate::collections::HashMap;
-use crate::diagnostics::{Diagnostic, Origin};
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::{Diagnostic, Origin};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::symbol::Role;
+use lagrange_language::bodies::Obligation;
+use lagrange_language::syntax::ast::{AstId, Name};
 
 /// Moments of inertia that differ by less than this fraction are equal but for rounding.
 const ROUNDING: f64 = 1e-9;

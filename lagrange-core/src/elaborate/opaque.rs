@@ -6,9 +6,9 @@ use super::callable::Callable;
 use super::evaluator::Evaluator;
 use super::messages;
 use super::operand::Operand;
-use crate::diagnostics::Report;
-use crate::opaque::{Opaque, OpaqueFunction, Source};
-use crate::syntax::ast::{AstId, ExternalFunction, Name};
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
+use lagrange_language::syntax::ast::{AstId, ExternalFunction, Name};
 
 /// Makes a function of the user's crate known.
 pub(super) fn define_external(evaluator: &mut Evaluator<'_>, declared: &ExternalFunction) {

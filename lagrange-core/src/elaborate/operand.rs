@@ -1,8 +1,8 @@
 //! Scalars and vectors, and the operations of the language on them.
 
-use crate::expr::{ExprId, Function, Graph};
-use crate::functions;
-use crate::number::Number;
+use lagrange_expr::expr::{ExprId, Function, Graph};
+use lagrange_expr::functions;
+use lagrange_expr::number::Number;
 
 /// The value of an expression of the language.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -9,11 +9,11 @@ use super::messages::events as messages;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::shared_contacts::{contact_of, warn_of_square};
-use crate::calculus::{Degree, Degrees};
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Reaction, ReactionKind};
-use crate::symbol::Role;
-use crate::syntax::ast::{self, AstId, Direction, Name};
+use lagrange_algebra::calculus::{Degree, Degrees};
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{self, AstId, Direction, Name};
 
 /// `event name = gap, falling => impact(e);`
 pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, restitution: AstId) {

@@ -9,13 +9,13 @@
 //! The result moves to a graph of its own with coordinates numbered from zero, and from there it takes the ordinary way.
 
 use super::messages;
-use crate::calculus::{Expansion, Series, gradient, transplant};
-use crate::diagnostics::Report;
-use crate::expr::{Dependencies, ExprId, Graph, Node};
 use crate::model::{
     Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Reduced, Reduction, Scene,
 };
-use crate::symbol::Role;
+use lagrange_algebra::calculus::{Expansion, Series, gradient, transplant};
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::symbol::Role;
 
 /// The order to which Lagrangians are expanded.
 const ORDER: usize = 2;

@@ -5,9 +5,9 @@ use proc_macro2::Span;
 use super::elaborator::Elaborator;
 use super::messages;
 use super::states::state_named;
-use crate::expr::ExprId;
 use crate::model::{Pinned, Reduction};
-use crate::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
+use lagrange_expr::expr::ExprId;
+use lagrange_language::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
 
 /// Methods of reduced types beside those of every system; no output may take their names.
 pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];

@@ -1,7 +1,7 @@
 //! Range of the numbers that a scalar holds.
 
-use crate::number::Number;
-use crate::syntax::ast::ScalarType;
+use lagrange_expr::number::Number;
+use lagrange_language::syntax::ast::ScalarType;
 
 /// The name of the scalar that limits numbers, and the largest that it holds.
 pub(super) fn largest(scalar: &ScalarType) -> (&'static str, f64) {

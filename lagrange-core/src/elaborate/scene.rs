@@ -1,6 +1,6 @@
 //! Statements on rigid bodies to what a model holds of them.
 //!
-//! [`crate::bodies`] says which expressions matter; here they are evaluated and differentiated by time, and only if a product that
+//! [`lagrange_language::bodies`] says which expressions matter; here they are evaluated and differentiated by time, and only if a product that
 //! needs them is asked for. The equations of motion know nothing of it.
 
 use super::elaborator::Elaborator;
@@ -10,10 +10,10 @@ use super::operand::Operand;
 use super::scene_in_space::add_scene_in_space;
 use super::staged::Staged;
 use super::torques::torque_item;
-use crate::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
-use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, LinkPose, OutlinedPart, Product, Scene};
-use crate::syntax::ast::{AstId, Declaration};
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
+use lagrange_language::syntax::ast::{AstId, Declaration};
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {

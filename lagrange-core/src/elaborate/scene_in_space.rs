@@ -3,10 +3,10 @@
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::scene;
-use crate::bodies::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{LinkPose, LinkTwist, Product, SpatialBodyMotion};
-use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_language::bodies::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
+use lagrange_language::syntax::ast::{AstId, Name};
 
 /// Takes what was asked for into the model.
 pub(super) fn add_scene_in_space(elaborator: &mut Elaborator<'_>, kinematics: &SpatialKinematics) {

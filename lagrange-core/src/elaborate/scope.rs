@@ -4,9 +4,9 @@ use proc_macro2::Span;
 
 use super::messages;
 use super::operand::Operand;
-use crate::collections::OrderedMap;
-use crate::diagnostics::{Report, nearest};
-use crate::syntax::ast::Name;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::diagnostics::{Report, nearest};
+use lagrange_language::syntax::ast::Name;
 
 /// Meaning of a name.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -4,10 +4,10 @@
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
-use crate::calculus::gradient;
-use crate::expr::{Dependencies, ExprId, Node};
 use crate::model::ReactionKind;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::gradient;
+use lagrange_expr::expr::{Dependencies, ExprId, Node};
+use lagrange_expr::symbol::Role;
 
 /// Returns the index of the contact whose force this is.
 pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<usize> {

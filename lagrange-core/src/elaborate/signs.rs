@@ -5,10 +5,10 @@
 
 use super::elaborator::Elaborator;
 use super::messages;
-use crate::calculus::evaluate;
-use crate::collections::HashMap;
-use crate::expr::{Dependencies, ExprId, Graph, Node};
-use crate::number::Number;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// Reports coordinates whose kinetic energy falls with their velocity.
 pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {

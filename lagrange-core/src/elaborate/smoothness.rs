@@ -7,11 +7,11 @@
 
 use super::elaborator::Elaborator;
 use super::messages;
-use crate::collections::HashMap;
-use crate::elementary;
-use crate::expr::{Dependencies, ExprId, Function, Graph, Node};
-use crate::number::Number;
-use crate::simplify::multiply_out;
+use lagrange_algebra::simplify::multiply_out;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::elementary;
+use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph, Node};
+use lagrange_expr::number::Number;
 
 /// Monomials up to which an energy with kinks is multiplied out.
 const BUDGET: usize = 200;

@@ -10,14 +10,14 @@ use super::messages::{self, solve as words};
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::tables::names_of_functions;
-use crate::calculus::{partial, rebuild};
-use crate::collections::{HashMap, OrderedMap};
-use crate::expr::{AlgebraicUnknown, Dependencies, ExprId, Graph, Node};
-use crate::limits::MAX_ITERATIONS;
-use crate::number::Number;
-use crate::opaque::{Opaque, OpaqueFunction, Source};
-use crate::simplify::has_one_sign;
-use crate::syntax::ast::{AstId, Name, StatementKind, UnknownDefinition};
+use lagrange_algebra::calculus::{partial, rebuild};
+use lagrange_algebra::simplify::has_one_sign;
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{AlgebraicUnknown, Dependencies, ExprId, Graph, Node};
+use lagrange_expr::limits::MAX_ITERATIONS;
+use lagrange_expr::number::Number;
+use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
+use lagrange_language::syntax::ast::{AstId, Name, StatementKind, UnknownDefinition};
 
 /// Steps of the iteration where nothing else is said.
 const ITERATIONS: u32 = 30;

@@ -7,7 +7,7 @@ use proc_macro2::Span;
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
-use crate::syntax::ast::{AstId, StatementKind};
+use lagrange_language::syntax::ast::{AstId, StatementKind};
 
 pub(super) fn set_stabilisation(elaborator: &mut Elaborator<'_>, syntax: AstId, keyword: Span) {
     if let Some((_, first)) = elaborator.stabilisation {

@@ -1,7 +1,7 @@
 //! Rigid bodies of a declaration, as far as products depend on them.
 
 use crate::model::Product;
-use crate::syntax::ast::Name;
+use lagrange_language::syntax::ast::Name;
 
 /// Rigid bodies of a declaration.
 #[derive(Default, Debug)]

@@ -16,10 +16,10 @@ use super::solve::define_unknown;
 use super::stabilisation::set_stabilisation;
 use super::states::{add_state_rate, define_state};
 use super::tables::define_table;
-use crate::diagnostics::nearest;
-use crate::expr::Dependencies;
 use crate::model::{Output, Product};
-use crate::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
+use lagrange_expr::diagnostics::nearest;
+use lagrange_expr::expr::Dependencies;
+use lagrange_language::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
 const GENERATED_METHODS: [&str; 9] = [

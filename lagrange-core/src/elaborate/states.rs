@@ -6,11 +6,11 @@ use super::messages::states as words;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::diagnostics::Origin;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{Coordinate, Product};
-use crate::symbol::Role;
-use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::symbol::Role;
+use lagrange_language::syntax::ast::{AstId, Name};
 
 /// States stand behind all other positions, be these declared further down.
 pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name) {

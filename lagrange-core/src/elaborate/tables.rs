@@ -4,12 +4,12 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::tables as words;
 use super::opaque::define;
-use crate::calculus::evaluate;
-use crate::diagnostics::{Diagnostic, Origin};
-use crate::expr::{Dependencies, ExprId, Node};
-use crate::limits::MAX_POINTS;
-use crate::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
-use crate::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
+use lagrange_expr::diagnostics::{Diagnostic, Origin};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId, Node};
+use lagrange_expr::limits::MAX_POINTS;
+use lagrange_expr::opaque::{Interpolation, Opaque, OpaqueFunction, Source, Table, default_name};
+use lagrange_language::syntax::ast::{AstId, Name, Statement, StatementKind, TableDefinition, TableSource};
 
 /// A point with where it stands, in the declaration or on a line of a file.
 struct Point {

@@ -8,11 +8,11 @@
 use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::operand::Operand;
-use crate::bodies::{DrawnKind, LoadOrigin};
-use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem};
-use crate::simplify::vanishing;
-use crate::syntax::ast::AstId;
+use lagrange_algebra::simplify::vanishing;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::{DrawnKind, LoadOrigin};
+use lagrange_language::syntax::ast::AstId;
 
 /// Bodies, each with whether the opposite moment acts on it.
 type Shares = Vec<(usize, bool)>;

@@ -4,9 +4,9 @@ use super::evaluator::Evaluator;
 use super::messages;
 use super::scope::NameKind;
 use super::unresolved::{Late, Places, place};
-use crate::diagnostics::Origin;
-use crate::syntax::ast::StatementKind;
-use crate::syntax::foreign;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_language::syntax::ast::StatementKind;
+use lagrange_language::syntax::foreign;
 
 /// True if a name is written as constants of Rust are: several capital letters.
 fn is_constant_of_rust(name: &str) -> bool {

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::collections::OrderedMap;
-use crate::diagnostics::Origin;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::diagnostics::Origin;
 
 /// Names that were reported.
 #[derive(Default)]

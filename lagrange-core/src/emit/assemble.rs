@@ -27,13 +27,13 @@ use super::features::solvers::{write_solvers, write_unknowns};
 use super::features::sparse::{Sparse, lowered_sparse};
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::item::items;
-use crate::code::Precision;
 use crate::derive::Equations;
-use crate::diagnostics::Report;
-use crate::expr::ExprId;
 use crate::model::{Model, Product};
-use crate::program::OperationCounts;
-use crate::syntax::ast::Declaration;
+use lagrange_algebra::code::Precision;
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::syntax::ast::Declaration;
 
 /// The items of a derived system; `None` if it cannot be written, which is reported.
 ///

@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, Ident, Span, TokenStream, TokenTree};
 use quote::{quote, quote_spanned};
 
 use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
-use crate::diagnostics::{Diagnostic, Origin, Severity};
+use lagrange_expr::diagnostics::{Diagnostic, Origin, Severity};
 
 /// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
 /// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Each mistake is one error; related

@@ -13,10 +13,10 @@ use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
 use super::features::scene::motion_method;
 use super::item::items;
-use crate::collections::HashMap;
 use crate::elaborate::METHODS_OF_REDUCED;
 use crate::model::Product;
-use crate::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
+use lagrange_expr::collections::HashMap;
+use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
 const TAKEN: [&str; 10] = [

@@ -18,7 +18,7 @@ use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
 use super::features::switches::switched_impl;
 use super::features::units::units_constant;
-use crate::syntax::ast::Name;
+use lagrange_language::syntax::ast::Name;
 
 /// The implementations of all traits that the system has the methods for.
 pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {

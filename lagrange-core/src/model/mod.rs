@@ -5,9 +5,10 @@ mod scene;
 
 use proc_macro2::Span;
 
-use crate::expr::{ExprId, Graph};
-use crate::syntax::ast::{Accuracy, Direction, Name};
-use crate::units::NamedUnits;
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::units::NamedUnits;
+use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene, SpatialBodyMotion};

@@ -1,8 +1,8 @@
 //! Rigid bodies of a model: how they move, and what there is to draw of them.
 
-use crate::bodies::DrawnKind;
-use crate::expr::ExprId;
-use crate::syntax::ast::Name;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::DrawnKind;
+use lagrange_language::syntax::ast::Name;
 
 /// Rigid bodies, as far as they are asked for.
 #[derive(Clone, Default, Debug)]

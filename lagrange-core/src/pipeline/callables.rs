@@ -3,9 +3,9 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::collections::HashMap;
-use crate::opaque::Opaque;
-use crate::program::{NewtonProgram, Op, Program};
+use lagrange_algebra::program::{NewtonProgram, Op, Program};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::opaque::Opaque;
 
 type Callback = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 

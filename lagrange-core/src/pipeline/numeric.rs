@@ -4,15 +4,15 @@ use super::callables::{Callables, calls};
 use super::phases::DerivedPart;
 use super::second_way::{is_regular, motion};
 use super::system::Derived;
-use crate::calculus::evaluate;
-use crate::collections::HashMap;
 use crate::derive::Equations;
-use crate::elementary::row;
 use crate::emit::on_sides;
-use crate::expr::{ExprId, Function};
 use crate::model::{Model, Product};
-use crate::program::{Labels, NewtonProgram, Program, lower, optimise, run_with};
-use crate::symbol::Role;
+use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise, run_with};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::elementary::row;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Function};
+use lagrange_expr::symbol::Role;
 
 /// A system as interpreted programs, with values for its parameters and inputs.
 ///

@@ -3,17 +3,17 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::bodies::plain;
 use crate::derive::{Equations, StrategyChoice, derive};
-use crate::diagnostics::Report;
-use crate::dimensions::{check_dimensions, in_coherent_units};
 use crate::elaborate::elaborate;
 use crate::emit;
-use crate::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
-use crate::inline::without_functions;
 use crate::model::{Model, Reduced};
-use crate::syntax::ast::Declaration;
-use crate::units::NamedUnits;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::units::NamedUnits;
+use lagrange_language::bodies::plain;
+use lagrange_language::dimensions::{check_dimensions, in_coherent_units};
+use lagrange_language::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
+use lagrange_language::inline::without_functions;
+use lagrange_language::syntax::ast::Declaration;
 
 /// A reduced type with its equations of motion.
 #[derive(Clone, Debug)]

@@ -3,14 +3,14 @@
 use proc_macro2::TokenStream;
 
 use super::phases::{DerivedPart, equations_of, items_of, model_of};
-use crate::code::Precision;
 use crate::derive::{Equations, StrategyChoice};
-use crate::diagnostics::Report;
 use crate::emit;
 use crate::model::Model;
-use crate::syntax::ast::Declaration;
-use crate::syntax::parse_text;
-use crate::tables::{Reader, no_files, read_files};
+use lagrange_algebra::code::Precision;
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::parse_text;
+use lagrange_language::tables::{Reader, no_files, read_files};
 
 /// A declaration with its checked model.
 #[derive(Clone, Debug)]

@@ -8,9 +8,9 @@ mod unresolved;
 use quote::quote;
 
 use super::{Derived, NumericSystem, expand, parse};
-use crate::calculus::evaluate;
 use crate::derive::{Conserved, Strategy, StrategyChoice};
-use crate::syntax::ast::Accuracy;
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::evaluate;
 
 fn derived(text: &str) -> Derived {
     parse(text).expect("a correct declaration").derive(StrategyChoice::Cheapest).expect("a regular system")

@@ -1,11 +1,11 @@
 //! A declaration under test, beside its reference, at samples of its parameters and states.
 
-use lagrange_core::calculus::evaluate;
+use lagrange_core::accuracy::Accuracy;
 use lagrange_core::derive::{Strategy, StrategyChoice};
+use lagrange_core::expr::evaluate;
 use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
-use lagrange_core::syntax::ast::Accuracy;
 
 use crate::digits::{Arithmetic, Real, approximate};
 use crate::reference::{Reference, Truth, relative_error};

@@ -1,7 +1,7 @@
 //! Random expressions in the symbols of one declaration, and their values.
 
-use lagrange_core::calculus::evaluate;
 use lagrange_core::elementary::ROWS;
+use lagrange_core::expr::evaluate;
 use lagrange_core::expr::{ExprId, Graph, Relation};
 use lagrange_core::functions::apply;
 use lagrange_core::number::Number;

@@ -2,9 +2,9 @@
 //! taken from the checked model by reference evaluation, their derivatives by finite differences, so that
 //! nothing of the derivation is used to check itself.
 
-use lagrange_core::calculus::evaluate;
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::expr::ExprId;
+use lagrange_core::expr::evaluate;
 use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;

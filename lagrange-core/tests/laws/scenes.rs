@@ -5,9 +5,9 @@
 use std::fmt::Write;
 
 use lagrange_core::bodies::DrawnKind;
-use lagrange_core::calculus::evaluate;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::expr::ExprId;
+use lagrange_core::expr::evaluate;
 use lagrange_core::model::BodyMotion;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::symbol::Role;

@@ -3,9 +3,9 @@
 //! On its side an expression has the values of the declaration, bit by bit but for rounding, NaN among them. A little beyond the
 //! surface it is finite and continuous, so that a step may look there.
 
-use lagrange_core::calculus::evaluate;
 use lagrange_core::derive::{StrategyChoice, Switch, one_sided};
 use lagrange_core::elementary::ROWS;
+use lagrange_core::expr::evaluate;
 use lagrange_core::expr::{ExprId, Graph};
 use lagrange_core::pipeline::parse;
 use lagrange_core::symbol::Role;

@@ -5,6 +5,7 @@
 //! `LAGRANGE_ANSWERS=words` the answers to all mistakes whose names contain the words are printed:
 //! `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
 
+mod advice;
 mod corpus;
 mod limits;
 mod processor_time;

@@ -1,9 +1,9 @@
 //! What there is to draw of the random trees: where joints are, and that what acts is all there is.
 
 use lagrange_core::bodies::{DrawnKind, SpatialJointForm};
-use lagrange_core::calculus::evaluate;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::expr::ExprId;
+use lagrange_core::expr::evaluate;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::symbol::Role;
 use lagrange_core::syntax::ast::MobilizerKind;

@@ -1,11 +1,11 @@
 //! What equations of robots cost, in operations; `-- operations --nocapture` prints it.
 
+use lagrange_core::accuracy::Accuracy;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::expr::ExprId;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::parse;
 use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
-use lagrange_core::syntax::ast::Accuracy;
 
 use crate::cases::read;
 

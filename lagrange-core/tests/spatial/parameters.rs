@@ -1,9 +1,9 @@
 //! Models of robots whose masses, centroids and inertias are parameters: they move as with numbers, and cost little more.
 
+use lagrange_core::accuracy::Accuracy;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::program::{Labels, OperationCounts, Preparation, Program, lower, optimise};
-use lagrange_core::syntax::ast::Accuracy;
 
 use crate::cases::{Case, cases, read};
 use crate::comparison::{assert_none, failures};

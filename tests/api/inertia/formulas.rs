@@ -1,8 +1,8 @@
 //! Moments of inertia and centres of mass of a solid by its name, from the library and from the table of the language.
 
 use lagrange::inertia;
-use lagrange_core::calculus::evaluate;
 use lagrange_core::expr::Graph;
+use lagrange_core::expr::evaluate;
 use lagrange_core::solids;
 use lagrange_core::symbol::Role;
 

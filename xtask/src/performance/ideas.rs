@@ -4,12 +4,12 @@
 use std::fs;
 use std::path::Path;
 
+use lagrange_core::accuracy::Accuracy;
 use lagrange_core::code::{Names, Scalar, body};
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, Pass, Program, lower, passes};
 use lagrange_core::symbol::Role;
-use lagrange_core::syntax::ast::Accuracy;
 
 use super::undo::{divide_each, split_batches};
 

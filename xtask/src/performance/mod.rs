@@ -13,7 +13,7 @@ use std::path::Path;
 
 use crate_of_variants::Variant;
 use ideas::{Chain, Derivation, Idea, ideas};
-use lagrange_core::syntax::ast::Accuracy;
+use lagrange_core::accuracy::Accuracy;
 use run::{DEFAULT, NATIVE, Target, UNPAIRED, cargo};
 use tables::{Comparison, Measured};
 

@@ -10,9 +10,9 @@
 use super::solution::Solution;
 use crate::derive::algebra::Algebra;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::simplify;
+use lagrange_algebra::simplify;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// More coordinates are factorised without looking for what cancels: the search in each entry would take too long.
 pub(in crate::derive) const MOST_CONTRACTED: usize = 8;

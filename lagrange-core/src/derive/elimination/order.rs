@@ -3,12 +3,12 @@
 use super::pivot::{Eliminated, eliminate, eliminate_pair};
 use super::queue::{Queue, Waiting};
 use super::record::{Elimination, Move, is_multiplier, ratio};
-use crate::collections::HashMap;
 use crate::derive::cost::cost;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::{Multiples, Rotations, Sweep};
-use crate::expr::{ExprId, Function, Graph};
-use crate::functions;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Function, Graph};
+use lagrange_expr::functions;
 
 /// Time at which multipliers are eliminated.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

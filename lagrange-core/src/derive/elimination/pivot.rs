@@ -1,12 +1,12 @@
 //! One step of elimination: an unknown, or two, taken out of a quadratic form.
 
-use crate::collections::HashMap;
 use crate::derive::plane_rotation::turned_back;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::Step;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::simplify;
+use lagrange_algebra::simplify;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// One eliminated velocity: a = free − Σ factor·x over the remaining variables.
 pub(in crate::derive) struct Eliminated {

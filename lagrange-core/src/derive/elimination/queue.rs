@@ -5,9 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::collections::HashMap;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::expr::ExprId;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::ExprId;
 
 /// Unknowns in the order of their places, with what a form says of them.
 #[derive(Default)]

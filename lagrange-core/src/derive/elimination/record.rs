@@ -1,11 +1,11 @@
 //! Record of an elimination, for substitution back and for other right-hand sides.
 
 use super::pivot::{Eliminated, Rest, freed};
-use crate::collections::HashMap;
 use crate::derive::sweep::{Step, Sweep};
-use crate::expr::{Dependencies, ExprId, Function, Graph};
-use crate::functions;
-use crate::number::Number;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph};
+use lagrange_expr::functions;
+use lagrange_expr::number::Number;
 
 /// Step of an elimination as the linear part of a form sees it, in the order in which steps happen.
 pub(in crate::derive) enum Move {

@@ -3,12 +3,12 @@
 use super::order::{eliminate_dense, eliminate_recursive};
 use super::pivot::Eliminated;
 use super::record::Elimination;
-use crate::collections::HashMap;
 use crate::derive::cost::cost;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::{Multiples, Rotations, Sweep};
-use crate::expr::{ExprId, Graph};
-use crate::simplify::balanced;
+use lagrange_algebra::simplify::balanced;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Pushes everything down to the generalised velocities.
 pub(in crate::derive) fn push_down(

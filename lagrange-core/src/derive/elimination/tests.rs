@@ -2,9 +2,9 @@
 
 use super::order::eliminate_dense;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::symbol::Role;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
 
 /// A form with these coefficients of products, squares among them, and of the variables alone.
 fn form(graph: &mut Graph, pairs: &[(ExprId, ExprId, i32)], linear: &[(ExprId, i32)]) -> QuadraticForm {

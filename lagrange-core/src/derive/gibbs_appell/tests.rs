@@ -1,12 +1,13 @@
 //! The worked numbers of the module's documentation, and what stands for what.
 
 use super::{GibbsForm, remainder};
-use crate::calculus::{AccelerationTerms, evaluate};
 use crate::derive::elimination::solution::push_down;
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
 use crate::pipeline::parse;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::symbol::Role;
 
 fn model(statements: &str) -> Model {
     parse(statements).unwrap_or_else(|report| panic!("{report}")).model

@@ -1,13 +1,14 @@
 //! The worked numbers of the module's documentation.
 
 use super::{SplitLagrangian, Terms, least_constraint_form};
-use crate::calculus::{AccelerationTerms, Rates, evaluate};
 use crate::derive::elimination::solution::push_down;
 use crate::derive::quadratic_form::QuadraticForm;
-use crate::expr::{ExprId, Graph};
 use crate::model::Model;
 use crate::pipeline::parse;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::symbol::Role;
 
 fn model(statements: &str) -> Model {
     parse(statements).unwrap_or_else(|report| panic!("{report}")).model

@@ -1,12 +1,12 @@
 //! The worked numbers of the module's documentation, and rotations against the same sums substituted one by one.
 
 use super::turned_block;
-use crate::calculus::evaluate;
 use crate::derive::quadratic_form::QuadraticForm;
 use crate::derive::sweep::{Multiples, Rotations, Sweep};
-use crate::expr::{ExprId, Function, Graph};
-use crate::number::Number;
-use crate::symbol::Role;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Function, Graph};
+use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
 
 #[test]
 fn a_block_in_numbers() {

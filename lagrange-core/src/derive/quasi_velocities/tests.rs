@@ -1,9 +1,10 @@
 //! The worked numbers of the module's documentation.
 
-use crate::calculus::{AccelerationTerms, evaluate};
 use crate::derive::least_constraint::{SplitLagrangian, Terms, linear_form};
 use crate::pipeline::parse;
-use crate::symbol::Role;
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::symbol::Role;
 
 #[test]
 fn a_rotating_frame_in_numbers() {

@@ -3,11 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::composition::{AffineExpansion, Composition};
-use crate::collections::{HashMap, OrderedMap};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::derive::elimination::solution::Solution;
-use crate::expr::ExprId;
-use crate::number::Number;
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::number::Number;
 
 /// One eliminated unknown, standing for a velocity.
 pub(super) struct EliminatedUnknown {

@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::calculus::{AccelerationTerms, Rates};
-use crate::collections::{HashMap, OrderedMap};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::derive::sweep::Sweep;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
+use lagrange_algebra::calculus::{AccelerationTerms, Rates};
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// An acceleration as `slope·x + Σ rest + drift`, where x is the one to be eliminated.
 #[derive(Clone, Debug)]

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use super::composition::AffineExpansion;
 use super::square::{Carried, Carriers};
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::expr::ExprId;
-use crate::number::Number;
-use crate::simplify;
+use lagrange_algebra::simplify;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::number::Number;
 
 /// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
 ///

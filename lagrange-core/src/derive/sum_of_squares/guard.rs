@@ -7,7 +7,7 @@
 
 use super::square::{Carried, Carriers, Square};
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::expr::{ExprId, Graph, Relation};
+use lagrange_expr::expr::{ExprId, Graph, Relation};
 
 /// `found` where the pivot of a rotation is positive, and what there was before where it is zero.
 pub(super) struct Guard {

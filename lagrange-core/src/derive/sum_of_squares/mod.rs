@@ -34,7 +34,7 @@
 //! ```
 //! use std::f64::consts::FRAC_PI_2;
 //!
-//! use lagrange_core::calculus::evaluate;
+//! use lagrange_core::expr::evaluate;
 //! use lagrange_core::derive::{Strategy, StrategyChoice};
 //! use lagrange_core::pipeline::parse;
 //! use lagrange_core::symbol::Role;
@@ -74,13 +74,13 @@ use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
 use super::sweep::{Multiples, Rotations, Sweep};
-use crate::collections::OrderedMap;
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::simplify;
 use back::{EliminatedUnknown, Substitution, Way, substitute_back};
 use composition::{AffineExpansion, Composition};
 use frame::frame;
+use lagrange_algebra::simplify;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 use rotation::{Pull, eliminate};
 use square::{Carried, Carriers, Square};
 

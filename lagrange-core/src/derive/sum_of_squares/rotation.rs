@@ -30,9 +30,9 @@ use std::collections::BTreeMap;
 use super::guard::Guard;
 use super::square::{Carried, Carriers, Minor, Square};
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::expr::{ExprId, Graph};
-use crate::number::Number;
-use crate::simplify::{self, never_vanishes};
+use lagrange_algebra::simplify::{self, never_vanishes};
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// Squares times variables up to which they are rotated one after the other. Every rotation may fill in all variables,
 /// so that many squares of many variables cost far more than the mass matrix that they add up to.

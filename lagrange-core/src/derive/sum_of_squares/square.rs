@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use super::composition::AffineExpansion;
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::expr::ExprId;
-use crate::number::Number;
-use crate::simplify;
+use lagrange_algebra::simplify;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::number::Number;
 
 /// ½ weight·r² + linear·r with r = form.
 #[derive(Clone, Debug)]

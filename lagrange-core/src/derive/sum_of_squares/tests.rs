@@ -6,11 +6,11 @@ use super::composition::AffineExpansion;
 use super::frame::frame;
 use super::rotation::{Pull, eliminate};
 use super::square::{Carried, Carriers, Square};
-use crate::calculus::evaluate;
 use crate::derive::algebra::{Algebra, LinearForm};
-use crate::expr::{ExprId, Function, Graph};
-use crate::functions::apply;
-use crate::symbol::Role;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Function, Graph};
+use lagrange_expr::functions::apply;
+use lagrange_expr::symbol::Role;
 
 /// Variables that remain: those that carriers are made of, then others.
 const REMAINING: usize = 4;

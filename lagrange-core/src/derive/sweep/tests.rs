@@ -2,8 +2,8 @@
 
 use super::{Multiples, Rotations, Step, Sweep};
 use crate::derive::plane_rotation::TurnedPair;
-use crate::formula::text::text;
 use crate::pipeline::parse;
+use lagrange_algebra::formula::text::text;
 
 /// The substitutions and the generalised velocities that become free between them, as text.
 fn order(declaration: &str, rotations: Rotations) -> Vec<String> {

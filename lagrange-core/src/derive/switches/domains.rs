@@ -14,11 +14,11 @@
 //! not singular, as s |x|^(1/2) shows.
 
 use super::Side;
-use crate::collections::HashMap;
-use crate::elementary::{Domain, row};
-use crate::expr::{ExprId, Function, Graph, Node, Relation};
-use crate::functions::{apply, is_restricted};
-use crate::number::Number;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::elementary::{Domain, row};
+use lagrange_expr::expr::{ExprId, Function, Graph, Node, Relation};
+use lagrange_expr::functions::{apply, is_restricted};
+use lagrange_expr::number::Number;
 
 /// Surfaces beyond which arguments are brought back into domains.
 pub(super) struct Domains<'a> {

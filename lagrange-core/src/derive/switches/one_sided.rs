@@ -2,9 +2,9 @@
 
 use super::domains::Domains;
 use super::{Side, Switch, surface};
-use crate::calculus::rebuild;
-use crate::collections::HashMap;
-use crate::expr::{ExprId, Function, Graph, Node, Relation};
+use lagrange_algebra::calculus::rebuild;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Function, Graph, Node, Relation};
 
 /// Maps what the roots are made of, themselves included, to expressions with the sides of the switches as symbols. What is not on
 /// one of the switches stays as it is.

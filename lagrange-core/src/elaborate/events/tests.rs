@@ -1,12 +1,12 @@
-use crate::bodies::plain;
-use crate::calculus::evaluate;
-use crate::diagnostics::Report;
 use crate::elaborate::elaborate;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::{Action, Model, ReactionKind};
-use crate::symbol::Role;
-use crate::syntax::ast::Direction;
-use crate::syntax::parse_text;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::symbol::Role;
+use lagrange_language::bodies::plain;
+use lagrange_language::syntax::ast::Direction;
+use lagrange_language::syntax::parse_text;
 
 const POINT: &str = "param m = 2, h = 3, mu = 0.3;
     coord x, y;

@@ -1,7 +1,7 @@
-use crate::calculus::evaluate;
-use crate::diagnostics::Report;
 use crate::pipeline::parse;
-use crate::symbol::Role;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::symbol::Role;
 
 fn statements(value: &str) -> String {
     format!(

@@ -1,11 +1,11 @@
 use super::check_obligations;
-use crate::bodies::{Obligation, plain};
-use crate::diagnostics::{Origin, Report};
 use crate::elaborate::add_statement;
 use crate::elaborate::elaborator::Elaborator;
 use crate::pipeline::parse;
-use crate::syntax::ast::{AstId, Declaration, Name, StatementKind};
-use crate::syntax::parse_text;
+use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_language::bodies::{Obligation, plain};
+use lagrange_language::syntax::ast::{AstId, Declaration, Name, StatementKind};
+use lagrange_language::syntax::parse_text;
 
 /// The value and the name of a `let`.
 fn named(declaration: &Declaration, wanted: &str) -> (AstId, Name) {

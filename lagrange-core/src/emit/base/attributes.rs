@@ -6,8 +6,8 @@
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::diagnostics::{Diagnostic, Severity};
-use crate::syntax::ast::{Declaration, Name};
+use lagrange_expr::diagnostics::{Diagnostic, Severity};
+use lagrange_language::syntax::ast::{Declaration, Name};
 
 /// The lint of what is expensive or doubtful.
 pub(in crate::emit) const NOTICE: &[&str] = &["deprecated"];

@@ -5,10 +5,10 @@ use quote::{ToTokens, quote};
 
 use super::method::{ArgumentNames, Arguments};
 use super::shape::{Shape, length, local};
-use crate::code::Names;
-use crate::collections::HashMap;
 use crate::model::Model;
-use crate::symbol::Role;
+use lagrange_algebra::code::Names;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::symbol::Role;
 
 /// Variables that the bodies of one system find their symbols in.
 pub(super) struct Bindings<'a> {

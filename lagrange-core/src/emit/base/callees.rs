@@ -1,8 +1,8 @@
 //! Functions of the user's crate: where they are named, and derivatives that are called and not named.
 
-use crate::diagnostics::Report;
-use crate::opaque::Opaque;
-use crate::syntax::ast::{AstId, Declaration, Expression, ExternalFunction, Name, StatementKind};
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::opaque::Opaque;
+use lagrange_language::syntax::ast::{AstId, Declaration, Expression, ExternalFunction, Name, StatementKind};
 
 use super::messages;
 

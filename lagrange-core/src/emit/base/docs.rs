@@ -4,16 +4,16 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::doc;
-use crate::calculus::residual;
-use crate::collections::HashMap;
 use crate::derive::{Conserved, Equations, Strategy, Structure};
-use crate::expr::{ExprId, Graph};
-use crate::formula::{latex, text};
 use crate::model::Model;
-use crate::number::Number;
-use crate::program::{Labels, OperationCounts, lower, optimise};
-use crate::simplify::present_all;
-use crate::syntax::ast::Accuracy;
+use lagrange_algebra::calculus::residual;
+use lagrange_algebra::formula::{latex, text};
+use lagrange_algebra::program::{Labels, OperationCounts, lower, optimise};
+use lagrange_algebra::simplify::present_all;
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::number::Number;
 
 /// Monomials up to which an entry is multiplied out for reading.
 const READING_BUDGET: usize = 120;

@@ -2,8 +2,8 @@
 
 use super::messages;
 use crate::derive::Equations;
-use crate::expr::Node;
 use crate::model::Model;
+use lagrange_expr::expr::Node;
 
 /// Part of a system that some products do not go with.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::shape::{Shape, identifier, length};
-use crate::collections::HashMap;
-use crate::syntax::ast::{DeclaredArray, Name};
+use lagrange_expr::collections::HashMap;
+use lagrange_language::syntax::ast::{DeclaredArray, Name};
 
 /// A field for several names, or for one.
 #[derive(Clone)]

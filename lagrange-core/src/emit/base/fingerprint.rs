@@ -1,7 +1,7 @@
 //! Numbers that tell declarations apart.
 
-use crate::syntax::ast::{Declaration, StatementKind};
-use crate::syntax::print;
+use lagrange_language::syntax::ast::{Declaration, StatementKind};
+use lagrange_language::syntax::print;
 
 /// Returns a number that tells what a declaration says from what others say: its statements with the numbers of tables, and its accuracy.
 ///

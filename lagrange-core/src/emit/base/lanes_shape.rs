@@ -4,8 +4,8 @@ use proc_macro2::Ident;
 use quote::format_ident;
 
 use super::shape::{Shape, identifier, local};
-use crate::code::Scalar;
-use crate::syntax::ast::ScalarType;
+use lagrange_algebra::code::Scalar;
+use lagrange_language::syntax::ast::ScalarType;
 
 impl Shape<'_> {
     /// The name of the type for numbers side by side.

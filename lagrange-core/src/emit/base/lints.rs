@@ -6,7 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::Shape;
-use crate::program::Op;
+use lagrange_algebra::program::Op;
 
 /// Constants of the standard library that numbers can be taken for.
 const NAMED: [f64; 10] = [

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 
 use super::method::{ArgumentNames, Method};
-use crate::code::Names;
-use crate::opaque::Opaque;
+use lagrange_algebra::code::Names;
+use lagrange_expr::opaque::Opaque;
 
 /// Members of the emitted type, its documentation, and what its traits need to know of them.
 pub(in crate::emit) struct Members {

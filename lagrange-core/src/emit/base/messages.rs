@@ -1,7 +1,7 @@
 //! Diagnostics for systems that are hard to compile or to integrate.
 
-use crate::code::Precision;
 use crate::model::Product;
+use lagrange_algebra::code::Precision;
 
 pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(

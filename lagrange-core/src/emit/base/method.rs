@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::shape::{Shape, length};
-use crate::code::Names;
+use lagrange_algebra::code::Names;
 
 /// The arguments of a method, beside the parameters.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -6,10 +6,10 @@ use super::callees::{MissingDerivative, report_missing};
 use super::exclusion::Exclusion;
 use super::messages;
 use super::size::report_hopeless;
-use crate::code::Precision;
-use crate::diagnostics::Report;
 use crate::model::Product;
-use crate::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
+use lagrange_algebra::code::Precision;
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
 
 /// Why a system cannot be written.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -4,14 +4,14 @@ use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 
 use super::callees::callees;
-use crate::code::Scalar;
-use crate::collections::HashMap;
 use crate::model::Product;
-use crate::syntax::ast::{
+use lagrange_algebra::code::Scalar;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::units::NamedUnits;
+use lagrange_language::syntax::ast::{
     Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
     StateVelocity, Statement, StatementKind,
 };
-use crate::units::NamedUnits;
 
 /// Names and types of one system.
 pub(in crate::emit) struct Shape<'a> {

@@ -1,8 +1,8 @@
 //! Expressions on the sides of the switches that a system is on.
 
 use crate::derive::{Switch, one_sided};
-use crate::expr::{ExprId, Graph};
-use crate::program::Labels;
+use lagrange_algebra::program::Labels;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Expressions with the sides of switches as symbols; names go over to what takes the place of what has them.
 pub fn on_sides(

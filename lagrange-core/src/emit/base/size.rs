@@ -5,11 +5,11 @@
 
 use super::messages;
 use crate::derive::most_coupled;
-use crate::diagnostics::Report;
-use crate::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_VELOCITIES};
 use crate::model::{Model, Product};
-use crate::program::OperationCounts;
-use crate::syntax::ast::{Declaration, StatementKind};
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_VELOCITIES};
+use lagrange_language::syntax::ast::{Declaration, StatementKind};
 
 /// Seconds of an unoptimised `cargo check` for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;

@@ -7,7 +7,7 @@ use super::fields::{Field, entries, places};
 use super::lints::{name_exception, type_name_exception};
 use super::method::ArgumentNames;
 use super::shape::{Shape, doc, length, local};
-use crate::code::Names;
+use lagrange_algebra::code::Names;
 
 pub(in crate::emit) fn state_struct(shape: &Shape<'_>) -> TokenStream {
     let (name, generics, scalar) = (shape.state_name(), shape.generics(), shape.scalar_path());

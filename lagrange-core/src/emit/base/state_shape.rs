@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::fields::{Field, fields};
 use super::shape::{Shape, identifier, length};
-use crate::syntax::ast::{ArrayElement, DeclaredArray, Name, ScalarType, StateVelocity};
+use lagrange_language::syntax::ast::{ArrayElement, DeclaredArray, Name, ScalarType, StateVelocity};
 
 impl Shape<'_> {
     /// Number of positions, as the length of an array.

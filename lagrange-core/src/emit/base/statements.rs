@@ -1,8 +1,8 @@
 //! The plain statements of a declaration.
 
 use crate::model::Product;
-use crate::syntax::ast::{Declaration, StatementKind};
-use crate::syntax::print;
+use lagrange_language::syntax::ast::{Declaration, StatementKind};
+use lagrange_language::syntax::print;
 
 /// The statements, one on each line, without demands that only those who declare bodies can make.
 pub fn statements(declaration: &Declaration) -> String {

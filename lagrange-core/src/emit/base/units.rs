@@ -4,8 +4,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::shape::{Shape, doc};
-use crate::syntax::ast::Name;
-use crate::units::{NamedUnit, component_name};
+use lagrange_expr::units::{NamedUnit, component_name};
+use lagrange_language::syntax::ast::Name;
 
 /// The unit of plain numbers, of which documentation says nothing.
 pub(in crate::emit) const PLAIN: &str = "1";

@@ -14,11 +14,11 @@ use super::refusal::Refusal;
 use super::shape::{Shape, doc};
 use super::sides::on_sides;
 use super::size::Size;
-use crate::code::{FunctionBody, Names, Scalar, body};
 use crate::derive::Equations;
-use crate::expr::ExprId;
 use crate::model::Model;
-use crate::program::{Labels, Op, OperationCounts, Preparation, Program, lower, optimise};
+use lagrange_algebra::code::{FunctionBody, Names, Scalar, body};
+use lagrange_algebra::program::{Labels, Op, OperationCounts, Preparation, Program, lower, optimise};
+use lagrange_expr::expr::ExprId;
 
 /// Writes the methods of one system. Features add to its members.
 pub(in crate::emit) struct MethodWriter<'a> {
@@ -238,7 +238,7 @@ impl<'a> MethodWriter<'a> {
     /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
     fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
-        self.shape.callees.iter().for_each(|callee| names.place_callee(callee));
+        self.shape.callees.iter().for_each(|callee| names.place_callee(&callee.text, callee.span));
         self.note_callees(program);
         match body(program, self.model.graph.symbols(), scalar, names) {
             Ok(body) => {

@@ -5,13 +5,13 @@ use quote::{format_ident, quote};
 
 use super::redundant::{write_redundant_correction, write_redundant_motion};
 use super::sparse::write_sparse_scales;
-use crate::calculus::gradient;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
-use crate::program::OperationCounts;
+use lagrange_algebra::calculus::gradient;
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::expr::ExprId;
 
 /// Number of coordinates up to which dependent constraints are made good; a matrix of more is too large for the stack.
 const LARGEST_REDUNDANT: usize = 100;

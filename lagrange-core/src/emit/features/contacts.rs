@@ -10,9 +10,9 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::{Dependencies, ExprId};
 use crate::model::ReactionKind;
-use crate::program::OperationCounts;
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::expr::{Dependencies, ExprId};
 
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",

@@ -10,7 +10,7 @@ use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::state::state_variables;
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Action, Assignment};
-use crate::syntax::ast::{self, Direction};
+use lagrange_language::syntax::ast::{self, Direction};
 
 /// The functions of the events, and the states that assignments lead to.
 pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {

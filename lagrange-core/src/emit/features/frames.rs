@@ -10,9 +10,9 @@ use crate::emit::base::docs::with_counts;
 use crate::emit::base::method::{Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, method_of};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
 use crate::model::{LinkPose, Product, SpatialBodyMotion};
-use crate::syntax::ast::Name;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::syntax::ast::Name;
 
 /// A method for each body or frame and each product that is asked for.
 pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {

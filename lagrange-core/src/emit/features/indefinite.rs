@@ -5,8 +5,8 @@ use quote::quote;
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::local;
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
-use crate::program::OperationCounts;
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::expr::ExprId;
 
 /// `acceleration`, which goes a second way where a pivot vanishes or is small; its operations. Mass matrix and forcing are there for
 /// it: most of them was computed anyway.

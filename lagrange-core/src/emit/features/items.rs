@@ -5,12 +5,12 @@ use std::slice::Iter;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::bodies::{DrawnKind, JointForm, LoadOrigin, SpatialJointForm};
 use crate::emit::base::method::Returns;
 use crate::emit::base::shape::local;
-use crate::expr::ExprId;
 use crate::model::{DrawnItem, OutlinedPart, Scene};
-use crate::syntax::ast::{ConnectorKind, MobilizerKind};
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::{DrawnKind, JointForm, LoadOrigin, SpatialJointForm};
+use lagrange_language::syntax::ast::{ConnectorKind, MobilizerKind};
 
 /// The name of the body that an item draws, and how it moves.
 pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str, &'a [ExprId])> {

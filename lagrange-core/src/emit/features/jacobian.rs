@@ -6,9 +6,9 @@
 //!
 //! Source: Sola, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", 2018, §IV.
 
-use crate::calculus::jacobian;
-use crate::expr::ExprId;
 use crate::model::Model;
+use lagrange_algebra::calculus::jacobian;
+use lagrange_expr::expr::ExprId;
 
 /// ∂ẏ/∂y from the rows of the accelerations.
 pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {

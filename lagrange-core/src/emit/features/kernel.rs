@@ -6,7 +6,6 @@
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-use crate::code::{Precision, Unrepresentable, prelude, statements};
 use crate::derive::Equations;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::fields::places;
@@ -14,10 +13,11 @@ use crate::emit::base::members::Members;
 use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, length};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
 use crate::model::{Model, Product};
-use crate::program::{Labels, lower, optimise};
-use crate::symbol::Role;
+use lagrange_algebra::code::{Precision, Unrepresentable, prelude, statements};
+use lagrange_algebra::program::{Labels, lower, optimise};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::symbol::Role;
 
 /// Features that a kernel does not support.
 const EXCLUSIONS: [Exclusion; 5] = [

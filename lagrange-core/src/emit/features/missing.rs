@@ -3,8 +3,8 @@
 use super::product::plan;
 use crate::emit::base::callees::MissingDerivative;
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::{ExprId, Node};
-use crate::opaque::Opaque;
+use lagrange_expr::expr::{ExprId, Node};
+use lagrange_expr::opaque::Opaque;
 
 /// Description of the equations of motion as a caller.
 const EQUATIONS: &str = "the equations of motion";

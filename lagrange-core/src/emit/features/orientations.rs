@@ -7,7 +7,7 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::syntax::ast::{Name, StateVelocity};
+use lagrange_language::syntax::ast::{Name, StateVelocity};
 
 /// Writes `position_rates` where velocities are not the rates of the positions.
 pub(in crate::emit) fn write_position_rates(writer: &mut MethodWriter<'_>) {

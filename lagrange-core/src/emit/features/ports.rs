@@ -4,13 +4,13 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::switches::kept_switches;
-use crate::code::Names;
 use crate::emit::base::fields::{entries, places};
 use crate::emit::base::lints::{name_exception, type_name_exception};
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
-use crate::syntax::ast::Name;
+use lagrange_algebra::code::Names;
+use lagrange_language::syntax::ast::Name;
 
 /// Names of the first components of a vector; further ones have their index.
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];

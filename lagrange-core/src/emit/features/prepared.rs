@@ -20,7 +20,7 @@ use crate::emit::base::shape::{Shape, doc, local};
 use crate::emit::base::state::rhs;
 use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
-use crate::program::Preparation;
+use lagrange_algebra::program::Preparation;
 
 /// Products, beside `acceleration` and `rhs`, for which the prepared type has methods if the system
 /// has them.

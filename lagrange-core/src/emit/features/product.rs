@@ -4,8 +4,8 @@ use super::jacobian::{by_displacements, by_fields, by_state};
 use crate::derive::Equations;
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::Shape;
-use crate::expr::ExprId;
 use crate::model::{Extent, Model, Product, ProductArguments, ProductMethod, ProductShape};
+use lagrange_expr::expr::ExprId;
 
 /// A method that is yet to be lowered.
 pub(in crate::emit) struct Plan {

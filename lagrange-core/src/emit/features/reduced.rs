@@ -4,20 +4,20 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use super::switches::{derived_shape, free_switches};
-use crate::code::{Names, body};
-use crate::collections::HashMap;
 use crate::derive::Equations;
-use crate::diagnostics::Report;
 use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
 use crate::emit::base::fields::{Field, entries, places};
 use crate::emit::base::lints::{looks_rounded, rounded_exception};
 use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
-use crate::formula::text;
 use crate::model::{Model, Pinned, Reduced};
-use crate::program::{Labels, lower, optimise};
-use crate::syntax::ast::Declaration;
+use lagrange_algebra::code::{Names, body};
+use lagrange_algebra::formula::text;
+use lagrange_algebra::program::{Labels, lower, optimise};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::syntax::ast::Declaration;
 
 /// Values with longer texts are not written out in documentation.
 const LONGEST_VALUE: usize = 60;

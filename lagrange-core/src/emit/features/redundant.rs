@@ -6,7 +6,7 @@ use quote::quote;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::length;
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
+use lagrange_expr::expr::ExprId;
 
 /// The whole system of M a = f + Aᵀλ and A a + b = 0, solved at run time.
 pub(in crate::emit) fn write_redundant_motion(writer: &mut MethodWriter<'_>) {

@@ -9,9 +9,9 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments};
 use crate::emit::base::shape::{Shape, local, motion_name};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::ExprId;
 use crate::model::{BodyMotion, DrawnItem, Product, Scene};
-use crate::syntax::ast::Name;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::syntax::ast::Name;
 
 /// A method for each body, and the body of `items`.
 pub(in crate::emit) fn write_scene(writer: &mut MethodWriter<'_>) {

@@ -3,15 +3,15 @@
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 
-use crate::code::{Names, Scalar};
 use crate::emit::base::method::Arguments;
 use crate::emit::base::shape::{doc, length, local};
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::Node;
-use crate::formula::text;
-use crate::opaque::Opaque;
-use crate::program::NewtonProgram;
-use crate::symbol::Role;
+use lagrange_algebra::code::{Names, Scalar};
+use lagrange_algebra::formula::text;
+use lagrange_algebra::program::NewtonProgram;
+use lagrange_expr::expr::Node;
+use lagrange_expr::opaque::Opaque;
+use lagrange_expr::symbol::Role;
 
 /// Equations that take more names, numbers and signs than this are not written out in documentation.
 const LONGEST_EQUATION: u64 = 60;

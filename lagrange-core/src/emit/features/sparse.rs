@@ -6,8 +6,8 @@ use quote::quote;
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::length;
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::{ExprId, Graph};
-use crate::program::OperationCounts;
+use lagrange_algebra::program::OperationCounts;
+use lagrange_expr::expr::{ExprId, Graph};
 
 /// Matrices with no more entries than this are written in rows, zeros included, since they are easier to read that way.
 const LARGEST_IN_ROWS: usize = 10_000;

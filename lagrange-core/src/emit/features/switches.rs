@@ -4,18 +4,18 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::derive::{Equations, Switch};
-use crate::diagnostics::Report;
 use crate::emit::base::members::Members;
 use crate::emit::base::messages;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
 use crate::emit::base::state::state_variables;
 use crate::emit::base::writer::MethodWriter;
-use crate::expr::{ExprId, Graph};
-use crate::formula::text;
-use crate::limits::MAX_LOCATED;
 use crate::model::Model;
-use crate::syntax::ast::Declaration;
+use lagrange_algebra::formula::text;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::limits::MAX_LOCATED;
+use lagrange_language::syntax::ast::Declaration;
 
 /// Surfaces with longer texts are not written out in messages.
 const LONGEST_SURFACE: usize = 60;

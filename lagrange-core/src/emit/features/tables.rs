@@ -3,11 +3,11 @@
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote;
 
-use crate::code::float;
 use crate::emit::base::members::Members;
 use crate::emit::base::shape::{Shape, doc, length, local};
-use crate::opaque::{Axis, Opaque, Table};
-use crate::syntax::ast::{StatementKind, TableSource};
+use lagrange_algebra::code::float;
+use lagrange_expr::opaque::{Axis, Opaque, Table};
+use lagrange_language::syntax::ast::{StatementKind, TableSource};
 
 /// The items of all tables that methods call.
 pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStream {

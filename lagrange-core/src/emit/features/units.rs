@@ -6,8 +6,8 @@ use quote::{format_ident, quote};
 use crate::emit::base::fields::Field;
 use crate::emit::base::shape::{Shape, doc, local};
 use crate::emit::base::units::PLAIN;
-use crate::syntax::ast::{Name, acceleration_name};
-use crate::units::momentum_name;
+use lagrange_expr::units::momentum_name;
+use lagrange_language::syntax::ast::{Name, acceleration_name};
 
 /// `MechanicalSystem::UNITS`, if any unit is known: of the state, of accelerations, of parameters and inputs, of outputs, which are given, and
 /// of momenta where there are any. These come last, so that under a name that is declared, too, the declared unit is found.

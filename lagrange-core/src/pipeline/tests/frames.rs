@@ -1,11 +1,11 @@
 //! What is derived and emitted of bodies and frames in space.
 
 use super::{derived, expand, parse};
-use crate::calculus::evaluate;
-use crate::expr::ExprId;
 use crate::model::{Product, SpatialBodyMotion};
 use crate::pipeline::{Derived, NumericSystem};
-use crate::symbol::Role;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::symbol::Role;
 use quote::quote;
 
 /// An arm with all kinds of steps: turns about other axes than z, an oblique one, a slide, a screw and a branch.

@@ -1,10 +1,10 @@
 //! What is derived and emitted of rigid bodies.
 
 use super::{derived, expand, parse};
-use crate::bodies::DrawnKind;
-use crate::calculus::evaluate;
 use crate::model::{BodyMotion, Model, Scene};
-use crate::symbol::Role;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::symbol::Role;
+use lagrange_language::bodies::DrawnKind;
 use quote::quote;
 
 const ROD: &str = "

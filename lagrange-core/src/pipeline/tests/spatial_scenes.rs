@@ -1,11 +1,11 @@
 //! What there is to draw of bodies in space.
 
 use super::{derived, expand, parse};
-use crate::bodies::{DrawnKind, SpatialJointForm};
-use crate::calculus::evaluate;
 use crate::model::{DrawnItem, Scene};
-use crate::symbol::Role;
-use crate::syntax::ast::MobilizerKind;
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::symbol::Role;
+use lagrange_language::bodies::{DrawnKind, SpatialJointForm};
+use lagrange_language::syntax::ast::MobilizerKind;
 use quote::quote;
 
 /// An arm with everything that can be drawn, declared in another order than it is drawn in.

@@ -1,0 +1,69 @@
+//! Forward-mode Jacobian: all derivatives of several expressions by each of several symbols.
+
+use crate::calculus::partials;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_expr::number::Number;
+
+/// Derivatives of nodes by their operands, each found once.
+type Slopes = HashMap<ExprId, Vec<(ExprId, ExprId)>>;
+
+/// ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which are symbols.
+///
+/// One sweep for each variable visits what depends on it. What all the sweeps need is shared: the derivatives of
+/// nodes by their operands. A choice is differentiated branch by branch, so that what is undefined in a branch
+/// that is not taken does no harm.
+pub fn jacobian(graph: &mut Graph, roots: &[ExprId], variables: &[ExprId]) -> Vec<Vec<ExprId>> {
+    let nodes = graph.reachable(roots);
+    let mut slopes = Slopes::default();
+    let mut rows = vec![Vec::with_capacity(variables.len()); roots.len()];
+    for &variable in variables {
+        let rates = sweep(graph, &nodes, variable, &mut slopes);
+        for (row, root) in rows.iter_mut().zip(roots) {
+            row.push(rates.get(root).copied().unwrap_or_else(|| graph.number(0)));
+        }
+    }
+    rows
+}
+
+/// The derivatives by a variable of all `nodes` that depend on it; operands come first among them.
+fn sweep(
+    graph: &mut Graph,
+    nodes: &[ExprId],
+    variable: ExprId,
+    slopes: &mut Slopes,
+) -> HashMap<ExprId, ExprId> {
+    let mut rates: HashMap<ExprId, ExprId> = HashMap::default();
+    for &id in nodes {
+        if id == variable {
+            rates.insert(id, graph.number(1));
+            continue;
+        }
+        let mut depends = false;
+        graph.node(id).for_each_child(|child| depends |= rates.contains(&child));
+        if depends {
+            let rate = chain_rule(graph, id, &rates, slopes);
+            rates.insert(id, rate);
+        }
+    }
+    rates
+}
+
+fn chain_rule(graph: &mut Graph, id: ExprId, rates: &HashMap<ExprId, ExprId>, slopes: &mut Slopes) -> ExprId {
+    if let Node::Choose { relation, left, right, then, otherwise } = *graph.node(id) {
+        let zero = graph.number(0);
+        let [then, otherwise] = [then, otherwise].map(|branch| rates.get(&branch).copied().unwrap_or(zero));
+        return graph.choose(relation, left, right, then, otherwise);
+    }
+    if !slopes.contains(&id) {
+        let found = partials(graph, id);
+        slopes.insert(id, found);
+    }
+    let mut terms = Vec::new();
+    for (operand, slope) in slopes.get(&id).into_iter().flatten() {
+        if let Some(&rate) = rates.get(operand) {
+            terms.push((graph.multiply(*slope, rate), Number::ONE));
+        }
+    }
+    graph.sum(Number::ZERO, terms)
+}

@@ -1,0 +1,54 @@
+//! Bounds on the rounding error of an equation where it is solved.
+
+use super::adjoint::sweep;
+use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Function, Graph, Node};
+use lagrange_expr::functions;
+use lagrange_expr::number::Number;
+
+/// Bound of what rounding leaves of an equation where it is solved, in units of the rounding of one operation: Σ |n ∂r/∂n| over the value
+/// and all that is computed of it on the way to r (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and chapter 25).
+/// The polynomial of a table is computed of a value at a knot and of the distance from there, each rounded, too.
+pub fn rounding(graph: &mut Graph, unknown: &AlgebraicUnknown) -> ExprId {
+    let (root, one) = (unknown.residual, graph.number(1));
+    let mut shares = Vec::new();
+    let slopes = sweep(graph, &[(root, one)], &[unknown.value], |graph, node, slope| {
+        if node != root {
+            shares.push(share(graph, node, slope));
+        }
+        shares.extend(share_of_piece(graph, node, slope));
+    });
+    shares.extend(slopes.into_iter().map(|slope| share(graph, unknown.value, slope)));
+    graph.total(shares)
+}
+
+/// |n ∂r/∂n|
+fn share(graph: &mut Graph, node: ExprId, slope: ExprId) -> ExprId {
+    let product = graph.multiply(slope, node);
+    functions::apply(graph, Function::Abs, &[product])
+}
+
+/// |∂r/∂n| (|f| + Σ |k ∂f/∂x|) for the value n of a table, with its largest value f and the largest knot k along each argument.
+fn share_of_piece(graph: &mut Graph, node: ExprId, slope: ExprId) -> Option<ExprId> {
+    let Node::Opaque(function, arguments) = graph.node(node).clone() else { return None };
+    let table = function.table()?;
+    let mut roundings = vec![graph.number(power_above(table.largest_value())?)];
+    for (i, axis) in table.axes.iter().enumerate() {
+        let knot = graph.number(power_above(axis.largest_knot())?);
+        let along = graph.opaque(function.derivative(i), &arguments);
+        let rounding = graph.multiply(knot, along);
+        roundings.push(functions::apply(graph, Function::Abs, &[rounding]));
+    }
+    let rounding = graph.total(roundings);
+    let steepness = functions::apply(graph, Function::Abs, &[slope]);
+    Some(graph.multiply(steepness, rounding))
+}
+
+/// The power of two above a magnitude; zero for none.
+fn power_above(magnitude: f64) -> Option<Number> {
+    const MANTISSA_BITS: u32 = f64::MANTISSA_DIGITS - 1;
+    if magnitude == 0.0 {
+        return Some(Number::ZERO);
+    }
+    let biased = (magnitude.to_bits() >> MANTISSA_BITS) as i32;
+    Number::TWO.power(biased - (f64::MAX_EXP - 2))
+}

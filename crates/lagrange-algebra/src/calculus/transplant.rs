@@ -1,0 +1,34 @@
+//! Copies of expressions in a graph of their own.
+
+use crate::calculus::substitute::construct;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph, Node};
+use lagrange_expr::symbol::Role;
+
+/// A new graph with everything that `roots` are made of, and where each expression is there. No rates of positions are set in it. Symbols
+/// keep their names and get the roles that `role` gives them, which must be as many as before.
+pub fn transplant(
+    source: &Graph,
+    roots: &[ExprId],
+    role: impl Fn(Role) -> Role,
+) -> (Graph, HashMap<ExprId, ExprId>) {
+    let mut graph = Graph::new();
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    let equations = source.unknowns().iter().flat_map(AlgebraicUnknown::expressions);
+    let roots = roots.iter().copied().chain(equations).collect::<Vec<_>>();
+    for id in source.reachable(&roots) {
+        let node = source.node(id);
+        let new = match node {
+            Node::Symbol(symbol) => {
+                let symbol = source.symbols().get(*symbol);
+                graph.dotted_symbol(&symbol.name, role(symbol.role), symbol.dots)
+            }
+            _ => construct(&mut graph, node.clone(), id, |child| image.get(&child).copied().unwrap_or(child)),
+        };
+        image.insert(id, new);
+    }
+    for unknown in source.unknowns() {
+        graph.add_unknown(unknown.map(|id| image.get(&id).copied().unwrap_or(id)));
+    }
+    (graph, image)
+}

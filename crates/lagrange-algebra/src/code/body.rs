@@ -1,0 +1,57 @@
+//! The body of a function, and the scalar that it computes with.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use proc_macro2::{Ident, TokenStream};
+
+use lagrange_expr::symbol::Role;
+
+/// The type that emitted code computes with.
+#[derive(Clone, Debug)]
+pub enum Scalar {
+    /// `f64`; literals are written plainly.
+    F64,
+    /// `f32`; literals are written plainly, rounded once.
+    F32,
+    /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
+    Generic(Ident),
+    /// A type parameter bounded by `Number`, which may be several numbers side by side: choices compute both of their values and
+    /// select. Literals are converted from `f64`.
+    SideBySide {
+        /// The type parameter.
+        number: Ident,
+        /// True if each number is an `f32`, to which literals are rounded before they are
+        /// converted.
+        is_single: bool,
+    },
+}
+
+/// A program as Rust.
+#[derive(Clone, Debug)]
+pub struct FunctionBody {
+    /// The `let` statements.
+    pub statements: TokenStream,
+    /// An expression for each output of the program, to be evaluated after the statements.
+    pub outputs: Vec<TokenStream>,
+    /// The symbols that must be bound, under the names that [`Names::role`](super::Names::role) gives them, in the order of
+    /// roles: parameters, inputs, time, coordinates, velocities, accelerations.
+    pub used: Vec<Role>,
+    /// The functions of `lagrange::private` that must be in scope.
+    pub functions: BTreeSet<&'static str>,
+}
+
+/// Constants that are not finite when rounded to the scalar.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Unrepresentable {
+    /// The constants in words, each once.
+    pub constants: Vec<String>,
+}
+
+impl fmt::Display for Unrepresentable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "number too large for the scalar: {}", self.constants.join(", "))
+    }
+}
+
+impl std::error::Error for Unrepresentable {}

@@ -1,0 +1,213 @@
+//! Programs as the body of a C function, for devices that rustc does not compile for.
+//!
+//! The text is C99, OpenCL C 1.2 and CUDA C++ at once: what these call by different names is a macro of the [`prelude`], of which there is
+//! one for all. A value is a statement, and its variable is numbered, since every language has words of its own that a name may not be; what the
+//! declaration calls it stands in a comment.
+
+use super::body::Unrepresentable;
+use super::literal::Constant;
+use crate::program::{Op, Program, ValueId, ValueTable};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::elementary::row;
+use lagrange_expr::expr::Relation;
+use lagrange_expr::symbol::{Role, Symbols};
+
+/// The numbers that C computes with.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Precision {
+    /// `double`
+    Double,
+    /// `float`
+    Single,
+}
+
+/// Returns the text before all functions: the number type `REAL` and every function that bodies
+/// call, for OpenCL C, CUDA C++ and C.
+pub fn prelude(precision: Precision) -> String {
+    let (real, is_single) = match precision {
+        Precision::Double => ("double", 0),
+        Precision::Single => ("float", 1),
+    };
+    format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{}", include_str!("prelude.h"))
+}
+
+/// The statements of a function that computes a program, each on a line of its own, indented once.
+///
+/// `place` is the expression under which C finds a symbol, and the results are stored to the elements of `results`.
+///
+/// # Errors
+/// If a constant of the program is out of the range of the numbers.
+///
+/// # Panics
+/// If the program calls a function without a formula, which C does not have.
+pub fn statements(
+    program: &Program,
+    symbols: &Symbols,
+    precision: Precision,
+    place: impl Fn(Role) -> String,
+    results: &str,
+) -> Result<String, Unrepresentable> {
+    let mut writer =
+        StatementWriter { program, precision, names: ValueNames::new(program), out: String::new() };
+    let mut unrepresentable = Vec::new();
+    for (id, op) in program.values() {
+        match op {
+            Op::Constant(number) => writer.constant(Constant::Exact(number), &mut unrepresentable),
+            Op::Float(value) => writer.constant(Constant::Rounded(*value), &mut unrepresentable),
+            Op::Input(role) => {
+                let name = symbols.find(*role).map(|symbol| symbols.get(symbol).identifier());
+                writer.define(&place(*role), name.as_deref());
+            }
+            _ => writer.value(id, op),
+        }
+    }
+    for (index, output) in program.outputs().iter().enumerate() {
+        let value = &writer.names.values[*output];
+        writer.out += &format!("    {results}[{index}] = {value};\n");
+    }
+    match unrepresentable.is_empty() {
+        true => Ok(writer.out),
+        false => Err(Unrepresentable { constants: unrepresentable }),
+    }
+}
+
+/// The names of the values of a program.
+struct ValueNames {
+    /// Variables and literals.
+    values: ValueTable<String>,
+    /// The sine and the cosine at a place of a pair or a batch.
+    pairs: HashMap<(ValueId, u32), [String; 2]>,
+    next: usize,
+}
+
+impl ValueNames {
+    fn new(program: &Program) -> ValueNames {
+        ValueNames { values: ValueTable::with_capacity(program.len()), pairs: HashMap::default(), next: 0 }
+    }
+
+    fn fresh(&mut self) -> String {
+        self.next += 1;
+        format!("x{}", self.next - 1)
+    }
+}
+
+/// A body as far as it is written.
+struct StatementWriter<'a> {
+    program: &'a Program,
+    precision: Precision,
+    names: ValueNames,
+    out: String,
+}
+
+impl StatementWriter<'_> {
+    /// Writes a constant where it is used.
+    fn constant(&mut self, constant: Constant<'_>, unrepresentable: &mut Vec<String>) {
+        let text = match self.precision {
+            Precision::Double => constant.double(),
+            Precision::Single => constant.single().map(|text| format!("{text}f")),
+        };
+        let text = text.unwrap_or_else(|| {
+            let words = constant.describe();
+            if !unrepresentable.contains(&words) {
+                unrepresentable.push(words);
+            }
+            String::new()
+        });
+        let is_negative = text.starts_with('-');
+        self.names.values.push(if is_negative { format!("({text})") } else { text });
+    }
+
+    /// Writes a variable for a value, and beside it what the declaration calls it.
+    fn define(&mut self, expression: &str, name: Option<&str>) {
+        let variable = self.names.fresh();
+        // Not every compiler of C takes other letters, even in comments.
+        let comment = name.map_or_else(String::new, |name| format!(" // {}", name.escape_default()));
+        self.out += &format!("    const REAL {variable} = {expression};{comment}\n");
+        self.names.values.push(variable);
+    }
+
+    /// Writes a value that is neither a constant nor a symbol.
+    fn value(&mut self, id: ValueId, op: &Op) {
+        match op {
+            Op::SinCos(angle) => self.pairs(id, &[*angle]),
+            Op::SinCosEach(angles) => self.pairs(id, angles),
+            Op::SinOf(pair) => self.part(*pair, 0, 0),
+            Op::CosOf(pair) => self.part(*pair, 0, 1),
+            Op::SinIn(batch, place) => self.part(*batch, *place, 0),
+            Op::CosIn(batch, place) => self.part(*batch, *place, 1),
+            _ => {
+                let expression = self.expression(op);
+                self.define(&expression, self.program.hint(id));
+            }
+        }
+    }
+
+    /// Writes sines and cosines of several angles.
+    fn pairs(&mut self, id: ValueId, angles: &[ValueId]) {
+        for (place, angle) in angles.iter().enumerate() {
+            let [sine, cosine] = [self.names.fresh(), self.names.fresh()];
+            let angle = &self.names.values[*angle];
+            self.out +=
+                &format!("    REAL {sine}, {cosine};\n    LAGRANGE_SIN_COS({angle}, {sine}, {cosine});\n");
+            self.names.pairs.insert((id, place as u32), [sine, cosine]);
+        }
+        // The pair itself is no number.
+        self.names.values.push(String::new());
+    }
+
+    /// A sine or a cosine, which is in a variable already.
+    fn part(&mut self, pairs: ValueId, place: u32, part: usize) {
+        let name = self.names.pairs.get(&(pairs, place)).map(|names| names[part].clone());
+        self.names.values.push(name.unwrap_or_else(|| unreachable!("{pairs:?} is a pair")));
+    }
+
+    fn expression(&self, op: &Op) -> String {
+        let at = |id: &ValueId| self.names.values[*id].as_str();
+        match op {
+            Op::Add(a, b) => format!("{} + {}", at(a), at(b)),
+            Op::Subtract(a, b) => format!("{} - {}", at(a), at(b)),
+            Op::Multiply(a, b) => format!("{} * {}", at(a), at(b)),
+            Op::Divide(a, b) => format!("{} / {}", at(a), at(b)),
+            Op::Negate(a) => format!("-{}", at(a)),
+            Op::MultiplyAdd(a, b, c) => format!("LAGRANGE_MULTIPLY_ADD({}, {}, {})", at(a), at(b), at(c)),
+            Op::MultiplySubtract(a, b, c) => {
+                format!("LAGRANGE_MULTIPLY_ADD({}, {}, -{})", at(a), at(b), at(c))
+            }
+            Op::SubtractProduct(a, b, c) => {
+                format!("LAGRANGE_MULTIPLY_ADD(-{}, {}, {})", at(a), at(b), at(c))
+            }
+            Op::Power(a, exponent) => format!("lagrange_powi({}, {exponent})", at(a)),
+            Op::Call(function, arguments) => {
+                let arguments = arguments.iter().map(at).collect::<Vec<_>>().join(", ");
+                format!("{}({arguments})", function_name(row(*function).rust))
+            }
+            Op::Select { relation, left, right, then, otherwise } => {
+                let (holds, fails) = relations(*relation);
+                let [left, right, then, otherwise] = [left, right, then, otherwise].map(at);
+                // Where both comparisons fail one of the sides is not a number, and so is their sum.
+                format!(
+                    "{left} {holds} {right} ? {then} : {left} {fails} {right} ? {otherwise} : {left} + {right}"
+                )
+            }
+            _ => unreachable!("{op:?} is no expression"),
+        }
+    }
+}
+
+/// The macro of the prelude for a function of `lagrange::Scalar`.
+fn function_name(rust: &str) -> String {
+    format!("LAGRANGE_{}", rust.to_uppercase())
+}
+
+/// A relation and its opposite.
+fn relations(relation: Relation) -> (&'static str, &'static str) {
+    match relation {
+        Relation::Less => ("<", ">="),
+        Relation::LessEqual => ("<=", ">"),
+        Relation::Greater => (">", "<="),
+        Relation::GreaterEqual => (">=", "<"),
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,148 @@
+//! Numbers as literals of a scalar, rounded once.
+
+use std::cmp::Ordering;
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use crate::program::Float;
+use lagrange_expr::number::Number;
+
+/// A constant of a program.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Constant<'a> {
+    Exact(&'a Number),
+    Rounded(Float),
+}
+
+impl Constant<'_> {
+    /// The shortest text that reads back as the nearest `f64`; `None` if that is not finite.
+    pub(super) fn double(self) -> Option<String> {
+        let value = self.to_f64();
+        value.is_finite().then(|| format!("{value:?}"))
+    }
+
+    /// The shortest text that reads back as the nearest `f32`; `None` if that is not finite.
+    pub(super) fn single(self) -> Option<String> {
+        let value = match self {
+            Constant::Exact(number) => nearest_single(number),
+            Constant::Rounded(value) => value.value() as f32,
+        };
+        value.is_finite().then(|| format!("{value:?}"))
+    }
+
+    fn to_f64(self) -> f64 {
+        match self {
+            Constant::Exact(number) => number.to_f64(),
+            Constant::Rounded(value) => value.value(),
+        }
+    }
+
+    /// Words of a message for a constant that does not fit: long numbers by their order of magnitude.
+    pub(super) fn describe(self) -> String {
+        match self {
+            Constant::Rounded(value) => value.value().to_string(),
+            Constant::Exact(number) => {
+                let text = number.to_string();
+                let (numerator, denominator) = text.split_once('/').unwrap_or((&text, ""));
+                if text.len() <= 24 {
+                    return text;
+                }
+                let sign = if number.is_negative() { "-" } else { "" };
+                let digits = numerator.trim_start_matches('-').len();
+                format!("about {sign}1e{}", digits.saturating_sub(denominator.len().max(1)))
+            }
+        }
+    }
+}
+
+/// A number as it stands in code of any scalar, NaN included.
+pub fn float(value: f64) -> TokenStream {
+    if value.is_nan() {
+        return quote!(::core::primitive::f64::NAN);
+    }
+    let magnitude = literal(&format!("{:?}", value.abs()));
+    if value.is_sign_negative() { quote!(-#magnitude) } else { quote!(#magnitude) }
+}
+
+/// A literal from the text of a finite number without a sign.
+pub(super) fn literal(text: &str) -> Literal {
+    text.parse().expect("a finite number without sign, written by the standard library, is a literal")
+}
+
+/// The `f32` nearest to an exact number.
+///
+/// Rounding to `f64` first goes wrong only where that result lies exactly halfway between two `f32` while
+/// the number itself does not; there the number decides.
+fn nearest_single(number: &Number) -> f32 {
+    let double = number.to_f64();
+    let single = double as f32;
+    let error = double - f64::from(single);
+    let other = if error > 0.0 { single.next_up() } else { single.next_down() };
+    if error == 0.0 || !single.is_finite() || f64::from(other) - double != error {
+        return single;
+    }
+    let (lower, upper) = if error > 0.0 { (single, other) } else { (other, single) };
+    match exact(double).map_or(Ordering::Equal, |double| number.cmp(&double)) {
+        Ordering::Less => lower,
+        Ordering::Equal => single,
+        Ordering::Greater => upper,
+    }
+}
+
+/// The exact value of a finite `f64`.
+fn exact(value: f64) -> Option<Number> {
+    let bits = value.to_bits();
+    let exponent = (bits >> 52 & 0x7ff) as i32;
+    let fraction = (bits & ((1 << 52) - 1)) as i64;
+    let mantissa = if exponent == 0 { fraction } else { fraction | 1 << 52 };
+    let power = Number::TWO.power(exponent.max(1) - 1075)?;
+    let magnitude = &Number::from(mantissa) * &power;
+    Some(if value.is_sign_negative() { -&magnitude } else { magnitude })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Constant, exact, nearest_single};
+    use lagrange_expr::number::Number;
+
+    fn number(text: &str) -> Number {
+        Number::parse_decimal(text).expect("a literal")
+    }
+
+    #[test]
+    fn literals_are_the_shortest_that_round_trip() {
+        let texts = ["0.5", "9.81", "2", "6.674e-11", "1e300", "100000"];
+        let doubles = texts.map(|text| Constant::Exact(&number(text)).double());
+        let expected = ["0.5", "9.81", "2.0", "6.674e-11", "1e300", "100000.0"];
+        assert_eq!(doubles, expected.map(|text| Some(text.to_owned())));
+        let third = Number::ratio(1, 3).expect("no zero");
+        assert_eq!(Constant::Exact(&third).double().as_deref(), Some("0.3333333333333333"));
+        assert_eq!(Constant::Exact(&third).single().as_deref(), Some("0.33333334"));
+    }
+
+    #[test]
+    fn numbers_out_of_range_are_refused_and_described() {
+        let (large, huge) = (number("1e39"), number("1e400"));
+        assert_eq!(Constant::Exact(&large).single(), None);
+        assert!(Constant::Exact(&large).double().is_some());
+        assert_eq!(Constant::Exact(&huge).double(), None);
+        assert_eq!(Constant::Exact(&huge).describe(), "about 1e400");
+        assert_eq!(Constant::Exact(&-&huge).describe(), "about -1e400");
+    }
+
+    #[test]
+    fn single_precision_rounds_once() {
+        // 1 + 2⁻²⁴ is halfway between two f32; what is added is lost in f64.
+        let half = Number::TWO.power(-24).expect("short");
+        let tiny = Number::TWO.power(-80).expect("short");
+        let halfway = &Number::ONE + &half;
+        assert_eq!(nearest_single(&halfway), 1.0);
+        assert_eq!(nearest_single(&(&halfway + &tiny)), 1.0 + f32::EPSILON);
+        assert_eq!(nearest_single(&(&halfway - &tiny)), 1.0);
+        assert_eq!(nearest_single(&-&(&halfway + &tiny)), -1.0 - f32::EPSILON);
+        for value in [1.0, -0.1, 5e-324, f64::MAX, 0.0] {
+            assert_eq!(exact(value).map(|number| number.to_f64()), Some(value));
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Programs as the body of a function: of Rust, and by [`statements`] of C.
+//!
+//! The statements read like code written by hand: what has a name or is used several times becomes a
+//! `let`, everything else is written where it is used, up to a bounded length. Names are the labels of the
+//! program where it has any, and otherwise say what a value is made of (`sin_theta`, `x_dot_sq`, `m_l`)
+//! or what it changes with: `const_0` with nothing but parameters, `pos_0` with time and coordinates,
+//! `vel_0` with velocities.
+//!
+//! Elementary functions are called by their bare names; a body says which of them it needs in scope.
+
+mod body;
+mod c;
+mod fragment;
+mod literal;
+mod names;
+mod naming;
+mod pairs;
+mod parts;
+mod sine_cosine;
+mod values;
+mod writer;
+
+pub use body::{FunctionBody, Scalar, Unrepresentable};
+pub use c::{Precision, prelude, statements};
+pub use literal::float;
+pub use names::Names;
+
+use crate::program::{Op, Program};
+use lagrange_expr::symbol::{Role, Symbols};
+use values::{SELECTIONS, write};
+use writer::BodyWriter;
+
+/// Writes a program as Rust.
+///
+/// # Errors
+/// If a constant of the program is out of the range of the scalar.
+pub fn body(
+    program: &Program,
+    symbols: &Symbols,
+    scalar: &Scalar,
+    names: &mut Names,
+) -> Result<FunctionBody, Unrepresentable> {
+    // Every other function is a word of the language, which no symbol can be called.
+    ["sin_cos", "sin_cos_each", "multiply_add"].into_iter().for_each(|function| names.reserve(function));
+    if matches!(scalar, Scalar::SideBySide { .. }) {
+        SELECTIONS.into_iter().for_each(|function| names.reserve(function));
+    }
+    for (_, op) in program.values() {
+        if let Op::Opaque(function, _) = op {
+            names.reserve(&function.rust_name());
+        }
+    }
+    let used = used_roles(program);
+    // Symbols get their names before anything else can take them.
+    used.iter().for_each(|&role| drop(names.role(symbols, role)));
+    write(BodyWriter::new(program, symbols, scalar, names), used)
+}
+
+fn used_roles(program: &Program) -> Vec<Role> {
+    let role = |op: &Op| match op {
+        Op::Input(role) => Some(*role),
+        _ => None,
+    };
+    let mut used = program.values().filter_map(|(_, op)| role(op)).collect::<Vec<_>>();
+    used.sort_unstable();
+    used
+}
+
+#[cfg(test)]
+mod tests;

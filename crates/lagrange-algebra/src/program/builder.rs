@@ -1,0 +1,265 @@
+//! The only maker of programs: numbers values, folds constants, leaves out what nothing needs.
+//!
+//! Operations on constants become constants: exact rational ones where the result is rational. A division
+//! by a rational number becomes a multiplication. Beyond that only identities are used that hold to the
+//! last bit, infinities and NaN included and signs of zero excepted, and that never add an operation.
+//! `0 * x` therefore stays.
+
+use super::interpret::integer_power;
+use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::elementary::row;
+use lagrange_expr::expr::Function;
+use lagrange_expr::number::Number;
+
+/// A program under construction.
+///
+/// Pushing an operation that is already there gives the value that is there, so common subexpressions
+/// need no pass of their own; operations on constants give constants.
+#[derive(Clone, Default, Debug)]
+pub struct Builder {
+    values: OrderedMap<Op, Option<Box<str>>>,
+}
+
+impl Builder {
+    /// Nothing computed yet.
+    pub fn new() -> Builder {
+        Builder::default()
+    }
+
+    /// The value of an operation, folded if its operands are constants.
+    pub fn push(&mut self, op: Op) -> ValueId {
+        match fold(self, op) {
+            Ok(known) => known,
+            Err(op) => self.number_value(op),
+        }
+    }
+
+    fn number_value(&mut self, op: Op) -> ValueId {
+        if let Some(index) = op.commuted().and_then(|commuted| self.values.index_of(&commuted)) {
+            return ValueId::new(index);
+        }
+        ValueId::new(self.values.index_or_insert_with(op, || None))
+    }
+
+    /// The operation behind a value.
+    pub fn op(&self, id: ValueId) -> &Op {
+        self.values.key_at(id.index())
+    }
+
+    /// An exact number.
+    pub fn constant(&mut self, value: Number) -> ValueId {
+        self.push(Op::Constant(value))
+    }
+
+    /// `a + b`
+    pub fn add(&mut self, a: ValueId, b: ValueId) -> ValueId {
+        self.push(Op::Add(a, b))
+    }
+
+    /// `a - b`
+    pub fn subtract(&mut self, a: ValueId, b: ValueId) -> ValueId {
+        self.push(Op::Subtract(a, b))
+    }
+
+    /// `a * b`
+    pub fn multiply(&mut self, a: ValueId, b: ValueId) -> ValueId {
+        self.push(Op::Multiply(a, b))
+    }
+
+    /// `a / b`
+    pub fn divide(&mut self, a: ValueId, b: ValueId) -> ValueId {
+        self.push(Op::Divide(a, b))
+    }
+
+    /// `-a`
+    pub fn negate(&mut self, a: ValueId) -> ValueId {
+        self.push(Op::Negate(a))
+    }
+
+    /// An elementary function.
+    pub fn call(&mut self, function: Function, arguments: &[ValueId]) -> ValueId {
+        self.push(Op::Call(function, arguments.into()))
+    }
+
+    /// The name that a value has.
+    pub fn name(&self, id: ValueId) -> Option<&str> {
+        self.values.value_at(id.index()).as_deref()
+    }
+
+    /// Proposes a name for a value; the first proposal counts.
+    pub fn propose_name(&mut self, id: ValueId, name: &str) {
+        let op = self.op(id).clone();
+        if let Some(hint @ None) = self.values.get_mut(&op) {
+            *hint = Some(name.into());
+        }
+    }
+
+    /// The program that computes `outputs`, without the values that do not contribute to them.
+    pub fn finish(self, outputs: &[ValueId]) -> Program {
+        let mut needed = ValueTable::filled(self.values.len(), false);
+        outputs.iter().for_each(|&output| needed[output] = true);
+        for (index, (op, _)) in self.values.iter().enumerate().rev() {
+            if needed[ValueId::new(index)] {
+                op.for_each_operand(|operand| needed[operand] = true);
+            }
+        }
+        let mut values = ValueTable::with_capacity(self.values.len());
+        // Values that are not needed keep a meaningless entry, which nothing asks for.
+        let mut renumbered = ValueTable::with_capacity(self.values.len());
+        for (index, (op, hint)) in self.values.iter().enumerate() {
+            let id = ValueId::new(index);
+            let new = match needed[id] {
+                true => {
+                    let op = op.map_operands(|operand| renumbered[operand]);
+                    values.push(Value { op, hint: hint.clone() })
+                }
+                false => id,
+            };
+            renumbered.push(new);
+        }
+        let outputs = outputs.iter().map(|&output| renumbered[output]).collect();
+        Program::from_parts(values, outputs)
+    }
+}
+
+/// The value that an operation folds to, or the operation to be numbered.
+fn fold(builder: &mut Builder, op: Op) -> Result<ValueId, Op> {
+    match op {
+        Op::Input(_) | Op::Constant(_) | Op::Float(_) => Err(op),
+        Op::Negate(a) => fold_negation(builder, a),
+        _ => match constant_result(builder, &op) {
+            Some(constant) => Ok(builder.push(constant)),
+            None => fold_identity(builder, op),
+        },
+    }
+}
+
+fn fold_negation(builder: &mut Builder, a: ValueId) -> Result<ValueId, Op> {
+    match builder.op(a).clone() {
+        Op::Constant(value) => Ok(builder.constant(-&value)),
+        Op::Float(value) => Ok(builder.push(Op::Float(Float::new(-value.value())))),
+        Op::Negate(inner) => Ok(inner),
+        _ => Err(Op::Negate(a)),
+    }
+}
+
+fn fold_identity(builder: &mut Builder, op: Op) -> Result<ValueId, Op> {
+    match op {
+        Op::Add(a, b) if is_zero(builder, a) => Ok(b),
+        Op::Add(a, b) if is_zero(builder, b) => Ok(a),
+        Op::Add(a, b) => match (opposite(builder, a), opposite(builder, b)) {
+            (_, Some(b)) => Ok(builder.subtract(a, b)),
+            (Some(a), None) => Ok(builder.subtract(b, a)),
+            (None, None) => Err(op),
+        },
+        Op::Subtract(a, b) if is_zero(builder, b) => Ok(a),
+        Op::Subtract(a, b) if is_zero(builder, a) => Ok(builder.negate(b)),
+        Op::Subtract(a, b) => match opposite(builder, b) {
+            Some(b) => Ok(builder.add(a, b)),
+            None => Err(op),
+        },
+        Op::Multiply(a, b) => fold_product(builder, a, b),
+        Op::Divide(a, b) => fold_quotient(builder, a, b),
+        _ => Err(op),
+    }
+}
+
+fn fold_product(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId, Op> {
+    for (factor, x) in [(a, b), (b, a)] {
+        match number(builder, factor) {
+            Some(factor) if *factor == Number::ONE => return Ok(x),
+            Some(factor) if *factor == Number::MINUS_ONE => return Ok(builder.negate(x)),
+            _ => {}
+        }
+    }
+    match (builder.op(a), builder.op(b)) {
+        (&Op::Negate(a), &Op::Negate(b)) => Ok(builder.multiply(a, b)),
+        _ => Err(Op::Multiply(a, b)),
+    }
+}
+
+fn fold_quotient(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId, Op> {
+    // The reciprocal is rounded too, unlike the quotient, but a division costs several multiplications.
+    match number(builder, b).and_then(Number::reciprocal) {
+        Some(inverse) => {
+            let inverse = builder.constant(inverse);
+            Ok(builder.multiply(inverse, a))
+        }
+        None => Err(Op::Divide(a, b)),
+    }
+}
+
+fn number(builder: &Builder, id: ValueId) -> Option<&Number> {
+    match builder.op(id) {
+        Op::Constant(value) => Some(value),
+        _ => None,
+    }
+}
+
+fn is_zero(builder: &Builder, id: ValueId) -> bool {
+    number(builder, id).is_some_and(Number::is_zero)
+}
+
+/// The opposite of a value that is written with a minus sign.
+fn opposite(builder: &mut Builder, id: ValueId) -> Option<ValueId> {
+    match builder.op(id) {
+        &Op::Negate(inner) => Some(inner),
+        Op::Constant(value) if value.is_negative() => Some(builder.negate(id)),
+        Op::Float(value) if value.value() < 0.0 => Some(builder.negate(id)),
+        _ => None,
+    }
+}
+
+/// The result of an operation all of whose operands are constants.
+fn constant_result(builder: &Builder, op: &Op) -> Option<Op> {
+    let mut operands = Vec::new();
+    op.for_each_operand(|operand| operands.push(builder.op(operand)));
+    if let Some(numbers) = operands.iter().map(|op| exact(op)).collect::<Option<Vec<_>>>()
+        && let Some(value) = exact_result(op, &numbers)
+    {
+        return Some(Op::Constant(value));
+    }
+    let values = operands.iter().map(|op| approximate(op)).collect::<Option<Vec<_>>>()?;
+    approximate_result(op, &values).map(|value| Op::Float(Float::new(value)))
+}
+
+fn exact(op: &Op) -> Option<&Number> {
+    match op {
+        Op::Constant(value) => Some(value),
+        _ => None,
+    }
+}
+
+fn approximate(op: &Op) -> Option<f64> {
+    match op {
+        Op::Constant(value) => Some(value.to_f64()),
+        Op::Float(value) => Some(value.value()),
+        _ => None,
+    }
+}
+
+fn exact_result(op: &Op, operands: &[&Number]) -> Option<Number> {
+    match (op, operands) {
+        (Op::Add(..), [a, b]) => Some(*a + *b),
+        (Op::Subtract(..), [a, b]) => Some(*a - *b),
+        (Op::Multiply(..), [a, b]) => Some(*a * *b),
+        (Op::Divide(..), [a, b]) => b.reciprocal().map(|inverse| *a * &inverse),
+        (Op::Power(_, exponent), [a]) => a.power(*exponent),
+        (Op::Call(Function::Sqrt, _), [a]) => a.exact_sqrt(),
+        (Op::Call(Function::Abs, _), [a]) => Some(a.abs()),
+        _ => None,
+    }
+}
+
+fn approximate_result(op: &Op, operands: &[f64]) -> Option<f64> {
+    match (op, operands) {
+        (Op::Add(..), [a, b]) => Some(a + b),
+        (Op::Subtract(..), [a, b]) => Some(a - b),
+        (Op::Multiply(..), [a, b]) => Some(a * b),
+        (Op::Divide(..), [a, b]) => Some(a / b),
+        (Op::Power(_, exponent), [a]) => Some(integer_power(*a, *exponent)),
+        (Op::Call(function, _), arguments) => Some((row(*function).value)(arguments)),
+        _ => None,
+    }
+}

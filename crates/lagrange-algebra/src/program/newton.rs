@@ -1,0 +1,119 @@
+//! Newton's method for the equation of an algebraic unknown, as programs.
+
+use super::interpret::run_with;
+use super::ir::Program;
+use super::labels::Labels;
+use super::lower::lower;
+use super::passes::optimise;
+use crate::calculus::{partial, rounding};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph};
+use lagrange_expr::opaque::Opaque;
+use lagrange_expr::symbol::Role;
+
+/// Limits of `root::newton` of the run time.
+const TOLERANCE: f64 = 4.0;
+const MIN_SPAN: f64 = 4.0;
+const SAME_SLOPE: f64 = 0.25;
+const MAX_BEND: f64 = 65_536.0;
+const CENTRAL: f64 = 4.0;
+const ASIDE: f64 = 32.0;
+
+/// The programs of Newton's method, in symbols for the arguments and the unknown.
+#[derive(Clone, Debug)]
+pub struct NewtonProgram {
+    /// The function whose values it finds.
+    pub function: Opaque,
+    /// Roles of the arguments.
+    pub arguments: Vec<Role>,
+    /// Role of the unknown.
+    pub value: Role,
+    /// Initial guess.
+    pub start: Program,
+    /// Program of the residual r: r, ∂r/∂y, and a bound of its rounding error, in units of one
+    /// rounding.
+    pub equation: Program,
+    /// The largest number of steps.
+    pub iterations: u32,
+}
+
+impl NewtonProgram {
+    /// Lowers the equation of an unknown.
+    pub fn new(graph: &mut Graph, unknown: &AlgebraicUnknown, accuracy: Accuracy) -> NewtonProgram {
+        let slope = partial(graph, unknown.residual, unknown.value);
+        let equation = [unknown.residual, slope, rounding(graph, unknown)];
+        let lowered = |roots: &[ExprId]| optimise(&lower(graph, roots, &Labels::default()), accuracy);
+        let role = |id: ExprId| graph.symbol_of(id).map_or(Role::Time, |symbol| symbol.role);
+        NewtonProgram {
+            function: unknown.function.clone(),
+            arguments: unknown.arguments.iter().map(|&argument| role(argument)).collect(),
+            value: role(unknown.value),
+            start: lowered(&[unknown.start]),
+            equation: lowered(&equation),
+            iterations: unknown.iterations,
+        }
+    }
+
+    /// The value of the unknown, by the operations of emitted code for `f64`; NaN if none is found. `call` computes functions of the user's.
+    pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> f64) -> f64 {
+        let argument = |role: Role| {
+            let place = self.arguments.iter().position(|known| *known == role);
+            place.and_then(|place| arguments.get(place)).copied().unwrap_or(f64::NAN)
+        };
+        let start = run_with(&self.start, argument, &call)[0];
+        newton(start, self.iterations, |y| {
+            let value_of = |role| if role == self.value { y } else { argument(role) };
+            let found = run_with(&self.equation, value_of, &call);
+            [found[0], found[1], found[2]]
+        })
+    }
+}
+
+/// Returns the zero that `root::newton` of the run time finds, by the same operations, whose reasons stand there.
+fn newton(start: f64, iterations: u32, equation: impl Fn(f64) -> [f64; 3]) -> f64 {
+    let (mut y, mut last) = (start, [0.0; 2]);
+    let root = f64::EPSILON.sqrt();
+    let noise_part = root * root.sqrt();
+    for _ in 0..iterations {
+        let [residual, slope, rounding] = equation(y);
+        let [last_length, last_slope]: [f64; 2] = last;
+        let change = residual / slope;
+        let (next, length, steepness) = (y - change, change.abs(), slope.abs());
+        let bound = TOLERANCE * f64::EPSILON * rounding;
+        let hidden = bound / steepness;
+        let is_small = residual.abs() <= bound && bound < f64::INFINITY && steepness < f64::INFINITY;
+        let no_longer_shrinks = 0.0 < last_length && last_length <= length;
+        let is_noise = length < noise_part * next.abs() && no_longer_shrinks;
+        let agrees = (slope - last_slope).abs() <= SAME_SLOPE * steepness;
+        let spans = MIN_SPAN * hidden <= last_length;
+        if is_small && (bound <= 0.0 || spans && agrees) {
+            return next;
+        }
+        if is_small || is_noise {
+            let noise = if is_small { 0.0 } else { larger(length, last_length) };
+            let width = ASIDE * larger(hidden, noise);
+            let [above, below] = [next + width, next - width].map(&equation);
+            let are_opposite = above[0] < 0.0 && 0.0 < below[0] || below[0] < 0.0 && 0.0 < above[0];
+            let (sum, difference) = ((above[0] + below[0]).abs(), (above[0] - below[0]).abs());
+            let is_central = is_small || CENTRAL * sum <= difference;
+            if are_opposite && is_central && is_similar(below[1], above[1]) && is_similar(below[1], slope) {
+                return next;
+            }
+        }
+        if next.is_nan() {
+            break;
+        }
+        (y, last) = (next, [length, slope]);
+    }
+    f64::NAN
+}
+
+/// True if two slopes have the same sign and differ by no more than a factor.
+fn is_similar(a: f64, b: f64) -> bool {
+    (a < 0.0) == (b < 0.0) && a.abs() < MAX_BEND * b.abs() && b.abs() < MAX_BEND * a.abs()
+}
+
+/// The larger of two numbers, the first if one of them is NaN.
+fn larger(a: f64, b: f64) -> f64 {
+    if a < b { b } else { a }
+}

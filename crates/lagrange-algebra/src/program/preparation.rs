@@ -1,0 +1,100 @@
+//! Computations of parameters alone, extracted from programs and performed once for all.
+//!
+//! A value of numbers and parameters that a changing value needs becomes an input of its program. It is taken out before any pass runs: a
+//! product of parameters that had been fused into a sum could not be.
+
+use super::builder::Builder;
+use super::ir::{Op, Program, ValueId, ValueTable};
+use super::variability::Variability;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::symbol::Role;
+
+/// The constant parts of some programs, equal ones once.
+#[derive(Debug)]
+pub struct Preparation {
+    builder: Builder,
+    /// Values that become inputs, in the order of their roles.
+    kept: OrderedMap<ValueId, ()>,
+    /// Number of the parameters, behind whose roles those of the new inputs are.
+    parameters: u32,
+}
+
+impl Preparation {
+    /// Nothing prepared yet, of a system with so many parameters.
+    pub fn new(parameters: u32) -> Preparation {
+        Preparation { builder: Builder::new(), kept: OrderedMap::default(), parameters }
+    }
+
+    /// The role of a prepared value.
+    pub fn role(&self, index: usize) -> Role {
+        Role::Parameter(self.parameters + u32::try_from(index).expect("fewer than 2^32 values fit in memory"))
+    }
+
+    /// The program that computes the same with what is prepared as its inputs.
+    pub fn prepare(&mut self, program: &Program) -> Program {
+        let variability = Variability::of_values(program);
+        let mut builder = Builder::new();
+        // Of each value what stands for it: among those that are prepared, or in the new program.
+        let mut found = ValueTable::with_capacity(program.len());
+        for (id, op) in program.values() {
+            let value = match variability[id] {
+                Variability::Constant => self.builder.push(op.map_operands(|operand| found[operand])),
+                _ => {
+                    let op = op.map_operands(|operand| match variability[operand] {
+                        Variability::Constant => self.taken(&mut builder, found[operand]),
+                        _ => found[operand],
+                    });
+                    builder.push(op)
+                }
+            };
+            if let Some(hint) = program.hint(id) {
+                let builder =
+                    if variability[id] == Variability::Constant { &mut self.builder } else { &mut builder };
+                builder.propose_name(value, hint);
+            }
+            found.push(value);
+        }
+        let outputs = program.outputs().iter().map(|&output| match variability[output] {
+            Variability::Constant => self.taken(&mut builder, found[output]),
+            _ => found[output],
+        });
+        let outputs = outputs.collect::<Vec<_>>();
+        builder.finish(&outputs)
+    }
+
+    /// A constant value in a program: numbers and parameters as they are, anything else as an input. Signs cost nothing.
+    fn taken(&mut self, builder: &mut Builder, value: ValueId) -> ValueId {
+        match self.builder.op(value) {
+            &Op::Negate(of) => {
+                let of = self.taken(builder, of);
+                builder.negate(of)
+            }
+            op @ (Op::Input(_) | Op::Constant(_) | Op::Float(_)) => builder.push(op.clone()),
+            _ => {
+                let index = self.kept.index_or_insert_with(value, || ());
+                builder.push(Op::Input(self.role(index)))
+            }
+        }
+    }
+
+    /// Number of values that are prepared.
+    pub fn len(&self) -> usize {
+        self.kept.len()
+    }
+
+    /// True if nothing is prepared.
+    pub fn is_empty(&self) -> bool {
+        self.kept.is_empty()
+    }
+
+    /// The name of a prepared value, if anybody gave it one.
+    pub fn name(&self, index: usize) -> Option<&str> {
+        self.builder.name(*self.kept.key_at(index))
+    }
+
+    /// The program that computes what is prepared, in the order of its roles.
+    pub fn finish(self) -> Program {
+        let outputs = self.kept.iter().map(|(value, ())| *value).collect::<Vec<_>>();
+        self.builder.finish(&outputs)
+    }
+}

@@ -1,0 +1,65 @@
+//! Variability of values: what they change with, and so how often.
+
+use super::ir::{Op, Program, ValueTable};
+use lagrange_expr::expr::{Dependencies, ExprId, Graph};
+use lagrange_expr::symbol::Role;
+
+/// Kind of quantity that a value changes with, the strongest first counted: what depends on a coordinate and on a
+/// velocity changes with velocities.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Variability {
+    /// Numbers and parameters only.
+    Constant,
+    /// Inputs.
+    Input,
+    /// Time, coordinates or states.
+    Position,
+    /// Velocities.
+    Velocity,
+    /// Accelerations.
+    Acceleration,
+}
+
+impl Variability {
+    /// Variability of a symbol.
+    pub fn of_role(role: Role) -> Variability {
+        match role {
+            Role::Parameter(_) => Variability::Constant,
+            Role::Input(_) => Variability::Input,
+            Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Operand(_) | Role::Placeholder(_) => {
+                Variability::Position
+            }
+            Role::Velocity(_) | Role::Side(_) => Variability::Velocity,
+            Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
+        }
+    }
+
+    /// Variability of an expression.
+    pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
+        let position =
+            Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::PLACEHOLDER;
+        let kinds = [
+            (Dependencies::ACCELERATION, Variability::Acceleration),
+            (Dependencies::VELOCITY, Variability::Velocity),
+            (position, Variability::Position),
+            (Dependencies::INPUT, Variability::Input),
+        ];
+        let dependencies = graph.dependencies(id);
+        let strongest = kinds.iter().find(|(kind, _)| dependencies.intersects(*kind));
+        strongest.map_or(Variability::Constant, |(_, variability)| *variability)
+    }
+
+    /// Variability of every value of a program.
+    pub fn of_values(program: &Program) -> ValueTable<Variability> {
+        let mut found = ValueTable::with_capacity(program.len());
+        for (_, op) in program.values() {
+            let mut strongest = match op {
+                Op::Input(role) => Variability::of_role(*role),
+                _ => Variability::Constant,
+            };
+            op.for_each_operand(|operand| strongest = strongest.max(found[operand]));
+            found.push(strongest);
+        }
+        found
+    }
+}

@@ -1,0 +1,169 @@
+//! Quotients without products of inertias.
+//!
+//! Eliminations multiply pivots out: what they divide by D is a sum of products of two masses, which leaves the range of floating-point
+//! numbers where its quotient does not. Here such a sum is divided term by term, so that every sum has the [grade](Grades) of one mass at
+//! most; the order of factors in a product is left to lowering, which keeps partial products in range, too.
+
+use super::monomial::Monomial;
+use crate::calculus::{Grades, rebuild};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_expr::number::Number;
+
+/// Nested parts up to which a product is taken apart.
+const MAX_FACTORS: usize = 64;
+/// Depth to which quotients within quotients are taken apart: one for each elimination.
+const MAX_DEPTH: usize = 12;
+
+/// Returns the expressions that stand for those that `roots` are made of, where they are others. `unit` is something that never vanishes
+/// and has the grade of a mass: both sides of a quotient of two products of masses are divided by it.
+pub fn balanced(graph: &mut Graph, roots: &[ExprId], unit: Option<ExprId>) -> HashMap<ExprId, ExprId> {
+    let mut grades = Grades::of(graph, roots);
+    grades.extend(graph, unit.as_slice());
+    let unit = unit.filter(|id| grades.grade(*id).is_one());
+    let mut balance = Balance { grades, unit, divided: HashMap::default() };
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    for id in graph.reachable(roots) {
+        let image_of = |child: ExprId| image.get(&child).copied().unwrap_or(child);
+        let mut is_changed = false;
+        graph.node(id).for_each_child(|child| is_changed |= image.contains(&child));
+        let same = if is_changed { rebuild(graph, id, image_of) } else { id };
+        let found = balance.product(graph, same, MAX_DEPTH);
+        if found != id {
+            image.insert(id, found);
+        }
+    }
+    image
+}
+
+struct Balance {
+    grades: Grades,
+    unit: Option<ExprId>,
+    divided: HashMap<(ExprId, Monomial), ExprId>,
+}
+
+impl Balance {
+    /// A product, or a multiple of one, whose sums are no larger than one mass if what they are divided by allows that.
+    fn product(&mut self, graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
+        let (coefficient, core) = graph.split_coefficient(id);
+        let Node::Product(factors) = graph.node(core).clone() else { return id };
+        if depth == 0 {
+            return id;
+        }
+        // A product within another may get a value for itself.
+        let mut is_changed = factors.iter().any(|(base, _)| {
+            matches!(graph.node(*base), Node::Product(_)) && self.grade(graph, *base).abs() > Number::ONE
+        });
+        let Some(mut rest) = Monomial::of(graph, core, MAX_FACTORS) else { return id };
+        let mut done = Monomial::default();
+        while let Some((sum, exponent)) = self.largest_sum(graph, &rest) {
+            let (_, others) = rest.split(|base, _| base == sum);
+            let Some(divisor) = self.divisor(graph, sum, &exponent, &others) else {
+                let power = Monomial::new(vec![(sum, exponent)]);
+                (rest, done) = (others, done.times(&power));
+                continue;
+            };
+            let quotient = self.quotient(graph, sum, &divisor, depth);
+            let unit = if exponent.is_negative() { Number::MINUS_ONE } else { Number::ONE };
+            let left = Monomial::new(vec![(sum, &exponent + &-&unit)]);
+            let is_done = self.grade(graph, quotient).abs() > Number::ONE;
+            let quotient = Monomial::new(vec![(quotient, unit.clone())]);
+            rest = others.times(&left).times(&divisor.power(&unit));
+            let place = if is_done { &mut done } else { &mut rest };
+            *place = place.times(&quotient);
+            is_changed = true;
+        }
+        if !is_changed {
+            return id;
+        }
+        let product = rest.times(&done).build(graph);
+        graph.scale(coefficient, product)
+    }
+
+    /// The first sum among the factors that is a product of masses.
+    fn largest_sum(&mut self, graph: &Graph, factors: &Monomial) -> Option<(ExprId, Number)> {
+        let mut factors = factors.factors().iter();
+        factors
+            .find(|(base, exponent)| {
+                let is_sum = matches!(graph.node(*base), Node::Sum { .. });
+                is_sum && exponent.is_integer() && self.grade(graph, *base).abs() > Number::ONE
+            })
+            .cloned()
+    }
+
+    /// Returns the divisor of a sum among other factors; `None` if they leave it a product of
+    /// masses.
+    fn divisor(
+        &mut self,
+        graph: &Graph,
+        sum: ExprId,
+        exponent: &Number,
+        others: &Monomial,
+    ) -> Option<Monomial> {
+        let mut grade = self.grade(graph, sum);
+        let mut found = Vec::new();
+        for (base, power) in others.factors() {
+            // Which way a factor moves the grade of the sum itself.
+            let step =
+                if power.is_negative() != exponent.is_negative() { Number::MINUS_ONE } else { Number::ONE };
+            let own = self.grade(graph, *base);
+            let change = &own * &step;
+            let mut left = power.abs();
+            // Parameters may be zero; pivots are divided by anyway.
+            let is_possible = !exponent.is_negative() || matches!(graph.node(*base), Node::Sum { .. });
+            while is_possible
+                && power.is_integer()
+                && !left.is_zero()
+                && grade.abs() > Number::ONE
+                && (&grade + &change).abs() < grade.abs()
+                && own.abs() <= Number::ONE
+            {
+                grade = &grade + &change;
+                found.push((*base, step.clone()));
+                left = &left + &Number::MINUS_ONE;
+            }
+        }
+        if let Some(unit) = self.unit.filter(|_| self.needs_unit(graph, exponent, others)) {
+            while grade > Number::ONE {
+                grade = &grade + &Number::MINUS_ONE;
+                found.push((unit, Number::MINUS_ONE));
+            }
+        }
+        let divisor = Monomial::new(found).power(&Number::MINUS_ONE);
+        (grade.abs() <= Number::ONE && !divisor.is_one()).then_some(divisor)
+    }
+
+    /// True if no factor need be there to divide the sum by: it is divided by itself, or a product of masses is divided by it.
+    fn needs_unit(&mut self, graph: &Graph, exponent: &Number, others: &Monomial) -> bool {
+        let (below, _) = others.split(|_, power| power.is_negative());
+        exponent.is_negative() || self.largest_sum(graph, &below).is_some()
+    }
+
+    /// A sum divided term by term.
+    fn quotient(&mut self, graph: &mut Graph, sum: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
+        let key = (sum, divisor.clone());
+        if let Some(&known) = self.divided.get(&key) {
+            return known;
+        }
+        let inverse = divisor.power(&Number::MINUS_ONE);
+        let Node::Sum { constant, terms } = graph.node(sum).clone() else { return sum };
+        let one = graph.number(1);
+        let constant = (!constant.is_zero()).then_some((one, constant));
+        let terms = terms.iter().cloned().chain(constant).collect::<Vec<_>>();
+        let mut quotients = Vec::with_capacity(terms.len());
+        for (term, coefficient) in terms {
+            let factors = Monomial::of(graph, term, MAX_FACTORS);
+            let factors = factors.unwrap_or_else(|| Monomial::new(vec![(term, Number::ONE)]));
+            let product = factors.times(&inverse).build(graph);
+            quotients.push((self.product(graph, product, depth - 1), coefficient));
+        }
+        let found = graph.sum(Number::ZERO, quotients);
+        self.divided.insert(key, found);
+        found
+    }
+
+    fn grade(&mut self, graph: &Graph, id: ExprId) -> Number {
+        self.grades.extend(graph, &[id]);
+        self.grades.grade(id)
+    }
+}

@@ -1,0 +1,234 @@
+//! Sums of products of sines and cosines with as few terms as possible, so that little cancels.
+//!
+//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, where what cancels
+//! does so exactly; what is left is gathered into products again:
+//!
+//! ```text
+//! cos a cos b = ½ cos(a − b) + ½ cos(a + b),     cos a − cos b = −2 sin((a + b)/2) sin((a − b)/2), …
+//! ```
+//!
+//! (Abramowitz and Stegun, §4.3.31–37). So sin a cos b − cos a sin b becomes sin(a − b), in which the angles are
+//! subtracted before their sine is taken; m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin² a; and 1 − cos a
+//! becomes 2 sin²(a/2).
+
+use std::collections::BTreeMap;
+
+use super::angle::{Angles, Wave};
+use super::monomial::{Monomial, Term};
+use crate::calculus::rebuild;
+use lagrange_expr::collections::{HashMap, OrderedMap};
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
+use lagrange_expr::functions::apply;
+use lagrange_expr::number::Number;
+
+/// Number of sines and cosines up to which a product is written as a sum of waves: n of them make 2ⁿ⁻¹ terms.
+const MOST_WAVES: usize = 4;
+/// Number of terms up to which a sum is contracted, since all pairs of its waves are compared.
+const MOST_TERMS: usize = 64;
+
+/// A number times sines and cosines.
+#[derive(Clone, Debug)]
+struct WaveProduct {
+    coefficient: Number,
+    waves: Vec<Wave>,
+}
+
+/// Terms of a sum with the same cofactor.
+#[derive(Default)]
+struct Group {
+    terms: Vec<(ExprId, Number)>,
+    products: Vec<WaveProduct>,
+}
+
+/// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise. `angles` remembers how angles
+/// have been written before.
+pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
+    if terms.len() < 2 || terms.len() > MOST_TERMS {
+        return graph.sum(Number::ZERO, terms);
+    }
+    let mut groups: OrderedMap<Monomial, Group> = OrderedMap::default();
+    let mut left = Vec::new();
+    for (term, coefficient) in terms {
+        match read(graph, angles, term, &coefficient) {
+            Some((cofactor, product)) => {
+                let group = groups.get_or_insert_with(cofactor, Group::default);
+                group.terms.push((term, coefficient));
+                group.products.push(product);
+            }
+            None => left.push((term, coefficient)),
+        }
+    }
+    for (cofactor, group) in groups.iter() {
+        if group.terms.len() < 2 {
+            left.extend(group.terms.iter().cloned());
+            continue;
+        }
+        let gathered = gather(&group.products);
+        // As many waves as terms would trade shared sines for others.
+        if gathered.len() < group.terms.len() {
+            left.extend(gathered.iter().map(|product| build(graph, angles, cofactor, product)));
+        } else {
+            left.extend(group.terms.iter().cloned());
+        }
+    }
+    graph.sum(Number::ZERO, left)
+}
+
+/// The expressions with every sum in them contracted.
+pub fn contract_all(graph: &mut Graph, angles: &mut Angles, exprs: &[ExprId]) -> Vec<ExprId> {
+    let mut image: HashMap<ExprId, ExprId> = HashMap::default();
+    for id in graph.reachable(exprs) {
+        let moved = rebuild(graph, id, |child| image.get(&child).copied().unwrap_or(child));
+        let contracted = match graph.node(moved).clone() {
+            Node::Sum { constant, terms } => {
+                let mut terms = terms.into_vec();
+                if !constant.is_zero() {
+                    terms.push((graph.number(1), constant));
+                }
+                contract(graph, angles, terms)
+            }
+            _ => moved,
+        };
+        image.insert(id, contracted);
+    }
+    exprs.iter().map(|expr| image.get(expr).copied().unwrap_or(*expr)).collect()
+}
+
+/// The term as a cofactor and a product of waves; `None` if it has too many factors.
+fn read(
+    graph: &Graph,
+    angles: &mut Angles,
+    term: ExprId,
+    coefficient: &Number,
+) -> Option<(Monomial, WaveProduct)> {
+    let Term { coefficient, monomial } = Term::of(graph, term, coefficient);
+    let (mut cofactor, mut waves) = (Vec::new(), Vec::new());
+    for (base, exponent) in monomial.factors() {
+        let wave = match graph.node(*base) {
+            Node::Call(function @ (Function::Sin | Function::Cos), x) => {
+                Some(Wave { is_sine: *function == Function::Sin, angle: angles.read(graph, x[0]) })
+            }
+            _ => None,
+        };
+        match (wave, exponent.to_i32().map(usize::try_from)) {
+            (Some(_), Some(Ok(power))) if power > MOST_WAVES - waves.len() => return None,
+            (Some(wave), Some(Ok(power))) => waves.extend(std::iter::repeat_n(wave, power)),
+            _ => cofactor.push((*base, exponent.clone())),
+        }
+    }
+    Some((Monomial::new(cofactor), WaveProduct { coefficient, waves }))
+}
+
+/// The sum of the products in as few products as are found.
+fn gather(products: &[WaveProduct]) -> Vec<WaveProduct> {
+    let mut sum: BTreeMap<Wave, Number> = BTreeMap::new();
+    for product in products {
+        for (wave, coefficient) in waves_of(product) {
+            let total = sum.entry(wave).or_insert(Number::ZERO);
+            *total = &*total + &coefficient;
+        }
+    }
+    sum.retain(|wave, coefficient| !coefficient.is_zero() && !wave.is_zero());
+    let single = |(wave, coefficient): (Wave, Number)| WaveProduct { coefficient, waves: vec![wave] };
+    let mut gathered = sum.into_iter().map(single).collect::<Vec<_>>();
+    while let Some((i, j, merged)) = first_pair(&gathered) {
+        gathered.swap_remove(j);
+        gathered[i] = merged;
+    }
+    gathered
+}
+
+/// A product of sines and cosines as a sum of them.
+fn waves_of(product: &WaveProduct) -> Vec<(Wave, Number)> {
+    let mut sum = vec![(Wave::one(), product.coefficient.clone())];
+    for factor in &product.waves {
+        sum = sum.iter().flat_map(|(wave, c)| times(wave, factor, c)).collect();
+    }
+    sum
+}
+
+/// sin a sin b = ½ cos(a − b) − ½ cos(a + b) and the like.
+fn times(a: &Wave, b: &Wave, coefficient: &Number) -> [(Wave, Number); 2] {
+    let half = &Number::HALF * coefficient;
+    let (sum, difference) = (a.angle.plus(&b.angle), a.angle.minus(&b.angle));
+    let is_sine = a.is_sine != b.is_sine;
+    let sum_sign = if a.is_sine && b.is_sine { -&half } else { half.clone() };
+    let difference_sign = if b.is_sine && !a.is_sine { -&half } else { half };
+    [Wave::signed(is_sine, sum, sum_sign), Wave::signed(is_sine, difference, difference_sign)]
+}
+
+/// Two products that can be written as one, with that one.
+fn first_pair(products: &[WaveProduct]) -> Option<(usize, usize, WaveProduct)> {
+    for (j, b) in products.iter().enumerate() {
+        for (i, a) in products[..j].iter().enumerate() {
+            if let Some(merged) = merge(a, b) {
+                return Some((i, j, merged));
+            }
+        }
+    }
+    None
+}
+
+/// `A·w·f(a) ± A·w·f(b)` as a single product.
+fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
+    if a.coefficient.abs() != b.coefficient.abs() || a.waves.len() != b.waves.len() {
+        return None;
+    }
+    let mut common = a.waves.clone();
+    let mut other = b.waves.clone();
+    common.retain(|wave| match other.iter().position(|w| w == wave) {
+        Some(position) => {
+            other.remove(position);
+            true
+        }
+        None => false,
+    });
+    let [y] = other.as_slice() else { return None };
+    let x = a.waves.iter().find(|wave| {
+        let count = |waves: &[Wave]| waves.iter().filter(|w| w == wave).count();
+        count(&a.waves) > count(&common)
+    })?;
+    let (waves, coefficient) = sum_to_product(x, y, &a.coefficient, a.coefficient != b.coefficient)?;
+    common.extend(waves.into_iter().filter(|wave| !wave.is_one()));
+    common.sort();
+    Some(WaveProduct { coefficient, waves: common })
+}
+
+/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2 and (a − b)/2.
+fn sum_to_product(
+    x: &Wave,
+    y: &Wave,
+    coefficient: &Number,
+    is_difference: bool,
+) -> Option<([Wave; 2], Number)> {
+    if x.is_sine != y.is_sine {
+        return None;
+    }
+    let mean = x.angle.plus(&y.angle).scaled(&Number::HALF);
+    let spread = x.angle.minus(&y.angle).scaled(&Number::HALF);
+    let twice = &Number::TWO * coefficient;
+    let (mean_is_sine, spread_is_sine, sign) = match (x.is_sine, is_difference) {
+        (false, false) => (false, false, twice),
+        (false, true) => (true, true, -&twice),
+        (true, false) => (true, false, twice),
+        (true, true) => (false, true, twice),
+    };
+    let (mean, sign) = Wave::signed(mean_is_sine, mean, sign);
+    let (spread, coefficient) = Wave::signed(spread_is_sine, spread, sign);
+    Some(([mean, spread], coefficient))
+}
+
+fn build(
+    graph: &mut Graph,
+    angles: &mut Angles,
+    cofactor: &Monomial,
+    product: &WaveProduct,
+) -> (ExprId, Number) {
+    let mut factors = cofactor.factors().to_vec();
+    for wave in product.waves.iter().filter(|wave| !wave.is_one()) {
+        let angle = angles.write(graph, &wave.angle);
+        let function = if wave.is_sine { Function::Sin } else { Function::Cos };
+        factors.push((apply(graph, function, &[angle]), Number::ONE));
+    }
+    (graph.product(factors), product.coefficient.clone())
+}

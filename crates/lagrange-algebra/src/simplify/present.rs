@@ -1,0 +1,93 @@
+//! Formulas for readers, and the question whether anything is left of one.
+
+use super::expand::{Expander, Purpose};
+use lagrange_expr::expr::evaluate;
+use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::symbol::Role;
+
+/// Residue of a zero that rounding may leave at the point where expressions are tried. A larger one settles the question without a proof;
+/// a smaller one only means that the proof is tried.
+const LARGEST_RESIDUE: f64 = 1e-6;
+
+/// An equal expression that is shorter when written out, or `expr` itself if none is found.
+///
+/// Sub-expressions are multiplied out, the rules of [`RULES`](super::RULES) applied, equal terms
+/// collected, and the result regrouped by what changes during the motion. Whatever has more than
+/// `budget` monomials stays closed; 200 is enough for the formulas people read. The cost is bounded by
+/// the budget and by the number of nodes `expr` is made of.
+pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
+    present_all(graph, &[expr], budget)[0]
+}
+
+/// Presents expressions that share parts, which are expanded once. The cost is bounded as for a
+/// single expression.
+pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
+    let mut current = exprs.to_vec();
+    let mut is_final = vec![false; exprs.len()];
+    let mut expander = Expander::new(Purpose::Reading, budget);
+    while is_final.contains(&false) {
+        expander = expander.again();
+        for (expr, is_final) in current.iter_mut().zip(&mut is_final).filter(|(_, is_final)| !**is_final) {
+            let expanded = expander.expand_all(graph, *expr);
+            let next = expanded.map_or(*expr, |()| expander.readable(graph, *expr));
+            // Only ever shorter: so this ends, and presenting a result again changes nothing.
+            *is_final = graph.written_size(next) >= graph.written_size(*expr);
+            *expr = if *is_final { *expr } else { next };
+        }
+    }
+    current
+}
+
+/// Equal expressions, multiplied out and regrouped within `budget` monomials, for evaluation: no function is
+/// added, and differences of symbols stay closed, so that nothing is rounded that was exact. They need not
+/// be cheaper; that is for the caller to count.
+pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
+    let mut expander = Expander::new(Purpose::Computing, budget);
+    let mut expanded = |expr: &ExprId| {
+        let form = expander.expand_all(graph, *expr).and_then(|()| expander.grouped(graph, *expr));
+        form.unwrap_or(*expr)
+    };
+    exprs.iter().map(&mut expanded).collect()
+}
+
+/// True if the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
+///
+/// Sines and cosines of sums are expanded, so that every polynomial identity between sines and cosines
+/// of independent angles is found. `true` is a proof; `false` says nothing. Nothing is multiplied out if a
+/// numerical value shows that the answer is no.
+pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
+    if is_plainly_not_zero(graph, expr) {
+        return false;
+    }
+    let mut expander = Expander::new(Purpose::Comparing, budget);
+    let simplified = expander.expand_all(graph, expr).and_then(|()| {
+        let polynomial = expander.polynomial(graph, expr);
+        expander.simplified(graph, &polynomial)
+    });
+    simplified.is_some_and(|polynomial| polynomial.is_zero())
+}
+
+/// True if the value at a point without symmetries differs from zero by more than rounding: most
+/// expressions that are asked about do, and seeing that is much cheaper than multiplying out.
+fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
+    let value = evaluate(graph, &[expr], |role| {
+        let (kind, index) = match role {
+            Role::Parameter(index) => (1.0, index),
+            Role::Input(index) => (2.0, index),
+            Role::Time => (3.0, 0),
+            Role::Coordinate(index) => (4.0, index),
+            Role::Velocity(index) => (5.0, index),
+            Role::Acceleration(index) => (6.0, index),
+            Role::Multiplier(index) => (7.0, index),
+            Role::Reaction(index) => (8.0, index),
+            Role::Side(index) => (9.0, index),
+            Role::Placeholder(index) => (10.0, index),
+            Role::State(index) => (11.0, index),
+            Role::Operand(index) => (12.0, index),
+        };
+        // Multiples of the golden ratio modulo one keep apart, whatever the number of symbols.
+        let golden = (f64::from(index) + 0.171 * kind) * 0.618_033_988_749_895;
+        0.4 + golden.fract()
+    });
+    value[0].is_finite() && value[0].abs() > LARGEST_RESIDUE
+}

@@ -1,0 +1,333 @@
+//! A declaration in plain statements, with the facts about its bodies beside them.
+
+use crate::syntax::ast::{AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind};
+use lagrange_expr::diagnostics::Origin;
+
+/// A declaration without statements about bodies, and what is known of the bodies beside it.
+///
+/// Expressions are those of the declaration.
+#[derive(Clone, Debug)]
+pub struct Plain {
+    /// The plain statements.
+    pub declaration: Declaration,
+    /// Motions of bodies, in the order of their declaration.
+    pub motions: Vec<Motion>,
+    /// Requested kinematics of bodies and frames in space.
+    pub in_space: SpatialKinematics,
+    /// Items to draw.
+    pub drawing: Vec<Drawn>,
+    /// Conditions on numbers, checked where these are known.
+    pub obligations: Vec<Obligation>,
+    /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
+    pub joints: Vec<Name>,
+    /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
+    pub places: Vec<(String, String)>,
+    /// Expressions in statements about bodies, so that mistakes in them are found whether or not they are needed.
+    pub mentioned: Vec<AstId>,
+}
+
+impl Plain {
+    /// The declaration without these constraints of joints.
+    pub fn without(self, constraints: &[String]) -> Declaration {
+        let mut declaration = self.declaration;
+        declaration.statements.retain(|statement| match &statement.kind {
+            StatementKind::Constraint(name, _) => !constraints.contains(&name.text),
+            _ => true,
+        });
+        declaration
+    }
+}
+
+/// Motion of a body. Vectors have two components, rates may hold `ddot`.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The name of the body.
+    pub body: Name,
+    /// The position of its centre of mass.
+    pub center: AstId,
+    /// The centre of mass in the body's own coordinates.
+    pub centroid: AstId,
+    /// The angle of its own axes.
+    pub angle: AstId,
+    /// Its mass.
+    pub mass: AstId,
+    /// Its moment of inertia about the centre of mass.
+    pub inertia: AstId,
+}
+
+/// Bodies and frames in space, in the order of their declaration. All expressions are scalars.
+#[derive(Clone, Default, Debug)]
+pub struct SpatialKinematics {
+    /// Motions of bodies.
+    pub motions: Vec<SpatialMotion>,
+    /// Poses of bodies and frames.
+    pub frames: Vec<FramePose>,
+    /// Twists of their frames.
+    pub twists: Vec<FrameTwist>,
+}
+
+/// Motion of a body in space. Rates may hold `ddot`.
+#[derive(Clone, Debug)]
+pub struct SpatialMotion {
+    /// The name of the body.
+    pub body: Name,
+    /// Its mass.
+    pub mass: AstId,
+    /// xx, yy, zz, xy, xz, yz of its tensor of inertia about the centre of mass, in its own axes.
+    pub tensor: [AstId; 6],
+    /// The centre of mass in own coordinates.
+    pub centroid: [AstId; 3],
+    /// Its axes in the world.
+    pub axes: [[AstId; 3]; 3],
+    /// The position of the centre of mass, its velocity and its acceleration, in the world.
+    pub center: [[AstId; 3]; 3],
+    /// Angular velocity and angular acceleration, in the world.
+    pub turning: [[AstId; 3]; 2],
+}
+
+/// The pose of a body or frame.
+#[derive(Clone, Debug)]
+pub struct FramePose {
+    /// Its name.
+    pub name: Name,
+    /// Its axes in the world.
+    pub axes: [[AstId; 3]; 3],
+    /// Its origin in the world.
+    pub origin: [AstId; 3],
+}
+
+/// The twist of a body's frame, in world axes.
+#[derive(Clone, Debug)]
+pub struct FrameTwist {
+    /// Its name.
+    pub name: Name,
+    /// The angular velocity.
+    pub spin: [AstId; 3],
+    /// The velocity of its origin.
+    pub velocity: [AstId; 3],
+}
+
+impl SpatialKinematics {
+    /// All expressions.
+    pub(super) fn expressions(&self) -> Vec<AstId> {
+        let mut all = Vec::new();
+        for motion in &self.motions {
+            all.push(motion.mass);
+            all.extend(motion.tensor.iter().chain(&motion.centroid));
+            all.extend(motion.axes.iter().chain(&motion.center).chain(&motion.turning).flatten());
+        }
+        for frame in &self.frames {
+            all.extend(frame.axes.iter().flatten().chain(&frame.origin));
+        }
+        all.extend(self.twists.iter().flat_map(|twist| twist.spin.iter().chain(&twist.velocity)));
+        all
+    }
+}
+
+/// Item to be drawn.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// Kind of the item.
+    pub kind: DrawnKind,
+    /// Its numbers, scalars and vectors, in the order that its kind says.
+    pub values: Vec<AstId>,
+    /// Constraints whose multipliers the values hold: it is left out if one of them is.
+    pub needs: Vec<String>,
+}
+
+/// Kinds of items to draw; vectors have two components, in space three.
+#[derive(Clone, Debug)]
+pub enum DrawnKind {
+    /// A body: no values of its own, but the outlines of its shape, one for each part.
+    Body {
+        /// Its index among the motions.
+        body: usize,
+        /// Its parts.
+        outlines: Vec<Outline>,
+    },
+    /// A frame in space: the rotation from its axes to those of the world, in rows, and its origin.
+    Frame {
+        /// Its name.
+        name: String,
+    },
+    /// A line: the point it goes through, its angle.
+    Line {
+        /// Its name.
+        name: String,
+        /// The body that carries it.
+        body: Option<String>,
+    },
+    /// A connector: both ends and, if positive, its tension. The ends of torsion springs and dampers are one place.
+    Connector {
+        /// Its name.
+        name: String,
+        /// Kind of the connector.
+        kind: ConnectorKind,
+    },
+    /// A joint: where it is.
+    Joint {
+        /// Its name.
+        name: String,
+        /// Kind of joint: a pin, a slide or a roll.
+        kind: JointForm,
+    },
+    /// A joint in space: where it is, and the direction of its axis.
+    SpatialJoint {
+        /// Its name.
+        name: String,
+        /// Kind of joint.
+        kind: SpatialJointForm,
+        /// Names of the carrying and the placed link, or of the two that are pinned; `None` for the
+        /// ground.
+        links: [Option<String>; 2],
+    },
+    /// A force: the point it acts on, its two components.
+    Force {
+        /// Its name.
+        name: String,
+        /// Origin of the load.
+        cause: LoadOrigin,
+        /// The body it acts on, if that is known.
+        body: Option<String>,
+    },
+    /// A moment: where it is drawn, and its value, in space a vector.
+    Moment {
+        /// Its name.
+        name: String,
+        /// Origin of the load.
+        cause: LoadOrigin,
+        /// The body it acts on, if that is known.
+        body: Option<String>,
+    },
+    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it turns shows in their angles.
+    Torque {
+        /// Name where the picture does not show it.
+        name: String,
+    },
+    /// A force or moment that acts, but whose value or place is not known: no values.
+    Omitted {
+        /// Name of what is omitted.
+        name: String,
+    },
+}
+
+/// The outline of a part of a body, in space the solid: its dimensions (corners of a polygon as vectors).
+#[derive(Clone, Debug)]
+pub struct Outline {
+    /// The variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    pub variant: &'static str,
+    /// Its dimensions.
+    pub dimensions: Vec<AstId>,
+    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own axes are turned there; in space all
+    /// components of the origin, then those of the rotation in rows.
+    pub place: Vec<AstId>,
+    /// True if it is cut out.
+    pub is_hole: bool,
+}
+
+/// The form of a joint.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum JointForm {
+    /// A pin.
+    Pin,
+    /// A pin on something at rest.
+    Anchor,
+    /// A point on a line.
+    Slide,
+    /// A round body on a line.
+    Roll,
+}
+
+/// The form of a joint in space.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SpatialJointForm {
+    /// One that makes coordinates.
+    Mobilizer(MobilizerKind),
+    /// A pin.
+    Pin,
+}
+
+/// Origin of a force.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum LoadOrigin {
+    /// A `force` or `torque` statement.
+    Applied,
+    /// The weight.
+    Gravity,
+    /// A spring or damper.
+    Connector,
+    /// A joint: its multipliers.
+    Joint,
+}
+
+/// Condition on numbers, checked where these are known.
+#[derive(Clone, Debug)]
+pub enum Obligation {
+    /// A mass must be positive.
+    PositiveMass {
+        /// The body.
+        body: Name,
+        /// Its mass.
+        mass: AstId,
+    },
+    /// A moment of inertia must not be negative.
+    Inertia {
+        /// The body.
+        body: Name,
+        /// Its moment of inertia about its centre of mass.
+        inertia: AstId,
+    },
+    /// A vector of two components.
+    PlaneVector {
+        /// Description in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// A vector of three components.
+    SpaceVector {
+        /// Description in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// A tensor of inertia must be that of some distribution of mass.
+    Tensor {
+        /// The body.
+        body: Name,
+        /// xx, yy, zz, xy, xz, yz about its centre of mass.
+        tensor: [AstId; 6],
+    },
+    /// A property of a rigid body, which does not change during the motion.
+    Fixed {
+        /// Description in words.
+        what: String,
+        /// It.
+        value: AstId,
+    },
+    /// Gravity is the same everywhere.
+    Uniform {
+        /// Its vector.
+        gravity: AstId,
+    },
+    /// The place or the angle of a body changes with coordinates or time.
+    Moves {
+        /// The body.
+        body: Name,
+        /// Its centre of mass.
+        center: AstId,
+        /// Its angle.
+        angle: AstId,
+    },
+    /// The stated moment of inertia should be that of the shape.
+    SameInertia {
+        /// The body.
+        body: Name,
+        /// Stated value.
+        stated: AstId,
+        /// Value for the shape with the stated mass.
+        of_shape: AstId,
+        /// Place of the shape.
+        shape: Origin,
+    },
+}

@@ -1,0 +1,81 @@
+//! Detection of plane and spatial scenes.
+
+use super::solids;
+use crate::syntax::ast::{
+    AstId, Declaration, Expression, Expressions, MobilizerKind, SceneStatement, StatementKind,
+};
+use lagrange_expr::collections::HashMap;
+
+/// True if the bodies of a declaration move in space: vectors in what is said of them have three components, or something leads out of
+/// the plane.
+pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
+    let mut lets = HashMap::default();
+    for statement in &declaration.statements {
+        match &statement.kind {
+            StatementKind::Let(name, value) => drop(lets.insert(name.text.clone(), *value)),
+            StatementKind::Scene(scene) if leads_out_of_the_plane(scene) => return true,
+            _ => {}
+        }
+    }
+    // Of a scene that is at odds with itself, what most vectors say is meant.
+    let mut votes = 0;
+    for statement in &declaration.statements {
+        let StatementKind::Scene(scene) = &statement.kind else { continue };
+        let weight = if matches!(scene, SceneStatement::Gravity(_)) { 2 } else { 1 };
+        for vector in vectors_of(scene) {
+            match component_count(&declaration.expressions, &lets, vector) {
+                Some(3) => votes += weight,
+                Some(2) => votes -= weight,
+                _ => {}
+            }
+        }
+    }
+    votes > 0
+}
+
+fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
+    use MobilizerKind::{Ball, Cylindrical, Free, Screw, Universal};
+    match statement {
+        SceneStatement::Body(body) => {
+            let shapes = body.shape.iter().chain(body.parts.iter().map(|part| &part.shape));
+            body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
+        }
+        SceneStatement::Mobilizer(joint) => {
+            matches!(joint.kind, Ball | Cylindrical | Free | Screw | Universal)
+        }
+        _ => false,
+    }
+}
+
+/// Returns the vectors in a statement about bodies.
+fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
+    let given = match statement {
+        SceneStatement::Gravity(value) => vec![Some(*value)],
+        SceneStatement::Body(body) => {
+            let places = body.parts.iter().flat_map(|part| [part.at, part.turned]);
+            places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
+        }
+        SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
+        _ => Vec::new(),
+    };
+    given.into_iter().flatten().collect()
+}
+
+/// Number of components of a vector, where its form shows it.
+fn component_count(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> Option<usize> {
+    let mut pending = vec![root];
+    // A name that stands for itself is a mistake that is reported elsewhere.
+    let mut followed: HashMap<String, ()> = HashMap::default();
+    while let Some(id) = pending.pop() {
+        match expressions.get(id) {
+            Expression::Tuple(components) => return Some(components.len()),
+            Expression::Name(name) if followed.insert(name.clone(), ()).is_none() => {
+                pending.extend(lets.get(name));
+            }
+            Expression::Negate(of) => pending.push(*of),
+            Expression::Binary(_, _, left, right) => pending.extend([*left, *right]),
+            _ => {}
+        }
+    }
+    None
+}

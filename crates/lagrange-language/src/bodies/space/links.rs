@@ -1,0 +1,67 @@
+//! The moving parts of a scene in space: bodies and frames, and their placement by joints.
+
+use super::frames::{FrameStep, Pose};
+use super::vectors::{Tensor, Triple};
+use crate::bodies::plain::Outline;
+use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::diagnostics::Origin;
+
+/// A body or frame.
+#[derive(Clone, Debug)]
+pub(in crate::bodies) struct Link {
+    pub(super) name: Name,
+    /// Mass and its distribution; a frame has none.
+    pub(super) inertia: Option<MassProperties>,
+    /// Pose and the statement that defines it; unknown until a joint places the link.
+    pub(super) placed: Option<(Pose, Origin)>,
+    /// Path by which a joint places the link.
+    pub(super) path: Option<Path>,
+    /// Its shape, as it is drawn.
+    pub(super) outlines: Vec<Outline>,
+    /// Names of its energies.
+    pub(super) energies: NamedEnergies,
+}
+
+/// The way from what carries a joint to what it places.
+#[derive(Clone, Debug)]
+pub(super) struct Path {
+    /// The link that carries the joint; `None` for the ground.
+    pub(super) carrier: Option<usize>,
+    /// Steps in their order, each with the frame behind it.
+    pub(super) steps: Vec<(FrameStep, Pose)>,
+}
+
+/// Energies of a body, by their names.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct NamedEnergies {
+    /// ½ m v²
+    pub(super) of_translation: Option<AstId>,
+    /// ½ ω·J ω
+    pub(super) of_rotation: Option<AstId>,
+    /// −m g·r
+    pub(super) potential: Option<AstId>,
+}
+
+/// Mass of a rigid body and its distribution in the body's own axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MassProperties {
+    pub(super) mass: AstId,
+    /// The centre of mass.
+    pub(super) centroid: Triple,
+    /// The tensor of inertia about the centre of mass; `None` of a body that never turns.
+    pub(super) tensor: Option<Tensor>,
+}
+
+impl Path {
+    /// True if what is placed stands still in what carries it.
+    pub(super) fn is_fixed(&self) -> bool {
+        self.steps.iter().all(|(step, _)| step.is_fixed())
+    }
+}
+
+impl Link {
+    /// In the user's words, with its article.
+    pub(in crate::bodies) fn describe(&self) -> &'static str {
+        if self.inertia.is_some() { "a body" } else { "a frame" }
+    }
+}

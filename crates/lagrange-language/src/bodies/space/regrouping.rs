@@ -1,0 +1,204 @@
+//! Inertial parameters on their way inwards: what is left of them in the frame behind each step.
+//!
+//! Links are met from the leaves to the ground. Each keeps, behind every step that moves, what that step can tell from its carrier
+//! ([`super::base_parameters`]), and the carrier receives the rest. What is written of parameters gets a name at every link, so that
+//! text stays as long as the scene is large.
+
+use super::base_parameters::{InertialParameters, JointStep};
+use super::frames::{FrameStep, JointAxis};
+use super::links::{Link, MassProperties, Path};
+use super::numbers::matrix_of_numbers;
+use super::poses::{is_atom, named_vector, under_name};
+use super::quantities::Quantity;
+use super::vectors::{TENSOR_PLACES, Tensor, Triple};
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::AstId;
+use lagrange_expr::accuracy::Accuracy;
+
+/// Inertial parameters as syntax.
+#[derive(Clone, Copy)]
+pub(super) struct WrittenParameters {
+    pub(super) mass: AstId,
+    pub(super) moment: Triple,
+    pub(super) tensor: Tensor,
+}
+
+/// Returns the parameters that remain in each frame on the path to each link after base parameters
+/// moved to its carrier. Empty for bodies placed by hand, whose energies define their motion.
+/// `None` if a computed number is too large.
+pub(super) fn regrouped(
+    translation: &mut Translation<'_>,
+    order: &[usize],
+) -> Option<Vec<Vec<Option<WrittenParameters>>>> {
+    let count = translation.space.as_ref().map_or(0, |space| space.links.len());
+    let mut received = vec![InertialParameters::NONE; count];
+    let mut found = vec![Vec::new(); count];
+    for &link in order.iter().rev() {
+        let Some(Link { name, inertia, path: Some(path), .. }) = link_at(translation, link) else { continue };
+        let all = own_parameters(translation, inertia).plus(&mut translation.terms(), received[link]);
+        if !all.is_finite() {
+            return None;
+        }
+        let kept = match regrouping_steps(translation, &path, &all, &received) {
+            Some(steps) => {
+                let all = under_names(translation, &name.text, all);
+                let (kept, hidden) = split(&mut translation.terms(), all, &steps);
+                if let Some(carrier) = path.carrier {
+                    received[carrier] = received[carrier].plus(&mut translation.terms(), hidden);
+                }
+                kept
+            }
+            None => {
+                let whole = all.as_terms(&mut translation.terms());
+                unsplit(&path, under_names(translation, &name.text, whole))
+            }
+        };
+        let mut terms = translation.terms();
+        let kept = kept.into_iter().map(|kept| (!kept.is_nothing()).then(|| written(&mut terms, kept)));
+        found[link] = kept.collect();
+    }
+    Some(found)
+}
+
+pub(super) fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link> {
+    translation.space.as_ref().map(|space| space.links[link].clone())
+}
+
+/// Returns the parameters of the body itself; zero for a frame.
+fn own_parameters(translation: &mut Translation<'_>, inertia: Option<MassProperties>) -> InertialParameters {
+    let Some(MassProperties { mass, centroid, tensor }) = inertia else { return InertialParameters::NONE };
+    let mass = Quantity::of(translation, mass);
+    let centroid = centroid.map(|component| Quantity::of(translation, component));
+    let tensor = tensor.map(|tensor| tensor.map(|component| Quantity::of(translation, component)));
+    let tensor = tensor.unwrap_or([Quantity::ZERO; 6]);
+    InertialParameters::of_body(&mut translation.terms(), mass, centroid, tensor)
+}
+
+/// Gives names to parameters that are not numbers.
+fn under_names(
+    translation: &mut Translation<'_>,
+    name: &str,
+    parameters: InertialParameters,
+) -> InertialParameters {
+    let InertialParameters { mass, moment, tensor } = parameters;
+    let mass = Quantity {
+        term: mass.term.map(|term| under_name(translation, &format!("{name}_mass"), term)),
+        ..mass
+    };
+    let moment = vector_under_name(translation, &format!("{name}_moment"), moment);
+    let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = tensor;
+    let [xx, yy, zz] = vector_under_name(translation, &format!("{name}_J"), [xx, yy, zz]);
+    let [xy, xz, yz] = vector_under_name(translation, &format!("{name}_J_products"), [xy, xz, yz]);
+    InertialParameters { mass, moment, tensor: [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]] }
+}
+
+fn vector_under_name(translation: &mut Translation<'_>, wish: &str, vector: [Quantity; 3]) -> [Quantity; 3] {
+    let needs_name = |entry: &Quantity| entry.term.is_some_and(|term| !is_atom(translation, term));
+    if !vector.iter().any(needs_name) {
+        return vector;
+    }
+    let mut terms = translation.terms();
+    let written = vector.map(|entry| entry.term.unwrap_or_else(|| entry.written(&mut terms)));
+    let named = named_vector(translation, wish, written);
+    [0, 1, 2].map(|axis| {
+        let Quantity { number, term } = vector[axis];
+        Quantity { number, term: term.map(|_| named[axis]) }
+    })
+}
+
+/// The steps to a link, if its parameters are to be regrouped along them.
+fn regrouping_steps(
+    translation: &Translation<'_>,
+    path: &Path,
+    all: &InertialParameters,
+    received: &[InertialParameters],
+) -> Option<Vec<JointStep>> {
+    fixed_steps(translation, path).filter(|steps| match (path.carrier, motions(steps)) {
+        // What turns in any direction is to accelerate in axes that do not.
+        _ if is_free(path) => true,
+        _ if translation.accuracy == Accuracy::Strict => false,
+        // Nothing but the mass would go, and what it becomes in the carrier costs more than it saves.
+        _ if turns_freely(path) && !all.is_known() => false,
+        (Some(carrier), _) if !is_carried(translation, carrier) => false,
+        (_, 0) | (None, 1) => true,
+        // A frame without inertia would get some only to carry it.
+        (Some(carrier), 1) => has_inertia(translation, carrier) || !received[carrier].is_nothing(),
+        _ => false,
+    })
+}
+
+/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame before, whose axes do not turn with it:
+/// there it is the same in all directions.
+fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> {
+    let mut kept = vec![InertialParameters::NONE; path.steps.len().max(1)];
+    if let [.., before, _] = &mut kept[..]
+        && turns_freely(path)
+    {
+        before.mass = std::mem::replace(&mut all.mass, Quantity::ZERO);
+    }
+    kept.last_mut().into_iter().for_each(|place| *place = all);
+    kept
+}
+
+/// True of links that move in any direction and nothing carries.
+fn is_free(path: &Path) -> bool {
+    path.carrier.is_none() && path.steps.len() > 1 && turns_freely(path)
+}
+
+fn turns_freely(path: &Path) -> bool {
+    matches!(path.steps.last(), Some((FrameStep::Orientation(_), _)))
+}
+
+/// True of links that joints carry: only their equations are in the Gibbs function.
+fn is_carried(translation: &Translation<'_>, link: usize) -> bool {
+    translation.space.as_ref().is_some_and(|space| space.links[link].path.is_some())
+}
+
+fn has_inertia(translation: &Translation<'_>, link: usize) -> bool {
+    translation.space.as_ref().is_some_and(|space| space.links[link].inertia.is_some())
+}
+
+fn motions(steps: &[JointStep]) -> usize {
+    let moves = |step: &&JointStep| !matches!(step, JointStep::Shift(_) | JointStep::Reorientation(_));
+    steps.iter().filter(moves).count()
+}
+
+/// Splits parameters at each step into those that stay in the frame behind it and those that move
+/// to the carrier.
+fn split(
+    terms: &mut TermWriter<'_>,
+    own: InertialParameters,
+    steps: &[JointStep],
+) -> (Vec<InertialParameters>, InertialParameters) {
+    let mut kept = vec![InertialParameters::NONE; steps.len()];
+    let mut moving = own;
+    for (place, &step) in kept.iter_mut().zip(steps).rev() {
+        let hidden = moving.take_hidden(terms, step);
+        *place = moving.without_rounding();
+        moving = hidden;
+    }
+    (kept, moving)
+}
+
+/// The steps of a path, if its orientations are made of numbers.
+fn fixed_steps(translation: &Translation<'_>, path: &Path) -> Option<Vec<JointStep>> {
+    let fixed = |(step, _): &(FrameStep, _)| match *step {
+        FrameStep::Shift(by) => Some(JointStep::Shift(by.map(|length| Quantity::of(translation, length)))),
+        FrameStep::Reorientation(by) => matrix_of_numbers(translation, by).map(JointStep::Reorientation),
+        FrameStep::Turn(JointAxis::Coordinate { axis, .. }, _) => Some(JointStep::Turn(axis)),
+        FrameStep::Turn(JointAxis::Direction(_), _) => None,
+        FrameStep::Slide(..) => Some(JointStep::Slide),
+        FrameStep::Orientation(_) => Some(JointStep::Orientation),
+    };
+    path.steps.iter().map(fixed).collect()
+}
+
+fn written(terms: &mut TermWriter<'_>, parameters: InertialParameters) -> WrittenParameters {
+    let InertialParameters { mass, moment, tensor } = parameters;
+    WrittenParameters {
+        mass: mass.written(terms),
+        moment: moment.map(|entry| entry.written(terms)),
+        tensor: TENSOR_PLACES.map(|(row, column)| tensor[row][column].written(terms)),
+    }
+}

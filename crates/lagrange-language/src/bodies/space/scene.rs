@@ -1,0 +1,60 @@
+//! Scenes in space, as they become known statement by statement.
+
+use super::frames::Relative;
+use super::links::Link;
+use super::vectors::Triple;
+use crate::bodies::plain::LoadOrigin;
+use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::Origin;
+
+/// A scene in space as known so far.
+#[derive(Default)]
+pub(in crate::bodies) struct Space {
+    /// Bodies and frames in the order of their declaration, by whose numbers everything else names them.
+    pub(in crate::bodies) links: Vec<Link>,
+    /// Bodies that nothing places.
+    pub(super) unplaced: Vec<Name>,
+    /// Numbers of links that have their place, carriers first.
+    pub(super) order: Vec<usize>,
+    /// Names of bodies that a `free` statement places.
+    pub(super) freed: HashMap<String, ()>,
+    /// The acceleration of free fall in the world, and the statement that says it.
+    pub(super) gravity: Option<(Triple, Origin)>,
+    /// Relative accelerations by angular velocity and angular acceleration of their frame.
+    pub(super) relatives: HashMap<[Triple; 2], Relative>,
+    /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
+    pub(in crate::bodies) kinematic: HashMap<String, ()>,
+    /// Loads on coordinates, in their order.
+    pub(super) loads_on_coordinates: Vec<LoadOnCoordinate>,
+    /// Names of `let`s that are points of links, with the link and their own coordinates.
+    pub(in crate::bodies) points: HashMap<String, (usize, Triple)>,
+}
+
+/// A load on a coordinate, kept until all joints are known.
+pub(super) struct LoadOnCoordinate {
+    /// Number of loads in front of it.
+    pub(super) position: usize,
+    /// Name where it is not known what it acts on.
+    pub(super) name: String,
+    pub(super) cause: LoadOrigin,
+    pub(super) coordinate: AstId,
+    pub(super) load: AstId,
+}
+
+impl Space {
+    /// The name of a body or frame.
+    pub(in crate::bodies) fn name_of(&self, link: usize) -> &str {
+        &self.links[link].name.text
+    }
+
+    /// The link that bears what acts on one: of a frame that is fixed in something, this, and none if that is the ground.
+    pub(in crate::bodies) fn loaded_link(&self, mut link: usize) -> Option<usize> {
+        loop {
+            match &self.links[link] {
+                Link { inertia: None, path: Some(path), .. } if path.is_fixed() => link = path.carrier?,
+                _ => return Some(link),
+            }
+        }
+    }
+}

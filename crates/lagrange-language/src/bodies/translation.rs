@@ -1,0 +1,192 @@
+//! The statements of a declaration, one by one, in plain words.
+
+use super::messages;
+use super::names::SceneNames;
+use super::object::{Body, Line, Object, WaitingBody};
+use super::plain::{Drawn, Motion, Obligation};
+use super::space::dimension::is_spatial;
+use super::space::scene::Space;
+use super::terms::{Pair, TermWriter};
+use crate::syntax::ast::{AstId, Declaration, Expression, Expressions, Name, Statement, StatementKind};
+use lagrange_expr::accuracy::Accuracy;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::{Origin, Report};
+
+/// A translation in progress.
+pub(super) struct Translation<'a> {
+    pub(super) report: &'a mut Report,
+    pub(super) expressions: Expressions,
+    pub(super) names: SceneNames,
+    pub(super) bodies: Vec<Body>,
+    pub(super) lines: Vec<Line>,
+    /// Additional data of a scene in space.
+    pub(super) space: Option<Space>,
+    /// Bodies and frames in the plane that a joint is still to place.
+    pub(super) waiting: Vec<WaitingBody>,
+    /// Plain statements so far.
+    pub(super) statements: Vec<Statement>,
+    /// The statement that is being translated.
+    pub(super) origin: Origin,
+    pub(super) gravity: Option<(Pair, Origin)>,
+    /// Bodies to which points belong that `let` names.
+    pub(super) points: HashMap<String, usize>,
+    /// Names of which it was reported that they are used too early.
+    pub(super) early: HashMap<String, ()>,
+    /// Translations of expressions, each found once.
+    pub(super) translated: HashMap<AstId, AstId>,
+    pub(super) motions: Vec<Motion>,
+    /// True if anybody asks for what there is to draw.
+    pub(super) is_drawn: bool,
+    pub(super) drawing: Vec<Drawn>,
+    /// Forces and moments, which are drawn last.
+    pub(super) loads: Vec<Drawn>,
+    pub(super) obligations: Vec<Obligation>,
+    pub(super) joints: Vec<Name>,
+    /// Names of `let`s that are places, with what they are places of.
+    pub(super) places: Vec<(String, String)>,
+    /// The level of accuracy of the emitted code.
+    pub(super) accuracy: Accuracy,
+    /// Place of the Lagrangian, if the declaration gives one.
+    pub(super) lagrangian: Option<Origin>,
+    /// Expressions that the user wrote in statements about bodies.
+    pub(super) mentioned: Vec<AstId>,
+}
+
+impl<'a> Translation<'a> {
+    pub(super) fn new(declaration: &mut Declaration, report: &'a mut Report) -> Translation<'a> {
+        Translation {
+            report,
+            names: SceneNames::new(declaration),
+            space: is_spatial(declaration).then(Space::default),
+            expressions: std::mem::take(&mut declaration.expressions),
+            bodies: Vec::new(),
+            lines: Vec::new(),
+            waiting: Vec::new(),
+            statements: Vec::new(),
+            origin: declaration.name.span.into(),
+            gravity: None,
+            points: HashMap::default(),
+            early: HashMap::default(),
+            translated: HashMap::default(),
+            motions: Vec::new(),
+            is_drawn: declaration.asks_for("drawing"),
+            drawing: Vec::new(),
+            loads: Vec::new(),
+            obligations: Vec::new(),
+            joints: Vec::new(),
+            places: Vec::new(),
+            accuracy: declaration.accuracy,
+            lagrangian: lagrangian(declaration),
+            mentioned: Vec::new(),
+        }
+    }
+
+    /// Reports something that never turns where something that does is needed.
+    pub(super) fn report_no_turning(&mut self, what: AstId, purpose: &str) {
+        let name = match self.expressions.get(what) {
+            Expression::Name(name) => format!("`{name}`"),
+            _ => messages::THIS.to_owned(),
+        };
+        let origin = self.expressions.origin(what);
+        let error = self.report.error(origin, messages::does_not_turn(&name, purpose));
+        error.help(messages::DOES_NOT_TURN_HELP);
+    }
+
+    /// Number of components of vectors in the scene.
+    pub(super) fn dimension(&self) -> usize {
+        if self.space.is_some() { 3 } else { 2 }
+    }
+
+    /// Writes expressions for the current statement.
+    pub(super) fn terms(&mut self) -> TermWriter<'_> {
+        TermWriter::new(&mut self.expressions, self.origin)
+    }
+
+    /// Adds a plain statement in the place of the current one.
+    pub(super) fn push(&mut self, kind: StatementKind) {
+        if self.lagrangian.is_some()
+            && matches!(kind, StatementKind::Kinetic(_) | StatementKind::Potential(_))
+        {
+            // That was reported.
+            return;
+        }
+        let docs = proc_macro2::TokenStream::new();
+        self.statements.push(Statement { kind, origin: self.origin, docs });
+    }
+
+    /// `let` of a new name like `wish`; the name.
+    pub(super) fn bind(&mut self, wish: &str, value: AstId) -> AstId {
+        let name = self.new_name(wish);
+        let mentioned = self.terms().name(&name.text);
+        self.push(StatementKind::Let(name, value));
+        mentioned
+    }
+
+    /// Remembers that a `let` is a place, which is a matter of coordinates and time.
+    pub(super) fn note_place(&mut self, name: AstId, what: &str) {
+        if let Expression::Name(name) = self.expressions.get(name) {
+            self.places.push((name.clone(), what.to_owned()));
+        }
+    }
+
+    pub(super) fn new_name(&mut self, wish: &str) -> Name {
+        Name::new(self.names.fresh(wish), self.origin.start)
+    }
+
+    /// The body that an expression names, be it only that.
+    pub(super) fn body_named(&self, id: AstId) -> Option<usize> {
+        let Expression::Name(name) = self.expressions.get(id) else { return None };
+        match self.names.find(name)? {
+            Object::Body(body) => Some(*body),
+            _ => None,
+        }
+    }
+
+    /// True of an expression, as the user wrote it, that is made of parameters and numbers only.
+    pub(super) fn is_at_rest(&self, id: AstId) -> bool {
+        let mut pending = vec![id];
+        while let Some(id) = pending.pop() {
+            match self.expressions.get(id) {
+                Expression::Name(name) if !self.names.is_fixed(name) => return false,
+                other => pending.extend(other.operands()),
+            }
+        }
+        true
+    }
+
+    /// True if all of these expressions could be read, so that their number is what was meant.
+    pub(super) fn are_read(&self, ids: &[AstId]) -> bool {
+        ids.iter().all(|&id| !matches!(self.expressions.get(id), Expression::Invalid))
+    }
+
+    /// The translation of an expression whose parts have been translated.
+    pub(super) fn plain_of(&self, id: AstId) -> AstId {
+        self.translated.get(&id).copied().unwrap_or(id)
+    }
+
+    /// The body or frame in space that an expression names.
+    pub(super) fn link_named(&self, id: AstId) -> Option<usize> {
+        let Expression::Name(name) = self.expressions.get(id) else { return None };
+        match self.names.find(name)? {
+            Object::Link { index, .. } => Some(*index),
+            _ => None,
+        }
+    }
+
+    /// The body to which a point belongs, if that shows.
+    pub(super) fn body_of(&self, id: AstId) -> Option<usize> {
+        match self.expressions.get(id) {
+            Expression::Name(name) => self.body_named(id).or_else(|| self.points.get(name).copied()),
+            Expression::Component(of, part) if part.text == "center" => self.body_named(*of),
+            Expression::Call(function, arguments) if function.text == "point" => {
+                arguments.first().and_then(|&body| self.body_named(body))
+            }
+            _ => None,
+        }
+    }
+}
+
+fn lagrangian(declaration: &Declaration) -> Option<Origin> {
+    let is_lagrangian = |statement: &&Statement| matches!(statement.kind, StatementKind::Lagrangian(_));
+    declaration.statements.iter().find(is_lagrangian).map(|statement| statement.origin.start.into())
+}

@@ -1,0 +1,195 @@
+//! Numbers that are written in the units of their names, in coherent units.
+
+use super::labels::{Label, label};
+use super::messages;
+use super::quantities::{is_name, is_of_numbers, with_unit};
+use crate::syntax::ast::{
+    AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource, acceleration_name,
+};
+use crate::syntax::print;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::number::Number;
+use lagrange_expr::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
+
+/// Known units before bodies are translated.
+#[derive(Default)]
+pub struct Measured {
+    pub(super) named: NamedUnits,
+    pub(super) labels: Vec<Label>,
+    /// The last expression that the user wrote.
+    pub(super) last_written: Option<AstId>,
+}
+
+/// Writes the units of names and labels behind the numbers that are in them.
+pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> Measured {
+    if !declaration.has_units {
+        return Measured::default();
+    }
+    let mut statements = std::mem::take(&mut declaration.statements);
+    let expressions = &mut declaration.expressions;
+    let mut writer =
+        UnitWriter { expressions, report, measured: Measured::default(), said: HashMap::default() };
+    statements.iter_mut().for_each(|statement| writer.statement(&mut statement.kind));
+    let mut measured = writer.measured;
+    declaration.statements = statements;
+    measured.last_written = declaration.expressions.iter().last().map(|(id, _)| id);
+    measured
+}
+
+/// Gives entries of the state and their rates units as those of coordinates are written, so that angles stay in `rad`.
+pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
+    let mut add = |name: &str, unit: &Unit| {
+        named.insert(name, NamedUnit { unit: unit.coherent().to_string(), default: None });
+    };
+    for position in declaration.coordinates() {
+        position.unit.iter().for_each(|unit| add(&position.text, unit));
+    }
+    for velocity in declaration.velocities() {
+        let rate = match velocity.coordinate {
+            Some(coordinate) => coordinate.unit.as_ref().and_then(|unit| per_second(unit)),
+            None => Unit::coherent_of(&[("rad", 1), ("s", -1)], Origin::from(velocity.name.span)),
+        };
+        if let Some(rate) = rate {
+            add(&velocity.name.text, &rate);
+            per_second(&rate).iter().for_each(|unit| add(&acceleration_name(&velocity.name.text), unit));
+        }
+    }
+}
+
+fn per_second(unit: &Unit) -> Option<Unit> {
+    let mut factors = unit.coherent().factors;
+    match factors.iter_mut().find(|factor| factor.name == "s") {
+        Some(seconds) => seconds.exponent = &seconds.exponent - &Number::ONE,
+        None => factors.push(UnitFactor { name: "s".to_owned(), exponent: Number::MINUS_ONE }),
+    }
+    Unit::of(factors, unit.origin)
+}
+
+struct UnitWriter<'a> {
+    expressions: &'a mut Expressions,
+    report: &'a mut Report,
+    measured: Measured,
+    /// Places of units of which it was said that they scale nothing, once for all elements of an array.
+    said: HashMap<String, ()>,
+}
+
+impl UnitWriter<'_> {
+    fn statement(&mut self, kind: &mut StatementKind) {
+        match kind {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => {
+                for definition in list {
+                    let default = definition.value;
+                    definition.value = self.definition(&definition.name, default);
+                }
+            }
+            StatementKind::Coordinates(names)
+            | StatementKind::States(names)
+            | StatementKind::LetTuple(names, _) => {
+                names.iter().for_each(|name| self.value(name));
+            }
+            StatementKind::Velocity(name, _) => self.value(name),
+            StatementKind::Let(name, value) | StatementKind::Output(name, value) => {
+                *value = self.definition(name, Some(*value)).unwrap_or(*value);
+            }
+            StatementKind::Solve(unknown) => {
+                let start = unknown.start;
+                unknown.start = self.definition(&unknown.name, start);
+            }
+            StatementKind::Scene(scene) => self.measured.labels.extend(label(scene, self.expressions)),
+            StatementKind::External(function) => {
+                function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));
+            }
+            StatementKind::Table(table) => self.table(table),
+            _ => {}
+        }
+    }
+
+    /// A name whose value comes from elsewhere.
+    fn value(&mut self, name: &Name) {
+        self.coherent(name);
+        self.name(name, None);
+    }
+
+    fn name(&mut self, name: &Name, default: Option<String>) {
+        if let Some(unit) = &name.unit {
+            self.measured.named.insert(&name.text, NamedUnit { unit: unit.coherent().to_string(), default });
+        }
+    }
+
+    /// Reports a unit that is not coherent although there is no number in it.
+    fn coherent(&mut self, name: &Name) {
+        let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return };
+        if self.is_said(unit.origin) {
+            return;
+        }
+        let error = self.report.error(unit.origin, messages::nothing_to_convert(&name.text));
+        error.help(messages::write_coherent(&name.text, &unit.coherent().to_string()));
+    }
+
+    fn is_said(&mut self, origin: Origin) -> bool {
+        self.said.insert(format!("{:?}", origin.start), ()).is_some()
+    }
+
+    /// The value of a definition in coherent units.
+    fn definition(&mut self, name: &Name, value: Option<AstId>) -> Option<AstId> {
+        let (Some(unit), Some(value)) = (&name.unit, value) else {
+            self.value(name);
+            return value;
+        };
+        let is_scaled = !unit.is_coherent() && is_of_numbers(self.expressions, value);
+        let default = is_scaled.then(|| format!("{} {unit}", print::expression(self.expressions, value)));
+        self.name(name, default);
+        Some(self.number(name, value))
+    }
+
+    /// A number in the unit of a name, with that unit behind it.
+    fn number(&mut self, name: &Name, value: AstId) -> AstId {
+        let Some(unit) = name.unit.as_ref() else { return value };
+        let is_plain = unit.is_coherent() && unit.dimension.is_none();
+        if is_of_numbers(self.expressions, value) {
+            return if is_plain { value } else { with_unit(self.expressions, value, unit) };
+        }
+        let has_names = self.expressions.parts(value).into_iter().any(|id| is_name(self.expressions, id));
+        if has_names && !unit.is_coherent() && !self.is_said(unit.origin) {
+            let (origin, text) = (self.expressions.origin(value), unit.to_string());
+            let error = self.report.error(origin, messages::made_of_names(&text));
+            error.help(messages::made_of_names_help(&name.text, &text, &unit.coherent().to_string()));
+        }
+        value
+    }
+
+    /// Points of a table are in the units of its arguments and of its value.
+    fn table(&mut self, table: &mut TableDefinition) {
+        let columns = table.parameters.iter().chain([&table.name]).cloned().collect::<Vec<_>>();
+        match &mut table.source {
+            TableSource::Points(points) => {
+                for (point, _) in points {
+                    for (component, name) in point.iter_mut().zip(&columns) {
+                        *component = self.number(name, *component);
+                    }
+                }
+            }
+            TableSource::File { contents, .. } => {
+                for (_, point) in contents.iter_mut().flat_map(|contents| &mut contents.points) {
+                    for (component, name) in point.iter_mut().zip(&columns) {
+                        let scale = name.unit.as_ref().map_or(Scale::ONE, |unit| unit.scale.clone());
+                        *component = scaled(*component, &scale);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// A number of a file, scaled as if it were a literal: exactly, and then rounded.
+fn scaled(value: f64, scale: &Scale) -> f64 {
+    if scale.is_one() || !value.is_finite() {
+        return value;
+    }
+    let exact = Number::parse_decimal(&format!("{:e}", value.abs()));
+    let exact = exact.map(|number| Scale { number: &number * &scale.number, pi: scale.pi }.to_f64());
+    exact.map_or(value * scale.to_f64(), |magnitude| magnitude.copysign(value))
+}

@@ -1,0 +1,121 @@
+//! Dimensions of expressions.
+
+use super::calls::call;
+use super::checker::Checker;
+use super::exponents::Exponents;
+use super::kinds::TIME;
+use super::measure::Measure;
+use super::messages;
+use super::solver::Grounds;
+use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use lagrange_expr::units::Dimension;
+
+impl Checker<'_> {
+    /// The dimension of an expression. What is wrong in it is remembered.
+    pub(super) fn value(&mut self, root: AstId) -> Measure {
+        let mut pending = vec![root];
+        while let Some(&id) = pending.last() {
+            let before = pending.len();
+            if !self.values.contains(&id) {
+                let operands = self.expressions.get(id).operands().into_iter().rev();
+                pending.extend(operands.filter(|operand| !self.values.contains(operand)));
+            }
+            if pending.len() == before {
+                pending.pop();
+                if !self.values.contains(&id) {
+                    let value = self.node(id);
+                    self.values.insert(id, value);
+                }
+            }
+        }
+        self.known_value(root)
+    }
+
+    fn node(&mut self, id: AstId) -> Measure {
+        let expressions = self.expressions;
+        match expressions.get(id) {
+            Expression::Number(number) if number.is_zero() => Measure::any(),
+            Expression::Number(_) => Measure::known(Exponents::plain()),
+            Expression::Quantity(_, unit) => Measure::known(unit.dimension.clone().into()),
+            Expression::Name(name) => self.named(name),
+            Expression::Tuple(parts) => {
+                let parts = parts.iter().map(|part| self.known_value(*part)).collect::<Vec<_>>();
+                let has_rates = parts.iter().any(|part| part.has_rates);
+                Measure::vector(parts.iter().map(Measure::form).collect()).with_rates(has_rates)
+            }
+            Expression::Negate(of) => self.known_value(*of),
+            Expression::Binary(operator, _, left, right) => self.binary(*operator, *left, *right),
+            Expression::Call(function, arguments) => call(self, id, &function.text, arguments),
+            Expression::Component(of, name) => {
+                let value = self.known_value(*of);
+                let index = ["x", "y", "z"].iter().position(|axis| *axis == name.text);
+                let component =
+                    index.filter(|_| value.is_vector).and_then(|i| value.components.get(i).cloned());
+                Measure::scalar(component.flatten()).with_rates(value.has_rates)
+            }
+            Expression::If { condition, then, otherwise } => {
+                self.same(condition.left, condition.right, messages::COMPARED);
+                self.same(*then, *otherwise, messages::CHOSEN)
+            }
+            Expression::Array(_) | Expression::Invalid => Measure::any(),
+        }
+    }
+
+    fn named(&self, name: &str) -> Measure {
+        match name {
+            "t" => Measure::known(Dimension::of(TIME).into()),
+            "pi" => Measure::known(Exponents::plain()),
+            name => self.scope.get(&name.to_owned()).cloned().unwrap_or_else(Measure::any),
+        }
+    }
+
+    fn binary(&mut self, operator: BinaryOperator, left: AstId, right: AstId) -> Measure {
+        let (a, b) = (self.known_value(left), self.known_value(right));
+        match operator {
+            BinaryOperator::Add | BinaryOperator::Subtract => self.same(left, right, messages::ADDED),
+            BinaryOperator::Multiply => a.times(&b),
+            BinaryOperator::Divide => a.times(&b.map(|form| Exponents::plain().over(form))),
+            BinaryOperator::Power => self.power(left, right),
+            BinaryOperator::Remainder => Measure::any(),
+        }
+    }
+
+    /// An expression that is to have a dimension, whatever it is made of; of sums each term is.
+    pub(super) fn require(&mut self, root: AstId, expected: &Measure, reason: &Grounds) -> Measure {
+        let mut pending = vec![root];
+        let mut all = Measure { components: expected.components.clone(), ..*expected };
+        while let Some(id) = pending.pop() {
+            match self.expressions.get(id) {
+                Expression::Binary(BinaryOperator::Add | BinaryOperator::Subtract, _, left, right) => {
+                    pending.extend([*right, *left]);
+                }
+                Expression::Negate(of) => pending.push(*of),
+                Expression::If { condition, then, otherwise } => {
+                    self.value(condition.left);
+                    self.value(condition.right);
+                    self.same(condition.left, condition.right, messages::COMPARED);
+                    pending.extend([*otherwise, *then]);
+                }
+                _ => {
+                    let found = self.value(id);
+                    all.has_rates |= found.has_rates;
+                    self.equate_values(id, &found, expected, reason);
+                }
+            }
+        }
+        // Whoever asks for the whole of it gets what it should be.
+        if !self.values.contains(&root) {
+            self.values.insert(root, all.clone());
+        }
+        all
+    }
+
+    pub(super) fn require_dimension(
+        &mut self,
+        root: AstId,
+        dimension: &Dimension,
+        reason: &Grounds,
+    ) -> Measure {
+        self.require(root, &Measure::known(dimension.clone().into()), reason)
+    }
+}

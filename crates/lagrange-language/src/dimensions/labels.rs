@@ -1,0 +1,177 @@
+//! Dimensions of the arguments of bodies, lines, connectors and joints.
+
+use super::quantities::{is_of_numbers, with_unit};
+use crate::syntax::ast::{
+    AstId, Body, Connector, ConnectorKind, Expression, Expressions, Joint, JointKind, Line, Mobilizer,
+    MobilizerKind, Name, Part, SceneStatement, Shape,
+};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::units::Unit;
+
+/// A value behind a label.
+#[derive(Clone, Debug)]
+pub(super) struct Label {
+    /// The value.
+    pub(super) value: AstId,
+    /// The unit of it or of its components.
+    pub(super) unit: Unit,
+    /// Description: `the mass of a body`.
+    pub(super) what: &'static str,
+}
+
+/// A coherent unit as a product of powers.
+type Powers = &'static [(&'static str, i8)];
+
+const PLAIN: Powers = &[];
+const MASS: Powers = &[("kg", 1)];
+const LENGTH: Powers = &[("m", 1)];
+const INERTIA: Powers = &[("kg", 1), ("m", 2)];
+const ACCELERATION: Powers = &[("m", 1), ("s", -2)];
+const STIFFNESS: Powers = &[("N", 1), ("m", -1)];
+const DAMPING: Powers = &[("N", 1), ("s", 1), ("m", -1)];
+const TORSION: Powers = &[("N", 1), ("m", 1)];
+const TORSION_DAMPING: Powers = &[("N", 1), ("m", 1), ("s", 1)];
+const ANGLE: Powers = &[("rad", 1)];
+
+/// A value that can be replaced, its unit and what it is.
+type LabelRow<'a> = (&'a mut AstId, Powers, &'static str);
+
+/// Writes units behind the plain numbers at labels, and behind the names of the coordinates of joints.
+pub(super) fn label(statement: &mut SceneStatement, expressions: &mut Expressions) -> Vec<Label> {
+    if let SceneStatement::Mobilizer(joint) = statement {
+        name_coordinates(joint);
+    }
+    let rows = rows(statement).into_iter().filter_map(|(value, powers, what)| {
+        let unit = Unit::coherent_of(powers, expressions.origin(*value))?;
+        *value = measured(expressions, *value, &unit);
+        Some(Label { value: *value, unit, what })
+    });
+    rows.collect()
+}
+
+/// A number, or a vector with components that are numbers, in a unit.
+fn measured(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
+    if let Expression::Tuple(parts) = expressions.get(value).clone() {
+        let origin = expressions.origin(value);
+        let parts = parts.into_iter().map(|part| measured(expressions, part, unit)).collect();
+        return expressions.add(Expression::Tuple(parts), origin);
+    }
+    // Zero fits every dimension, and is to be seen to be zero.
+    let is_zero = matches!(expressions.get(value), Expression::Number(number) if number.is_zero());
+    let is_measured = !unit.dimension.is_none() && !is_zero && is_of_numbers(expressions, value);
+    if is_measured { with_unit(expressions, value, unit) } else { value }
+}
+
+fn name_coordinates(joint: &mut Mobilizer) {
+    let units: &[Powers] = match joint.kind {
+        MobilizerKind::Revolute | MobilizerKind::Screw | MobilizerKind::Universal => &[ANGLE, ANGLE],
+        MobilizerKind::Prismatic => &[LENGTH],
+        MobilizerKind::Cylindrical => &[ANGLE, LENGTH],
+        MobilizerKind::Planar => &[LENGTH, LENGTH, ANGLE],
+        MobilizerKind::Free => &[LENGTH, LENGTH, LENGTH],
+        MobilizerKind::Ball | MobilizerKind::Weld => &[],
+    };
+    for (name, powers) in joint.coordinates.iter_mut().zip(units) {
+        give_unit(name, powers);
+    }
+}
+
+fn give_unit(name: &mut Name, powers: Powers) {
+    name.unit = Unit::coherent_of(powers, Origin::from(name.span)).map(Box::new);
+}
+
+fn rows(statement: &mut SceneStatement) -> Vec<LabelRow<'_>> {
+    match statement {
+        SceneStatement::Gravity(value) => vec![(value, ACCELERATION, "gravity")],
+        SceneStatement::Body(body) => of_body(body),
+        SceneStatement::Line(Line { through, angle, .. }) => {
+            let through = through.iter_mut().map(|value| (value, LENGTH, "a point of a line"));
+            through.chain(angle.iter_mut().map(|value| (value, PLAIN, "the angle of a line"))).collect()
+        }
+        SceneStatement::Connector(connector) => of_connector(connector),
+        SceneStatement::Joint(Joint { kind, .. }) => match kind {
+            JointKind::Pin { first, second } => {
+                vec![(first, LENGTH, "a point of a joint"), (second, LENGTH, "a point of a joint")]
+            }
+            JointKind::Slide { point, .. } => vec![(point, LENGTH, "a point of a joint")],
+            JointKind::Roll { radius, .. } => {
+                radius.iter_mut().map(|value| (value, LENGTH, "the radius of a wheel")).collect()
+            }
+        },
+        SceneStatement::Mobilizer(joint) => of_mobilizer(joint),
+        SceneStatement::Frame(_) => Vec::new(),
+    }
+}
+
+fn of_body(body: &mut Body) -> Vec<LabelRow<'_>> {
+    let Body {
+        mass, inertia, tensor, center, origin, centroid, angle, angles, shape, parts, visuals, ..
+    } = body;
+    let single = [
+        (mass, MASS, "the mass of a body"),
+        (inertia, INERTIA, "the inertia of a body"),
+        (center, LENGTH, "the centre of a body"),
+        (origin, LENGTH, "the origin of a body"),
+        (centroid, LENGTH, "the centroid of a body"),
+        (angle, PLAIN, "the angle of a body"),
+        (angles, PLAIN, "an angle of a body"),
+    ];
+    let single = single.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
+    let tensor = tensor.iter_mut().flatten().map(|value| (value, INERTIA, "the inertia of a body"));
+    let parts = parts.iter_mut().chain(visuals).flat_map(of_part);
+    single.chain(tensor).chain(shape.iter_mut().flat_map(of_shape)).chain(parts).collect()
+}
+
+fn of_shape(shape: &mut Shape) -> impl Iterator<Item = LabelRow<'_>> {
+    shape.dimensions.iter_mut().map(|value| (value, LENGTH, "a dimension of a solid"))
+}
+
+fn of_part(part: &mut Part) -> Vec<LabelRow<'_>> {
+    let Part { shape, mass, at, angle, turned, .. } = part;
+    let single = [
+        (mass, MASS, "the mass of a part"),
+        (at, LENGTH, "the place of a part"),
+        (angle, PLAIN, "the angle of a part"),
+        (turned, PLAIN, "an angle of a part"),
+    ];
+    let single = single.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
+    single.chain(of_shape(shape)).collect()
+}
+
+fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {
+    let Connector { kind, from, to, stiffness, rest, damping, .. } = connector;
+    let is_straight = matches!(kind, ConnectorKind::Spring | ConnectorKind::Damper);
+    let rows = if is_straight {
+        [
+            (from, LENGTH, "an end of it"),
+            (to, LENGTH, "an end of it"),
+            (stiffness, STIFFNESS, "the stiffness of a spring"),
+            (rest, LENGTH, "the length of a spring at rest"),
+            (damping, DAMPING, "the damping of a damper"),
+        ]
+    } else {
+        [
+            (from, PLAIN, "an end of it"),
+            (to, PLAIN, "an end of it"),
+            (stiffness, TORSION, "the stiffness of a torsion spring"),
+            (rest, PLAIN, "the angle of a torsion spring at rest"),
+            (damping, TORSION_DAMPING, "the damping of a torsion damper"),
+        ]
+    };
+    rows.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what))).collect()
+}
+
+fn of_mobilizer(joint: &mut Mobilizer) -> Vec<LabelRow<'_>> {
+    let Mobilizer { kind, at, turned, pitch, damping, .. } = joint;
+    let resistance = match kind {
+        MobilizerKind::Prismatic => DAMPING,
+        _ => TORSION_DAMPING,
+    };
+    let rows = [
+        (at, LENGTH, "the place of a joint"),
+        (turned, PLAIN, "an angle of a joint"),
+        (pitch, LENGTH, "the pitch of a screw"),
+        (damping, resistance, "the damping of a joint"),
+    ];
+    rows.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what))).collect()
+}

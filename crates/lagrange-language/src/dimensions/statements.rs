@@ -1,0 +1,338 @@
+//! Dimensions that statements ask for.
+
+use super::checker::Checker;
+use super::exponents::Exponents;
+use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER};
+use super::labels::Label;
+use super::measure::{Measure, MeasuredComponent};
+use super::messages;
+use super::quantities::is_of_numbers;
+use super::solver::{DimensionEquation, Grounds};
+use crate::syntax::ast::{
+    Action, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction, Statement,
+    StatementKind, TableDefinition, TableSource,
+};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::number::Number;
+use lagrange_expr::units::Dimension;
+
+fn form(exponents: [i8; 7]) -> Exponents {
+    Exponents::from(Dimension::of(exponents))
+}
+
+/// Goes through a declaration in plain statements: first names, then what stands at labels, then what statements say.
+pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels: &[Label]) {
+    for statement in &declaration.statements {
+        define(checker, &statement.kind);
+    }
+    // What bodies say in energies and once more in accelerations has units in the energies.
+    let is_computed = |statement: &&Statement| match &statement.kind {
+        StatementKind::Let(_, value) | StatementKind::Gibbs { function: value, .. } => {
+            declaration.expressions.is_computed(*value)
+        }
+        _ => false,
+    };
+    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
+        abbreviate(checker, &statement.kind);
+    }
+    for label in labels {
+        let expected = Some(Exponents::from(label.unit.dimension.clone()));
+        let expected = Measure { components: vec![expected; 3], is_vector: false, has_rates: false };
+        let reason =
+            Grounds { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
+        checker.require(label.value, &expected, &reason);
+    }
+    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
+        demand(checker, statement);
+    }
+}
+
+/// Names whose dimensions are declared, or asked for by what is made of them.
+fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
+    match kind {
+        StatementKind::Parameters(list) | StatementKind::Inputs(list) | StatementKind::Constants(list) => {
+            list.iter().for_each(|definition| define_value(checker, definition));
+            if let StatementKind::Constants(list) = kind {
+                let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
+                values.for_each(|(name, value)| checker.define_constant(&name.text, value));
+            }
+        }
+        StatementKind::Coordinates(names) | StatementKind::States(names) => {
+            for name in names {
+                let form = declared(checker, name);
+                checker.scope.insert(name.text.clone(), Measure::known(form));
+            }
+        }
+        StatementKind::Quaternion(quaternion) => {
+            for name in &quaternion.positions {
+                checker.scope.insert(name.text.clone(), Measure::known(Exponents::plain()));
+            }
+            for name in &quaternion.velocities {
+                checker.scope.insert(name.text.clone(), Measure::known(form(FREQUENCY)).with_rates(true));
+            }
+        }
+        StatementKind::External(function) => {
+            let columns = function.parameters.iter().chain([&function.name]);
+            let columns = columns.map(|name| declared(checker, name)).collect();
+            checker.callables.insert(function.name.text.clone(), columns);
+        }
+        StatementKind::Table(table) => define_table(checker, table),
+        _ => {}
+    }
+}
+
+/// The dimension of a name: that which is declared, or one that is to be found.
+fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
+    let unknown = checker.solver.unknown(&name.text);
+    if let Some(unit) = &name.unit {
+        let reason = Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin };
+        let (found, expected) = (Exponents::of(unknown), Exponents::from(unit.dimension.clone()));
+        checker.solver.equate(DimensionEquation { found, expected, expression: None, reason });
+    }
+    Exponents::of(unknown)
+}
+
+fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
+    let Definition { name, value } = definition;
+    let form = declared(checker, name);
+    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+        let reason = value_of(name);
+        checker.require(value, &Measure::known(form.clone()), &reason);
+    }
+    checker.scope.insert(name.text.clone(), Measure::known(form));
+}
+
+/// That what stands behind a name has its dimension.
+fn value_of(name: &Name) -> Grounds {
+    match &name.unit {
+        Some(unit) => {
+            Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin }
+        }
+        None => Grounds { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
+    }
+}
+
+fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
+    let columns = table.parameters.iter().chain([&table.name]).collect::<Vec<_>>();
+    let forms = columns.iter().map(|name| declared(checker, name)).collect::<Vec<_>>();
+    if let TableSource::Points(points) = &table.source {
+        for (point, _) in points {
+            for ((component, form), name) in point.iter().zip(&forms).zip(&columns) {
+                if !is_of_numbers(checker.expressions, *component) {
+                    let reason = value_of(name);
+                    checker.require(*component, &Measure::known(form.clone()), &reason);
+                }
+            }
+        }
+    }
+    checker.callables.insert(table.name.text.clone(), forms);
+}
+
+/// Names that stand for expressions, and forces that statements name.
+fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
+    match kind {
+        StatementKind::Let(name, value) | StatementKind::Velocity(name, value) => {
+            let value = named_value(checker, name, *value);
+            checker.scope.insert(name.text.clone(), value);
+        }
+        StatementKind::Solve(unknown) => {
+            let form = Measure::known(declared(checker, &unknown.name));
+            checker.scope.insert(unknown.name.text.clone(), form.clone());
+            checker.value(unknown.residual);
+            if let Some(start) = unknown.start.filter(|start| !is_of_numbers(checker.expressions, *start)) {
+                checker.require(start, &form, &value_of(&unknown.name));
+            }
+        }
+        StatementKind::LetTuple(names, value) => {
+            let parts = match checker.expressions.get(*value) {
+                Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),
+                _ => vec![None; names.len()],
+            };
+            let whole = checker.value(*value);
+            for (i, (name, part)) in names.iter().zip(parts).enumerate() {
+                let component = Measure::scalar(whole.components.get(i).cloned().flatten());
+                let value = match part {
+                    Some(part) => named_value(checker, name, part),
+                    None => named_component(checker, name, *value, component),
+                };
+                checker.scope.insert(name.text.clone(), value.with_rates(whole.has_rates));
+            }
+        }
+        StatementKind::Constraint(name, value) => {
+            let value = checker.value(*value);
+            name_force(checker, name, &value);
+        }
+        StatementKind::Event(Event { name, value, action: Action::Impact(_), .. }) => {
+            let gap = checker.value(*value);
+            name_force(checker, name, &gap);
+        }
+        StatementKind::Friction(Friction { name, slip, .. }) => {
+            let slip = checker.value(*slip).with_rates(true);
+            name_force(checker, name, &slip);
+        }
+        _ => {}
+    }
+}
+
+/// Returns the dimension of an expression after a name; a number adopts the dimension required of
+/// the name.
+fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
+    if is_of_numbers(checker.expressions, value) {
+        return of_numbers(checker, name, value);
+    }
+    if name.unit.is_none() {
+        return checker.value(value);
+    }
+    let form = declared(checker, name);
+    let count = checker.value(value).components.len();
+    let is_vector = checker.known_value(value).is_vector;
+    let expected = Measure { components: vec![Some(form); count], is_vector, has_rates: false };
+    checker.require(value, &expected, &value_of(name))
+}
+
+fn named_component(checker: &mut Checker<'_>, name: &Name, whole: AstId, component: Measure) -> Measure {
+    if name.unit.is_none() {
+        return component;
+    }
+    let expected = Measure::known(declared(checker, name));
+    checker.equate_values(whole, &component, &expected, &value_of(name));
+    expected
+}
+
+fn of_numbers(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
+    let component = |checker: &mut Checker<'_>, id: AstId| -> MeasuredComponent {
+        let is_zero = matches!(checker.expressions.get(id), Expression::Number(number) if number.is_zero());
+        (!is_zero).then(|| declared(checker, name))
+    };
+    match checker.expressions.get(value) {
+        Expression::Tuple(parts) => {
+            Measure::vector(parts.iter().map(|part| component(checker, *part)).collect())
+        }
+        _ => Measure::scalar(component(checker, value)),
+    }
+}
+
+/// The force that upholds a constraint, presses at a contact or rubs: what it does work on is known.
+fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
+    let work = form(if along.has_rates { POWER } else { ENERGY });
+    let force = along.form().map(|form| work.over(&form));
+    checker.scope.insert(name.text.clone(), Measure::scalar(force));
+}
+
+/// Applies the conditions that a statement imposes on expressions.
+fn demand(checker: &mut Checker<'_>, statement: &Statement) {
+    let place = Origin::from(statement.origin.start);
+    let said = |words: &str| Grounds { words: words.to_owned(), place };
+    match &statement.kind {
+        StatementKind::Kinetic(value) => energy(checker, *value, &said(messages::KINETIC)),
+        StatementKind::Potential(value) => energy(checker, *value, &said(messages::POTENTIAL)),
+        StatementKind::Lagrangian(value) => energy(checker, *value, &said(messages::LAGRANGIAN)),
+        StatementKind::Gibbs { function, stated } => {
+            checker.require_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
+            energy(checker, *stated, &said(messages::LAGRANGIAN));
+        }
+        StatementKind::Dissipation(value) => {
+            checker.require_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
+        }
+        StatementKind::StateRate(name, value) => {
+            let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+            checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
+        }
+        StatementKind::Stabilise(rate) => {
+            checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
+        }
+        StatementKind::ForceOn(name, force) => {
+            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+            work(checker, *force, &along, &said(&messages::force_on(&name.text)));
+        }
+        StatementKind::ForceAt { force, point } => {
+            let each = |exponents| Measure {
+                components: vec![Some(form(exponents)); 3],
+                is_vector: true,
+                has_rates: false,
+            };
+            checker.require(*point, &each(LENGTH), &said(messages::POINT));
+            checker.require(*force, &each(FORCE), &said(messages::FORCE));
+        }
+        StatementKind::ForceAlong { force, velocity } => {
+            let along = checker.value(*velocity).with_rates(true);
+            work(checker, *force, &along, &said(messages::FORCE_ALONG));
+        }
+        StatementKind::Torque { moment, angle } => {
+            let along = checker.value(*angle);
+            work(checker, *moment, &along, &said(messages::TORQUE));
+        }
+        StatementKind::Event(event) => demand_of_event(checker, event, place),
+        StatementKind::Friction(friction) => demand_of_friction(checker, friction, place),
+        StatementKind::Output(name, value) => {
+            let value = named_value(checker, name, *value);
+            checker.scope.insert(output_key(&name.text), value);
+        }
+        StatementKind::Reduce(reduction) => demand_of_reduction(checker, reduction, place),
+        _ => {}
+    }
+}
+
+/// Outputs have names of their own.
+pub(super) fn output_key(name: &str) -> String {
+    format!("output {name}")
+}
+
+fn energy(checker: &mut Checker<'_>, value: AstId, reason: &Grounds) {
+    checker.require_dimension(value, &Dimension::of(ENERGY), reason);
+}
+
+/// A force along what it does work on.
+fn work(checker: &mut Checker<'_>, force: AstId, along: &Measure, reason: &Grounds) {
+    let work = form(if along.has_rates { POWER } else { ENERGY });
+    let expected = along.map(|form| work.over(form));
+    checker.require(force, &expected, reason);
+}
+
+fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
+    checker.value(event.value);
+    match &event.action {
+        Action::Stop | Action::Record => {}
+        Action::Impact(restitution) => {
+            let reason = Grounds { words: messages::RESTITUTION.to_owned(), place };
+            checker.require_dimension(*restitution, &Dimension::NONE, &reason);
+        }
+        Action::Assign(assignments) => {
+            for assignment in assignments {
+                let target = checker.value(assignment.target);
+                let place = checker.expressions.origin(assignment.target);
+                let reason = Grounds { words: messages::ASSIGNED.to_owned(), place };
+                checker.require(assignment.value, &target, &reason);
+            }
+        }
+    }
+}
+
+fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Origin) {
+    let slip = checker.value(friction.slip).with_rates(true);
+    let force = checker.scope.get(&friction.name.text).cloned().unwrap_or_else(Measure::any);
+    let reason = Grounds { words: messages::limit(&friction.name.text), place };
+    for limit in [Some(friction.kinetic), friction.fixed].into_iter().flatten() {
+        checker.require(limit, &force, &reason);
+    }
+    if let Some(width) = friction.width {
+        let reason = Grounds { words: messages::WIDTH.to_owned(), place };
+        checker.require(width, &slip, &reason);
+    }
+}
+
+fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: Origin) {
+    for item in &reduction.items {
+        let coordinate = checker.scope.get(&item.coordinate.text).cloned().unwrap_or_else(Measure::any);
+        let Some(value) = item.value.filter(|value| !is_of_numbers(checker.expressions, *value)) else {
+            continue;
+        };
+        let reason = Grounds { words: messages::stands_for(&item.coordinate.text), place };
+        checker.require(value, &coordinate, &reason);
+    }
+}
+
+/// The rate of a coordinate.
+fn rate(coordinate: &Exponents) -> Exponents {
+    coordinate.times_power(&form(FREQUENCY), &Number::ONE)
+}

@@ -1,0 +1,135 @@
+//! Indices as numbers.
+
+use super::messages;
+use super::scopes::{ScopeId, Scopes};
+use crate::syntax::ast::{
+    ArrayExpression, AstId, BinaryOperator, Expression, Expressions, IndexCondition, TestKind,
+};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::number::Number;
+
+/// The known facts about an index.
+#[derive(Clone, Copy)]
+pub(super) struct Counting<'a> {
+    pub(super) expressions: &'a Expressions,
+    pub(super) scopes: &'a Scopes,
+    /// Values of constants and of elements of arrays of them.
+    pub(super) constants: &'a HashMap<String, Number>,
+}
+
+/// Why something is no number that can be counted with, and at which expression.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct IndexFault {
+    pub(super) place: AstId,
+    pub(super) reason: Reason,
+}
+
+/// The mistake in an index.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum Reason {
+    /// Reported already.
+    Unreadable,
+    /// A name that is no constant and no variable of a loop.
+    Name(String),
+    /// A call, a vector or something else that indices are not made of.
+    Form,
+    NoInteger(Number),
+    DivisionByZero,
+    TooLarge,
+}
+
+impl Counting<'_> {
+    /// The exact value.
+    pub(super) fn number(self, root: AstId, scope: ScopeId) -> Result<Number, IndexFault> {
+        let mut values: HashMap<AstId, Number> = HashMap::default();
+        for id in self.expressions.parts(root) {
+            let value = self.value(id, scope, &values).map_err(|reason| IndexFault { place: id, reason })?;
+            values.insert(id, value);
+        }
+        let fault = IndexFault { place: root, reason: Reason::Unreadable };
+        values.remove(&root).ok_or(fault)
+    }
+
+    /// The value, if it is an integer.
+    pub(super) fn integer(self, root: AstId, scope: ScopeId) -> Result<i64, IndexFault> {
+        let number = self.number(root, scope)?;
+        let fault = |reason| IndexFault { place: root, reason };
+        match number.to_integer() {
+            Some(integer) => Ok(integer),
+            None if number.is_integer() => Err(fault(Reason::TooLarge)),
+            None => Err(fault(Reason::NoInteger(number))),
+        }
+    }
+
+    /// Returns the value of a condition.
+    pub(super) fn holds(self, condition: &IndexCondition, scope: ScopeId) -> Result<bool, IndexFault> {
+        for tests in &condition.alternatives {
+            let mut all = true;
+            for test in tests {
+                let holds = match &test.kind {
+                    TestKind::Comparison(left, comparison, right) => {
+                        let (left, right) = (self.number(*left, scope)?, self.number(*right, scope)?);
+                        comparison.holds(left.cmp(&right))
+                    }
+                    TestKind::Nested(condition) => self.holds(condition, scope)?,
+                };
+                all = holds != test.is_negated;
+                if !all {
+                    break;
+                }
+            }
+            if all {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    fn value(self, id: AstId, scope: ScopeId, values: &HashMap<AstId, Number>) -> Result<Number, Reason> {
+        let of = |operand: &AstId| values.get(operand).ok_or(Reason::Unreadable);
+        let value = match self.expressions.get(id) {
+            Expression::Number(number) => number.clone(),
+            Expression::Name(name) => self.named(name, scope)?,
+            Expression::Negate(operand) => -of(operand)?,
+            Expression::Binary(operator, _, left, right) => applied(*operator, of(left)?, of(right)?)?,
+            Expression::Array(ArrayExpression::Element(name)) => {
+                let indices = name.indices.iter().map(|index| of(index)?.to_integer().ok_or(Reason::Form));
+                let element = messages::element(&name.text, &indices.collect::<Result<Vec<_>, _>>()?);
+                self.constants.get(&element).cloned().ok_or(Reason::Name(name.text.clone()))?
+            }
+            Expression::Invalid => return Err(Reason::Unreadable),
+            Expression::Array(_)
+            | Expression::Quantity(..)
+            | Expression::Tuple(_)
+            | Expression::Call(..)
+            | Expression::Component(..)
+            | Expression::If { .. } => return Err(Reason::Form),
+        };
+        if value.is_short() { Ok(value) } else { Err(Reason::TooLarge) }
+    }
+
+    fn named(self, name: &String, scope: ScopeId) -> Result<Number, Reason> {
+        match self.scopes.find(scope, name) {
+            Some(value) => value.map(Number::from),
+            None => self.constants.get(name).cloned(),
+        }
+        .ok_or(Reason::Name(name.clone()))
+    }
+}
+
+fn applied(operator: BinaryOperator, left: &Number, right: &Number) -> Result<Number, Reason> {
+    match operator {
+        BinaryOperator::Add => Ok(left + right),
+        BinaryOperator::Subtract => Ok(left - right),
+        BinaryOperator::Multiply => Ok(left * right),
+        BinaryOperator::Divide => Ok(left * &right.reciprocal().ok_or(Reason::DivisionByZero)?),
+        BinaryOperator::Power => {
+            right.to_i32().and_then(|exponent| left.power(exponent)).ok_or(Reason::TooLarge)
+        }
+        BinaryOperator::Remainder => {
+            let integer = |number: &Number| number.to_integer().ok_or(Reason::NoInteger(number.clone()));
+            let remainder = integer(left)?.checked_rem_euclid(integer(right)?);
+            remainder.map(Number::from).ok_or(Reason::DivisionByZero)
+        }
+    }
+}

@@ -1,0 +1,55 @@
+//! ElementNames of arrays that are declared as a whole: how many there are, and which value belongs to which.
+
+use super::complaints::Complaints;
+use super::messages;
+use crate::syntax::ast::{ArrayExpression, AstId, Expression, Expressions};
+use lagrange_expr::limits::MAX_WRITTEN_OUT;
+
+/// The number of elements of an array; nothing if one of its sizes is none.
+pub(super) fn count(sizes: &[i64]) -> Option<u64> {
+    let are_sizes = sizes.iter().all(|size| *size > 0);
+    are_sizes.then(|| sizes.iter().fold(1, |count: u64, size| count.saturating_mul(size.unsigned_abs())))
+}
+
+/// Indices of all elements of an array, the last index changing fastest; none if that is too many.
+pub(super) fn positions(sizes: &[i64]) -> Vec<Vec<i64>> {
+    let longer = |positions: Vec<Vec<i64>>, size: &i64| {
+        let with = |position: &Vec<i64>, index| position.iter().copied().chain([index]).collect();
+        positions.iter().flat_map(|position| (0..*size).map(move |index| with(position, index))).collect()
+    };
+    match count(sizes) {
+        Some(count) if count <= MAX_WRITTEN_OUT => sizes.iter().fold(vec![Vec::new()], longer),
+        _ => Vec::new(),
+    }
+}
+
+/// The value of an element: of lists the one at its place, of anything else the same for all.
+pub(super) fn element_of(expressions: &Expressions, value: AstId, position: &[i64]) -> Option<AstId> {
+    let mut value = value;
+    for index in position {
+        let Expression::Array(ArrayExpression::List(elements)) = expressions.get(value) else { break };
+        value = *elements.get(usize::try_from(*index).ok()?)?;
+    }
+    Some(value)
+}
+
+/// Checks that lists are as long as the array in every direction; reports those that are not.
+pub(super) fn fits(
+    expressions: &Expressions,
+    value: AstId,
+    sizes: &[i64],
+    complaints: &mut Complaints<'_>,
+) -> bool {
+    let Expression::Array(ArrayExpression::List(elements)) = expressions.get(value) else { return true };
+    let (message, origin) = match sizes {
+        [size, inner @ ..] if usize::try_from(*size) == Ok(elements.len()) => {
+            return elements.iter().all(|element| fits(expressions, *element, inner, complaints));
+        }
+        [size, ..] => (messages::list_length(elements.len(), *size), expressions.origin(value)),
+        [] => (messages::LIST_IN_LIST.to_owned(), expressions.origin(value)),
+    };
+    if let Some(error) = complaints.once(value, origin, message) {
+        error.help(messages::LIST_HELP);
+    }
+    false
+}

@@ -1,0 +1,138 @@
+//! Arrays, loops and sums, written out.
+//!
+//! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes the statements that it stands for and a sum its
+//! terms. That is done before anything else is known of the declaration, so that what follows is the same as for a declaration that
+//! was written out by hand: the same equations, the same code. Expressions keep the places of the tokens that they come from.
+//!
+//! `param`, `input`, `const`, `coord` and `quaternion` declare whole arrays, with the number of elements in brackets; all other
+//! statements declare one element, with its index. Indices are counted exactly, of integers, constants and variables of loops.
+//!
+//! Loops in loops may stand for any number of statements, for which there is a bound, as for all terms together.
+
+mod complaints;
+mod copies;
+mod counting;
+mod defaults;
+mod elements;
+mod messages;
+mod scopes;
+mod statements;
+#[cfg(test)]
+mod tests;
+mod unrolling;
+mod warnings;
+
+use std::collections::BTreeSet;
+
+use crate::syntax::ast::{
+    ArrayExpression, Declaration, Expression, Expressions, Statement, StatementKind, declared_bodies,
+};
+use complaints::Complaints;
+use copies::Copier;
+use elements::ElementNames;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::Report;
+use scopes::Scopes;
+use statements::written_out;
+use unrolling::unroll;
+
+pub use warnings::{name_elements, once_for_each_array};
+
+/// The declaration without arrays, loops and sums. If they are wrong, what can be told of it is in the result, and what is wrong in
+/// the report.
+pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Declaration {
+    if !has_arrays(&mut declaration) {
+        return declaration;
+    }
+    let mut statements = std::mem::take(&mut declaration.statements);
+    let mut expressions = std::mem::take(&mut declaration.expressions);
+    let (names, counted) = (names_of(&statements), counted(&mut statements, &expressions));
+    let mut complaints = Complaints::new(report, &declaration, &names);
+    let before = complaints.report.diagnostics().len();
+    let mut scopes = Scopes::default();
+    let unrolled = unroll(&statements, &expressions, &mut scopes, &mut complaints);
+    let elements = ElementNames::of(&unrolled, &expressions, &scopes, &mut complaints);
+    let mut silent = Report::default();
+    // What follows from mistakes in names is not said.
+    if complaints.report.diagnostics().len() > before {
+        complaints = Complaints::new(&mut silent, &declaration, &names);
+    }
+    let mut copier = Copier::new(&mut expressions, scopes, &unrolled.constants, &elements, complaints);
+    let written = unrolled.instances.iter().flat_map(|instance| written_out(&mut copier, instance));
+    let statements = written.collect::<Vec<_>>();
+    expressions.end_of_text();
+    let (bodies, arrays) = (declared_bodies(&statements), elements.arrays());
+    Declaration { statements, expressions, bodies, arrays, counted, ..declaration }
+}
+
+/// True if there is anything to be written out.
+pub fn has_arrays(declaration: &mut Declaration) -> bool {
+    let is_array = |expression: &Expression| matches!(expression, Expression::Array(_));
+    let mut expressions = declaration.expressions.iter();
+    expressions.any(|(_, expression)| is_array(expression))
+        || declaration.statements.iter_mut().any(|statement| {
+            let is_several = matches!(statement.kind, StatementKind::Repeat(_) | StatementKind::Select(_));
+            is_several || statement.kind.names_mut().iter().any(|name| !name.indices.is_empty())
+        })
+}
+
+/// The names that are declared anywhere, loops and their variables aside.
+fn names_of(statements: &[Statement]) -> BTreeSet<String> {
+    let mut names = BTreeSet::from(["t", "pi", "ground"].map(str::to_owned));
+    let mut pending = vec![statements];
+    while let Some(statements) = pending.pop() {
+        for Statement { kind, .. } in statements {
+            let written = kind.written_names().into_iter();
+            names.extend(written.map(|(name, suffix)| format!("{}{suffix}", name.text)));
+            match kind {
+                StatementKind::Repeat(repetition) => pending.push(&repetition.body),
+                StatementKind::Select(selection) => {
+                    pending.extend(selection.branches.iter().map(|(_, body)| &body[..]));
+                    pending.push(&selection.otherwise);
+                }
+                _ => {}
+            }
+        }
+    }
+    names
+}
+
+/// The names in indices, ranges of loops and conditions on indices.
+fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<String, ()> {
+    let mut roots = Vec::new();
+    let mut pending = statements.iter_mut().collect::<Vec<_>>();
+    while let Some(Statement { kind, .. }) = pending.pop() {
+        roots.extend(kind.names_mut().into_iter().flat_map(|name| name.indices.clone()));
+        match kind {
+            StatementKind::Repeat(repetition) => {
+                roots.extend([repetition.range.from, repetition.range.to]);
+                pending.extend(&mut repetition.body);
+            }
+            StatementKind::Select(selection) => {
+                for (condition, body) in &mut selection.branches {
+                    roots.extend(condition.expressions());
+                    pending.extend(body);
+                }
+                pending.extend(&mut selection.otherwise);
+            }
+            _ => {}
+        }
+    }
+    for (_, expression) in expressions.iter() {
+        match expression {
+            Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
+            Expression::Array(ArrayExpression::Sum { range, .. }) => roots.extend([range.from, range.to]),
+            Expression::Array(ArrayExpression::Select { condition, .. }) => {
+                roots.extend(condition.expressions());
+            }
+            _ => {}
+        }
+    }
+    let parts = roots.into_iter().flat_map(|root| expressions.parts(root));
+    let names = parts.filter_map(|id| match expressions.get(id) {
+        Expression::Name(name) => Some((name.clone(), ())),
+        Expression::Array(ArrayExpression::Element(name)) => Some((name.text.clone(), ())),
+        _ => None,
+    });
+    names.collect()
+}

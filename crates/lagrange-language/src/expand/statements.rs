@@ -1,0 +1,114 @@
+//! Statements as they are meant once.
+
+use super::copies::Copier;
+use super::defaults::{element_of, fits, positions};
+use super::messages;
+use super::scopes::ScopeId;
+use super::unrolling::Instance;
+use crate::syntax::ast::{
+    AstId, Definition, Mobilizer, MobilizerKind, Name, Quaternion, SceneStatement, Statement, StatementKind,
+};
+use lagrange_expr::collections::HashMap;
+
+/// The statements that one instance stands for: one, but for quaternions that are declared together, and none if it is wrong.
+pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
+    let Instance { statement, scope } = *instance;
+    let with = |kind| Statement { kind, origin: statement.origin, docs: statement.docs.clone() };
+    let kind = match &statement.kind {
+        StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
+        StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
+        StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
+        StatementKind::Coordinates(names) => StatementKind::Coordinates(all_elements(copier, names, scope)),
+        StatementKind::States(names) => StatementKind::States(all_elements(copier, names, scope)),
+        StatementKind::Quaternion(quaternion) => {
+            let elements = elements(copier, &quaternion.name, scope).into_iter();
+            let named = |name| StatementKind::Quaternion(Box::new(Quaternion::named(name)));
+            return elements.map(|(_, name)| with(named(name))).collect();
+        }
+        kind => match single(copier, kind, scope) {
+            Some(kind) => kind,
+            None => return Vec::new(),
+        },
+    };
+    vec![with(kind)]
+}
+
+/// A statement without indices.
+fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Option<StatementKind> {
+    let mut kind = kind.clone();
+    for name in kind.names_mut() {
+        *name = mentioned(copier, name, scope)?;
+    }
+    if let StatementKind::Scene(SceneStatement::Mobilizer(joint)) = &mut kind {
+        rename_parts(joint);
+    }
+    let mut inner = scope;
+    if let StatementKind::Function(function) = &kind {
+        for parameter in &function.parameters {
+            inner = copier.scopes.hiding(inner, &parameter.text);
+        }
+    }
+    let mut copies: HashMap<AstId, AstId> = HashMap::default();
+    for id in kind.expressions_mut() {
+        *id = *copies.get_or_insert_with(*id, || copier.copied(*id, inner));
+    }
+    Some(kind)
+}
+
+/// Gives the parts of a joint that are made of names those of the names that it has now.
+fn rename_parts(joint: &mut Mobilizer) {
+    if joint.kind == MobilizerKind::Free {
+        *joint = Mobilizer::free(joint.outboard.clone());
+    } else if let Some(quaternion) = &mut joint.quaternion {
+        *quaternion = Quaternion::named(quaternion.name.clone());
+    }
+}
+
+/// Returns the meaning of a name outside expressions.
+fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Name> {
+    if !name.indices.is_empty() {
+        return Some(element(name, copier.element(name, scope)?));
+    }
+    let Some((message, help)) = copier.objection(&name.text) else { return Some(name.clone()) };
+    copier.complaints.report.error(name.span, message).help(help);
+    None
+}
+
+/// The elements that a name declares, with their indices; itself if it declares no array.
+fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i64>, Name)> {
+    if name.indices.is_empty() {
+        return vec![(Vec::new(), name.clone())];
+    }
+    let sizes = copier.sizes(name, scope);
+    let positions = sizes.as_deref().map(positions).unwrap_or_default();
+    let named = |position: Vec<i64>| {
+        let text = messages::element(&name.text, &position);
+        (position, element(name, text))
+    };
+    positions.into_iter().map(named).collect()
+}
+
+fn all_elements(copier: &mut Copier<'_>, names: &[Name], scope: ScopeId) -> Vec<Name> {
+    let elements = names.iter().flat_map(|name| elements(copier, name, scope));
+    elements.map(|(_, name)| name).collect()
+}
+
+/// The name of an element, with the unit of the array.
+fn element(of: &Name, text: String) -> Name {
+    Name { unit: of.unit.clone(), ..Name::new(text, of.span) }
+}
+
+fn definitions(copier: &mut Copier<'_>, list: &[Definition], scope: ScopeId) -> Vec<Definition> {
+    let mut written = Vec::new();
+    for Definition { name, value } in list {
+        let sizes = copier.sizes(name, scope).unwrap_or_default();
+        let value = value.filter(|value| fits(copier.expressions, *value, &sizes, &mut copier.complaints));
+        let mut copies: HashMap<AstId, AstId> = HashMap::default();
+        for (position, name) in elements(copier, name, scope) {
+            let value = value.and_then(|value| element_of(copier.expressions, value, &position));
+            let value = value.map(|id| *copies.get_or_insert_with(id, || copier.copied(id, scope)));
+            written.push(Definition { name, value });
+        }
+    }
+    written
+}

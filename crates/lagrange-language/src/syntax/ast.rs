@@ -1,0 +1,308 @@
+//! The syntax tree of a declaration, as written: names unresolved, nothing simplified.
+//!
+//! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
+//! built, walked and dropped without recursion. Children have smaller ids than their parents.
+
+pub mod bodies;
+mod callables;
+mod conditions;
+mod events;
+mod expressions;
+mod id;
+mod keywords;
+pub mod mobilizers;
+mod quaternion;
+pub mod statements;
+
+use lagrange_expr::accuracy::Accuracy;
+use proc_macro2::{Span, TokenStream};
+
+pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
+pub use callables::{
+    ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
+    UnknownDefinition,
+};
+pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
+pub use events::{Action, Assignment, Direction, Event, Friction};
+pub use expressions::{ArrayExpression, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range};
+pub use id::AstId;
+pub use keywords::{Keyword, Soft};
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::units::Unit;
+pub use mobilizers::{Mobilizer, MobilizerKind};
+pub use quaternion::Quaternion;
+pub use statements::{
+    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
+    StatementKind,
+};
+
+/// A whole `system!` declaration.
+#[derive(Clone, Debug)]
+pub struct Declaration {
+    /// Attributes to keep on the struct (docs, derives), without those of the language.
+    pub attributes: TokenStream,
+    /// Traits named in `#[derive(…)]` attributes.
+    pub derives: Vec<Name>,
+    /// Visibility of the struct, possibly empty.
+    pub visibility: TokenStream,
+    /// Place of the word `struct`, before which the compiler proposes to insert attributes.
+    pub keyword: Span,
+    /// Name of the struct.
+    pub name: Name,
+    /// The number type of the emitted code.
+    pub scalar: ScalarType,
+    /// The level of accuracy of the emitted code.
+    pub accuracy: Accuracy,
+    /// Statements in source order, without those that could not be read.
+    pub statements: Vec<Statement>,
+    /// The statement by which this is a reduced type of another declaration.
+    pub reduction: Option<Statement>,
+    /// Rigid bodies and frames in source order; known also where plain statements have taken the place of theirs.
+    pub bodies: Vec<DeclaredBody>,
+    /// True if these move in space; known where plain statements have taken the place of theirs.
+    pub is_in_space: bool,
+    /// Arrays whose elements have taken their place among the statements, in source order.
+    pub arrays: Vec<DeclaredArray>,
+    /// Names by which was counted where arrays were written out.
+    pub counted: HashMap<String, ()>,
+    /// The expressions that statements refer to.
+    pub expressions: Expressions,
+    /// Words in places that could not be read: names that may have been declared there.
+    pub unreadable_words: HashMap<String, ()>,
+    /// True if something was declared without a name, so that any unknown name may be meant for it.
+    pub lacks_names: bool,
+    /// True if a unit of measurement is written anywhere.
+    pub has_units: bool,
+    /// True if one of these measures more than plain numbers and angles, so that dimensions are checked.
+    pub has_dimensions: bool,
+}
+
+impl Declaration {
+    /// Returns the index of the statement that declares a name, and the place of the name.
+    pub fn find(&self, name: &str) -> Option<(usize, Span)> {
+        let numbered = self.statements.iter().enumerate();
+        let mut declared = numbered.flat_map(|(number, statement)| {
+            statement.kind.declared_names().into_iter().map(move |declared| (number, declared))
+        });
+        declared.find(|(_, declared)| declared.text == name).map(|(number, declared)| (number, declared.span))
+    }
+
+    /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
+    pub fn underivable(&self) -> Vec<&Name> {
+        let is_field =
+            |kind: &StatementKind| matches!(kind, StatementKind::Parameters(_) | StatementKind::Inputs(_));
+        let has_fields = self.statements.iter().any(|statement| is_field(&statement.kind));
+        let is_number = !matches!(self.scalar, ScalarType::Generic(_));
+        let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
+        self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
+    }
+
+    /// The positions in their order: coordinates and components of quaternions, then states.
+    pub fn coordinates(&self) -> Vec<&Name> {
+        let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Coordinates(names) => &names[..],
+            StatementKind::Quaternion(quaternion) => &quaternion.positions,
+            _ => &[],
+        });
+        positions.chain(self.states()).collect()
+    }
+
+    /// The states in their order.
+    pub fn states(&self) -> impl Iterator<Item = &Name> {
+        let states = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::States(names) => Some(names),
+            _ => None,
+        });
+        states.flatten()
+    }
+
+    /// True if there is an equation of the state of this name, be it wrong.
+    pub fn states_rate_of(&self, state: &str) -> bool {
+        let is_its =
+            |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
+        self.statements.iter().any(|statement| is_its(&statement.kind))
+    }
+
+    /// The velocities in their order.
+    pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
+        let named = self.named_velocities();
+        let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Coordinates(names) => names.iter().map(|name| rate_of(name, &named)).collect(),
+            StatementKind::Quaternion(quaternion) => {
+                let component = |name: &Name| StateVelocity { name: name.clone(), coordinate: None };
+                quaternion.velocities.iter().map(component).collect()
+            }
+            _ => Vec::new(),
+        });
+        velocities.collect()
+    }
+
+    /// The names that `velocity` statements give to the rates of coordinates, by the names of these.
+    pub fn named_velocities(&self) -> HashMap<String, &Name> {
+        let mut named = HashMap::default();
+        for Statement { kind, .. } in &self.statements {
+            if let StatementKind::Velocity(name, value) = kind
+                && let Some(coordinate) = self.expressions.rate_of_name(*value)
+            {
+                named.get_or_insert_with(coordinate.to_owned(), || name);
+            }
+        }
+        named
+    }
+
+    /// True if a product that is emitted on demand is asked for: the last word counts.
+    pub fn asks_for(&self, product: &str) -> bool {
+        let items = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Emit(items) => Some(items),
+            _ => None,
+        });
+        let mut asked = items.flatten().filter(|item| item.product.text == product);
+        asked.next_back().is_some_and(|item| item.wanted)
+    }
+
+    /// The names of outputs in their order.
+    pub fn outputs(&self) -> impl Iterator<Item = &Name> {
+        self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Output(name, _) => Some(name),
+            _ => None,
+        })
+    }
+
+    /// The reduced types in their order, each with its documentation.
+    pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
+        self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
+            _ => None,
+        })
+    }
+
+    /// The declaration of a reduced type: another name and documentation, frozen coordinates left out. What its
+    /// statements say is still said of the whole system.
+    pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
+        let is_frozen = |name: &Name| {
+            let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
+            frozen.into_iter().any(|item| item.coordinate.text == name.text)
+        };
+        let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
+        let is_this = |kind: &StatementKind| matches!(kind, StatementKind::Reduce(other) if other.name.text == reduction.name.text);
+        declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
+        declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
+        for statement in &mut declaration.statements {
+            if let StatementKind::Coordinates(names) | StatementKind::States(names) = &mut statement.kind {
+                names.retain(|name| !is_frozen(name));
+            }
+        }
+        declaration
+    }
+}
+
+/// A rigid body or a frame by its name.
+#[derive(Clone, Debug)]
+pub struct DeclaredBody {
+    /// Its name.
+    pub name: Name,
+    /// True if it is a frame, which has no mass.
+    pub is_frame: bool,
+    /// Its documentation, as attributes.
+    pub docs: TokenStream,
+}
+
+/// The bodies and frames that statements declare.
+pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
+    let bodies = statements.iter().filter_map(|statement| {
+        let (name, is_frame) = match &statement.kind {
+            StatementKind::Scene(SceneStatement::Body(body)) => (&body.name, false),
+            StatementKind::Scene(SceneStatement::Frame(name)) => (name, true),
+            _ => return None,
+        };
+        Some(DeclaredBody { name: name.clone(), is_frame, docs: statement.docs.clone() })
+    });
+    bodies.collect()
+}
+
+/// An array whose elements have taken its place.
+#[derive(Clone, Debug)]
+pub struct DeclaredArray {
+    /// Its name.
+    pub name: Name,
+    /// The numbers of elements in each direction, if none is missing.
+    pub sizes: Option<Vec<usize>>,
+    /// Its elements, the last index changing fastest.
+    pub elements: Vec<ArrayElement>,
+}
+
+/// An element of an array.
+#[derive(Clone, Debug)]
+pub struct ArrayElement {
+    /// Name in expanded declarations: `theta_2`.
+    pub name: String,
+    /// Spelling in the declaration: `theta[2]`.
+    pub written: String,
+}
+
+/// A velocity of the state.
+#[derive(Clone, Debug)]
+pub struct StateVelocity<'d> {
+    /// Its name in the state.
+    pub name: Name,
+    /// The coordinate that it is the rate of; `None` of a component of an angular velocity.
+    pub coordinate: Option<&'d Name>,
+}
+
+/// The name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
+pub fn acceleration_name(velocity: &str) -> String {
+    match velocity.strip_suffix("_dot") {
+        Some(coordinate) => format!("{coordinate}_ddot"),
+        None => format!("{velocity}_dot"),
+    }
+}
+
+/// A name and where it stands.
+#[derive(Clone, Debug)]
+pub struct Name {
+    /// The identifier, without a raw prefix.
+    pub text: String,
+    /// Place in the declaration.
+    pub span: Span,
+    /// Expressions in square brackets: the sizes of a declared array, or the index of one element.
+    pub indices: Vec<AstId>,
+    /// The unit of measurement behind the colon where it is declared; of a function, that of its value.
+    pub unit: Option<Box<Unit>>,
+}
+
+impl Name {
+    /// A name without square brackets and unit.
+    pub fn new(text: impl Into<String>, span: Span) -> Name {
+        Name { text: text.into(), span, indices: Vec::new(), unit: None }
+    }
+}
+
+/// The scope of a declared name.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    /// In expressions behind the statement.
+    Expressions,
+    /// In emitted code, as that of a member.
+    Members,
+    /// In both.
+    Both,
+    /// In emitted code, as that of a type.
+    Types,
+}
+
+/// The number type of the emitted code.
+#[derive(Clone, Debug)]
+pub enum ScalarType {
+    /// `pub struct Name;`
+    F64,
+    /// `#[scalar(f32)]`
+    F32,
+    /// `pub struct Name<S>;` with the name of the type parameter.
+    Generic(Name),
+}
+
+fn rate_of<'d>(coordinate: &'d Name, named: &HashMap<String, &Name>) -> StateVelocity<'d> {
+    let rate = || Name::new(format!("{}_dot", coordinate.text), coordinate.span);
+    let name = named.get(&coordinate.text).map_or_else(rate, |name| (*name).clone());
+    StateVelocity { name, coordinate: Some(coordinate) }
+}

@@ -1,0 +1,334 @@
+//! Rigid bodies and what connects them, as written.
+
+use super::keywords::{Keyword, Soft};
+use super::mobilizers::{Mobilizer, MobilizerKind};
+use super::{AstId, Name, Reach};
+use lagrange_expr::diagnostics::Origin;
+
+/// A statement about rigid bodies.
+///
+/// ```text
+/// scene     = "gravity" "=" sum ";"
+///           | "body" NAME "{" { body-line } "}" [ ";" ]
+///           | "frame" NAME ";"
+///           | mobilizer
+///           | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
+///           | ( "spring" | "torsion_spring" ) [ NAME ]
+///                 "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
+///           | ( "damper" | "torsion_damper" ) [ NAME ]
+///                 "{" { ( "from" | "to" | "damping" ) ":" sum ";" } "}" [ ";" ]
+///           | "pin" [ NAME "=" ] sum "to" sum ";"
+///           | "slide" [ NAME "=" ] sum "on" NAME ";"
+///           | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
+/// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" | "angles" ) ":" sum ";"
+///           | "inertia" ":" "(" sum "," sum "," sum "," sum "," sum "," sum ")" ";"
+///           | "sequence" ":" NAME ";"
+///           | "shape" ":" solid ";"
+///           | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" | "turned" ) ":" sum } ";" } "}" [ ";" ]
+/// solid     = NAME "(" [ sum { "," sum } ] ")"
+/// ```
+#[derive(Clone, Debug)]
+pub enum SceneStatement {
+    /// `gravity = (gx, gy);`
+    Gravity(AstId),
+    /// `body name { … }`
+    Body(Box<Body>),
+    /// `frame name;`
+    Frame(Name),
+    /// `line name { … }`
+    Line(Line),
+    /// `spring name { … }` and its kin
+    Connector(Connector),
+    /// `pin`, `slide` and `roll`
+    Joint(Joint),
+    /// `revolute q = a to b { … }` and its kin
+    Mobilizer(Box<Mobilizer>),
+}
+
+/// Words that begin statements about rigid bodies, but for those of [`Mobilizer`].
+pub const KEYWORDS: [Keyword; 11] = [
+    Keyword::new("gravity", "write `gravity = (0, -g);`"),
+    Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
+    Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
+    Keyword::new("line", "write `line name { through: (x, y); angle: e; }`").before(Soft::Braces),
+    Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name behind `spring` if it needs one")
+        .before(Soft::Braces),
+    Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name behind `damper` if it needs one")
+        .before(Soft::Braces),
+    Keyword::new("torsion_spring", "write `torsion_spring { from: ground; to: arm; stiffness: k; rest: e; }`")
+        .before(Soft::Braces),
+    Keyword::new("torsion_damper", "write `torsion_damper { from: ground; to: arm; damping: c; }`")
+        .before(Soft::Braces),
+    Keyword::new("pin", "write `pin p to q;` or `pin name = p to q;`").before(Soft::Joint),
+    Keyword::new("slide", "write `slide p on floor;` or `slide name = p on floor;`, with the name of a line")
+        .before(Soft::Joint),
+    Keyword::new("roll", "write `roll wheel on floor;` or `roll name = wheel on floor, radius: r;`, with the names of a body and a line")
+        .before(Soft::Joint),
+];
+
+impl SceneStatement {
+    /// The names that a statement declares, and where they are known.
+    pub(super) fn names(&self) -> (Vec<&Name>, Reach) {
+        match self {
+            SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
+            SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
+            SceneStatement::Frame(name) => (vec![name], Reach::Both),
+            SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
+            SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
+            SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),
+            SceneStatement::Mobilizer(joint) if joint.kind == MobilizerKind::Weld => {
+                (Vec::new(), Reach::Expressions)
+            }
+            SceneStatement::Mobilizer(joint) => (joint.names(), Reach::Both),
+        }
+    }
+
+    /// Its names, but for those that are made of others.
+    pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
+        match self {
+            SceneStatement::Gravity(_) => Vec::new(),
+            SceneStatement::Body(body) => vec![&mut body.name],
+            SceneStatement::Frame(name) => vec![name],
+            SceneStatement::Line(line) => [&mut line.name].into_iter().chain(&mut line.on).collect(),
+            SceneStatement::Connector(connector) => connector.name.iter_mut().collect(),
+            SceneStatement::Joint(joint) => joint.name.iter_mut().chain(joint.kind.names_mut()).collect(),
+            SceneStatement::Mobilizer(joint) => joint.names_mut(),
+        }
+    }
+
+    /// Its expressions.
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            SceneStatement::Gravity(value) => vec![value],
+            SceneStatement::Body(body) => body.expressions_mut(),
+            SceneStatement::Frame(_) => Vec::new(),
+            SceneStatement::Line(Line { through, angle, .. }) => {
+                [through, angle].into_iter().flatten().collect()
+            }
+            SceneStatement::Connector(connector) => {
+                let Connector { from, to, stiffness, rest, damping, .. } = connector;
+                [from, to, stiffness, rest, damping].into_iter().flatten().collect()
+            }
+            SceneStatement::Joint(joint) => joint.kind.expressions_mut(),
+            SceneStatement::Mobilizer(joint) => joint.expressions_mut(),
+        }
+    }
+}
+
+/// `body name { mass: e; inertia: e; center: e; angle: e; shape: solid(e); … }`
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: Name,
+    /// `mass: m;`
+    pub mass: Option<AstId>,
+    /// `inertia: j;`, about the centre of mass; of a body in space a vector of principal moments.
+    pub inertia: Option<AstId>,
+    /// `inertia: (xx, yy, zz, xy, xz, yz);`, the tensor about the centre of mass in the body's own axes.
+    pub tensor: Option<[AstId; 6]>,
+    /// `center: (x, y);`, where the centre of mass is.
+    pub center: Option<AstId>,
+    /// `origin: (x, y);`, where the origin of the body's own coordinates is.
+    pub origin: Option<AstId>,
+    /// `centroid: (X, Y);`, where the centre of mass is in the body's own coordinates.
+    pub centroid: Option<AstId>,
+    /// `angle: e;`, by which the body's own axes are turned.
+    pub angle: Option<AstId>,
+    /// `angles: (e, e, e);`, one after the other about the axes of `sequence`.
+    pub angles: Option<AstId>,
+    /// `sequence: zxz;`
+    pub sequence: Option<Name>,
+    /// `shape: solid(e);`
+    pub shape: Option<Shape>,
+    /// `compound { … }`; empty if there is none.
+    pub parts: Vec<Part>,
+    /// `visual { … }`, what pictures show in the place of shape or compound; empty if there is none.
+    pub visuals: Vec<Part>,
+}
+
+impl Body {
+    fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let Body {
+            mass,
+            inertia,
+            tensor,
+            center,
+            origin,
+            centroid,
+            angle,
+            angles,
+            shape,
+            parts,
+            visuals,
+            ..
+        } = self;
+        let properties = [mass, inertia, center, origin, centroid, angle, angles].into_iter().flatten();
+        let properties = properties.chain(tensor.iter_mut().flatten());
+        let dimensions = shape.iter_mut().flat_map(|shape| &mut shape.dimensions);
+        let parts = parts.iter_mut().chain(visuals).flat_map(Part::expressions_mut);
+        properties.chain(dimensions).chain(parts).collect()
+    }
+}
+
+/// A solid with its dimensions: `rectangle(a, b)`.
+#[derive(Clone, Debug)]
+pub struct Shape {
+    /// The name of the solid.
+    pub solid: Name,
+    /// Its dimensions; for a polygon its corners.
+    pub dimensions: Vec<AstId>,
+    /// Place of all of it.
+    pub origin: Origin,
+}
+
+/// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is missing.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// True if it is cut out of the others.
+    pub is_hole: bool,
+    /// Shape of the part.
+    pub shape: Shape,
+    /// Its mass; for a hole the mass that is missing. What is only seen has none.
+    pub mass: Option<AstId>,
+    /// Origin of its own coordinates in those of the body.
+    pub at: Option<AstId>,
+    /// Angle by which its own axes are turned in those of the body.
+    pub angle: Option<AstId>,
+    /// `turned: (roll, pitch, yaw)`, the orientation of its own axes in a body in space.
+    pub turned: Option<AstId>,
+    /// Place of all of it.
+    pub origin: Origin,
+}
+
+impl Part {
+    fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        let properties =
+            [&mut self.mass, &mut self.at, &mut self.angle, &mut self.turned].into_iter().flatten();
+        self.shape.dimensions.iter_mut().chain(properties)
+    }
+}
+
+/// `line name { on: body; through: (x, y); angle: e; }`
+#[derive(Clone, Debug)]
+pub struct Line {
+    /// Its name.
+    pub name: Name,
+    /// The body that carries it; at rest if there is none.
+    pub on: Option<Name>,
+    /// A point of it.
+    pub through: Option<AstId>,
+    /// Its direction; its free side is on the left.
+    pub angle: Option<AstId>,
+}
+
+/// Element that stores or dissipates energy between two points or two angles.
+#[derive(Clone, Debug)]
+pub struct Connector {
+    /// Kind of the connector.
+    pub kind: ConnectorKind,
+    /// Its name, if it has one.
+    pub name: Option<Name>,
+    /// One end.
+    pub from: Option<AstId>,
+    /// The other.
+    pub to: Option<AstId>,
+    /// `stiffness: k;` of a spring.
+    pub stiffness: Option<AstId>,
+    /// `rest: l;`, the length or angle without force.
+    pub rest: Option<AstId>,
+    /// `damping: c;` of a damper.
+    pub damping: Option<AstId>,
+}
+
+/// Kind of a connector.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ConnectorKind {
+    /// `spring`, between points
+    Spring,
+    /// `damper`, between points
+    Damper,
+    /// `torsion_spring`, between angles
+    TorsionSpring,
+    /// `torsion_damper`, between angles
+    TorsionDamper,
+}
+
+impl ConnectorKind {
+    /// Every kind.
+    pub const ALL: [ConnectorKind; 4] = [
+        ConnectorKind::Spring,
+        ConnectorKind::Damper,
+        ConnectorKind::TorsionSpring,
+        ConnectorKind::TorsionDamper,
+    ];
+
+    /// The word that declares one.
+    pub fn name(self) -> &'static str {
+        match self {
+            ConnectorKind::Spring => "spring",
+            ConnectorKind::Damper => "damper",
+            ConnectorKind::TorsionSpring => "torsion_spring",
+            ConnectorKind::TorsionDamper => "torsion_damper",
+        }
+    }
+
+    /// The kind that a word declares.
+    pub fn named(word: &str) -> Option<ConnectorKind> {
+        ConnectorKind::ALL.into_iter().find(|kind| kind.name() == word)
+    }
+}
+
+/// A joint.
+#[derive(Clone, Debug)]
+pub struct Joint {
+    /// Its name, if it has one.
+    pub name: Option<Name>,
+    /// Kind of the joint, with what it holds together.
+    pub kind: JointKind,
+}
+
+/// Kind of a joint, with what it holds together.
+#[derive(Clone, Debug)]
+pub enum JointKind {
+    /// `pin p to q;`: two points stay together.
+    Pin {
+        /// One point.
+        first: AstId,
+        /// The other.
+        second: AstId,
+    },
+    /// `slide p on line;`: a point stays on a line.
+    Slide {
+        /// The point.
+        point: AstId,
+        /// The line.
+        line: Name,
+    },
+    /// `roll body on line;`: a round body stays on a line and does not slip.
+    Roll {
+        /// The body.
+        body: Name,
+        /// The line.
+        line: Name,
+        /// `, radius: r`; that of its shape if it is not given.
+        radius: Option<AstId>,
+    },
+}
+
+impl JointKind {
+    fn names_mut(&mut self) -> Vec<&mut Name> {
+        match self {
+            JointKind::Pin { .. } => Vec::new(),
+            JointKind::Slide { line, .. } => vec![line],
+            JointKind::Roll { body, line, .. } => vec![body, line],
+        }
+    }
+
+    fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            JointKind::Pin { first, second } => vec![first, second],
+            JointKind::Slide { point, .. } => vec![point],
+            JointKind::Roll { radius, .. } => radius.iter_mut().collect(),
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Expressions, in an arena.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::Span;
+
+use super::Name;
+use super::conditions::IndexCondition;
+use super::id::AstId;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::Relation;
+use lagrange_expr::number::Number;
+use lagrange_expr::units::Unit;
+
+/// A binary operator.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum BinaryOperator {
+    /// `+`
+    Add,
+    /// `-`
+    Subtract,
+    /// `*`
+    Multiply,
+    /// `/`
+    Divide,
+    /// `^`
+    Power,
+    /// `%`, of indices only
+    Remainder,
+}
+
+/// One `if` condition `left relation right`.
+#[derive(Clone, Copy, Debug)]
+pub struct Condition {
+    /// Left operand.
+    pub left: AstId,
+    /// `<`, `<=`, `>` or `>=`.
+    pub relation: Relation,
+    /// Right operand.
+    pub right: AstId,
+}
+
+/// The function that `v in body` is: components of a vector in the axes of a body. It is a keyword, so that no call has this name.
+pub const IN_AXES: &str = "in";
+
+/// An expression.
+#[derive(Clone, Debug)]
+pub enum Expression {
+    /// A literal, exactly.
+    Number(Number),
+    /// A number and the unit behind it, `30 deg` or `9.81 [m/s^2]`.
+    Quantity(AstId, Box<Unit>),
+    /// A name, not yet resolved.
+    Name(String),
+    /// `(a, b)` or `(a, b, c)`.
+    Tuple(Vec<AstId>),
+    /// `-a`
+    Negate(AstId),
+    /// `a + b` and its kin; the span is that of the operator.
+    Binary(BinaryOperator, Span, AstId, AstId),
+    /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
+    Call(Name, Vec<AstId>),
+    /// `a.x`
+    Component(AstId, Name),
+    /// `if c { a } else { b }`; longer chains nest in `otherwise`.
+    If {
+        /// The condition.
+        condition: Condition,
+        /// Value where the condition holds.
+        then: AstId,
+        /// Value elsewhere.
+        otherwise: AstId,
+    },
+    /// An expression with arrays.
+    Array(ArrayExpression),
+    /// Placeholder for what was reported already.
+    Invalid,
+}
+
+impl Expression {
+    /// The expressions that it is made of, in source order.
+    pub fn operands(&self) -> Vec<AstId> {
+        match self {
+            Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
+            Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
+            Expression::Array(array) => array.operands(),
+            Expression::Negate(of) | Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
+            Expression::Binary(_, _, a, b) => vec![*a, *b],
+            Expression::If { condition, then, otherwise } => {
+                vec![condition.left, condition.right, *then, *otherwise]
+            }
+        }
+    }
+
+    /// The expression with other operands, in the order of [`operands`](Expression::operands).
+    pub fn with_operands(self, parts: &[AstId]) -> Expression {
+        match self {
+            Expression::Tuple(_) => Expression::Tuple(parts.to_vec()),
+            Expression::Call(function, _) => Expression::Call(function, parts.to_vec()),
+            Expression::Array(array) => Expression::Array(array.with_operands(parts)),
+            Expression::Negate(_) => Expression::Negate(parts[0]),
+            Expression::Quantity(_, unit) => Expression::Quantity(parts[0], unit),
+            Expression::Component(_, name) => Expression::Component(parts[0], name),
+            Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
+            Expression::If { mut condition, .. } => {
+                (condition.left, condition.right) = (parts[0], parts[1]);
+                Expression::If { condition, then: parts[2], otherwise: parts[3] }
+            }
+            leaf => leaf,
+        }
+    }
+}
+
+/// The array syntax of expressions, which is expanded before expressions have a meaning.
+#[derive(Clone, Debug)]
+pub enum ArrayExpression {
+    /// `p[i + 1]`
+    Element(Name),
+    /// `sum(i in 0..n, e)`
+    Sum {
+        /// The variable.
+        variable: Name,
+        /// Its values.
+        range: Range,
+        /// Term added for each of them.
+        term: AstId,
+    },
+    /// `if i == 0 { a } else { b }`, where indices decide.
+    Select {
+        /// Deciding condition.
+        condition: IndexCondition,
+        /// Value where it holds.
+        then: AstId,
+        /// Value elsewhere.
+        otherwise: AstId,
+    },
+    /// `[a, b]`, defaults of the elements of an array; those of a grid are such lists themselves.
+    List(Vec<AstId>),
+}
+
+impl ArrayExpression {
+    /// The expressions that it is made of, in source order.
+    fn operands(&self) -> Vec<AstId> {
+        match self {
+            ArrayExpression::Element(name) => name.indices.clone(),
+            ArrayExpression::Sum { range, term, .. } => vec![range.from, range.to, *term],
+            ArrayExpression::List(elements) => elements.clone(),
+            ArrayExpression::Select { condition, then, otherwise } => {
+                condition.expressions().into_iter().chain([*then, *otherwise]).collect()
+            }
+        }
+    }
+
+    /// Replaces the operands.
+    fn with_operands(mut self, parts: &[AstId]) -> ArrayExpression {
+        match &mut self {
+            ArrayExpression::Element(name) => name.indices = parts.to_vec(),
+            ArrayExpression::List(elements) => *elements = parts.to_vec(),
+            ArrayExpression::Select { condition, then, otherwise } => {
+                let places = condition.expressions_mut().into_iter().chain([then, otherwise]);
+                places.zip(parts).for_each(|(place, part)| *place = *part);
+            }
+            ArrayExpression::Sum { range, term, .. } => {
+                (range.from, range.to, *term) = (parts[0], parts[1], parts[2]);
+            }
+        }
+        self
+    }
+}
+
+/// `a..b` or `a..=b`
+#[derive(Clone, Copy, Debug)]
+pub struct Range {
+    /// The first value.
+    pub from: AstId,
+    /// The end.
+    pub to: AstId,
+    /// True if the end is a value, too.
+    pub is_inclusive: bool,
+}
+
+/// The arena of expressions of one declaration.
+#[derive(Clone, Default, Debug)]
+pub struct Expressions {
+    nodes: Vec<(Expression, Origin)>,
+    written: usize,
+    computed: std::ops::Range<usize>,
+}
+
+impl Expressions {
+    /// Adds an expression; its children must have been added before.
+    pub fn add(&mut self, expression: Expression, origin: Origin) -> AstId {
+        self.nodes.push((expression, origin));
+        AstId((self.nodes.len() - 1) as u32)
+    }
+
+    /// Says that the expressions so far are all that the user wrote.
+    pub fn end_of_text(&mut self) {
+        self.written = self.nodes.len();
+    }
+
+    /// True if the user wrote an expression as it stands.
+    pub fn is_written(&self, id: AstId) -> bool {
+        (id.0 as usize) < self.written
+    }
+
+    /// Adds expressions that say once more what others say, with numbers that were computed of those of others: these have no units.
+    pub fn computed<T>(
+        of: &mut T,
+        expressions: impl Fn(&mut T) -> &mut Expressions,
+        add: impl FnOnce(&mut T),
+    ) {
+        let first = expressions(of).nodes.len();
+        add(of);
+        let expressions = expressions(of);
+        expressions.computed = first..expressions.nodes.len();
+    }
+
+    /// True of what was added as such.
+    pub fn is_computed(&self, id: AstId) -> bool {
+        self.computed.contains(&(id.0 as usize))
+    }
+
+    /// The expression behind an id.
+    pub fn get(&self, id: AstId) -> &Expression {
+        &self.nodes[id.0 as usize].0
+    }
+
+    /// Place of an expression.
+    pub fn origin(&self, id: AstId) -> Origin {
+        self.nodes[id.0 as usize].1
+    }
+
+    /// An expression and all that it is made of, each once, operands before what is made of them.
+    pub fn parts(&self, root: AstId) -> Vec<AstId> {
+        let mut pending = vec![root];
+        let mut found = BTreeSet::new();
+        while let Some(id) = pending.pop() {
+            if found.insert(id) {
+                pending.extend(self.get(id).operands());
+            }
+        }
+        // Operands are added before what is made of them.
+        found.into_iter().collect()
+    }
+
+    /// `x` of an expression `dot(x)`.
+    pub fn rate_of_name(&self, id: AstId) -> Option<&str> {
+        let Expression::Call(function, arguments) = self.get(id) else { return None };
+        match (function.text.as_str(), arguments.as_slice()) {
+            ("dot", [argument]) => match self.get(*argument) {
+                Expression::Name(name) => Some(name),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// Every expression with its id, children before parents.
+    pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
+        self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))
+    }
+}

@@ -1,0 +1,418 @@
+//! Statements, one variant each, with what each says of itself.
+//!
+//! Whoever walks over statements asks for their names and expressions here, and so learns of a variant as soon as it is listed.
+
+mod loops;
+mod names;
+
+use proc_macro2::TokenStream;
+
+use super::bodies::SceneStatement;
+use super::callables::{
+    ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
+};
+use super::events::{Event, Friction};
+use super::keywords::{Keyword, Soft};
+use super::quaternion::Quaternion;
+use super::{AstId, Name, Reach};
+use lagrange_expr::diagnostics::Origin;
+pub use loops::{Repetition, Selection};
+
+/// A statement and the stretch of source it covers.
+#[derive(Clone, Debug)]
+pub struct Statement {
+    /// Kind and content.
+    pub kind: StatementKind,
+    /// From the keyword to the semicolon.
+    pub origin: Origin,
+    /// Documentation of the declared names, as attributes.
+    pub docs: TokenStream,
+}
+
+/// The kind and content of a statement.
+///
+/// ```text
+/// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "const" named "=" sum { "," named "=" sum } ";"
+///           | ( "coord" | "state" ) named { "," named } ";"
+///           | "dot" "(" NAME ")" "=" sum ";"
+///           | "quaternion" NAME ";"
+///           | "velocity" named "=" sum ";"
+///           | "let" ( named | "(" named "," named [ "," named ] ")" ) "=" sum ";"
+///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
+///           | "function" NAME "(" named { "," named } ")" [ ":" unit ] ( ";" | "{" { derivative } "}" [ ";" ] )
+///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
+///           | "solve" named ":" "0" "=" sum { "," ( "start" | "iterations" ) ":" sum } ";"
+///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
+///           | "gibbs" "=" sum "," "for" ":" sum ";"
+///           | "force" NAME "=" sum ";"
+///           | "force" sum ( "at" | "along" ) sum ";"
+///           | "torque" sum "on" sum ";"
+///           | "constraint" NAME "=" sum ";"
+///           | "output" named "=" sum ";"
+///           | "stabilise" "=" sum ";"
+///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
+///           | "friction" NAME "=" sum "," limits ";"
+///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
+///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
+///           | loop | choice | scene
+/// named     = NAME [ ":" unit ]
+/// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
+/// point     = "(" sum "," sum [ "," sum ] ")"
+/// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
+/// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
+///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
+/// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
+///           | "{" { sum "=" sum ";" } "}" [ ";" ]
+/// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
+/// ```
+///
+/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of functions, of their parameters and of types;
+/// behind the name of an array a value may be a `list`.
+///
+/// ```text
+/// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
+/// choice    = "if" condition "{" { statement } "}" [ "else" ( "{" { statement } "}" [ ";" ] | choice ) ]
+/// range     = sum ".." [ "=" ] sum
+/// condition = tests { "||" tests }
+/// tests     = test { "&&" test }
+/// test      = { "!" } ( "(" condition ")" | sum ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum )
+/// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
+/// ```
+///
+/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that of [`SceneStatement`].
+#[derive(Clone, Debug)]
+pub enum StatementKind {
+    /// `param a, b = 1.0;`
+    Parameters(Vec<Definition>),
+    /// `input u;`
+    Inputs(Vec<Definition>),
+    /// `const k = 1/2;`
+    Constants(Vec<Definition>),
+    /// `coord x, theta;`
+    Coordinates(Vec<Name>),
+    /// `state current;`
+    States(Vec<Name>),
+    /// `dot(current) = e;`
+    StateRate(Name, AstId),
+    /// `quaternion hip;`
+    Quaternion(Box<Quaternion>),
+    /// `velocity u = dot(x);`
+    Velocity(Name, AstId),
+    /// `let n = e;`
+    Let(Name, AstId),
+    /// `let (a, b) = e;`
+    LetTuple(Vec<Name>, AstId),
+    /// `let f(x, y) = e;`
+    Function(Box<FunctionDefinition>),
+    /// `function f(x, y);`
+    External(Box<ExternalFunction>),
+    /// `table f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend;`
+    Table(Box<TableDefinition>),
+    /// `solve y: 0 = e, start: e, iterations: n;`
+    Solve(UnknownDefinition),
+    /// `kinetic = e;`
+    Kinetic(AstId),
+    /// `potential = e;`
+    Potential(AstId),
+    /// `lagrangian = e;`
+    Lagrangian(AstId),
+    /// `gibbs = e, for: e;`
+    Gibbs {
+        /// The Gibbs function, at most quadratic in the accelerations.
+        function: AstId,
+        /// Part of the Lagrangian whose equations of motion it states.
+        stated: AstId,
+    },
+    /// `dissipation = e;`
+    Dissipation(AstId),
+    /// `force x = e;`
+    ForceOn(Name, AstId),
+    /// `force f at p;`
+    ForceAt {
+        /// A vector of two or three components.
+        force: AstId,
+        /// The point it acts on, a vector of as many components.
+        point: AstId,
+    },
+    /// `force f along u;`
+    ForceAlong {
+        /// A scalar or a vector.
+        force: AstId,
+        /// Velocities along which it does work, as many as it has components.
+        velocity: AstId,
+    },
+    /// `torque m on angle;`
+    Torque {
+        /// The moment.
+        moment: AstId,
+        /// The angle it turns.
+        angle: AstId,
+    },
+    /// `constraint name = e;`
+    Constraint(Name, AstId),
+    /// `stabilise = e;`
+    Stabilise(AstId),
+    /// `event name = e, falling => stop;`
+    Event(Event),
+    /// `friction name = e, e;`
+    Friction(Friction),
+    /// `output name = e;`
+    Output(Name, AstId),
+    /// `emit { a, no b }`
+    Emit(Vec<EmitItem>),
+    /// `reduce Name { freeze x = e; small theta; }`
+    Reduce(Reduction),
+    /// `for i in 0..n { … }`
+    Repeat(Box<Repetition>),
+    /// `if i > 0 { … } else { … }`
+    Select(Selection),
+    /// A statement about rigid bodies.
+    Scene(SceneStatement),
+}
+
+/// Words that begin statements, but for those of [`SceneStatement`].
+pub const KEYWORDS: [Keyword; 26] = [
+    Keyword::new("param", "write `param m = 1.0, l;`"),
+    Keyword::new("const", "write `const k = 1/2;`"),
+    Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("state", "write `state a, b;`, and `dot(a) = e;` for the rate of each").before(Soft::List),
+    Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
+    Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
+    Keyword::new("input", "write `input u;`"),
+    Keyword::new(
+        "let",
+        "write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function",
+    ),
+    Keyword::new(
+        "function",
+        "write `function f(x, y);` for a function of your crate, or `function f(x) { derivative: slope; second_derivative: curvature; }`",
+    )
+    .before(Soft::Function),
+    Keyword::new(
+        "table",
+        "write `table f(x) = [(0, 1), (2, 5)], interpolation: natural, outside: error;`, or `\"points.csv\"` for the list",
+    )
+    .before(Soft::Function),
+    Keyword::new(
+        "solve",
+        "write `solve y: 0 = e;`, or `solve y: 0 = e, start: s, iterations: 50;`, for the y that makes e zero",
+    )
+    .before(Soft::Equation),
+    Keyword::new("kinetic", "write `kinetic = e;`"),
+    Keyword::new("potential", "write `potential = e;`"),
+    Keyword::new("lagrangian", "write `lagrangian = e;`"),
+    Keyword::new(
+        "gibbs",
+        "write `gibbs = S, for: F;`, F being the part of the Lagrangian whose equations of motion are ∂S/∂a",
+    ),
+    Keyword::new("dissipation", "write `dissipation = e;`, the Rayleigh function"),
+    Keyword::new(
+        "force",
+        "write `force x = e;` for a coordinate, `force (fx, fy) at (px, py);` for a point or `force f along u;` for a velocity",
+    ),
+    Keyword::new("torque", "write `torque m on angle;`"),
+    Keyword::new("constraint", "write `constraint name = e;`, with what is to be zero behind the name"),
+    Keyword::new("stabilise", "write `stabilise = rate;`"),
+    Keyword::new("event", "write `event name = e, falling => stop;`"),
+    Keyword::new(
+        "friction",
+        "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`",
+    )
+    .before(Soft::Definition),
+    Keyword::new("output", "write `output name = e;`"),
+    Keyword::new("emit", "write `emit { product, no product }`"),
+    Keyword::new("reduce", "write `reduce Name { freeze x = 0; small theta; }`"),
+    Keyword::new("for", "write `for i in 0..n { kinetic = e; }`, with any statements between the braces")
+        .before(Soft::Loop),
+];
+
+impl StatementKind {
+    /// The names that a statement declares, and where they are known.
+    fn names(&self) -> (Vec<&Name>, Reach) {
+        match self {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
+            StatementKind::Constants(list) => (defined(list), Reach::Expressions),
+            StatementKind::Coordinates(names) | StatementKind::States(names) => {
+                (names.iter().collect(), Reach::Both)
+            }
+            StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
+            StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
+            StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
+            StatementKind::Solve(unknown) => (vec![&unknown.name], Reach::Expressions),
+            StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
+            // Its name can be called, and means nothing by itself.
+            StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
+                (Vec::new(), Reach::Expressions)
+            }
+            StatementKind::Constraint(name, _) => (vec![name], Reach::Both),
+            StatementKind::Event(event) => (vec![&event.name], Reach::Both),
+            StatementKind::Friction(friction) => (vec![&friction.name], Reach::Both),
+            StatementKind::Output(name, _) => (vec![name], Reach::Members),
+            StatementKind::Reduce(reduction) => (vec![&reduction.name], Reach::Types),
+            StatementKind::Scene(scene) => scene.names(),
+            StatementKind::Kinetic(_)
+            | StatementKind::Potential(_)
+            | StatementKind::Lagrangian(_)
+            | StatementKind::Gibbs { .. }
+            | StatementKind::Dissipation(_)
+            | StatementKind::StateRate(..)
+            | StatementKind::ForceOn(..)
+            | StatementKind::ForceAt { .. }
+            | StatementKind::ForceAlong { .. }
+            | StatementKind::Torque { .. }
+            | StatementKind::Stabilise(_)
+            | StatementKind::Repeat(_)
+            | StatementKind::Select(_)
+            | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
+        }
+    }
+
+    /// All expressions in a statement, to be read or replaced.
+    pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            StatementKind::Velocity(_, value)
+            | StatementKind::Let(_, value)
+            | StatementKind::LetTuple(_, value)
+            | StatementKind::Kinetic(value)
+            | StatementKind::Potential(value)
+            | StatementKind::Lagrangian(value)
+            | StatementKind::Dissipation(value)
+            | StatementKind::StateRate(_, value)
+            | StatementKind::ForceOn(_, value)
+            | StatementKind::Constraint(_, value)
+            | StatementKind::Stabilise(value)
+            | StatementKind::Output(_, value) => vec![value],
+            StatementKind::Function(function) => vec![&mut function.value],
+            StatementKind::Table(table) => match &mut table.source {
+                TableSource::Points(points) => points.iter_mut().flat_map(|(point, _)| point).collect(),
+                TableSource::File { .. } => Vec::new(),
+            },
+            StatementKind::Solve(UnknownDefinition { residual, start, iterations, .. }) => {
+                start.iter_mut().chain(iterations).chain([residual]).collect()
+            }
+            StatementKind::Gibbs { function, stated } => vec![function, stated],
+            StatementKind::ForceAt { force, point } => vec![force, point],
+            StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
+            StatementKind::Torque { moment, angle } => vec![moment, angle],
+            StatementKind::Event(event) => event.expressions_mut(),
+            StatementKind::Friction(friction) => friction.expressions_mut(),
+            StatementKind::Reduce(reduction) => {
+                reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
+            }
+            StatementKind::Repeat(repetition) => repetition.expressions_mut(),
+            StatementKind::Select(selection) => selection.expressions_mut(),
+            StatementKind::Scene(scene) => scene.expressions_mut(),
+            StatementKind::Coordinates(_)
+            | StatementKind::States(_)
+            | StatementKind::Quaternion(_)
+            | StatementKind::External(_)
+            | StatementKind::Emit(_) => Vec::new(),
+        }
+    }
+
+    /// All expressions in a statement.
+    pub fn expressions(&self) -> Vec<AstId> {
+        // Of a copy, so that they are listed in one place.
+        self.clone().expressions_mut().into_iter().map(|id| *id).collect()
+    }
+
+    /// The name that calls mention, if it declares a function.
+    pub fn declared_function(&self) -> Option<&Name> {
+        match self {
+            StatementKind::Function(function) => Some(&function.name),
+            StatementKind::External(function) => Some(&function.name),
+            StatementKind::Table(table) => Some(&table.name),
+            _ => None,
+        }
+    }
+
+    /// Names with the expressions that they stand for, be it as a default.
+    pub fn definitions(&self) -> Vec<(&Name, AstId)> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => {
+                list.iter().filter_map(|d| Some((&d.name, d.value?))).collect()
+            }
+            StatementKind::Let(name, value) => vec![(name, *value)],
+            StatementKind::LetTuple(names, value) => names.iter().map(|name| (name, *value)).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The names that expressions behind the statement may mention.
+    pub fn declared_names(&self) -> Vec<&Name> {
+        self.names_within(&[Reach::Expressions, Reach::Both])
+    }
+
+    /// The names of members of the emitted type.
+    pub fn member_names(&self) -> Vec<&Name> {
+        self.names_within(&[Reach::Members, Reach::Both])
+    }
+
+    /// True if it declares something that is emitted and can be documented.
+    pub fn is_documented(&self) -> bool {
+        // Even if the names could not be read.
+        self.names().1 != Reach::Expressions
+    }
+
+    fn names_within(&self, reaches: &[Reach]) -> Vec<&Name> {
+        let (names, reach) = self.names();
+        if reaches.contains(&reach) { names } else { Vec::new() }
+    }
+}
+
+fn defined(list: &[Definition]) -> Vec<&Name> {
+    list.iter().map(|definition| &definition.name).collect()
+}
+
+/// A second type with fewer or simpler motions.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// Its name.
+    pub name: Name,
+    /// Changes to coordinates.
+    pub items: Vec<ReductionItem>,
+}
+
+/// The change to one coordinate of a reduced type.
+#[derive(Clone, Debug)]
+pub struct ReductionItem {
+    /// The coordinate.
+    pub coordinate: Name,
+    /// Kind of change.
+    pub kind: ReductionKind,
+    /// The value behind `=`, if there is one; 0 is meant if there is none.
+    pub value: Option<AstId>,
+}
+
+/// The possible changes to a coordinate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ReductionKind {
+    /// `freeze x = e;`: held at a value.
+    Frozen,
+    /// `small theta = e;`: stays near a value.
+    Small,
+}
+
+/// One `name = value` of a `param`, `input` or `const` statement.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The declared name.
+    pub name: Name,
+    /// The value behind `=`, if there is one.
+    pub value: Option<AstId>,
+}
+
+/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
+#[derive(Clone, Debug)]
+pub struct EmitItem {
+    /// The product.
+    pub product: Name,
+    /// True if it is wanted.
+    pub wanted: bool,
+}

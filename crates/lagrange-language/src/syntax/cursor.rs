@@ -1,0 +1,331 @@
+//! A position in a sequence of tokens.
+//!
+//! Square brackets behind a word that can be a name are no tokens of their own but belong to the word, so that whoever looks ahead sees
+//! the same of `q = …` and `q[i] = …`.
+
+mod boundaries;
+mod brackets;
+
+use proc_macro2::{Delimiter, Group, Ident, Punct, Spacing, Span, TokenStream, TokenTree};
+use syn::parse::{ParseStream, Parser as _};
+
+use super::keywords;
+use brackets::SquareBrackets;
+use lagrange_expr::diagnostics::Origin;
+
+/// Operators of two characters, of this language and of others.
+const PAIRS: [&str; 17] =
+    [":=", "==", "+=", "-=", "*=", "/=", "^=", "->", "=>", "<-", "!=", "<=", ">=", "&&", "||", "**", "::"];
+
+/// Longer lists of type parameters and of what is said about them are refused, whatever they say.
+const MOST_TOKENS_OF_RUST: usize = 32;
+
+/// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
+/// get a cursor of their own, so every token is copied once.
+pub(super) struct Cursor {
+    tokens: Vec<TokenTree>,
+    next: usize,
+    /// Square brackets that belong to words.
+    brackets: SquareBrackets,
+    /// Place behind the last token: the closing bracket, or the last token itself.
+    end: Span,
+}
+
+impl Cursor {
+    /// At the start of a whole input.
+    pub(super) fn new(tokens: TokenStream) -> Cursor {
+        let mut cursor = Cursor::over(tokens, Span::call_site());
+        if let Some(last) = cursor.tokens.len().checked_sub(1) {
+            cursor.end = cursor.origin(last).end;
+        }
+        cursor
+    }
+
+    /// Behind the opening bracket of a group.
+    pub(super) fn inside(group: &Group) -> Cursor {
+        Cursor::over(group.stream(), group.span_close())
+    }
+
+    fn over(stream: TokenStream, end: Span) -> Cursor {
+        let (tokens, brackets) = SquareBrackets::taken_out(stream);
+        Cursor { tokens, next: 0, brackets, end }
+    }
+
+    /// Place of the token of this number, with the square brackets that belong to it.
+    fn origin(&self, number: usize) -> Origin {
+        let word = self.tokens.get(number).map_or(Origin::from(self.end), origin);
+        self.brackets.last(number).map_or(word, |last| word.to(group_origin(last)))
+    }
+
+    /// The square brackets behind the last token, which are read now.
+    pub(super) fn read_brackets(&mut self) -> Vec<Group> {
+        self.next.checked_sub(1).map_or_else(Vec::new, |last| self.brackets.read(last))
+    }
+
+    /// The first square brackets behind what has been taken that nobody read. Nobody is told of them again.
+    pub(super) fn forget_brackets(&mut self) -> Option<Group> {
+        self.brackets.forget(self.next)
+    }
+
+    /// The next token.
+    pub(super) fn peek(&self) -> Option<&TokenTree> {
+        self.peek_past(0)
+    }
+
+    /// The token behind the next `count` ones.
+    pub(super) fn peek_past(&self, count: usize) -> Option<&TokenTree> {
+        self.tokens.get(self.next + count)
+    }
+
+    /// All tokens that are left, without taking them.
+    pub(super) fn rest(&self) -> &[TokenTree] {
+        self.tokens.get(self.next..).unwrap_or_default()
+    }
+
+    /// The last token that was taken.
+    pub(super) fn previous(&self) -> Option<&TokenTree> {
+        self.tokens.get(self.next.checked_sub(1)?)
+    }
+
+    /// True if no token is left.
+    pub(super) fn at_end(&self) -> bool {
+        self.next == self.tokens.len()
+    }
+
+    /// Place of the next token; at the end, of what stands there.
+    pub(super) fn here(&self) -> Origin {
+        self.origin(self.next)
+    }
+
+    /// Place of the last token that was taken; at the start, the same as [`Cursor::here`].
+    pub(super) fn before(&self) -> Origin {
+        match self.next.checked_sub(1) {
+            Some(last) => self.origin(last),
+            None => self.here(),
+        }
+    }
+
+    /// Place of the next `count` tokens.
+    pub(super) fn reaching(&self, count: usize) -> Origin {
+        self.here().to(self.origin(self.next + count.saturating_sub(1)))
+    }
+
+    /// Number of tokens that were taken; see [`Cursor::since`].
+    pub(super) fn position(&self) -> usize {
+        self.next
+    }
+
+    /// Place of the tokens that were taken since the cursor was at a position; if there are none, the same
+    /// as [`Cursor::here`].
+    pub(super) fn since(&self, position: usize) -> Origin {
+        if position < self.next { self.origin(position).to(self.before()) } else { self.here() }
+    }
+
+    /// The tokens that were taken since the cursor was at a position.
+    pub(super) fn taken_since(&self, position: usize) -> &[TokenTree] {
+        self.tokens.get(position..self.next).unwrap_or_default()
+    }
+
+    /// True if the next token is this punctuation character.
+    pub(super) fn at(&self, punctuation: char) -> bool {
+        is_punct(self.peek(), punctuation)
+    }
+
+    /// True if the next tokens are these two characters without a space between them.
+    pub(super) fn at_pair(&self, first: char, second: char) -> bool {
+        is_joint(self.peek(), first) && is_punct(self.peek_past(1), second)
+    }
+
+    /// The operator of two characters that stands here, and where.
+    pub(super) fn pair(&self) -> Option<(&'static str, Origin)> {
+        let is_here = |pair: &&str| {
+            let mut characters = pair.chars();
+            characters
+                .next()
+                .zip(characters.next())
+                .is_some_and(|(first, second)| self.at_pair(first, second))
+        };
+        let pair = PAIRS.into_iter().find(is_here)?;
+        let end = self.peek_past(1).map_or(self.here(), origin);
+        Some((pair, self.here().to(end)))
+    }
+
+    /// Place of the next token, and of the one behind it if both are one operator.
+    pub(super) fn here_to_pair(&self) -> Origin {
+        self.pair().map_or(self.here(), |(_, origin)| origin)
+    }
+
+    /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it may read by recursion.
+    pub(super) fn read<T>(&mut self, read: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<T> {
+        let mut left = MOST_TOKENS_OF_RUST;
+        let is_seen = |token: &&TokenTree| {
+            left = left.saturating_sub(token_count(token));
+            left > 0 && !is_punct(Some(token), ';')
+        };
+        let seen = self.rest().iter().take_while(is_seen).cloned().collect::<Vec<_>>();
+        let count = seen.len();
+        let parser = |input: ParseStream| Ok((read(input)?, input.parse::<TokenStream>()?));
+        let (result, rest) = parser.parse2(seen.into_iter().collect())?;
+        self.next += count.saturating_sub(rest.into_iter().count());
+        Ok(result)
+    }
+
+    /// Skips what stands on the same line as the last token.
+    pub(super) fn skip_line_of_text(&mut self) {
+        let line = self.before().start.start().line;
+        self.skip_to(|cursor| cursor.here().start.start().line != line);
+    }
+
+    /// A decimal comma: whether the token that many places ahead is a comma between the digits of two numbers. Where they
+    /// stand, and how the number is written.
+    pub(super) fn decimal_comma(&self, ahead: isize) -> Option<(Origin, String)> {
+        let at = self.next.checked_add_signed(ahead)?;
+        let (before, behind) = (self.tokens.get(at.checked_sub(1)?)?, self.tokens.get(at + 1)?);
+        let comma = self.tokens.get(at);
+        // Between the items of a list stands a space.
+        let is_adjacent = comma.is_some_and(|comma| comma.span().end() == behind.span().start());
+        let is_comma = is_punct(comma, ',') && is_adjacent;
+        let (whole, fraction) = (digits(before)?, digits(behind)?);
+        is_comma.then(|| (origin(before).to(origin(behind)), format!("{whole}.{fraction}")))
+    }
+
+    /// Takes the next token if it is this punctuation character.
+    pub(super) fn eat(&mut self, punctuation: char) -> Option<Span> {
+        let found = self.at(punctuation);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// Takes as many of this punctuation character as follow each other; says where they stood.
+    pub(super) fn eat_all(&mut self, punctuation: char) -> impl Iterator<Item = Span> {
+        std::iter::from_fn(move || self.eat(punctuation))
+    }
+
+    /// Takes an `=` that is not the beginning of `==` or `=>`.
+    pub(super) fn eat_equals(&mut self) -> Option<Span> {
+        let found = self.equals_past(0);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// True if an `=` stands behind the next `count` tokens that is not the beginning of `==` or `=>`.
+    pub(super) fn equals_past(&self, count: usize) -> bool {
+        let follower = self.peek_past(count + 1);
+        let joint = is_joint(self.peek_past(count), '=');
+        let longer = joint && (is_punct(follower, '=') || is_punct(follower, '>'));
+        is_punct(self.peek_past(count), '=') && !longer
+    }
+
+    /// The next token, if it is an identifier.
+    pub(super) fn ident(&self) -> Option<&Ident> {
+        match self.peek() {
+            Some(TokenTree::Ident(ident)) => Some(ident),
+            _ => None,
+        }
+    }
+
+    /// True if the next token is the same word as the last one that was taken.
+    pub(super) fn at_same_word(&self) -> bool {
+        let last = self.previous().map(ToString::to_string);
+        self.ident().is_some_and(|word| last.as_deref() == Some(word.to_string().as_str()))
+    }
+
+    /// Takes the next token if it is an identifier.
+    pub(super) fn eat_ident(&mut self) -> Option<Ident> {
+        let ident = self.ident().cloned()?;
+        self.next += 1;
+        Some(ident)
+    }
+
+    /// True if the next token is this word.
+    pub(super) fn at_word(&self, word: &str) -> bool {
+        self.ident().is_some_and(|ident| ident == word)
+    }
+
+    /// Takes the next token if it is this word.
+    pub(super) fn eat_word(&mut self, word: &str) -> Option<Span> {
+        let found = self.at_word(word);
+        found.then(|| self.skip_one().end)
+    }
+
+    /// The next token, if it is a group in these brackets.
+    pub(super) fn group(&self, delimiter: Delimiter) -> Option<&Group> {
+        as_group(self.peek(), delimiter)
+    }
+
+    /// Takes the next token if it is a group in these brackets.
+    pub(super) fn eat_group(&mut self, delimiter: Delimiter) -> Option<Group> {
+        let group = self.group(delimiter).cloned()?;
+        self.next += 1;
+        Some(group)
+    }
+
+    /// Takes the next token and says where it stood.
+    pub(super) fn skip_one(&mut self) -> Origin {
+        let origin = self.here();
+        self.next = (self.next + 1).min(self.tokens.len());
+        origin
+    }
+
+    /// Skips to the first place that fits, or to the end.
+    pub(super) fn skip_to(&mut self, fits: impl Fn(&Cursor) -> bool) {
+        while !self.at_end() && !fits(self) {
+            self.next += 1;
+        }
+        // What is skipped was reported.
+        self.forget_brackets();
+    }
+}
+
+/// The number of tokens in a token, which is one but for a group.
+fn token_count(token: &TokenTree) -> usize {
+    let (mut pending, mut count) = (vec![token.clone()], 0);
+    while let Some(token) = pending.pop() {
+        count += 1;
+        if let TokenTree::Group(group) = token {
+            pending.extend(group.stream());
+        }
+    }
+    count
+}
+
+/// Place of a token, of a group from bracket to bracket.
+fn origin(token: &TokenTree) -> Origin {
+    match token {
+        TokenTree::Group(group) => group_origin(group),
+        other => Origin::from(other.span()),
+    }
+}
+
+/// Place of a group, from bracket to bracket.
+pub(super) fn group_origin(group: &Group) -> Origin {
+    Origin { start: group.span_open(), end: group.span_close() }
+}
+
+/// The token, if it is a group in these brackets.
+pub(super) fn as_group(token: Option<&TokenTree>, delimiter: Delimiter) -> Option<&Group> {
+    match token {
+        Some(TokenTree::Group(group)) if group.delimiter() == delimiter => Some(group),
+        _ => None,
+    }
+}
+
+/// A number that is made of digits only.
+fn digits(token: &TokenTree) -> Option<String> {
+    let TokenTree::Literal(literal) = token else { return None };
+    let text = literal.to_string();
+    text.bytes().all(|byte| byte.is_ascii_digit()).then_some(text)
+}
+
+fn as_punct(token: Option<&TokenTree>) -> Option<&Punct> {
+    match token {
+        Some(TokenTree::Punct(punct)) => Some(punct),
+        _ => None,
+    }
+}
+
+fn is_punct(token: Option<&TokenTree>, character: char) -> bool {
+    as_punct(token).is_some_and(|punct| punct.as_char() == character)
+}
+
+fn is_joint(token: Option<&TokenTree>, character: char) -> bool {
+    as_punct(token).is_some_and(|punct| punct.as_char() == character && punct.spacing() == Spacing::Joint)
+}

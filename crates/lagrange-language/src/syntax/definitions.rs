@@ -1,0 +1,348 @@
+//! Statements that declare names or list products.
+
+use proc_macro2::{Delimiter, Group, Span, TokenTree};
+
+use super::ast::{AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind};
+use super::cursor::{Cursor, as_group, group_origin};
+use super::identifiers::at_equals_past;
+use super::messages;
+use super::messages::arrays;
+use super::messages::forms::form;
+use super::messages::habits;
+use super::messages::units;
+use super::parser::{Declared, Parsed, Parser, Reported};
+use super::recovery::Turn;
+use super::units::at_unit;
+use lagrange_expr::keywords::is_rust_keyword;
+use lagrange_expr::limits::MAX_INDICES;
+use lagrange_expr::number::Number;
+
+/// A list of names with commas between them.
+#[derive(Clone, Copy)]
+pub(super) struct List {
+    /// Form of the statement.
+    pub(super) help: &'static str,
+    /// True if values stand behind the names.
+    pub(super) has_values: bool,
+}
+
+impl Parser<'_> {
+    /// `a, b = 1.0`.
+    pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
+        self.items(List { help, has_values: true }, cursor, |parser, cursor| {
+            let mut name = parser.declared_name(cursor);
+            if let Ok(name) = &mut name {
+                parser.no_unit(name);
+                // Values behind it may hold it.
+                parser.declared_names.insert(name.text.clone(), Declared::Parameter);
+                parser.annotation(name, "param", cursor);
+            }
+            let is_array = name.as_ref().map_or(true, |name| !name.indices.is_empty());
+            let value = match at_equals_past(0, cursor) {
+                true => parser.equals(help, cursor).ok().map(|()| {
+                    let is_array = is_array || parser.sized_by_list(&mut name, cursor);
+                    parser.default(is_array, cursor)
+                }),
+                false => None,
+            };
+            Ok(Definition { name: name?, value })
+        })
+    }
+
+    /// True if a list stands behind a name without numbers of elements, which is reported: the list
+    /// says how many there are.
+    fn sized_by_list(&mut self, name: &mut Parsed<Name>, cursor: &Cursor) -> bool {
+        let (Ok(name), Some(group)) = (name, cursor.group(Delimiter::Bracket)) else { return false };
+        let sizes = sizes_of_list(group);
+        if sizes.contains(&0) {
+            return false;
+        }
+        self.fail_with_help(name.span, arrays::NO_SIZE, arrays::size_help(&name.text, &sizes));
+        let sizes = sizes.into_iter().map(|size| Expression::Number(Number::from(size)));
+        name.indices = sizes.map(|size| self.add(size, name.span.into()).id).collect();
+        true
+    }
+
+    /// Reports a unit of measurement in brackets behind the name of a parameter.
+    fn no_unit(&mut self, name: &mut Name) {
+        let [size] = name.indices[..] else { return };
+        let Expression::Name(word) = self.expressions.get(size) else { return };
+        if self.is_free_unit(word) {
+            let help = units::behind_name(&name.text, word);
+            self.fail_once(self.expressions.origin(size), units::BEHIND_NAME, &help);
+            name.indices.clear();
+        }
+    }
+
+    /// `a = 1, b = 2`.
+    pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
+        let definitions = self.definitions(form("const"), cursor);
+        for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
+            let message = messages::constant_without_value(&name.text);
+            self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
+        }
+        definitions
+    }
+
+    /// `x, theta` behind this keyword. A word that cannot be a name counts all the same, so that vectors have the length that the
+    /// user expects; where it cannot be a field either, a name stands for it that nobody can write.
+    pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Name> {
+        self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
+            let start = cursor.position();
+            let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
+            let mut name = parser.declared_name(cursor);
+            if let Ok(name) = &mut name {
+                parser.annotation(name, keyword, cursor);
+            }
+            let name = name.unwrap_or_else(|Reported| {
+                parser.skip_item(cursor);
+                parser.leave_out(cursor, start);
+                match word {
+                    Some(word) => Name::new(word.to_string(), word.span()),
+                    None => Name::new(format!("__coordinate_{start}"), Span::call_site()),
+                }
+            });
+            if let Some(equals) = cursor.eat_equals() {
+                let help = messages::COORDINATE_WITH_VALUE_HELP;
+                let is_state = keyword == "state";
+                let message =
+                    if is_state { messages::STATE_WITH_VALUE } else { messages::COORDINATE_WITH_VALUE };
+                parser.fail_once(equals, message, help);
+                parser.item_value(cursor);
+            }
+            Ok(name)
+        })
+    }
+
+    /// Reads items between commas, with or without a comma behind the last one, up to what ends the
+    /// statement. Those that cannot be read are left out.
+    pub(super) fn items<T>(
+        &mut self,
+        list: List,
+        cursor: &mut Cursor,
+        mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Vec<T> {
+        let mut items = Vec::new();
+        let _ = self.turns(cursor, |parser, cursor| {
+            parser.skipped = false;
+            let start = cursor.position();
+            match parser.item(list.help, cursor, &mut read) {
+                Ok(item) => items.push(item),
+                Err(Reported) => {
+                    parser.skip_item(cursor);
+                    parser.leave_out(cursor, start);
+                }
+            }
+            if !parser.skipped && !at_item_end(cursor) {
+                let is_separated = parser.no_comma(list, start, cursor);
+                if is_separated {
+                    return Ok(Turn::Next);
+                }
+            }
+            Ok(Turn::next_if(cursor.eat(',').is_some() && !at_list_end(cursor)))
+        });
+        items
+    }
+
+    /// Reports what stands behind an item instead of a comma; says whether the next item follows all the same.
+    fn no_comma(&mut self, list: List, start: usize, cursor: &mut Cursor) -> bool {
+        let is_next = list.at_next_item(cursor) && cursor.position() > start;
+        if is_next && !cursor.at_same_word() {
+            self.fail_once(cursor.here(), messages::MISSING_COMMA, list.help);
+            return true;
+        }
+        if is_next {
+            let help = messages::REPEATED_ATTRIBUTE_HELP;
+            self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, help);
+            self.skip_item(cursor);
+        } else if !list.has_values && is_definition(cursor) {
+            let help = messages::MISSING_SEMICOLON_HELP;
+            self.fail_with_help(cursor.before().end, messages::MISSING_SEMICOLON, help);
+            self.skipped = true;
+        } else {
+            self.no_operator(cursor, "`,` or `;`");
+            self.skip_item(cursor);
+        }
+        false
+    }
+
+    fn item<T>(
+        &mut self,
+        help: &str,
+        cursor: &mut Cursor,
+        read: &mut impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<T> {
+        if let Some((origin, number)) = cursor.decimal_comma(-1) {
+            return Err(self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number)));
+        }
+        if cursor.ident().is_none() {
+            return Err(self.no_name(help, cursor));
+        }
+        read(self, cursor)
+    }
+
+    /// Reads an expression up to the next comma or the end of the statement.
+    pub(super) fn item_value(&mut self, cursor: &mut Cursor) -> AstId {
+        let start = cursor.position();
+        match self.expression(cursor) {
+            Ok(id) if at_item_end(cursor) || is_definition(cursor) => return id,
+            Ok(_) => self.no_operator(cursor, "`,` or `;`"),
+            Err(reported) => reported,
+        };
+        self.skip_item(cursor);
+        self.unreadable(cursor, start)
+    }
+
+    /// A value behind the equals sign of a definition. Only arrays have lists as values.
+    fn default(&mut self, is_array: bool, cursor: &mut Cursor) -> AstId {
+        let group = cursor.group(Delimiter::Bracket).filter(|_| is_array).cloned();
+        let Some(group) = group else { return self.item_value(cursor) };
+        let start = cursor.position();
+        cursor.skip_one();
+        self.elements_of(&group).unwrap_or_else(|Reported| self.unreadable(cursor, start))
+    }
+
+    /// `n = e` or `(a, b) = e`.
+    pub(super) fn binding(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        if let Some(origin) = cursor.eat_word("mut") {
+            self.fail_with_help(origin, habits::MUTABLE, habits::MUTABLE_HELP);
+        }
+        let help = form("let");
+        match cursor.eat_group(Delimiter::Parenthesis) {
+            None if cursor.ident().is_none() => Err(self.no_name(help, cursor)),
+            None => {
+                let mut name = self.declared_name(cursor)?;
+                if let Some(group) = cursor.eat_group(Delimiter::Parenthesis) {
+                    return self.function(name, &group, cursor);
+                }
+                self.annotation(&mut name, "let", cursor);
+                Ok(StatementKind::Let(name, self.assigned(help, cursor)?))
+            }
+            Some(group) => {
+                let names = self.inside(&group, |parser, cursor| parser.component_names("let", cursor));
+                let value = self.assigned(help, cursor)?;
+                Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
+            }
+        }
+    }
+
+    /// Reports names of functions and of their parameters with square brackets behind them.
+    pub(super) fn refuse_elements<'n>(&mut self, mut names: impl Iterator<Item = &'n Name>) -> Parsed<()> {
+        let Some(indexed) = names.find(|name| !name.indices.is_empty()) else { return Ok(()) };
+        let help = arrays::FUNCTIONS_HELP;
+        Err(self.fail_with_help(indexed.span, arrays::FUNCTIONS, help))
+    }
+
+    /// `(x, y) = e` behind the name of a function.
+    fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
+        self.refuse_elements(parameters.iter().chain([&name]))?;
+        self.refuse_units(&parameters);
+        let value = self.assigned(form("let"), cursor)?;
+        Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))
+    }
+
+    /// `x, y` between parentheses.
+    pub(super) fn component_names(&mut self, keyword: &str, cursor: &mut Cursor) -> Parsed<Vec<Name>> {
+        let mut names = Vec::new();
+        self.turns(cursor, |parser, cursor| {
+            let mut name = parser.declared_name(cursor)?;
+            if at_unit(cursor) {
+                name.unit = parser.unit_behind_colon(cursor);
+            }
+            names.push(name);
+            Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
+        })?;
+        if cursor.at_end() {
+            return Ok(names);
+        }
+        let message = messages::expected("`,` or `)`", cursor.peek());
+        Err(self.fail_with_help(cursor.here(), message, form(keyword)))
+    }
+
+    fn two_or_three(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
+        match names.len() {
+            2 | 3 => Ok(names),
+            count => {
+                let message = messages::component_count(count);
+                Err(self.fail_with_help(group_origin(group), message, form("let")))
+            }
+        }
+    }
+
+    /// `{ a, no b }`.
+    pub(super) fn emit(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            let message = messages::expected("`{`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form("emit")));
+        };
+        // A mistake between the braces leaves the end of the statement in place.
+        Ok(self.inside(&group, Self::emit_items).unwrap_or_default())
+    }
+
+    fn emit_items(&mut self, cursor: &mut Cursor) -> Parsed<Vec<EmitItem>> {
+        let mut items = Vec::new();
+        self.turns(cursor, |parser, cursor| {
+            items.extend(parser.emit_item(cursor)?);
+            Ok(Turn::next_if(!cursor.at_end()))
+        })?;
+        Ok(items)
+    }
+
+    /// `a,` or `no b,`, the last one with or without a comma; `None` at the end.
+    fn emit_item(&mut self, cursor: &mut Cursor) -> Parsed<Option<EmitItem>> {
+        if cursor.at_end() {
+            return Ok(None);
+        }
+        // Without a name behind it, `no` is the name.
+        let wanted =
+            !matches!(cursor.peek_past(1), Some(TokenTree::Ident(_))) || cursor.eat_word("no").is_none();
+        let item = EmitItem { product: self.name(cursor)?, wanted };
+        if cursor.eat(',').is_none() && !cursor.at_end() {
+            let message = messages::expected("`,` or `}`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form("emit")));
+        }
+        Ok(Some(item))
+    }
+}
+
+/// True if an item ends here, be it that the semicolon behind it was forgotten.
+fn at_item_end(cursor: &Cursor) -> bool {
+    cursor.at(',') || cursor.at_statement_end()
+}
+
+impl List {
+    /// True if the next item follows without a comma: another name behind one, or a name with its `=`.
+    fn at_next_item(self, cursor: &Cursor) -> bool {
+        let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
+        if self.has_values { are_names || is_definition(cursor) } else { are_names && !is_definition(cursor) }
+    }
+}
+
+/// True if a name and its `=` follow.
+fn is_definition(cursor: &Cursor) -> bool {
+    cursor.ident().is_some() && cursor.equals_past(1)
+}
+
+/// True if no item follows a comma. A keyword before `=` is an item with a wrong name.
+fn at_list_end(cursor: &Cursor) -> bool {
+    cursor.at(';') || cursor.at_end() || (cursor.at_statement() && !cursor.equals_past(1))
+}
+
+/// True if Rust accepts the word as the name of a field, whatever the language makes of it.
+fn can_be_field(word: &str) -> bool {
+    word != "_" && !word.starts_with("r#") && !is_rust_keyword(word)
+}
+
+/// The numbers of elements of a list and of the first list in it, as deep as indices go.
+fn sizes_of_list(list: &Group) -> Vec<i64> {
+    let is_comma = |token: &TokenTree| matches!(token, TokenTree::Punct(punct) if punct.as_char() == ',');
+    let inner =
+        |list: &Group| as_group(list.stream().into_iter().next().as_ref(), Delimiter::Bracket).cloned();
+    let lists = std::iter::successors(Some(list.clone()), inner).take(MAX_INDICES);
+    let size = |list: Group| {
+        let tokens = list.stream().into_iter().collect::<Vec<_>>();
+        tokens.split(is_comma).filter(|element| !element.is_empty()).count() as i64
+    };
+    lists.map(size).collect()
+}

@@ -1,0 +1,144 @@
+//! Indices and what is counted by them.
+
+use proc_macro2::{Delimiter, Group, TokenTree};
+
+use super::ReadOperand;
+use crate::syntax::ast::{ArrayExpression, AstId, Expression, Name, Range};
+use crate::syntax::cursor::{Cursor, group_origin};
+use crate::syntax::messages;
+use crate::syntax::messages::arrays;
+use crate::syntax::parser::{Parsed, Parser};
+use crate::syntax::recovery::Turn;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::limits::MAX_INDICES;
+
+impl Parser<'_> {
+    /// The name with the indices that stand behind it.
+    pub(in crate::syntax) fn indexed(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
+        let brackets = cursor.read_brackets();
+        if let Some(first) = brackets.get(MAX_INDICES) {
+            let message = arrays::too_many_indices(&name.text, brackets.len(), MAX_INDICES);
+            return Err(self.fail_with_help(group_origin(first), message, arrays::TOO_MANY_INDICES_HELP));
+        }
+        let indices = brackets.iter().map(|group| self.index(group)).collect::<Vec<_>>();
+        Ok(Name { indices: indices.into_iter().collect::<Parsed<_>>()?, ..name })
+    }
+
+    /// `[i + 1]`
+    fn index(&mut self, group: &Group) -> Parsed<AstId> {
+        self.inside(group, |parser, cursor| {
+            if cursor.at_end() {
+                let help = arrays::INDEX_FORM_HELP;
+                return Err(parser.fail_with_help(group_origin(group), arrays::EMPTY_BRACKETS, help));
+            }
+            let index = parser.counting(cursor, Self::expression)?;
+            if cursor.at_end() {
+                return Ok(index);
+            }
+            let message = messages::expected("`]`", cursor.peek());
+            Err(parser.fail_with_help(cursor.here(), message, arrays::INDEX_FORM_HELP))
+        })
+    }
+
+    /// Reads what is made of indices.
+    pub(in crate::syntax) fn counting<T>(
+        &mut self,
+        cursor: &mut Cursor,
+        read: impl FnOnce(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<T> {
+        let before = std::mem::replace(&mut self.counts, true);
+        let result = read(self, cursor);
+        self.counts = before;
+        result
+    }
+
+    /// A name as an expression; the cursor is behind it.
+    pub(in crate::syntax) fn named(&mut self, name: Name, cursor: &Cursor) -> Parsed<ReadOperand> {
+        let origin = Origin::from(name.span);
+        if name.indices.is_empty() {
+            return Ok(self.add(Expression::Name(name.text), origin));
+        }
+        let origin = origin.to(cursor.before());
+        Ok(self.add(Expression::Array(ArrayExpression::Element(name)), origin))
+    }
+
+    /// `[a, b]` or `[[a, b], [c, d]]`
+    pub(in crate::syntax) fn elements_of(&mut self, group: &Group) -> Parsed<AstId> {
+        let mut elements = Vec::new();
+        self.inside(group, |parser, cursor| {
+            parser.turns(cursor, |parser, cursor| {
+                if cursor.at_end() {
+                    return Ok(Turn::Last);
+                }
+                elements.push(match cursor.eat_group(Delimiter::Bracket) {
+                    Some(group) => parser.elements_of(&group)?,
+                    None => parser.expression(cursor)?,
+                });
+                if cursor.eat(',').is_none() && !cursor.at_end() {
+                    let message = messages::expected(arrays::LIST_END, cursor.peek());
+                    return Err(parser.fail_with_help(cursor.here(), message, arrays::LIST_HELP));
+                }
+                Ok(Turn::Next)
+            })
+        })?;
+        Ok(self.add(Expression::Array(ArrayExpression::List(elements)), group_origin(group)).id)
+    }
+
+    /// `(i in 0..n, e)` behind the word `sum`.
+    pub(in crate::syntax) fn sum(&mut self, group: &Group, word: Origin) -> Parsed<ReadOperand> {
+        let sum = self.inside(group, |parser, cursor| {
+            let (variable, range) = parser.variable(arrays::SUM_HELP, cursor)?;
+            if cursor.eat(',').is_none() {
+                let message = messages::expected("`,`", cursor.peek());
+                return Err(parser.fail_with_help(cursor.here(), message, arrays::SUM_HELP));
+            }
+            let term = parser.within(&variable, |parser| parser.expression(cursor))?;
+            cursor.eat(',');
+            match cursor.at_end() {
+                true => Ok(ArrayExpression::Sum { variable, range, term }),
+                false => Err(parser.no_operator(cursor, "`)`")),
+            }
+        })?;
+        Ok(self.add(Expression::Array(sum), word.to(group_origin(group))))
+    }
+
+    /// Reads what a variable has values in.
+    pub(in crate::syntax) fn within<T>(&mut self, variable: &Name, read: impl FnOnce(&mut Self) -> T) -> T {
+        self.variables.push(variable.text.clone());
+        let result = read(self);
+        self.variables.pop();
+        result
+    }
+
+    /// `i in 0..n`
+    pub(in crate::syntax) fn variable(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<(Name, Range)> {
+        let variable = self.free_name(cursor)?;
+        if cursor.eat_word("in").is_none() {
+            let message = messages::expected("`in`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, help));
+        }
+        let range = self.counting(cursor, |parser, cursor| {
+            let from = parser.expression(cursor)?;
+            if !cursor.at_pair('.', '.') {
+                let origin = parser.expressions.origin(from);
+                return Err(parser.fail_with_help(origin, arrays::RANGE, arrays::RANGE_HELP));
+            }
+            cursor.skip_one();
+            cursor.skip_one();
+            let is_inclusive = cursor.eat('=').is_some();
+            Ok(Range { from, to: parser.expression(cursor)?, is_inclusive })
+        })?;
+        Ok((variable, range))
+    }
+}
+
+/// True behind the word `for` if a loop is written as it should be.
+pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
+    let is_in = matches!(cursor.peek_past(1), Some(TokenTree::Ident(word)) if word == "in");
+    cursor.ident().is_some() && is_in
+}
+
+/// True of a call that is a sum over a variable.
+pub(in crate::syntax) fn at_sum(name: &Name, group: &Group) -> bool {
+    name.text == "sum" && at_loop(&Cursor::inside(group))
+}

@@ -1,0 +1,207 @@
+//! `if c { a } else { b }`.
+
+use proc_macro2::{Delimiter, Spacing, TokenTree};
+
+use super::ReadOperand;
+use crate::syntax::ast::{ArrayExpression, AstId, Condition, Expression, IndexCondition};
+use crate::syntax::cursor::{Cursor, as_group, group_origin};
+use crate::syntax::messages;
+use crate::syntax::messages::habits;
+use crate::syntax::parser::{Parsed, Parser, Reported};
+use crate::syntax::recovery::Turn;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::Relation;
+
+/// `if condition { then } else`, with what follows still to be read.
+struct Branch {
+    start: Origin,
+    decision: Decision,
+    then: AstId,
+}
+
+/// The condition that decides between the branches.
+enum Decision {
+    /// A comparison during the motion, or of indices.
+    Comparison(Condition),
+    /// Indices alone, with all that conditions on these may hold.
+    Indices(IndexCondition),
+}
+
+impl Parser<'_> {
+    /// Reads a chain that begins with the `if` here.
+    pub(in crate::syntax) fn conditional(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
+        let mut branches = Vec::new();
+        self.turns(cursor, |parser, cursor| {
+            branches.push(parser.branch(cursor)?);
+            Ok(Turn::next_if(cursor.at_word("if")))
+        })?;
+        let last = self.block(cursor)?;
+        let nest = |otherwise: ReadOperand, branch: Branch| {
+            let Branch { start, decision, then } = branch;
+            let ReadOperand { id: otherwise, origin } = otherwise;
+            let expression = match decision {
+                Decision::Comparison(condition) => Expression::If { condition, then, otherwise },
+                Decision::Indices(condition) => {
+                    Expression::Array(ArrayExpression::Select { condition, then, otherwise })
+                }
+            };
+            self.add(expression, start.to(origin))
+        };
+        Ok(branches.into_iter().rev().fold(last, nest))
+    }
+
+    fn branch(&mut self, cursor: &mut Cursor) -> Parsed<Branch> {
+        let start = cursor.skip_one();
+        let decision = self.nested(start, |parser| parser.decision(cursor))?;
+        let then = self.block(cursor)?;
+        if cursor.eat_word("else").is_none() {
+            let origin = start.to(then.origin);
+            return Err(self.fail_with_help(origin, messages::MISSING_ELSE, messages::MISSING_ELSE_HELP));
+        }
+        Ok(Branch { start, decision, then: then.id })
+    }
+
+    fn decision(&mut self, cursor: &mut Cursor) -> Parsed<Decision> {
+        if !self.are_indices_asked(cursor) {
+            return self.condition(cursor).map(Decision::Comparison);
+        }
+        let condition = self.counting(cursor, Self::index_condition)?;
+        match cursor.group(Delimiter::Brace) {
+            Some(_) => Ok(Decision::Indices(condition)),
+            None => Err(self.no_block(cursor, "`{`")),
+        }
+    }
+
+    /// True if a condition compares a variable of a loop in a way that is for indices only.
+    fn are_indices_asked(&self, cursor: &Cursor) -> bool {
+        if self.variables.is_empty() {
+            return false;
+        }
+        let is_variable = |word: &str| self.variables.iter().any(|variable| variable == word);
+        let (mut has_variable, mut has_sign) = (false, false);
+        let is_before = |token: &&TokenTree| !matches!(token, TokenTree::Group(group) if group.delimiter() == Delimiter::Brace);
+        let mut pending = cursor.rest().iter().take_while(is_before).cloned().collect::<Vec<_>>();
+        pending.reverse();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Ident(word) => has_variable |= is_variable(&word.to_string()),
+                TokenTree::Punct(punct) if punct.as_char() == ';' => break,
+                TokenTree::Punct(punct) => {
+                    let is_doubled = punct.spacing() == Spacing::Joint
+                        && matches!(pending.last(), Some(TokenTree::Punct(next)) if next.as_char() == '=');
+                    has_sign |= "!&|%".contains(punct.as_char()) || punct.as_char() == '=' && is_doubled;
+                }
+                TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis => {
+                    let content = group.stream().into_iter().collect::<Vec<_>>();
+                    pending.extend(content.into_iter().rev());
+                }
+                // What stands in square brackets is an index, whatever is compared.
+                TokenTree::Group(_) | TokenTree::Literal(_) => {}
+            }
+        }
+        has_variable && has_sign
+    }
+
+    fn condition(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
+        let block_follows = as_group(cursor.peek_past(1), Delimiter::Brace).is_some();
+        if let Some(group) = cursor.group(Delimiter::Parenthesis).filter(|_| block_follows).cloned() {
+            cursor.skip_one();
+            return self.inside(&group, |parser, cursor| {
+                let condition = parser.comparison(cursor)?;
+                if cursor.at_end() { Ok(condition) } else { Err(parser.no_block(cursor, "`)`")) }
+            });
+        }
+        let condition = self.comparison(cursor)?;
+        if cursor.group(Delimiter::Brace).is_some() {
+            Ok(condition)
+        } else {
+            Err(self.no_block(cursor, "`{`"))
+        }
+    }
+
+    fn comparison(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
+        if cursor.at('!') {
+            return Err(self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP));
+        }
+        let left = self.expression(cursor)?;
+        let Some(relation) = relation(cursor) else {
+            return Err(self.no_relation(cursor));
+        };
+        let right = self.expression(cursor)?;
+        Ok(Condition { left, relation, right })
+    }
+
+    fn no_relation(&mut self, cursor: &Cursor) -> Reported {
+        let equality = cursor.at_pair('=', '=') || cursor.at_pair('!', '=') || cursor.equals_past(0);
+        if equality && !cursor.at_pair('=', '<') {
+            self.fail_with_help(cursor.here_to_pair(), messages::EQUALITY, messages::EQUALITY_HELP)
+        } else if is_logical(cursor) {
+            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
+        } else if cursor.group(Delimiter::Brace).is_some() {
+            let message = messages::expected(messages::COMPARISON, cursor.peek());
+            self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP)
+        } else {
+            self.no_operator(cursor, messages::COMPARISON)
+        }
+    }
+
+    /// Reports what stands behind a comparison instead of what should.
+    fn no_block(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
+        if is_logical(cursor) {
+            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
+        } else if cursor.at('<') || cursor.at('>') || cursor.at_pair('=', '=') {
+            self.fail_with_help(cursor.here(), messages::COMPARISON_CHAIN, messages::LOGIC_HELP)
+        } else {
+            self.no_operator(cursor, wanted)
+        }
+    }
+
+    /// `{ e }`.
+    fn block(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            let message = messages::expected("`{`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP));
+        };
+        let origin = group_origin(&group);
+        match self.inside(&group, |parser, cursor| parser.block_content(cursor, origin)) {
+            Ok(id) => Ok(ReadOperand { id, origin }),
+            Err(Reported) => Ok(self.add(Expression::Invalid, origin)),
+        }
+    }
+
+    fn block_content(&mut self, cursor: &mut Cursor, origin: Origin) -> Parsed<AstId> {
+        if cursor.at_end() {
+            let help = habits::MISSING_EXPRESSION;
+            return Err(self.fail_with_help(origin, messages::EMPTY_BLOCK, help));
+        }
+        let value = if cursor.at_statement() { None } else { Some(self.expression(cursor)?) };
+        match value {
+            Some(value) if cursor.at_end() => Ok(value),
+            Some(_) if !cursor.at(';') => Err(self.no_operator(cursor, "`}`")),
+            _ => Err(self.fail_with_help(cursor.here(), messages::BLOCK_CONTENT, messages::LET_HELP)),
+        }
+    }
+}
+
+fn is_logical(cursor: &Cursor) -> bool {
+    let is_word = ["and", "or"].iter().any(|word| cursor.at_word(word));
+    is_word || cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
+}
+
+/// Takes an order relation, if one stands here.
+fn relation(cursor: &mut Cursor) -> Option<Relation> {
+    let (strict, or_equal) = match cursor.peek() {
+        Some(TokenTree::Punct(punct)) if punct.as_char() == '<' => (Relation::Less, Relation::LessEqual),
+        Some(TokenTree::Punct(punct)) if punct.as_char() == '>' => {
+            (Relation::Greater, Relation::GreaterEqual)
+        }
+        _ => return None,
+    };
+    let with_equality = cursor.at_pair('<', '=') || cursor.at_pair('>', '=');
+    cursor.skip_one();
+    if with_equality {
+        cursor.skip_one();
+        return Some(or_equal);
+    }
+    Some(strict)
+}

@@ -1,0 +1,101 @@
+//! Functions of other languages.
+
+use super::filled;
+use super::rates::derivative;
+
+/// Functions with other names, or with another number of arguments than theirs, and how they are written: `#1` is the first
+/// argument. Rows with more arguments than there are do not fit.
+pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
+    (&["log", "loge", "Log"], 1, "ln(#1)"),
+    (&["log"], 2, "ln(#1)/ln(#2)"),
+    (&["log10", "lg"], 1, "ln(#1)/ln(10)"),
+    (&["log2", "ld"], 1, "ln(#1)/ln(2)"),
+    (&["arcsin", "ArcSin"], 1, "asin(#1)"),
+    (&["arccos", "ArcCos"], 1, "acos(#1)"),
+    (&["arctan", "ArcTan"], 1, "atan(#1)"),
+    (&["arctan", "arctan2", "ArcTan", "atan", "Atan2"], 2, "atan2(#1, #2)"),
+    (&["sec"], 1, "1/cos(#1)"),
+    (&["csc", "cosec"], 1, "1/sin(#1)"),
+    (&["cot", "cotan"], 1, "1/tan(#1)"),
+    (&["asinh", "arcsinh"], 1, "ln(#1 + sqrt(#1^2 + 1))"),
+    (&["acosh", "arccosh"], 1, "ln(#1 + sqrt(#1^2 - 1))"),
+    (&["atanh", "arctanh"], 1, "1/2 * ln((1 + #1)/(1 - #1))"),
+    (&["fabs", "Abs", "modulus"], 1, "abs(#1)"),
+    (&["sgn", "signum", "Sign"], 1, "sign(#1)"),
+    (&["sqr", "square", "sq"], 1, "#1^2"),
+    (&["cbrt"], 1, "#1^(1/3)"),
+    (&["sqrt", "root", "nthroot"], 2, "#1^(1/#2)"),
+    (&["power", "Pow", "Power", "Math_pow"], 2, "#1^#2"),
+    (&["exp2"], 1, "2^#1"),
+    (&["recip"], 1, "1/#1"),
+    (&["half"], 1, "1/2 * #1"),
+    (&["to_radians", "radians", "deg2rad", "rad", "deg"], 1, "#1 * pi/180"),
+    (&["to_degrees", "degrees", "rad2deg"], 1, "#1 * 180/pi"),
+    (&["length", "magnitude", "mag", "len", "Norm", "norm2"], 1, "norm(#1)"),
+    (&["norm", "length", "magnitude"], 2, "norm((#1, #2))"),
+    (&["norm", "length", "magnitude"], 3, "norm((#1, #2, #3))"),
+    (&["normalize", "normalise", "unit"], 1, "#1/norm(#1)"),
+    (&["dot", "inner_product", "dot_product", "scalar_product", "Dot"], 2, "inner(#1, #2)"),
+    (&["cross_product", "vector_product", "Cross"], 2, "cross(#1, #2)"),
+    (&["vec", "vector", "Vector", "Vec2", "vec2", "Matrix", "array"], 2, "(#1, #2)"),
+    (&["vec", "vector", "Vector", "Vec3", "vec3", "Matrix", "array"], 3, "(#1, #2, #3)"),
+    (&["min"], 3, "min(#1, min(#2, #3))"),
+    (&["max"], 3, "max(#1, max(#2, #3))"),
+    (&["clamp", "clip", "saturate"], 3, "min(max(#1, #2), #3)"),
+    (&["heaviside", "Heaviside", "step"], 1, "if #1 > 0 { 1 } else { 0 }"),
+    (&["relu", "positive", "ramp"], 1, "max(#1, 0)"),
+    (&["where", "ifelse", "select", "iif"], 3, "if a > 0 { #2 } else { #3 }"),
+    (&["mul_add"], 3, "#1 * #2 + #3"),
+    (&["add"], 2, "#1 + #2"),
+    (&["sub"], 2, "#1 - #2"),
+    (&["mul", "times"], 2, "#1 * #2"),
+    (&["div"], 2, "#1/#2"),
+    (&["neg"], 1, "-#1"),
+];
+
+/// Arguments that stand alone in a template are put in parentheses unless they are words.
+fn bracketed(argument: &str) -> String {
+    let is_word = argument.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');
+    let is_enclosed = argument.ends_with(')') && closes_at_its_end(argument);
+    if is_word || is_enclosed { argument.to_owned() } else { format!("({argument})") }
+}
+
+/// True if the first bracket of a text is closed by its last character, and nothing but a word stands before it.
+fn closes_at_its_end(text: &str) -> bool {
+    let Some(open) = text.find('(') else { return false };
+    let is_call = text[..open].chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');
+    let mut depth = 0;
+    let closing = text[open..].char_indices().find(|(_, c)| {
+        depth += i32::from(*c == '(') - i32::from(*c == ')');
+        depth == 0
+    });
+    is_call && closing.is_some_and(|(at, _)| open + at + 1 == text.len())
+}
+
+/// Spelling here of a call of a function that does not exist, or not with that many arguments.
+pub fn function(name: &str, arguments: &[String]) -> Option<String> {
+    if let Some(rate) = derivative(name, arguments) {
+        return Some(rate.written());
+    }
+    let fits =
+        |(names, count, _): &&(&[&str], usize, &str)| names.contains(&name) && *count == arguments.len();
+    let (.., template) = FUNCTIONS.iter().find(fits)?;
+    if template.contains("((") && arguments.iter().any(|argument| argument.starts_with('(')) {
+        // What becomes the component of a vector is none itself.
+        return None;
+    }
+    let is_alone = |place: &str| {
+        // Between parentheses or commas nothing can be torn apart.
+        let around = |at: usize| {
+            let before = template[..at].trim_end().chars().last();
+            let after = template[at + place.len()..].trim_start().chars().next();
+            matches!(before, Some('(' | ',' | '{')) && matches!(after, Some(')' | ',' | '}'))
+        };
+        template.match_indices(place).all(|(at, _)| around(at))
+    };
+    let texts = arguments.iter().enumerate().map(|(i, argument)| match is_alone(&format!("#{}", i + 1)) {
+        true => argument.clone(),
+        false => bracketed(argument),
+    });
+    Some(filled(template, &texts.collect::<Vec<_>>()))
+}

@@ -1,0 +1,93 @@
+//! Identifiers, and which of them can be names.
+
+use lagrange_expr::keywords::is_rust_keyword;
+use proc_macro2::{Ident, TokenTree};
+
+use super::ast::Name;
+use super::cursor::Cursor;
+use super::keywords;
+use super::messages;
+use super::messages::habits;
+use super::parser::{Parsed, Parser, Reported};
+
+impl Parser<'_> {
+    /// Reads a name that is being declared. One that cannot be a name is reported and left out of the
+    /// syntax tree, so every declared name there is an identifier of Rust and of the language.
+    pub(super) fn free_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        if cursor.ident().is_none() {
+            return Err(self.no_name(habits::name_help(cursor.peek()), cursor));
+        }
+        let name = self.name(cursor)?;
+        match objection(&name.text) {
+            None => Ok(name),
+            Some(message) => Err(self.fail_with_help(name.span, message, messages::OTHER_NAME_HELP)),
+        }
+    }
+
+    /// Reports that what is declared here has no name. It may be mentioned under the name that it was to have.
+    pub(super) fn no_name(&mut self, help: &str, cursor: &Cursor) -> Reported {
+        self.lacks_names = true;
+        let message = messages::expected("a name", cursor.peek());
+        self.fail_with_help(cursor.here(), message, help)
+    }
+
+    /// Reads any identifier that is not raw.
+    pub(super) fn name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        match cursor.eat_ident() {
+            Some(ident) => self.plain(&ident),
+            None => {
+                let message = messages::expected("a name", cursor.peek());
+                Err(self.fail_with_help(cursor.here(), message, habits::name_help(cursor.peek())))
+            }
+        }
+    }
+
+    /// The name that an identifier spells, if it is not raw.
+    pub(super) fn plain(&mut self, ident: &Ident) -> Parsed<Name> {
+        let (text, span) = (ident.to_string(), ident.span());
+        match text.strip_prefix("r#") {
+            None => Ok(Name::new(text, span)),
+            Some(_) => Err(self.fail_with_help(span, messages::raw_name(&text), messages::OTHER_NAME_HELP)),
+        }
+    }
+}
+
+/// True if a declaration can introduce this identifier wherever names stand. Keywords, functions
+/// and names with a meaning of their own it cannot, nor words that begin a statement or go on with
+/// one in some places only.
+pub fn can_be_declared(identifier: &str) -> bool {
+    objection(identifier).is_none()
+        && keywords::soft_statement(identifier).is_none()
+        && !keywords::is_connective(identifier)
+}
+
+/// Why a declaration cannot introduce this name, if it cannot.
+fn objection(name: &str) -> Option<String> {
+    if keywords::begins_statement(name) {
+        Some(messages::statement_keyword_as_name(name))
+    } else if is_rust_keyword(name) {
+        Some(messages::rust_keyword_as_name(name))
+    } else if keywords::is_function(name) {
+        Some(messages::function_as_name(name))
+    } else if let Some(meaning) = keywords::built_in(name) {
+        Some(messages::built_in_as_name(name, meaning))
+    } else if name == "_" {
+        Some(messages::UNDERSCORE_AS_NAME.to_owned())
+    } else if name.starts_with("__") {
+        Some(messages::reserved_name(name))
+    } else {
+        None
+    }
+}
+
+/// True if an `=`, or what is like it elsewhere, stands behind the next `count` tokens.
+pub(super) fn at_equals_past(count: usize, cursor: &Cursor) -> bool {
+    let is = |ahead: usize, characters: &str| matches!(cursor.peek_past(ahead), Some(TokenTree::Punct(punct)) if characters.contains(punct.as_char()));
+    let is_assignment = is(count, ":+") && is(count + 1, "=");
+    cursor.equals_past(count) || is_assignment || is(count, "=") && is(count + 1, "=")
+}
+
+/// True if an equality or an inequality follows.
+pub(super) fn at_relation(cursor: &Cursor) -> bool {
+    cursor.at('=') || cursor.at('<') || cursor.at('>') || cursor.at_pair('!', '=')
+}

@@ -1,0 +1,114 @@
+//! Declarations as the user writes them: tokens to syntax tree.
+//!
+//! Knows how things are written, not what they mean: names are not resolved, functions not looked up,
+//! vectors not told from numbers. Reading goes on behind a mistake, at the next comma or semicolon, so that
+//! all mistakes of a declaration are found at once.
+//!
+//! ```text
+//! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
+//! sum         = product { ( "+" | "-" ) product }
+//! product     = signed { ( "*" | "/" | "%" ) signed }
+//! signed      = { "-" } power
+//! power       = operand [ "^" signed ]
+//! operand     = atom { "." NAME [ "(" [ sum { "," sum } ] ")" ] }
+//! atom        = NUMBER [ NAME [ "^" exponent ] | "[" unit "]" ] | NAME [ "(" [ sum { "," sum } ] ")" ] | NAME { "[" sum "]" } | "(" sum ")"
+//!             | "sum" "(" NAME "in" sum ".." [ "=" ] sum "," sum [ "," ] ")"
+//!             | "(" sum "," sum [ "," sum ] ")"
+//!             | "if" sum ( "<" | "<=" | ">" | ">=" ) sum "{" sum "}" "else" ( "{" sum "}" | if )
+//! unit        = factor { ( "*" | "/" ) factor }
+//! factor      = ( NAME | "1" | "(" unit ")" ) [ "^" exponent ]
+//! exponent    = [ "-" ] NUMBER | "(" [ "-" ] NUMBER [ "/" NUMBER ] ")"
+//! ```
+//!
+//! `%` stands in indices only. Statements are in the documentation of [`StatementKind`](ast::StatementKind).
+
+pub mod ast;
+mod attributes;
+mod blocks;
+mod bodies;
+mod connectors;
+mod cursor;
+mod definitions;
+mod events;
+mod expressions;
+pub mod foreign;
+mod friction;
+mod functions;
+mod habits;
+mod header;
+mod identifiers;
+mod joints;
+mod keywords;
+mod literals;
+mod messages;
+mod mobilizers;
+mod names;
+mod options;
+mod parser;
+pub mod print;
+mod recovery;
+mod reductions;
+mod solve;
+mod statements;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod text;
+mod unexpected;
+mod unit_names;
+mod units;
+mod values;
+
+use proc_macro2::TokenStream;
+
+use ast::{Declaration, declared_bodies};
+use cursor::Cursor;
+use header::{default_header, header_ahead};
+pub use identifiers::can_be_declared;
+pub use keywords::STRUCTURAL_FUNCTIONS;
+use lagrange_expr::diagnostics::Report;
+use parser::Parser;
+
+/// Reads the input of `system!`.
+///
+/// Whatever can be read is in the result, whether or not there are mistakes elsewhere. It is `None` only if
+/// no struct is named, which is an error in the report.
+pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
+    let cursor = &mut Cursor::new(tokens);
+    let parser = &mut Parser::new(report);
+    let header = parser.header(cursor).ok()?;
+    Some(with_statements(header, parser, cursor))
+}
+
+/// Reads a declaration from a string.
+///
+/// The text may also be a bare list of statements: then the system is public, has no attributes, computes
+/// in `f64` and is named `System`. A text that does not consist of tokens, because of an unclosed bracket for
+/// example, gives an error and `None`.
+pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
+    let cursor = &mut Cursor::new(text::tokens(text, report)?);
+    let parser = &mut Parser::new(report);
+    let header = match header_ahead(cursor) {
+        true => parser.header(cursor).ok()?,
+        false => default_header(),
+    };
+    Some(with_statements(header, parser, cursor))
+}
+
+fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {
+    let statements = parser.statements(cursor);
+    let mut expressions = std::mem::take(&mut parser.expressions);
+    expressions.end_of_text();
+    let unreadable_words = std::mem::take(&mut parser.unreadable_words);
+    let bodies = declared_bodies(&statements);
+    Declaration {
+        statements,
+        bodies,
+        expressions,
+        unreadable_words,
+        lacks_names: parser.lacks_names,
+        has_units: parser.has_units,
+        has_dimensions: parser.has_dimensions,
+        ..header
+    }
+}

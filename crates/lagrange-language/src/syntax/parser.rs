@@ -1,0 +1,181 @@
+//! State and helpers that the readers of statements and of expressions share.
+
+use proc_macro2::{Group, TokenTree};
+
+use super::ast::{AstId, Expression, Expressions, StatementKind};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::limits::MAX_NESTING;
+
+/// Reads one declaration; the grammar is spread over the modules named after its parts.
+pub(super) struct Parser<'r> {
+    pub(super) report: &'r mut Report,
+    pub(super) expressions: Expressions,
+    /// True if tokens of the current statement were skipped, so that nothing is said about its end.
+    pub(super) skipped: bool,
+    /// True where indices are read, which know the operator `%`.
+    pub(super) counts: bool,
+    /// Variables of the loops and sums around what is read.
+    pub(super) variables: Vec<String>,
+    /// Words in what was left out of the syntax tree.
+    pub(super) unreadable_words: HashMap<String, ()>,
+    /// Names that were declared where the text could be read.
+    pub(super) declared_names: HashMap<String, Declared>,
+    /// True if something is declared without the name that it should have.
+    pub(super) lacks_names: bool,
+    /// True if a unit of measurement is written anywhere.
+    pub(super) has_units: bool,
+    /// True if one of these measures more than plain numbers and angles.
+    pub(super) has_dimensions: bool,
+    /// Messages that are given only once in a statement.
+    said: HashMap<String, ()>,
+    depth: u32,
+}
+
+/// Kind of a declared name, as far as reading depends on it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Declared {
+    Parameter,
+    Coordinate,
+    Other,
+}
+
+impl Declared {
+    /// Kind of the names that a statement declares.
+    pub(super) fn by(kind: &StatementKind) -> Declared {
+        match kind {
+            StatementKind::Parameters(_) | StatementKind::Inputs(_) | StatementKind::Constants(_) => {
+                Declared::Parameter
+            }
+            StatementKind::Coordinates(_) => Declared::Coordinate,
+            _ => Declared::Other,
+        }
+    }
+}
+
+/// A mistake was reported that makes a part of the input unreadable.
+pub(super) struct Reported;
+
+/// Result of reading, unless a mistake was reported instead.
+pub(super) type Parsed<T> = Result<T, Reported>;
+
+impl<'r> Parser<'r> {
+    pub(super) fn new(report: &'r mut Report) -> Parser<'r> {
+        Parser {
+            report,
+            expressions: Expressions::default(),
+            skipped: false,
+            counts: false,
+            variables: Vec::new(),
+            unreadable_words: HashMap::default(),
+            declared_names: HashMap::default(),
+            lacks_names: false,
+            has_units: false,
+            has_dimensions: false,
+            said: HashMap::default(),
+            depth: 0,
+        }
+    }
+
+    /// Reports a mistake with what to do about it.
+    pub(super) fn fail_with_help(
+        &mut self,
+        origin: impl Into<Origin>,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Reported {
+        self.report.error(origin, message).help(help);
+        Reported
+    }
+
+    /// Reports a mistake that is likely made again and again in a statement, where it is made first.
+    pub(super) fn fail_once(&mut self, origin: impl Into<Origin>, message: &str, help: &str) -> Reported {
+        if self.said.insert(message.to_owned(), ()).is_none() {
+            self.report.error(origin, message).help(help);
+        }
+        Reported
+    }
+
+    /// True if [`Parser::fail_once`] said this of the statement.
+    pub(super) fn has_said(&self, message: &str) -> bool {
+        self.said.contains(&message.to_owned())
+    }
+
+    /// Forgets what was said of the last statement.
+    pub(super) fn begin_statement(&mut self) {
+        self.skipped = false;
+        self.said = HashMap::default();
+    }
+
+    /// Kind that a name was declared as, where the text could be read.
+    pub(super) fn declared(&self, name: &str) -> Option<Declared> {
+        self.declared_names.get(&name.to_owned()).copied()
+    }
+
+    /// Placeholder for the tokens since a position of the cursor, which a reported mistake made unreadable.
+    pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
+        self.expressions.add(Expression::Invalid, cursor.since(start))
+    }
+
+    /// Remembers the words since a position of the cursor, which are left out of the syntax tree.
+    pub(super) fn leave_out(&mut self, cursor: &Cursor, start: usize) {
+        let mut pending = cursor.taken_since(start).to_vec();
+        while let Some(token) = pending.pop() {
+            match token {
+                TokenTree::Ident(word) => drop(self.unreadable_words.insert(word.to_string(), ())),
+                TokenTree::Group(group) => pending.extend(group.stream()),
+                TokenTree::Punct(_) | TokenTree::Literal(_) => {}
+            }
+        }
+    }
+
+    /// Reads what stands between the brackets of a group.
+    pub(super) fn inside<T>(
+        &mut self,
+        group: &Group,
+        read: impl FnOnce(&mut Self, &mut Cursor) -> Parsed<T>,
+    ) -> Parsed<T> {
+        self.nested(group_origin(group), |parser| {
+            let (mut cursor, mistakes) = (Cursor::inside(group), parser.report.diagnostics().len());
+            let content = read(parser, &mut cursor);
+            parser.refuse_brackets(&mut cursor, mistakes);
+            content
+        })
+    }
+
+    /// Reports square brackets that belong to a word which cannot have any, unless there are other mistakes around it.
+    pub(super) fn refuse_brackets(&mut self, cursor: &mut Cursor, mistakes: usize) {
+        let unread = cursor.forget_brackets();
+        if let Some(group) = unread.filter(|_| self.report.diagnostics().len() == mistakes) {
+            self.fail_with_help(group_origin(&group), messages::INDEX, messages::INDEX_HELP);
+        }
+    }
+
+    /// Checks that tokens which are kept as they are can be walked by recursion.
+    pub(super) fn shallow(&mut self, cursor: &mut Cursor) -> Parsed<()> {
+        for token in cursor.rest() {
+            if let TokenTree::Group(group) = token {
+                self.inside(group, Self::shallow)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Reads something that may hold others of its kind.
+    pub(super) fn nested<T>(
+        &mut self,
+        origin: Origin,
+        read: impl FnOnce(&mut Self) -> Parsed<T>,
+    ) -> Parsed<T> {
+        if self.depth == MAX_NESTING {
+            let help = messages::NESTED_TOO_DEEPLY_HELP;
+            return Err(self.fail_with_help(origin, messages::NESTED_TOO_DEEPLY, help));
+        }
+        self.depth += 1;
+        let result = read(self);
+        self.depth -= 1;
+        result
+    }
+}

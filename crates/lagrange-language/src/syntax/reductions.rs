@@ -1,0 +1,80 @@
+//! Statements that declare reduced types.
+
+use proc_macro2::Delimiter;
+
+use super::ast::{Reduction, ReductionItem, ReductionKind};
+use super::cursor::{Cursor, group_origin};
+use super::definitions::List;
+use super::foreign;
+use super::messages;
+use super::messages::forms::form;
+use super::parser::{Parsed, Parser};
+use lagrange_expr::diagnostics::nearest;
+
+/// The words that can begin a line of a reduction.
+const WORDS: [(&str, ReductionKind); 2] =
+    [("freeze", ReductionKind::Frozen), ("small", ReductionKind::Small)];
+
+impl Parser<'_> {
+    /// `Name { freeze x = e; small theta, phi = e; }`.
+    pub(super) fn reduction(&mut self, cursor: &mut Cursor) -> Parsed<Reduction> {
+        let name = self.type_name(cursor)?;
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            let message = messages::expected("`{`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form("reduce")));
+        };
+        if group.stream().is_empty() {
+            let help = form("reduce");
+            self.report.error(group_origin(&group), messages::NOTHING_REDUCED).help(help);
+        }
+        // A mistake between the braces leaves the end of the statement in place.
+        let items = self.inside(&group, Self::reduction_lines).unwrap_or_default();
+        Ok(Reduction { name, items })
+    }
+
+    fn reduction_lines(&mut self, cursor: &mut Cursor) -> Parsed<Vec<ReductionItem>> {
+        let mut items = Vec::new();
+        self.each(cursor, |parser, cursor| {
+            if cursor.eat(';').is_some() {
+                return;
+            }
+            parser.begin_statement();
+            match parser.reduction_line(cursor) {
+                Ok(line) => items.extend(line),
+                Err(_) => parser.skip_statement(cursor),
+            }
+            if cursor.eat(';').is_none() && !parser.skipped {
+                parser.missing_semicolon(cursor);
+            }
+        });
+        Ok(items)
+    }
+
+    fn reduction_line(&mut self, cursor: &mut Cursor) -> Parsed<Vec<ReductionItem>> {
+        let (here, found) = (cursor.here(), cursor.peek().cloned());
+        let word = cursor.eat_ident().map(|word| word.to_string()).unwrap_or_default();
+        let Some((_, kind)) = WORDS.iter().find(|(known, _)| *known == word) else {
+            let message = messages::expected(messages::REDUCTION_ITEM, found.as_ref());
+            let known = WORDS.map(|(known, _)| known);
+            let help = match foreign::label(&word, known).or_else(|| nearest(&word, known)) {
+                Some(known) => messages::meant(known),
+                None => form("reduce").to_owned(),
+            };
+            return Err(self.fail_with_help(here, message, help));
+        };
+        let list = List { help: form("reduce"), has_values: true };
+        Ok(self.items(list, cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
+    }
+
+    fn reduction_item(&mut self, kind: ReductionKind, cursor: &mut Cursor) -> Parsed<ReductionItem> {
+        let coordinate = self.name(cursor)?;
+        let coordinate = self.indexed(coordinate, cursor)?;
+        let value = cursor.eat_equals().map(|_| self.item_value(cursor));
+        if value.is_none() && kind == ReductionKind::Frozen {
+            let message = messages::frozen_without_value(&coordinate.text);
+            let help = messages::frozen_without_value_help(&coordinate.text);
+            self.report.error(coordinate.span, message).help(help);
+        }
+        Ok(ReductionItem { coordinate, kind, value })
+    }
+}

@@ -1,0 +1,166 @@
+//! Statements that tabulate functions.
+
+use proc_macro2::{Delimiter, Group, Literal, Span, TokenTree};
+
+use super::ast::{AstId, Name, TableDefinition, TableSource};
+use super::cursor::{Cursor, group_origin};
+use super::messages;
+use super::messages::forms::form;
+use super::messages::tables as words;
+use super::options::StatementOptions;
+use super::parser::{Parsed, Parser};
+use super::recovery::Turn;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::opaque::{Interpolation, Outside};
+
+/// The options after the points, with their places.
+#[derive(Default)]
+struct TableOptions {
+    interpolation: Option<(Interpolation, Span)>,
+    outside: Option<(Outside, Span)>,
+}
+
+/// Labels of what is said behind the points.
+const LABELS: [&str; 2] = ["interpolation", "outside"];
+const OPTIONS: StatementOptions =
+    StatementOptions { keyword: "table", labels: LABELS, unknown: words::unknown_option };
+
+impl Parser<'_> {
+    /// `f(x) = [(a, b), (c, d)], interpolation: natural, outside: extend`.
+    pub(super) fn table(&mut self, cursor: &mut Cursor) -> Parsed<TableDefinition> {
+        let (name, parameters) = self.function_head("table", cursor)?;
+        if let [_, _, third, ..] = &parameters[..] {
+            self.report.error(third.span, words::TOO_MANY_ARGUMENTS).help(form("table"));
+        }
+        self.equals(form("table"), cursor)?;
+        let source = self.points_or_file(parameters.len() + 1, cursor)?;
+        let options = self.options(cursor)?;
+        let mut unsaid = |label: &'static str, help: String| {
+            self.fail_with_help(name.span, words::unsaid(label, &name.text), help)
+        };
+        let Some((interpolation, place)) = options.interpolation else {
+            return Err(unsaid(LABELS[0], words::ways(LABELS[0], &Interpolation::ALL.map(|(name, _)| name))));
+        };
+        let Some((outside, _)) = options.outside else {
+            return Err(unsaid(LABELS[1], words::ways(LABELS[1], &Outside::ALL.map(|(name, _)| name))));
+        };
+        if interpolation == Interpolation::Monotone && parameters.len() > 1 {
+            self.report.error(place, words::MONOTONE_SURFACE).help(words::MONOTONE_SURFACE_HELP);
+        }
+        Ok(TableDefinition { name, parameters, source, interpolation, outside })
+    }
+
+    fn points_or_file(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<TableSource> {
+        if let Some(group) = cursor.eat_group(Delimiter::Bracket) {
+            return Ok(TableSource::Points(
+                self.inside(&group, |parser, cursor| parser.points(components, cursor))?,
+            ));
+        }
+        let path = match cursor.peek() {
+            Some(TokenTree::Literal(literal)) => string(literal),
+            _ => None,
+        };
+        let Some(path) = path else {
+            let message = messages::expected(words::POINTS, cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, form("table")));
+        };
+        cursor.skip_one();
+        Ok(TableSource::File { path, contents: None })
+    }
+
+    fn points(&mut self, components: usize, cursor: &mut Cursor) -> Parsed<Vec<(Vec<AstId>, Origin)>> {
+        let mut points = Vec::new();
+        self.turns(cursor, |parser, cursor| {
+            if cursor.at_end() {
+                return Ok(Turn::Last);
+            }
+            let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+                let message = messages::expected(words::POINT, cursor.peek());
+                return Err(parser.fail_with_help(cursor.here(), message, words::point_help(components)));
+            };
+            points.push((parser.point(components, &group)?, group_origin(&group)));
+            if cursor.eat(',').is_none() && !cursor.at_end() {
+                let message = messages::expected("`,` or `]`", cursor.peek());
+                return Err(parser.fail_with_help(cursor.here(), message, form("table")));
+            }
+            Ok(Turn::Next)
+        })?;
+        Ok(points)
+    }
+
+    /// `a, b` between parentheses.
+    fn point(&mut self, components: usize, group: &Group) -> Parsed<Vec<AstId>> {
+        let point = self.inside(group, |parser, cursor| {
+            let mut point = Vec::new();
+            parser.turns(cursor, |parser, cursor| {
+                point.push(parser.expression(cursor)?);
+                Ok(Turn::next_if(cursor.eat(',').is_some() && !cursor.at_end()))
+            })?;
+            match cursor.at_end() {
+                true => Ok(point),
+                false => Err(parser.no_operator(cursor, "`,` or `)`")),
+            }
+        })?;
+        if point.len() == components {
+            return Ok(point);
+        }
+        let message = words::component_count(point.len());
+        Err(self.fail_with_help(group_origin(group), message, words::point_help(components)))
+    }
+
+    /// `, interpolation: natural, outside: extend`.
+    fn options(&mut self, cursor: &mut Cursor) -> Parsed<TableOptions> {
+        let mut options = TableOptions::default();
+        self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
+            parser.option(label, here, &mut options, cursor)
+        })?;
+        if !cursor.at_statement_end() {
+            return Err(self.no_operator(cursor, "`,` or `;`"));
+        }
+        Ok(options)
+    }
+
+    fn option(
+        &mut self,
+        label: &'static str,
+        place: Origin,
+        options: &mut TableOptions,
+        cursor: &mut Cursor,
+    ) -> Parsed<()> {
+        let first = match label {
+            "interpolation" => options.interpolation.map(|(_, first)| first),
+            _ => options.outside.map(|(_, first)| first),
+        };
+        self.once(label, place, first.map(Into::into));
+        let span = cursor.here().start;
+        match label {
+            "interpolation" => {
+                options.interpolation = Some((self.way(label, Interpolation::ALL, cursor)?, span));
+            }
+            _ => options.outside = Some((self.way(label, Outside::ALL, cursor)?, span)),
+        }
+        Ok(())
+    }
+
+    /// One of several ways, by name.
+    fn way<T>(&mut self, label: &str, ways: [(&'static str, T); 3], cursor: &mut Cursor) -> Parsed<T> {
+        let names = ways.each_ref().map(|(name, _)| *name);
+        let (here, word) = (cursor.here(), cursor.ident().map(ToString::to_string));
+        let found = ways.into_iter().find(|(name, _)| word.as_deref() == Some(*name));
+        let Some((_, way)) = found else {
+            let help = words::ways(label, &names);
+            return Err(match word {
+                Some(word) => self.fail_with_help(here, words::unknown_way(label, &word), help),
+                None => self.fail_with_help(here, messages::expected("a name", cursor.peek()), help),
+            });
+        };
+        cursor.skip_one();
+        Ok(way)
+    }
+}
+
+/// The contents of a string literal, if it is one.
+fn string(literal: &Literal) -> Option<Name> {
+    let string = syn::parse2::<syn::LitStr>(TokenTree::Literal(literal.clone()).into()).ok()?;
+    Some(Name::new(string.value(), literal.span()))
+}

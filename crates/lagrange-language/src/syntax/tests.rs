@@ -1,0 +1,176 @@
+mod bodies;
+mod expressions;
+mod facts;
+mod functions;
+mod habits;
+mod header;
+mod limits;
+mod mistakes;
+mod print;
+mod statements;
+mod systems;
+mod units;
+
+use super::ast::{
+    Action, Assignment, AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions,
+    Friction, Name, Reduction, ReductionItem, StatementKind,
+};
+use super::parse_text;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::Relation;
+
+/// A declaration without mistakes.
+fn read(text: &str) -> Declaration {
+    let mut report = Report::default();
+    let declaration = parse_text(text, &mut report);
+    assert!(report.diagnostics().is_empty(), "{text}\n{report}");
+    declaration.expect("a report without errors comes with a declaration")
+}
+
+/// What is reported about a text, and what could be read.
+fn read_wrong(text: &str) -> (Option<Declaration>, String) {
+    let mut report = Report::default();
+    let declaration = parse_text(text, &mut report);
+    assert!(report.has_errors(), "{text}");
+    (declaration, report.to_string())
+}
+
+/// The first lines of all errors, without what the help says.
+fn errors(text: &str) -> Vec<String> {
+    let mut report = Report::default();
+    parse_text(text, &mut report);
+    let lines = report.to_string().lines().map(str::to_owned).collect::<Vec<_>>();
+    lines.into_iter().filter(|line| !line.starts_with(' ')).collect()
+}
+
+/// An expression as nested lists, operators first.
+fn shown(expressions: &Expressions, id: AstId) -> String {
+    let show = |id: AstId| shown(expressions, id);
+    let list = |head: &str, parts: &[AstId]| {
+        let parts = parts.iter().map(|&part| format!(" {}", show(part))).collect::<String>();
+        format!("({head}{parts})")
+    };
+    match expressions.get(id) {
+        Expression::Number(number) => number.to_string(),
+        Expression::Name(name) => name.clone(),
+        Expression::Tuple(parts) => list("vector", parts),
+        Expression::Negate(inner) => list("-", &[*inner]),
+        Expression::Binary(operator, _, left, right) => list(sign(*operator), &[*left, *right]),
+        Expression::Call(function, arguments) => list(&function.text, arguments),
+        Expression::Component(vector, name) => list(&format!(".{}", name.text), &[*vector]),
+        Expression::If { condition, then, otherwise } => {
+            let condition_list = list(relation(condition.relation), &[condition.left, condition.right]);
+            format!("(if {condition_list} {} {})", show(*then), show(*otherwise))
+        }
+        Expression::Array(_) | Expression::Quantity(..) => super::print::expression(expressions, id),
+        Expression::Invalid => "?".to_owned(),
+    }
+}
+
+fn sign(operator: BinaryOperator) -> &'static str {
+    match operator {
+        BinaryOperator::Add => "+",
+        BinaryOperator::Subtract => "-",
+        BinaryOperator::Multiply => "*",
+        BinaryOperator::Divide => "/",
+        BinaryOperator::Power => "^",
+        BinaryOperator::Remainder => "%",
+    }
+}
+
+fn relation(relation: Relation) -> &'static str {
+    match relation {
+        Relation::Less => "<",
+        Relation::LessEqual => "<=",
+        Relation::Greater => ">",
+        Relation::GreaterEqual => ">=",
+    }
+}
+
+/// A statement as nested lists, its kind first.
+fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
+    let show = |&id: &AstId| shown(&declaration.expressions, id);
+    let names = |names: &[Name]| names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(" ");
+    let definitions = |definitions: &[Definition]| {
+        let define = |definition: &Definition| match &definition.value {
+            Some(value) => format!("({} {})", definition.name.text, show(value)),
+            None => definition.name.text.clone(),
+        };
+        definitions.iter().map(define).collect::<Vec<_>>().join(" ")
+    };
+    match kind {
+        StatementKind::Parameters(list) => format!("param {}", definitions(list)),
+        StatementKind::Inputs(list) => format!("input {}", definitions(list)),
+        StatementKind::Constants(list) => format!("const {}", definitions(list)),
+        StatementKind::Coordinates(list) => format!("coord {}", names(list)),
+        StatementKind::States(list) => format!("state {}", names(list)),
+        StatementKind::StateRate(name, value) => format!("dot({}) {}", name.text, show(value)),
+        StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
+        StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),
+        StatementKind::Let(name, value) => format!("let {} {}", name.text, show(value)),
+        StatementKind::Function(function) => {
+            format!("let {} ({}) {}", function.name.text, names(&function.parameters), show(&function.value))
+        }
+        StatementKind::LetTuple(list, value) => format!("let ({}) {}", names(list), show(value)),
+        StatementKind::Kinetic(value) => format!("kinetic {}", show(value)),
+        StatementKind::Potential(value) => format!("potential {}", show(value)),
+        StatementKind::Lagrangian(value) => format!("lagrangian {}", show(value)),
+        StatementKind::Gibbs { function, stated } => format!("gibbs {} for {}", show(function), show(stated)),
+        StatementKind::Dissipation(value) => format!("dissipation {}", show(value)),
+        StatementKind::ForceOn(name, value) => format!("force {} {}", name.text, show(value)),
+        StatementKind::ForceAt { force, point } => format!("force {} at {}", show(force), show(point)),
+        StatementKind::ForceAlong { force, velocity } => {
+            format!("force {} along {}", show(force), show(velocity))
+        }
+        StatementKind::Torque { moment, angle } => format!("torque {} on {}", show(moment), show(angle)),
+        StatementKind::Constraint(name, value) => format!("constraint {} {}", name.text, show(value)),
+        StatementKind::Stabilise(rate) => format!("stabilise {}", show(rate)),
+        StatementKind::Event(event) => {
+            let action = match &event.action {
+                Action::Stop => "stop".to_owned(),
+                Action::Record => "record".to_owned(),
+                Action::Impact(restitution) => format!("impact {}", show(restitution)),
+                Action::Assign(assignments) => {
+                    let assign = |a: &Assignment| format!("({} {})", show(&a.target), show(&a.value));
+                    assignments.iter().map(assign).collect::<Vec<_>>().join(" ")
+                }
+            };
+            format!("event {} {} {:?} {action}", event.name.text, show(&event.value), event.direction)
+        }
+        StatementKind::Friction(Friction { name, slip, kinetic, fixed, width }) => {
+            let mut text = format!("friction {} {} {}", name.text, show(slip), show(kinetic));
+            text.extend(fixed.map(|fixed| format!(" static {}", show(&fixed))));
+            text.extend(width.map(|width| format!(" smooth {}", show(&width))));
+            text
+        }
+        StatementKind::Output(name, value) => format!("output {} {}", name.text, show(value)),
+        StatementKind::Emit(items) => {
+            let item = |item: &EmitItem| match item.wanted {
+                true => format!(" {}", item.product.text),
+                false => format!(" -{}", item.product.text),
+            };
+            format!("emit{}", items.iter().map(item).collect::<String>())
+        }
+        StatementKind::Reduce(Reduction { name, items }) => {
+            let item = |item: &ReductionItem| {
+                let value = item.value.map_or(String::new(), |value| format!(" {}", show(&value)));
+                format!(" ({:?} {}{value})", item.kind, item.coordinate.text)
+            };
+            format!("reduce {}{}", name.text, items.iter().map(item).collect::<String>())
+        }
+        StatementKind::External(_) | StatementKind::Table(_) | StatementKind::Solve(_) => {
+            functions::callable(declaration, kind)
+        }
+        StatementKind::Repeat(repetition) => {
+            let body = repetition.body.iter().map(|inner| statement(declaration, &inner.kind));
+            format!("for {} ({})", repetition.variable.text, body.collect::<Vec<_>>().join(" "))
+        }
+        StatementKind::Select(selection) => format!("if {}", selection.branches.len()),
+        StatementKind::Scene(scene) => bodies::scene(declaration, scene),
+    }
+}
+
+/// All statements of a declaration, one string each.
+fn statements(declaration: &Declaration) -> Vec<String> {
+    declaration.statements.iter().map(|one| statement(declaration, &one.kind)).collect()
+}

@@ -1,0 +1,54 @@
+//! Declarations in strings.
+
+use proc_macro2::TokenStream;
+
+use super::messages;
+use lagrange_expr::diagnostics::Report;
+
+/// Splits a text into tokens; what is no token is reported.
+pub(super) fn tokens(text: &str, report: &mut Report) -> Option<TokenStream> {
+    match text.parse::<TokenStream>() {
+        Ok(tokens) => Some(tokens),
+        Err(error) => {
+            let culprit = text.get(error.span().byte_range().start..).and_then(|rest| rest.chars().next());
+            let help = culprit.map_or(messages::UNREADABLE_END_HELP, character_help);
+            report.error(error.span(), complaint(culprit)).help(help);
+            None
+        }
+    }
+}
+
+fn complaint(culprit: Option<char>) -> String {
+    match culprit {
+        None => messages::UNREADABLE_END.to_owned(),
+        Some(bracket @ ('(' | '[' | '{' | ')' | ']' | '}')) => messages::unbalanced(bracket),
+        Some('"' | '\'') => messages::UNCLOSED_QUOTE.to_owned(),
+        Some(other) => messages::meaningless_character(other),
+    }
+}
+
+/// Spelling in the place of a character.
+fn character_help(culprit: char) -> &'static str {
+    match culprit {
+        '(' | '[' | '{' => "close it where it should end",
+        ')' | ']' | '}' => "leave it out, or open it where it should begin",
+        '\'' | '’' | '′' => "the rate of `x` is `dot(x)`, not x′",
+        '"' | '“' | '”' => "leave quotation marks out",
+        '·' | '×' | '⋅' | '∙' | '•' => "write `*` for products",
+        '÷' | '∕' => "write `/` for quotients",
+        '−' | '–' | '—' => "write `-` for the minus sign",
+        '²' => "write `^2`",
+        '³' => "write `^3`",
+        '√' => "write `sqrt(x)`",
+        '½' => "write `1/2`",
+        '¼' => "write `1/4`",
+        '°' => "write `30 deg` for an angle; a temperature is in `K`",
+        '∂' | '∇' => "derivatives by coordinates are found by themselves; `dot(x)` is the rate of x",
+        '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
+        '≤' => "write `<=`",
+        '≥' => "write `>=`",
+        '≠' | '≈' => "compare with `<`, `<=`, `>` or `>=`",
+        '\\' => "write names without a backslash, fractions as `a/b`, and `dot(x)` for a dot",
+        _ => "leave it out",
+    }
+}

@@ -1,0 +1,68 @@
+//! Names of units among other names.
+
+use proc_macro2::TokenTree;
+
+use super::cursor::Cursor;
+use super::messages::units as words;
+use super::parser::Parser;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::units::{meaning, meant};
+
+/// Names of units that have a meaning in expressions, too.
+const BUILT_IN: [&str; 1] = ["t"];
+
+impl Parser<'_> {
+    /// True if a word is the name of a unit and of nothing that was declared.
+    pub(super) fn is_free_unit(&self, word: &str) -> bool {
+        let is_unit = meaning(word).is_some() || meant(word).is_some();
+        is_unit && self.declared(word).is_none() && !BUILT_IN.contains(&word)
+    }
+
+    /// The place of a unit of several factors that stands here behind a number, and how it is written in brackets.
+    pub(super) fn several_factors(&self, cursor: &Cursor) -> Option<(Origin, String)> {
+        let text = |from: usize, to: usize| {
+            (from..to).filter_map(|at| cursor.peek_past(at)).map(ToString::to_string)
+        };
+        let next = |&end: &usize| {
+            let follows = self.unit_follows(cursor, end);
+            follows.then(|| factor_length(cursor, end + 1)).flatten().map(|length| end + 1 + length)
+        };
+        let first = factor_length(cursor, 0)?;
+        let end = std::iter::successors(Some(first), next).last().filter(|&end| end != first)?;
+        let (number, unit) = (cursor.previous()?.to_string(), text(0, end).collect::<String>());
+        let rest = match at_product(cursor, end) {
+            true => text(end, end + 2).map(|token| format!(" {token}")).collect::<String>(),
+            false => String::new(),
+        };
+        Some((cursor.reaching(end), words::in_brackets(&number, &unit, &rest)))
+    }
+
+    /// True if `*` or `/` and the name of a unit stand behind the next tokens, which is no name of the declaration.
+    fn unit_follows(&self, cursor: &Cursor, count: usize) -> bool {
+        let word = match cursor.peek_past(count + 1) {
+            Some(TokenTree::Ident(word)) => word.to_string(),
+            _ => return false,
+        };
+        at_product(cursor, count) && meaning(&word).is_some() && self.is_free_unit(&word)
+    }
+}
+
+/// Number of tokens of the unit with its exponent that stands behind the next ones.
+fn factor_length(cursor: &Cursor, count: usize) -> Option<usize> {
+    let is_here = |at: usize, character: char| matches!(cursor.peek_past(count + at), Some(TokenTree::Punct(punct)) if punct.as_char() == character);
+    let exponent = if is_here(2, '-') { 3 } else { 2 };
+    let is_number =
+        matches!(cursor.peek_past(count + exponent), Some(TokenTree::Literal(_) | TokenTree::Group(_)));
+    match cursor.peek_past(count)? {
+        TokenTree::Ident(_) if is_here(1, '^') && is_number => Some(exponent + 1),
+        TokenTree::Ident(_) => Some(1),
+        _ => None,
+    }
+}
+
+/// True if `*` or `/` and a word or a number stand behind the next tokens.
+fn at_product(cursor: &Cursor, count: usize) -> bool {
+    let is_sign =
+        matches!(cursor.peek_past(count), Some(TokenTree::Punct(sign)) if "*/".contains(sign.as_char()));
+    is_sign && matches!(cursor.peek_past(count + 1), Some(TokenTree::Ident(_) | TokenTree::Literal(_)))
+}

@@ -1,0 +1,140 @@
+//! Files of tables: read, and taken apart into numbers.
+//!
+//! Nothing here touches a file system: who reads declarations says how files are read. A file has a point on each line, its numbers
+//! separated by commas, semicolons, tabs or blanks; the first line may name the columns, and what stands behind `#` is a comment.
+
+mod messages;
+
+#[cfg(test)]
+mod tests;
+
+use crate::syntax::ast::{Declaration, Name, StatementKind, TableFile, TableSource};
+use lagrange_expr::diagnostics::Report;
+
+/// A file as it was read.
+#[derive(Clone, Debug)]
+pub struct FileText {
+    /// Path under which the compiler finds it, so that what is emitted is compiled again when it changes; nothing if it need not.
+    pub path: String,
+    /// Content.
+    pub text: String,
+}
+
+/// Bytes of a file at most: enough for the largest table, and read by an unoptimised macro in seconds.
+pub const MAX_BYTES: u64 = 16 << 20;
+
+/// Mark with which some programs begin a text in UTF-8.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
+/// Returns the text of a file in UTF-8.
+///
+/// # Errors
+/// What the bytes are instead, in words that follow the name of the file.
+pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
+    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
+        return Err(messages::UTF_16.to_owned());
+    }
+    if bytes.contains(&0) {
+        return Err(messages::BINARY.to_owned());
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        messages::not_utf_8(1 + before.iter().filter(|byte| **byte == b'\n').count())
+    })
+}
+
+/// Reads files: from the path that a declaration gives to the text, or to the reason why there is none.
+pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
+
+/// The reader of those who read no files.
+///
+/// # Errors
+/// Always.
+pub fn no_files(_: &str) -> Result<FileText, String> {
+    Err(messages::NO_FILES.to_owned())
+}
+
+/// Reads the files that tables name. What is wrong with them is reported where they are named.
+pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
+    for statement in &mut declaration.statements {
+        if let StatementKind::Table(table) = &mut statement.kind
+            && let TableSource::File { path, contents } = &mut table.source
+        {
+            let columns = table.parameters.len() + 1;
+            *contents = match read(&path.text) {
+                Ok(file) => points(&file.text, columns, path, report)
+                    .map(|points| TableFile { path: file.path, points }),
+                Err(reason) => {
+                    let message = messages::unreadable(&path.text, &reason);
+                    report.error(path.span, message).help(messages::UNREADABLE_HELP);
+                    None
+                }
+            };
+        }
+    }
+}
+
+/// The points in a text, each behind the number of its line; nothing but a report if one of them is none.
+fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
+    let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+    let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));
+    let lines = lines.filter(|(_, line)| !line.is_empty());
+    let mut points = Vec::new();
+    for (position, (line, text)) in lines.enumerate() {
+        let fields = fields(text);
+        if position == 0 && are_names(&fields) {
+            continue;
+        }
+        match point(&fields, columns) {
+            Ok(point) => points.push((line, point)),
+            Err((complaint, help)) => {
+                report.error(path.span, messages::on_line(line, &path.text, &complaint)).help(help);
+                return None;
+            }
+        }
+    }
+    Some(points)
+}
+
+/// Returns the text before a comment.
+fn uncommented(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default().trim()
+}
+
+/// True if a line names columns: what begins as a number does is a point, however it goes on.
+fn are_names(fields: &[&str]) -> bool {
+    let begins_number = |field: &str| field.starts_with(|c: char| c.is_numeric() || "+-−.,".contains(c));
+    fields.iter().any(|field| !field.is_empty())
+        && fields.iter().all(|field| !begins_number(field) && field.parse::<f64>().is_err())
+}
+
+/// The numbers of a point, or what is wrong with them and what helps.
+fn point(fields: &[&str], columns: usize) -> Result<Vec<f64>, (String, &'static str)> {
+    let mut numbers = Vec::with_capacity(columns);
+    for field in fields {
+        let help = if field.contains(',') { messages::DECIMAL_COMMA_HELP } else { messages::FORM_HELP };
+        match field.parse::<f64>() {
+            Ok(number) if number.is_finite() => numbers.push(number),
+            Ok(_) if field.contains(|c: char| c.is_ascii_digit()) => {
+                return Err((messages::too_large(field), messages::UNITS_HELP));
+            }
+            _ => return Err((messages::no_number(field), help)),
+        }
+    }
+    match numbers.len() {
+        found if found == columns => Ok(numbers),
+        // In `1,5, 2,5` every number seems to be two.
+        found if found == 2 * columns => {
+            Err((messages::wrong_columns(found, columns), messages::DECIMAL_COMMA_HELP))
+        }
+        found => Err((messages::wrong_columns(found, columns), messages::FORM_HELP)),
+    }
+}
+
+/// Splits a line at the strongest separators in it: in `1,5; 2`, decimals are written with a comma.
+fn fields(line: &str) -> Vec<&str> {
+    match [';', '\t', ','].into_iter().find(|separator| line.contains(*separator)) {
+        Some(separator) => line.split(separator).map(str::trim).collect(),
+        None => line.split_whitespace().collect(),
+    }
+}
