@@ -288,7 +288,7 @@ impl Generator {
         let (holds_rates, zero) = match self.random.below(3) {
             0 => {
                 let curve = self.scalar(of_a, Level::Shape);
-                if curve.to_string() == a.to_string() {
+                if self.without_names(&curve) == a.to_string() {
                     return;
                 }
                 (false, subtract(a, curve))
@@ -304,6 +304,16 @@ impl Generator {
             }
         };
         self.say(Statement::Constraint { name: held, holds_rates, zero });
+    }
+
+    /// Text of an expression or, if it is the name of a definition, of what it names in the end.
+    fn without_names(&self, expression: &Expr) -> String {
+        let text = expression.to_string();
+        let named = self.statements.iter().find_map(|statement| match statement {
+            Statement::Let(name, value) if *name == text => Some(value),
+            _ => None,
+        });
+        named.map_or(text, |value| self.without_names(value))
     }
 
     /// Declares a first-order state, whose rate is stated when all is known that it may depend on.
