@@ -1,380 +1,113 @@
 //! Compiler messages for products that a declaration does not emit.
 //!
-//! Declarations bring these traits into scope, without names. Each has the name of a product, for types that implement another trait,
-//! which none does and which says what to do. So they are never found beside anything else of that name, be it emitted, written by
-//! users, or that of another trait; where there is nothing else, the compiler explains why they are not. There is nothing here to run.
+//! Each row makes two traits: one with the name of the product, implemented for all types that implement the other, which none does.
+//! Declarations bring the first into scope, without its name. So the compiler finds these items nowhere, prefers any other
+//! of the name, and where there is none, it reports the message and the notes of the row. Nothing here ever runs.
 
-/// A system that emits `jacobian`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `jacobian`",
-    label = "not emitted",
-    note = "add `emit {{ jacobian }}` to the declaration",
-    note = "the method of the trait `OdeSystem` is for methods of integration, and returns `None` here"
-)]
-pub trait EmitsJacobian {}
+/// Makes the traits of each row. The macro at the end of the file brings them into scope.
+macro_rules! hints {
+    (
+        $($public:tt $trait:tt $emits:ident $empty:tt for $kind:ident $item:ident in $name:ident:
+        $message:literal $(, $note:literal)*;)*
+    ) => {
+        $(
+            #[doc = concat!("A system that emits `", stringify!($item), "`.")]
+            #[diagnostic::on_unimplemented(message = $message, label = "not emitted" $(, note = $note)*)]
+            $public $trait $emits $empty
 
-/// The name of that product.
-pub trait Jacobian {
-    /// Never called.
-    fn jacobian(&self) {}
+            #[doc = concat!("The name `", stringify!($item), "`.")]
+            pub trait $name {
+                hints! { @item $kind $item }
+            }
+
+            impl<M: $emits> $name for M {}
+        )*
+    };
+    (@item fn $item:ident) => {
+        /// Never called.
+        fn $item(&self) {}
+    };
+    (@item const $item:ident) => {
+        /// Never read.
+        const $item: () = ();
+    };
 }
 
-impl<M: EmitsJacobian> Jacobian for M {}
-
-/// A system that emits `tangent_jacobian`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `tangent_jacobian`",
-    label = "not emitted",
-    note = "add `emit {{ tangent_jacobian }}` to the declaration"
-)]
-pub trait EmitsTangentJacobian {}
-
-/// The name of that product.
-pub trait TangentJacobian {
-    /// Never called.
-    fn tangent_jacobian(&self) {}
+hints! {
+    pub trait EmitsJacobian {} for fn jacobian in Jacobian:
+        "the declaration of `{Self}` does not emit `jacobian`",
+        "add `emit {{ jacobian }}` to the declaration",
+        "the method of the trait `OdeSystem` is for methods of integration, and returns `None` here";
+    pub trait EmitsTangentJacobian {} for fn tangent_jacobian in TangentJacobian:
+        "the declaration of `{Self}` does not emit `tangent_jacobian`",
+        "add `emit {{ tangent_jacobian }}` to the declaration";
+    pub trait EmitsParameterJacobian {} for fn parameter_jacobian in ParameterJacobian:
+        "the declaration of `{Self}` does not emit `parameter_jacobian`",
+        "add `emit {{ parameter_jacobian }}` to the declaration";
+    pub trait EmitsBias {} for fn bias in Bias:
+        "the declaration of `{Self}` does not emit `bias`",
+        "add `emit {{ bias }}` to the declaration";
+    pub trait EmitsPrepared {} for fn prepared in Prepared:
+        "the declaration of `{Self}` does not emit `prepared`",
+        "add `emit {{ prepared }}` to the declaration";
+    pub trait EmitsLanes {} for fn lanes in Lanes:
+        "the declaration of `{Self}` does not emit `lanes`",
+        "add `emit {{ lanes }}` to the declaration";
+    pub trait EmitsMomentumRates {} for fn momentum_rates in MomentumRates:
+        "the declaration of `{Self}` does not emit `momentum_rates`",
+        "add `emit {{ momentum_rates }}` to the declaration";
+    pub trait EmitsMassMatrix {} for fn mass_matrix in MassMatrix:
+        "the declaration of `{Self}` does not emit `mass_matrix`",
+        "take `no mass_matrix` out of its `emit {{ … }}`";
+    pub trait EmitsForcing {} for fn forcing in Forcing:
+        "the declaration of `{Self}` does not emit `forcing`",
+        "take `no forcing` out of its `emit {{ … }}`";
+    pub trait EmitsMomenta {} for fn momenta in Momenta:
+        "the declaration of `{Self}` does not emit `momenta`",
+        "take `no momenta` out of its `emit {{ … }}`";
+    pub trait EmitsKineticEnergy {} for fn kinetic_energy in KineticEnergy:
+        "the declaration of `{Self}` does not emit `kinetic_energy`",
+        "take `no kinetic_energy` out of its `emit {{ … }}`",
+        "a system that is declared by `lagrangian = …;` has no kinetic energy of its own";
+    pub trait EmitsPotentialEnergy {} for fn potential_energy in PotentialEnergy:
+        "the declaration of `{Self}` does not emit `potential_energy`",
+        "take `no potential_energy` out of its `emit {{ … }}`",
+        "a system that is declared by `lagrangian = …;` has no potential energy of its own";
+    pub trait EmitsEnergy {} for fn energy in Energy:
+        "the declaration of `{Self}` does not emit `energy`",
+        "take `no energy` out of its `emit {{ … }}`";
+    pub trait EmitsInverseDynamics {} for fn inverse_dynamics in InverseDynamics:
+        "the declaration of `{Self}` does not emit `inverse_dynamics`",
+        "take `no inverse_dynamics` out of its `emit {{ … }}`";
+    pub trait EmitsConstraints {} for fn constraints in Constraints:
+        "the declaration of `{Self}` does not emit `constraints`",
+        "systems with constraints emit it, unless `emit {{ … }}` says `no constraints`";
+    pub trait EmitsConstraintVelocity {} for fn constraint_velocity in ConstraintVelocity:
+        "the declaration of `{Self}` does not emit `constraint_velocity`",
+        "systems with constraints emit it";
+    pub trait EmitsConstraintJacobian {} for fn constraint_jacobian in ConstraintJacobian:
+        "the declaration of `{Self}` does not emit `constraint_jacobian`",
+        "systems with constraints emit it";
+    pub trait EmitsConstraintForces {} for fn constraint_forces in ConstraintForces:
+        "the declaration of `{Self}` does not emit `constraint_forces`",
+        "systems with constraints emit it, unless `emit {{ … }}` says `no constraint_forces`";
+    pub trait EmitsStatements {} for const STATEMENTS in Statements:
+        "the declaration of `{Self}` does not emit `STATEMENTS`",
+        "add `emit {{ statements }}` to the declaration",
+        "only systems with rigid bodies have these statements";
+    pub trait EmitsKernelF64 {} for const KERNEL_F64 in KernelF64:
+        "the declaration of `{Self}` does not emit `KERNEL_F64`",
+        "add `emit {{ kernel }}` to the declaration";
+    pub trait EmitsKernelF32 {} for const KERNEL_F32 in KernelF32:
+        "the declaration of `{Self}` does not emit `KERNEL_F32`",
+        "add `emit {{ kernel }}` to the declaration";
+    pub trait EmitsLatex {} for const EQUATIONS_LATEX in Latex:
+        "the declaration of `{Self}` does not emit `EQUATIONS_LATEX`",
+        "add `emit {{ latex }}` to the declaration";
+    pub trait EmitsParameters {} for const PARAMETERS in Parameters:
+        "the declaration of `{Self}` does not emit `PARAMETERS`",
+        "add `emit {{ parameter_jacobian }}` to the declaration: these are the names of its columns";
 }
-
-impl<M: EmitsTangentJacobian> TangentJacobian for M {}
-
-/// A system that emits `parameter_jacobian`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `parameter_jacobian`",
-    label = "not emitted",
-    note = "add `emit {{ parameter_jacobian }}` to the declaration"
-)]
-pub trait EmitsParameterJacobian {}
-
-/// The name of that product.
-pub trait ParameterJacobian {
-    /// Never called.
-    fn parameter_jacobian(&self) {}
-}
-
-impl<M: EmitsParameterJacobian> ParameterJacobian for M {}
-
-/// A system that emits `bias`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `bias`",
-    label = "not emitted",
-    note = "add `emit {{ bias }}` to the declaration"
-)]
-pub trait EmitsBias {}
-
-/// The name of that product.
-pub trait Bias {
-    /// Never called.
-    fn bias(&self) {}
-}
-
-impl<M: EmitsBias> Bias for M {}
-
-/// A system that emits `prepared`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `prepared`",
-    label = "not emitted",
-    note = "add `emit {{ prepared }}` to the declaration"
-)]
-pub trait EmitsPrepared {}
-
-/// The name of that product.
-pub trait Prepared {
-    /// Never called.
-    fn prepared(&self) {}
-}
-
-impl<M: EmitsPrepared> Prepared for M {}
-
-/// A system that emits `lanes`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `lanes`",
-    label = "not emitted",
-    note = "add `emit {{ lanes }}` to the declaration"
-)]
-pub trait EmitsLanes {}
-
-/// The name of that product.
-pub trait Lanes {
-    /// Never called.
-    fn lanes(&self) {}
-}
-
-impl<M: EmitsLanes> Lanes for M {}
-
-/// A system that emits `momentum_rates`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `momentum_rates`",
-    label = "not emitted",
-    note = "add `emit {{ momentum_rates }}` to the declaration"
-)]
-pub trait EmitsMomentumRates {}
-
-/// The name of that product.
-pub trait MomentumRates {
-    /// Never called.
-    fn momentum_rates(&self) {}
-}
-
-impl<M: EmitsMomentumRates> MomentumRates for M {}
-
-/// A system that emits `mass_matrix`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `mass_matrix`",
-    label = "not emitted",
-    note = "take `no mass_matrix` out of its `emit {{ … }}`"
-)]
-pub trait EmitsMassMatrix {}
-
-/// The name of that product.
-pub trait MassMatrix {
-    /// Never called.
-    fn mass_matrix(&self) {}
-}
-
-impl<M: EmitsMassMatrix> MassMatrix for M {}
-
-/// A system that emits `forcing`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `forcing`",
-    label = "not emitted",
-    note = "take `no forcing` out of its `emit {{ … }}`"
-)]
-pub trait EmitsForcing {}
-
-/// The name of that product.
-pub trait Forcing {
-    /// Never called.
-    fn forcing(&self) {}
-}
-
-impl<M: EmitsForcing> Forcing for M {}
-
-/// A system that emits `momenta`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `momenta`",
-    label = "not emitted",
-    note = "take `no momenta` out of its `emit {{ … }}`"
-)]
-pub trait EmitsMomenta {}
-
-/// The name of that product.
-pub trait Momenta {
-    /// Never called.
-    fn momenta(&self) {}
-}
-
-impl<M: EmitsMomenta> Momenta for M {}
-
-/// A system that emits `kinetic_energy`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `kinetic_energy`",
-    label = "not emitted",
-    note = "take `no kinetic_energy` out of its `emit {{ … }}`",
-    note = "a system that is declared by `lagrangian = …;` has no kinetic energy of its own"
-)]
-pub trait EmitsKineticEnergy {}
-
-/// The name of that product.
-pub trait KineticEnergy {
-    /// Never called.
-    fn kinetic_energy(&self) {}
-}
-
-impl<M: EmitsKineticEnergy> KineticEnergy for M {}
-
-/// A system that emits `potential_energy`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `potential_energy`",
-    label = "not emitted",
-    note = "take `no potential_energy` out of its `emit {{ … }}`",
-    note = "a system that is declared by `lagrangian = …;` has no potential energy of its own"
-)]
-pub trait EmitsPotentialEnergy {}
-
-/// The name of that product.
-pub trait PotentialEnergy {
-    /// Never called.
-    fn potential_energy(&self) {}
-}
-
-impl<M: EmitsPotentialEnergy> PotentialEnergy for M {}
-
-/// A system that emits `energy`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `energy`",
-    label = "not emitted",
-    note = "take `no energy` out of its `emit {{ … }}`"
-)]
-pub trait EmitsEnergy {}
-
-/// The name of that product.
-pub trait Energy {
-    /// Never called.
-    fn energy(&self) {}
-}
-
-impl<M: EmitsEnergy> Energy for M {}
-
-/// A system that emits `inverse_dynamics`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `inverse_dynamics`",
-    label = "not emitted",
-    note = "take `no inverse_dynamics` out of its `emit {{ … }}`"
-)]
-pub trait EmitsInverseDynamics {}
-
-/// The name of that product.
-pub trait InverseDynamics {
-    /// Never called.
-    fn inverse_dynamics(&self) {}
-}
-
-impl<M: EmitsInverseDynamics> InverseDynamics for M {}
-
-/// A system that emits `constraints`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `constraints`",
-    label = "not emitted",
-    note = "systems with constraints emit it, unless `emit {{ … }}` says `no constraints`"
-)]
-pub trait EmitsConstraints {}
-
-/// The name of that product.
-pub trait Constraints {
-    /// Never called.
-    fn constraints(&self) {}
-}
-
-impl<M: EmitsConstraints> Constraints for M {}
-
-/// A system that emits `constraint_velocity`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `constraint_velocity`",
-    label = "not emitted",
-    note = "systems with constraints emit it"
-)]
-pub trait EmitsConstraintVelocity {}
-
-/// The name of that product.
-pub trait ConstraintVelocity {
-    /// Never called.
-    fn constraint_velocity(&self) {}
-}
-
-impl<M: EmitsConstraintVelocity> ConstraintVelocity for M {}
-
-/// A system that emits `constraint_jacobian`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `constraint_jacobian`",
-    label = "not emitted",
-    note = "systems with constraints emit it"
-)]
-pub trait EmitsConstraintJacobian {}
-
-/// The name of that product.
-pub trait ConstraintJacobian {
-    /// Never called.
-    fn constraint_jacobian(&self) {}
-}
-
-impl<M: EmitsConstraintJacobian> ConstraintJacobian for M {}
-
-/// A system that emits `constraint_forces`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `constraint_forces`",
-    label = "not emitted",
-    note = "systems with constraints emit it, unless `emit {{ … }}` says `no constraint_forces`"
-)]
-pub trait EmitsConstraintForces {}
-
-/// The name of that product.
-pub trait ConstraintForces {
-    /// Never called.
-    fn constraint_forces(&self) {}
-}
-
-impl<M: EmitsConstraintForces> ConstraintForces for M {}
-
-/// A system that emits `STATEMENTS`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `STATEMENTS`",
-    label = "not emitted",
-    note = "add `emit {{ statements }}` to the declaration",
-    note = "only systems with rigid bodies have these statements"
-)]
-pub trait EmitsStatements {}
-
-/// The name of that product.
-pub trait Statements {
-    /// Never read.
-    const STATEMENTS: () = ();
-}
-
-impl<M: EmitsStatements> Statements for M {}
-
-/// A system that emits `KERNEL_F64`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `KERNEL_F64`",
-    label = "not emitted",
-    note = "add `emit {{ kernel }}` to the declaration"
-)]
-pub trait EmitsKernelF64 {}
-
-/// The name of that product.
-pub trait KernelF64 {
-    /// Never read.
-    const KERNEL_F64: () = ();
-}
-
-impl<M: EmitsKernelF64> KernelF64 for M {}
-
-/// A system that emits `KERNEL_F32`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `KERNEL_F32`",
-    label = "not emitted",
-    note = "add `emit {{ kernel }}` to the declaration"
-)]
-pub trait EmitsKernelF32 {}
-
-/// The name of that product.
-pub trait KernelF32 {
-    /// Never read.
-    const KERNEL_F32: () = ();
-}
-
-impl<M: EmitsKernelF32> KernelF32 for M {}
-
-/// A system that emits `EQUATIONS_LATEX`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `EQUATIONS_LATEX`",
-    label = "not emitted",
-    note = "add `emit {{ latex }}` to the declaration"
-)]
-pub trait EmitsLatex {}
-
-/// The name of that product.
-pub trait Latex {
-    /// Never read.
-    const EQUATIONS_LATEX: () = ();
-}
-
-impl<M: EmitsLatex> Latex for M {}
-
-/// A system that emits `PARAMETERS`.
-#[diagnostic::on_unimplemented(
-    message = "the declaration of `{Self}` does not emit `PARAMETERS`",
-    label = "not emitted",
-    note = "add `emit {{ parameter_jacobian }}` to the declaration: these are the names of its columns"
-)]
-pub trait EmitsParameters {}
-
-/// The name of that product.
-pub trait Parameters {
-    /// Never read.
-    const PARAMETERS: () = ();
-}
-
-impl<M: EmitsParameters> Parameters for M {}
 
 /// Something with a default value. Only modules with a system that has none know of it, and what is said is true of other types, too.
 #[diagnostic::on_unimplemented(

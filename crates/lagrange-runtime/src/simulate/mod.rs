@@ -91,6 +91,8 @@ pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::units::labelled;
+#[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
+pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]
 pub use lagrange_plot::PlotError;
 

@@ -1,6 +1,6 @@
 //! Compiler messages for methods of trajectories behind a missing feature.
 //!
-//! The methods are there without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
+//! The methods exist without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -8,86 +8,59 @@ use std::path::Path;
 use super::trajectory::Trajectory;
 use crate::system::MechanicalSystem;
 
-/// Something that plots.
+/// Declares methods that require a trait that no type implements, and the compiler's message for it.
+macro_rules! without_feature {
+    (
+        $required:tt: $message:literal, $label:literal, $note:literal;
+        $(impl[$($generics:tt)*] $owner:ty {
+            $(fn $method:ident($($argument:ty),*) -> $result:ty;)*
+        })*
+    ) => {
+        /// A type with this feature; there is none.
+        #[doc(hidden)]
+        #[diagnostic::on_unimplemented(message = $message, label = $label, note = $note)]
+        pub trait $required {
+            /// Never called.
+            fn never<T>(&self) -> T;
+        }
+
+        $(#[doc(hidden)]
+        impl<$($generics)*> $owner {
+            $(pub fn $method(&self $(, _: $argument)*) -> $result
+            where
+                Self: $required,
+            {
+                self.never()
+            })*
+        })*
+    };
+}
+
+#[cfg(feature = "ensemble")]
+pub(crate) use without_feature;
+
 #[cfg(not(feature = "plot"))]
-#[doc(hidden)]
-#[diagnostic::on_unimplemented(
-    message = "trajectories plot with the feature `plot` of `lagrange` only",
-    label = "needs the feature `plot`",
-    note = "in `Cargo.toml`: `lagrange = {{ …, features = [\"plot\"] }}`; or once: `cargo run --features lagrange/plot`"
-)]
-pub trait HasFeaturePlot {}
-
-/// Something that writes Parquet.
-#[cfg(not(feature = "parquet"))]
-#[doc(hidden)]
-#[diagnostic::on_unimplemented(
-    message = "trajectories save to Parquet with the feature `parquet` of `lagrange` only",
-    label = "needs the feature `parquet`",
-    note = "in `Cargo.toml`: `lagrange = {{ …, features = [\"parquet\"] }}`; or once: `cargo run --features lagrange/parquet`"
-)]
-pub trait HasFeatureParquet {}
-
-#[cfg(not(feature = "plot"))]
-#[doc(hidden)]
-impl<M: MechanicalSystem> Trajectory<M> {
-    pub fn plot_states(&self, _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
-    }
-
-    pub fn plot_columns(&self, _: &[&str], _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
-    }
-
-    pub fn plot_phase(&self, _: &str, _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
-    }
-
-    pub fn plot_pair(&self, _: &str, _: &str, _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
-    }
-
-    pub fn plot_against(&self, _: &str, _: &[&str], _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
-    }
-
-    pub fn plot_energy(&self, _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeaturePlot,
-    {
-        Ok(())
+without_feature! {
+    HasFeaturePlot: "trajectories plot with the feature `plot` of `lagrange` only",
+    "needs the feature `plot`",
+    "in `Cargo.toml`: `lagrange = {{ …, features = [\"plot\"] }}`; or once: `cargo run --features lagrange/plot`";
+    impl[M: MechanicalSystem] Trajectory<M> {
+        fn plot_states(impl AsRef<Path>) -> Result<(), Infallible>;
+        fn plot_columns(&[&str], impl AsRef<Path>) -> Result<(), Infallible>;
+        fn plot_phase(&str, impl AsRef<Path>) -> Result<(), Infallible>;
+        fn plot_pair(&str, &str, impl AsRef<Path>) -> Result<(), Infallible>;
+        fn plot_against(&str, &[&str], impl AsRef<Path>) -> Result<(), Infallible>;
+        fn plot_energy(impl AsRef<Path>) -> Result<(), Infallible>;
     }
 }
 
 #[cfg(not(feature = "parquet"))]
-#[doc(hidden)]
-impl<M: MechanicalSystem> Trajectory<M> {
-    pub fn save_parquet(&self, _: impl AsRef<Path>) -> Result<(), Infallible>
-    where
-        Self: HasFeatureParquet,
-    {
-        Ok(())
-    }
-
-    pub fn write_parquet(&self, _: impl std::io::Write) -> Result<(), Infallible>
-    where
-        Self: HasFeatureParquet,
-    {
-        Ok(())
+without_feature! {
+    HasFeatureParquet: "trajectories save to Parquet with the feature `parquet` of `lagrange` only",
+    "needs the feature `parquet`",
+    "in `Cargo.toml`: `lagrange = {{ …, features = [\"parquet\"] }}`; or once: `cargo run --features lagrange/parquet`";
+    impl[M: MechanicalSystem] Trajectory<M> {
+        fn save_parquet(impl AsRef<Path>) -> Result<(), Infallible>;
+        fn write_parquet(impl std::io::Write) -> Result<(), Infallible>;
     }
 }
