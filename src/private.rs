@@ -42,38 +42,28 @@ pub fn if_less_equal<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
 }
 
 /// Functions under their bare names, so that generated formulas read like formulas.
-macro_rules! functions {
-    ($($name:ident($first:ident $(, $other:ident: $kind:ty)*) -> $result:ty;)*) => {
-        $(
-            #[inline(always)]
-            pub fn $name<S: Number>($first: S $(, $other: $kind)*) -> $result {
-                $first.$name($($other),*)
-            }
-        )*
+macro_rules! bare_names {
+    ($(
+        $name:ident($($argument:ident),*) C $c:tt lanes $lanes:tt $method:tt
+    )*) => {
+        $(bare_names! { $name($($argument: S),*) -> S })*
+    };
+    ($($name:ident($($argument:ident: $kind:ty),*) -> $result:ty)*) => {
+        $(#[inline(always)]
+        pub fn $name<S: Number>($($argument: $kind),*) -> $result {
+            S::$name($($argument),*)
+        })*
     };
 }
 
-functions! {
-    sin_cos(x) -> (S, S);
-    sin(x) -> S;
-    cos(x) -> S;
-    tan(x) -> S;
-    asin(x) -> S;
-    acos(x) -> S;
-    atan(x) -> S;
-    atan2(y, x: S) -> S;
-    sinh(x) -> S;
-    cosh(x) -> S;
-    tanh(x) -> S;
-    exp(x) -> S;
-    ln(x) -> S;
-    sqrt(x) -> S;
-    abs(x) -> S;
-    sign(x) -> S;
-    min(a, b: S) -> S;
-    max(a, b: S) -> S;
-    hypot(x, y: S) -> S;
-    powi(base, exponent: i32) -> S;
-    powf(base, exponent: S) -> S;
-    multiply_add(factor, other: S, addend: S) -> S;
+crate::scalar::functions!(bare_names);
+
+bare_names! {
+    sin_cos(x: S) -> (S, S)
+    sign(x: S) -> S
+    min(a: S, b: S) -> S
+    max(a: S, b: S) -> S
+    powi(base: S, exponent: i32) -> S
+    powf(base: S, exponent: S) -> S
+    multiply_add(factor: S, other: S, addend: S) -> S
 }

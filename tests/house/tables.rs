@@ -120,10 +120,10 @@ const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "reading of tabl
 
 const MATH: &[Layer] = &[
     Layer {
-        modules: &["fused", "platform"],
-        purpose: "fused multiply-add where the target has it; functions of the standard library or \
-                  `libm`",
+        modules: &["functions", "fused"],
+        purpose: "the list of elementary functions; fused multiply-add where the target has it",
     },
+    Layer { modules: &["platform"], purpose: "functions of the standard library or `libm`" },
     Layer { modules: &["pair", "reduction"], purpose: "double-double sums; reduction of angles modulo π/2" },
     Layer {
         modules: &["angle", "arc", "exponential", "length"],

@@ -1,7 +1,7 @@
 //! The elementary functions, one row each.
 //!
 //! A row holds everything the other modules know of a function; adding one is adding a variant to
-//! [`Function`] and a row here, and its name to what emitted code can call (`lagrange::private`). Derivatives are
+//! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which numbers take their methods. Derivatives are
 //! those of Abramowitz and Stegun, *Handbook of Mathematical Functions*, chapter 4; derivatives of piecewise
 //! functions are taken branch by branch.
 

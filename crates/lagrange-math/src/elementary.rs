@@ -8,28 +8,35 @@ use crate::logarithm;
 use crate::platform;
 use crate::tangent;
 
-/// An elementary function of one number.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Elementary {
-    /// Tangent of an angle in radians; NaN at infinity.
-    Tan,
-    /// The angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
-    Asin,
-    /// The angle in [0, π] with this cosine; NaN outside [−1, 1].
-    Acos,
-    /// The angle in [−π/2, π/2] with this tangent.
-    Atan,
-    /// Hyperbolic sine.
-    Sinh,
-    /// Hyperbolic cosine.
-    Cosh,
-    /// Hyperbolic tangent.
-    Tanh,
-    /// e to this power.
-    Exp,
-    /// Natural logarithm; −∞ at ±0, NaN below.
-    Ln,
+/// Makes the enumeration of the functions that lanes compute together, and their values.
+macro_rules! of_lanes {
+    ($(
+        $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
+    )*) => {
+        /// An elementary function of one number.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum Elementary {
+            $($(#[doc = concat!("The function `", stringify!($name), "`.")] $variant,)?)*
+        }
+
+        #[inline(always)]
+        fn of_each<const FUSED: bool, const N: usize>(function: Elementary, x: [f64; N]) -> [f64; N] {
+            match function {
+                $($(Elementary::$variant => {
+                    of_lanes!(@values x, $name, $module::$formula::<FUSED> $(, $domain)?)
+                })?)*
+            }
+        }
+    };
+    (@values $x:ident, $name:ident, $formula:expr) => {
+        everywhere($x, $formula)
+    };
+    (@values $x:ident, $name:ident, $formula:expr, $domain:ident) => {
+        each(|i| $formula($x[i]), |i| $domain($x[i]), |i| platform::$name($x[i]))
+    };
 }
+
+crate::functions!(of_lanes);
 
 /// Values of a function at several numbers, with products that are fused or not, as for
 /// [`sines_and_cosines`](crate::sines_and_cosines).
@@ -57,22 +64,7 @@ pub enum Elementary {
 #[inline(always)]
 #[must_use]
 pub fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [f64; N]) -> [f64; N] {
-    let x = arguments;
-    match function {
-        Elementary::Tan => each(|i| tangent::tan::<FUSED>(x[i]), |i| is_angle(x[i]), |i| platform::tan(x[i])),
-        Elementary::Asin => everywhere(x, arc::asin::<FUSED>),
-        Elementary::Acos => everywhere(x, arc::acos::<FUSED>),
-        Elementary::Atan => everywhere(x, arc::atan::<FUSED>),
-        Elementary::Sinh => {
-            each(|i| exponential::sinh::<FUSED>(x[i]), |i| is_moderate(x[i]), |i| platform::sinh(x[i]))
-        }
-        Elementary::Cosh => {
-            each(|i| exponential::cosh::<FUSED>(x[i]), |i| is_moderate(x[i]), |i| platform::cosh(x[i]))
-        }
-        Elementary::Tanh => everywhere(x, exponential::tanh::<FUSED>),
-        Elementary::Exp => everywhere(x, exponential::exp::<FUSED>),
-        Elementary::Ln => everywhere(x, logarithm::ln::<FUSED>),
-    }
+    of_each::<FUSED, N>(function, arguments)
 }
 
 /// False for NaN.

@@ -23,6 +23,7 @@ mod arc;
 mod batch;
 mod elementary;
 mod exponential;
+mod functions;
 mod fused;
 mod length;
 mod logarithm;

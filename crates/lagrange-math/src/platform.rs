@@ -1,9 +1,12 @@
 //! Functions of the standard library, or of `libm` without it.
 
-/// Defines functions, each a row of its arguments and its names in the standard library and in `libm`.
-macro_rules! functions {
-    ($($name:ident($($argument:ident),*): $libm:ident;)*) => {
-        $(pub(crate) fn $name($($argument: f64),*) -> f64 {
+/// Defines a function for each row of the list.
+macro_rules! of_platform {
+    ($(
+        $name:ident($($argument:ident),*) C($libm:ident, $libmf:ident) lanes $lanes:tt $method:tt
+    )*) => {
+        $(#[allow(dead_code, reason = "not every function has a formula that needs it")]
+        pub(crate) fn $name($($argument: f64),*) -> f64 {
             #[cfg(feature = "std")]
             let value = f64::$name($($argument),*);
             #[cfg(not(feature = "std"))]
@@ -13,11 +16,4 @@ macro_rules! functions {
     };
 }
 
-functions! {
-    sqrt(x): sqrt;
-    tan(x): tan;
-    sinh(x): sinh;
-    cosh(x): cosh;
-    atan2(y, x): atan2;
-    hypot(x, y): hypot;
-}
+crate::functions!(of_platform);

@@ -13,9 +13,37 @@ mod rough;
 pub use self::lanes::{LaneMask, Lanes};
 pub use self::mask::Mask;
 pub use lagrange_math::Elementary;
+#[doc(hidden)]
+pub use lagrange_math::functions;
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Declares a method for each row of the list.
+macro_rules! methods {
+    ($(
+        $name:ident $arguments:tt C $c:tt lanes $lanes:tt {
+            $(#[$doc:meta])*
+            fn($self:ident $(, $other:ident)?) $default:tt
+        }
+    )*) => {
+        $($(#[$doc])* fn $name($self $(, $other: Self)?) -> Self $default)*
+    };
+}
+
+/// Selects the value of each function that lanes compute together.
+macro_rules! value_of {
+    (
+        $function:ident of $x:ident:
+        $(
+            $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
+        )*
+    ) => {
+        match $function {
+            $($(Elementary::$variant => $x.$name(),)?)*
+        }
+    };
+}
 
 /// A real number with elementary functions, or several that go through the same formulas side by side.
 ///
@@ -25,6 +53,10 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// Numbers side by side cannot branch, each may want another way: they compute both and [`select`](Number::select).
 /// For those that can branch a [mask](Mask) is a `bool`, and they are [`Scalar`]s.
+///
+/// Functions with a default need not be defined. Defaults are accurate to a few units in the last place, in double precision
+/// or less, and build on the required functions: `atan` on [`atan2`](Number::atan2), and `sin_cos` on sine and cosine.
+/// A new function of the language always has a default.
 pub trait Number:
     Copy
     + Debug
@@ -66,7 +98,10 @@ pub trait Number:
     }
 
     /// Sine and cosine; NaN at infinity.
-    fn sin_cos(self) -> (Self, Self);
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
 
     /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
     ///
@@ -86,53 +121,7 @@ pub trait Number:
         angles.map(Self::sin_cos)
     }
 
-    /// Sine; NaN at infinity.
-    fn sin(self) -> Self;
-
-    /// Cosine; NaN at infinity.
-    fn cos(self) -> Self;
-
-    /// Tangent; NaN at infinity. Finite elsewhere, since no binary number is an odd multiple of π/2.
-    fn tan(self) -> Self;
-
-    /// The angle in [−π/2, π/2] with this sine; NaN outside [−1, 1].
-    fn asin(self) -> Self;
-
-    /// The angle in [0, π] with this cosine; NaN outside [−1, 1].
-    fn acos(self) -> Self;
-
-    /// The angle in [−π/2, π/2] with this tangent; ±π/2 at ±∞.
-    fn atan(self) -> Self;
-
-    /// The angle in [−π, π] of the point with ordinate `self` and the given abscissa.
-    ///
-    /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π and (±0, 1) gives
-    /// ±0, and the origin counts as a point of the axis its zeros lie on.
-    fn atan2(self, abscissa: Self) -> Self;
-
-    /// Hyperbolic sine.
-    fn sinh(self) -> Self;
-
-    /// Hyperbolic cosine.
-    fn cosh(self) -> Self;
-
-    /// Hyperbolic tangent; ±1 at ±∞.
-    fn tanh(self) -> Self;
-
-    /// e to this power.
-    fn exp(self) -> Self;
-
-    /// Natural logarithm; −∞ at ±0, NaN below.
-    fn ln(self) -> Self;
-
-    /// Square root, correctly rounded; −0 at −0, NaN below.
-    fn sqrt(self) -> Self;
-
-    /// Magnitude.
-    fn abs(self) -> Self;
-
-    /// √(self² + other²) without intermediate overflow or underflow; +∞ if either is infinite.
-    fn hypot(self, other: Self) -> Self;
+    lagrange_math::functions!(methods);
 
     /// `self` to a real power: NaN for a negative base with an exponent that is no integer, and for NaN in
     /// either place; else as IEEE 754 `pow`.
@@ -225,17 +214,7 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     /// Values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
     #[inline(always)]
     fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [Self; N]) -> [Self; N] {
-        arguments.map(|x| match function {
-            Elementary::Tan => x.tan(),
-            Elementary::Asin => x.asin(),
-            Elementary::Acos => x.acos(),
-            Elementary::Atan => x.atan(),
-            Elementary::Sinh => x.sinh(),
-            Elementary::Cosh => x.cosh(),
-            Elementary::Tanh => x.tanh(),
-            Elementary::Exp => x.exp(),
-            Elementary::Ln => x.ln(),
-        })
+        arguments.map(|x| lagrange_math::functions!(value_of function of x:))
     }
 
     /// The angles of several points, each with an ordinate and an abscissa, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.

@@ -113,13 +113,15 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Neg for Lanes<T, N, FUSED> {
     }
 }
 
-/// Functions of all lanes together.
+/// Methods that compute all lanes together, for the rows of the list that have a formula for lanes.
 macro_rules! together {
-    ($($method:ident: $function:ident;)*) => {
-        $(#[inline(always)]
-        fn $method(self) -> Self {
-            Lanes(T::values::<FUSED, N>(Elementary::$function, self.0))
-        })*
+    ($(
+        $name:ident $arguments:tt C $c:tt lanes($($variant:ident: $module:ident::$formula:ident $(, $domain:ident)?)?) $method:tt
+    )*) => {
+        $($(#[inline(always)]
+        fn $name(self) -> Self {
+            Lanes(T::values::<FUSED, N>(Elementary::$variant, self.0))
+        })?)*
     };
 }
 
@@ -208,17 +210,7 @@ impl<T: Scalar, const N: usize, const FUSED: bool> Number for Lanes<T, N, FUSED>
         self.zip(exponent, T::powf)
     }
 
-    together! {
-        tan: Tan;
-        asin: Asin;
-        acos: Acos;
-        atan: Atan;
-        sinh: Sinh;
-        cosh: Cosh;
-        tanh: Tanh;
-        exp: Exp;
-        ln: Ln;
-    }
+    lagrange_math::functions!(together);
 }
 
 impl<const N: usize> Mask for LaneMask<N> {

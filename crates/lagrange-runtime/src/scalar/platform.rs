@@ -2,9 +2,19 @@
 
 use super::{Elementary, Number, Scalar, rough};
 
-/// Calls the method of the standard library or, without it, the function of `libm`.
+/// Calls the method of the standard library or, without it, the function of `libm`, of which the second is for `f32`.
 macro_rules! platform {
-    ($scalar:ident :: $method:ident | $libm:ident ($($argument:expr),*)) => {{
+    ($scalar:ident :: abs | $libm:ident $libmf:ident ($x:expr)) => {
+        // Of the core library, too.
+        $scalar::abs($x)
+    };
+    (f64 :: $method:ident | $libm:ident $libmf:ident ($($argument:expr),*)) => {
+        platform!(@f64::$method | $libm($($argument),*))
+    };
+    (f32 :: $method:ident | $libm:ident $libmf:ident ($($argument:expr),*)) => {
+        platform!(@f32::$method | $libmf($($argument),*))
+    };
+    (@$scalar:ident :: $method:ident | $libm:ident ($($argument:expr),*)) => {{
         #[cfg(feature = "std")]
         let value = $scalar::$method($($argument),*);
         #[cfg(not(feature = "std"))]
@@ -13,12 +23,17 @@ macro_rules! platform {
     }};
 }
 
-/// Implements `Number` and `Scalar`; each row is a method with its further arguments and its name in `libm`.
+/// Implements `Number` and `Scalar`, with the functions of the list.
 macro_rules! implement_scalar {
     (
-        $scalar:ident, sin_cos: $sin_cos:ident, sin_cos_each: $sin_cos_each:ident, powf: $powf:ident, mul_add: $mul_add:ident,
+        $scalar:ident, sin_cos_each: $sin_cos_each:ident,
         lanes: [$sines_and_cosines:ident, $values:ident, $angles:ident, $lengths:ident];
-        $($method:ident($($argument:ident)?): $libm:ident;)*
+        $(
+            $name:ident $arguments:tt C($libm:ident, $libmf:ident) lanes $lanes:tt {
+                $(#[$doc:meta])*
+                fn($self:ident $(, $other:ident)?) $default:tt
+            }
+        )*
     ) => {
         impl Scalar for $scalar {
             #[inline]
@@ -28,7 +43,7 @@ macro_rules! implement_scalar {
 
             #[inline(always)]
             fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
-                platform!($scalar::mul_add | $mul_add(self, factor, addend))
+                platform!($scalar::mul_add | fma fmaf(self, factor, addend))
             }
 
             #[inline(always)]
@@ -96,13 +111,8 @@ macro_rules! implement_scalar {
             }
 
             #[inline]
-            fn abs(self) -> Self {
-                $scalar::abs(self)
-            }
-
-            #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                platform!($scalar::sin_cos | $sin_cos(self))
+                platform!($scalar::sin_cos | sincos sincosf(self))
             }
 
             #[inline(always)]
@@ -115,13 +125,13 @@ macro_rules! implement_scalar {
                 if self.is_nan() || exponent.is_nan() {
                     return $scalar::NAN;
                 }
-                platform!($scalar::powf | $powf(self, exponent))
+                platform!($scalar::powf | pow powf(self, exponent))
             }
 
             #[inline]
             fn multiply_add(self, factor: Self, addend: Self) -> Self {
                 if cfg!(target_feature = "fma") {
-                    platform!($scalar::mul_add | $mul_add(self, factor, addend))
+                    platform!($scalar::mul_add | fma fmaf(self, factor, addend))
                 } else {
                     self * factor + addend
                 }
@@ -129,48 +139,20 @@ macro_rules! implement_scalar {
 
             $(
                 #[inline]
-                fn $method(self $(, $argument: Self)?) -> Self {
-                    platform!($scalar::$method | $libm(self $(, $argument)?))
+                fn $name($self $(, $other: Self)?) -> Self {
+                    platform!($scalar::$name | $libm $libmf($self $(, $other)?))
                 }
             )*
         }
     };
 }
 
-implement_scalar! {
-    f64, sin_cos: sincos, sin_cos_each: sin_cos_each, powf: pow, mul_add: fma,
+lagrange_math::functions! {
+    implement_scalar f64, sin_cos_each: sin_cos_each,
     lanes: [sines_and_cosines, values, angles, lengths];
-    sin(): sin;
-    cos(): cos;
-    tan(): tan;
-    asin(): asin;
-    acos(): acos;
-    atan(): atan;
-    atan2(abscissa): atan2;
-    sinh(): sinh;
-    cosh(): cosh;
-    tanh(): tanh;
-    exp(): exp;
-    ln(): log;
-    sqrt(): sqrt;
-    hypot(other): hypot;
 }
 
-implement_scalar! {
-    f32, sin_cos: sincosf, sin_cos_each: sin_cos_each_f32, powf: powf, mul_add: fmaf,
+lagrange_math::functions! {
+    implement_scalar f32, sin_cos_each: sin_cos_each_f32,
     lanes: [sines_and_cosines_f32, values_f32, angles_f32, lengths_f32];
-    sin(): sinf;
-    cos(): cosf;
-    tan(): tanf;
-    asin(): asinf;
-    acos(): acosf;
-    atan(): atanf;
-    atan2(abscissa): atan2f;
-    sinh(): sinhf;
-    cosh(): coshf;
-    tanh(): tanhf;
-    exp(): expf;
-    ln(): logf;
-    sqrt(): sqrtf;
-    hypot(other): hypotf;
 }

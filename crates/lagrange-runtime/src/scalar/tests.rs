@@ -2,6 +2,8 @@
 //!
 //! The first part runs against whichever of the two libraries the features select.
 
+mod least;
+
 use core::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Lanes, Number, Scalar};
@@ -283,19 +285,25 @@ fn lanes_give_what_each_gives_alone() {
         let others = [0.6, -2.0, 0.5, -0.1].map(T::from_f64);
         let (x, y) = (Lanes::<T, 4>(numbers), Lanes::<T, 4>(others));
         macro_rules! check {
-            ($($function:ident $(($other:ident, $others:ident))?,)*) => {
-                $(for (i, found) in x.$function($($other)?).0.into_iter().enumerate() {
-                    let expected = numbers[i].$function($($others[i])?);
+            ($($function:ident($x:ident $(, $y:ident)?) C $c:tt lanes $lanes:tt $method:tt)*) => {
+                $(check!(@one $function $($y)?);)*
+            };
+            (@one $function:ident $($y:ident)?) => {
+                let found = check!(@lanes $function $($y)?);
+                for (i, found) in found.0.into_iter().enumerate() {
+                    let expected = check!(@number $function i $($y)?);
                     let close = (found - expected).abs() <= T::from_f64(3.0) * T::epsilon() * expected.abs();
                     let is_nan = expected != expected && found != found;
                     assert!(close || is_nan, "{} of {:?}: {found:?}", stringify!($function), numbers[i]);
-                })*
+                }
             };
+            (@lanes $function:ident) => { x.$function() };
+            (@lanes $function:ident $y:ident) => { x.$function(y) };
+            (@number $function:ident $i:ident) => { numbers[$i].$function() };
+            (@number $function:ident $i:ident $y:ident) => { numbers[$i].$function(others[$i]) };
         }
-        check! {
-            abs, sqrt, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, ln,
-            atan2(y, others), hypot(y, others), powf(y, others),
-        }
+        lagrange_math::functions!(check);
+        check!(@one powf y);
         assert_eq!(x.powi(3).0, numbers.map(|number| number.powi(3)));
     }
     check::<f64>();

@@ -21,6 +21,17 @@ pub enum Precision {
     Single,
 }
 
+/// Returns the definition of a C macro for each row of the list of elementary functions.
+macro_rules! definitions {
+    ($(
+        $name:ident($($argument:ident),*) C($libm:ident, $libmf:ident) lanes $lanes:tt $method:tt
+    )*) => {
+        [$((function_name(stringify!($name)), [$(stringify!($argument)),*].join(", "), stringify!($libm))),*]
+            .map(|(name, arguments, c)| format!("#define {name}({arguments}) LAGRANGE_OF({c})({arguments})\n"))
+            .concat()
+    };
+}
+
 /// Returns the text before all functions: the number type `REAL` and every function that bodies
 /// call, for OpenCL C, CUDA C++ and C.
 pub fn prelude(precision: Precision) -> String {
@@ -28,7 +39,9 @@ pub fn prelude(precision: Precision) -> String {
         Precision::Double => ("double", 0),
         Precision::Single => ("float", 1),
     };
-    format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{}", include_str!("prelude.h"))
+    let text =
+        include_str!("prelude.h").replace("/* FUNCTIONS */\n", &lagrange_math::functions!(definitions));
+    format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{text}")
 }
 
 /// The statements of a function that computes a program, each on a line of its own, indented once.

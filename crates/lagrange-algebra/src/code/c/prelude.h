@@ -26,21 +26,7 @@
 #endif
 #endif
 
-#define LAGRANGE_SIN(x) LAGRANGE_OF(sin)(x)
-#define LAGRANGE_COS(x) LAGRANGE_OF(cos)(x)
-#define LAGRANGE_TAN(x) LAGRANGE_OF(tan)(x)
-#define LAGRANGE_ASIN(x) LAGRANGE_OF(asin)(x)
-#define LAGRANGE_ACOS(x) LAGRANGE_OF(acos)(x)
-#define LAGRANGE_ATAN(x) LAGRANGE_OF(atan)(x)
-#define LAGRANGE_ATAN2(y, x) LAGRANGE_OF(atan2)(y, x)
-#define LAGRANGE_SINH(x) LAGRANGE_OF(sinh)(x)
-#define LAGRANGE_COSH(x) LAGRANGE_OF(cosh)(x)
-#define LAGRANGE_TANH(x) LAGRANGE_OF(tanh)(x)
-#define LAGRANGE_EXP(x) LAGRANGE_OF(exp)(x)
-#define LAGRANGE_LN(x) LAGRANGE_OF(log)(x)
-#define LAGRANGE_SQRT(x) LAGRANGE_OF(sqrt)(x)
-#define LAGRANGE_ABS(x) LAGRANGE_OF(fabs)(x)
-#define LAGRANGE_HYPOT(x, y) LAGRANGE_OF(hypot)(x, y)
+/* FUNCTIONS */
 
 /* What is not a number stays so: a sum is none where one of its terms is. Arguments are variables and numbers. */
 #define LAGRANGE_SIGN(x) ((x) > 0 ? (REAL)1 : (x) < 0 ? (REAL)-1 : (x))
