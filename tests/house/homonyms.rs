@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 use crate::imports::Crate;
 
 /// The most names for several types that a crate may have.
-const MOST: usize = 10;
+const MAX_HOMONYMS: usize = 10;
 
 /// All such names of a crate that has too many of them.
 pub(crate) fn too_many(krate: &Crate) -> Option<String> {
     let (names, name) = (homonyms(krate), &krate.name);
     let list = names.join("\n  ");
-    (names.len() > MOST).then(|| format!("{name} has {} names for several types:\n  {list}", names.len()))
+    (names.len() > MAX_HOMONYMS)
+        .then(|| format!("{name} has {} names for several types:\n  {list}", names.len()))
 }
 
 /// Every such name with its places.

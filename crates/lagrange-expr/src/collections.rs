@@ -1,8 +1,10 @@
 //! Maps and sets whose order never depends on a hash.
 //!
 //! Generated code must be the same to the byte in every process. So the only containers in this crate
-//! that can be iterated keep insertion order; [`HashMap`] can be asked but not walked.
+//! that can be iterated keep insertion order; [`HashMap`] and [`HashSet`] can be
+//! looked up but not iterated.
 
+use std::borrow::Borrow;
 use std::hash::Hash;
 
 use indexmap::IndexMap;
@@ -63,6 +65,47 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
 impl<K: Eq + Hash, V> FromIterator<(K, V)> for HashMap<K, V> {
     fn from_iter<I: IntoIterator<Item = (K, V)>>(entries: I) -> Self {
         HashMap(entries.into_iter().collect())
+    }
+}
+
+/// A set that can be looked up but not iterated.
+#[derive(Clone, Debug)]
+pub struct HashSet<T>(rustc_hash::FxHashSet<T>);
+
+impl<T> Default for HashSet<T> {
+    fn default() -> Self {
+        HashSet(rustc_hash::FxHashSet::default())
+    }
+}
+
+impl<T: Eq + Hash> HashSet<T> {
+    /// True if `element` is present.
+    pub fn contains<Q: Eq + Hash + ?Sized>(&self, element: &Q) -> bool
+    where
+        T: Borrow<Q>,
+    {
+        self.0.contains(element)
+    }
+
+    /// Adds `element` and returns true if it was absent.
+    pub fn insert(&mut self, element: T) -> bool {
+        self.0.insert(element)
+    }
+
+    /// The number of elements.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// True if there is no element.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl<T: Eq + Hash> FromIterator<T> for HashSet<T> {
+    fn from_iter<I: IntoIterator<Item = T>>(elements: I) -> Self {
+        HashSet(elements.into_iter().collect())
     }
 }
 

@@ -19,7 +19,7 @@ use crate::limits::MAX_DECIMAL_EXPONENT;
 /// Powers whose result would need more bits than this are left unevaluated.
 const LARGEST_POWER_BITS: u64 = 4096;
 /// Numbers that need more bits than this are of no use; the longest literals need fewer.
-const MOST_BITS: u64 = 20_000;
+const MAX_BITS: u64 = 20_000;
 
 /// A rational number in lowest terms, with a positive denominator.
 ///
@@ -130,7 +130,7 @@ impl Number {
     pub fn is_short(&self) -> bool {
         match &self.0 {
             Repr::Word(_) => true,
-            Repr::Big(big) => big.numer().bits().max(big.denom().bits()) <= MOST_BITS,
+            Repr::Big(big) => big.numer().bits().max(big.denom().bits()) <= MAX_BITS,
         }
     }
 

@@ -7,7 +7,7 @@ use crate::decimal::Decimal;
 /// Distance within which an entry is 0, 1 or −1, and an angle a number of quarter turns.
 pub(crate) const SNAPPED: f64 = 1e-9;
 /// More quarter turns are no angle that anyone writes.
-const MOST_QUARTERS: f64 = 8.0;
+const MAX_QUARTERS: f64 = 8.0;
 /// Fraction of the largest entry of a tensor below which an entry is what is left of numbers that cancel.
 const NEGLIGIBLE: f64 = 1e-15;
 
@@ -86,7 +86,7 @@ pub(crate) fn angle(angle: &Decimal) -> String {
     let quarters = angle.value() / std::f64::consts::FRAC_PI_2;
     let whole = quarters.round();
     let is_whole = (quarters - whole).abs() * std::f64::consts::FRAC_PI_2 < SNAPPED;
-    if !is_whole || whole.abs() > MOST_QUARTERS {
+    if !is_whole || whole.abs() > MAX_QUARTERS {
         return angle.to_string();
     }
     let (sign, count) = (if whole < 0.0 { "-" } else { "" }, whole.abs());

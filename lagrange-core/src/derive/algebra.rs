@@ -11,7 +11,7 @@ use lagrange_expr::number::Number;
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
 /// Terms up to which the product of two sums is multiplied out on trial, as of four by four: the trial costs as much as it makes.
-const MOST_OPENED: usize = 16;
+const MAX_OPENED: usize = 16;
 /// Depth to which factors are counted. Counting decides between two ways of writing one sum and must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
@@ -110,7 +110,7 @@ impl<'g> Algebra<'g> {
         self.flatten(a, scale, &mut left);
         self.flatten(b, &Number::ONE, &mut right);
         // Too long to hope that most of it cancels; one closed term keeps it shared.
-        if left.len() * right.len() > MOST_OPENED {
+        if left.len() * right.len() > MAX_OPENED {
             terms.push((self.graph.multiply(a, b), scale.clone()));
             return;
         }

@@ -2,7 +2,7 @@
 
 use crate::model::Model;
 use lagrange_algebra::calculus::{Degree, Degrees};
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
@@ -15,7 +15,7 @@ pub fn most_coupled(model: &Model, enough: usize) -> usize {
     let graph = &model.graph;
     let mut degrees = Degrees::default();
     degrees.classify(graph, &[model.lagrangian]);
-    let is_velocity = model.velocities().into_iter().map(|v| (v, ())).collect::<HashMap<_, _>>();
+    let is_velocity = model.velocities().into_iter().collect::<HashSet<_>>();
     let (mut most, mut looked_at) = (0, 0);
     for id in graph.reachable(&[model.lagrangian]).into_iter().rev() {
         let Node::Product(factors) = graph.node(id) else { continue };

@@ -21,7 +21,7 @@ use lagrange_expr::number::Number;
 
 /// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does to itself cancels, but the number of
 /// coefficients grows as its square, and with it what they share when they stay closed.
-const MOST_MULTIPLIED_OUT: usize = 4;
+const MAX_MULTIPLIED_OUT: usize = 4;
 /// Number of expressions up to which they are: the trial multiplies out everything and factorises two matrices.
 const LARGEST_MULTIPLIED_OUT: usize = 300;
 /// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the closed one.
@@ -133,7 +133,7 @@ fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[Ex
 }
 
 fn multiplied_out(graph: &mut Graph, pushed: &QuadraticForm, unknowns: &[ExprId]) -> Option<QuadraticForm> {
-    if unknowns.len() > MOST_MULTIPLIED_OUT {
+    if unknowns.len() > MAX_MULTIPLIED_OUT {
         return None;
     }
     let pairs = unknowns.iter().enumerate().flat_map(|(n, &i)| unknowns[n..].iter().map(move |&j| (i, j)));

@@ -29,9 +29,18 @@ use std::collections::BTreeMap;
 
 use super::curvature::Curvature;
 use super::quadratic_form::QuadraticForm;
-use lagrange_algebra::calculus::{AccelerationTerms, Degree, Degrees, adjoint, partials, substitute_all};
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_algebra::calculus::Degree;
+use lagrange_algebra::calculus::Degrees;
+use lagrange_algebra::calculus::adjoint;
+use lagrange_algebra::calculus::partials;
+use lagrange_algebra::calculus::substitute_all;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
+use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
@@ -209,18 +218,18 @@ pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprI
 }
 
 /// Sums with terms that, be it as terms of terms, are terms of both expressions.
-fn common_terms(graph: &Graph, whole: ExprId, part: ExprId) -> HashMap<ExprId, ()> {
+fn common_terms(graph: &Graph, whole: ExprId, part: ExprId) -> HashSet<ExprId> {
     let is_sum = |id: ExprId| matches!(graph.node(id), Node::Sum { .. });
     let closures = [whole, part].map(|root| graph.reachable_until(&[root], |id| !is_sum(id)));
-    let of_part = closures[1].iter().map(|&id| (id, ())).collect::<HashMap<_, _>>();
-    let shared = closures[0].iter().filter(|id| of_part.contains(id)).map(|&id| (id, ()));
-    let shared = shared.collect::<HashMap<_, _>>();
-    let mut holding: HashMap<ExprId, ()> = HashMap::default();
+    let of_part = closures[1].iter().copied().collect::<HashSet<_>>();
+    let shared = closures[0].iter().filter(|id| of_part.contains(id)).copied();
+    let shared = shared.collect::<HashSet<_>>();
+    let mut holding: HashSet<ExprId> = HashSet::default();
     for id in graph.reachable_until(&[whole, part], |id| !is_sum(id)).into_iter().filter(|&id| is_sum(id)) {
         let mut holds = false;
         graph.node(id).for_each_child(|child| holds |= shared.contains(&child) || holding.contains(&child));
         if holds {
-            holding.insert(id, ());
+            holding.insert(id);
         }
     }
     holding

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::cost::cost;
 use super::coupling::most_coupled;
-use super::elimination::contracted::{MOST_CONTRACTED, solve_contracted};
+use super::elimination::contracted::{MAX_CONTRACTED, solve_contracted};
 use super::elimination::solution::{Solution, solve_dense, solve_recursive};
 use super::forms::Forms;
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
@@ -126,7 +126,7 @@ impl Candidates<'_> {
         let velocities = self.model.velocities();
         let pushed = self.forms.pushed(self.model);
         let is_coupled = velocities.iter().any(|&velocity| pushed.degree(velocity) > 0);
-        let is_contracted = velocities.len() <= MOST_CONTRACTED;
+        let is_contracted = velocities.len() <= MAX_CONTRACTED;
         let strategies = match (is_coupled, is_contracted) {
             // Accelerations in the axes of bodies lose digits when they are multiplied out.
             (true, _) if self.split.has_gibbs_function() => {

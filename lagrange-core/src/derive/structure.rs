@@ -4,7 +4,7 @@
 use crate::model::{Action, Model};
 use lagrange_algebra::calculus::{adjoint, gradient};
 use lagrange_algebra::simplify::{ROUNDING, somewhere, vanishing};
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::symbol::Role;
@@ -182,18 +182,18 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
 }
 
 /// The velocities that forces of constraints, contacts and friction change.
-fn constrained_velocities(model: &Model) -> HashMap<ExprId, ()> {
+fn constrained_velocities(model: &Model) -> HashSet<ExprId> {
     let constrained = model.constraints.iter().map(|constraint| constraint.velocity);
     let touched = model.reactions.iter().map(|reaction| reaction.velocity);
     let reached = model.graph.reachable(&constrained.chain(touched).collect::<Vec<_>>());
-    reached.into_iter().map(|id| (id, ())).collect()
+    reached.into_iter().collect()
 }
 
 /// True if the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities
 /// is linear in them, A v = 0.
 fn constraints_do_no_work(model: &mut Model) -> bool {
     let velocities = model.velocities();
-    let is_velocity = velocities.into_iter().map(|velocity| (velocity, ())).collect::<HashMap<_, _>>();
+    let is_velocity = velocities.into_iter().collect::<HashSet<_>>();
     let demands = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
     let drifts = demands.into_iter().map(|demand| {
         // A constraint usually holds few of all velocities.

@@ -22,9 +22,14 @@
 use std::collections::BTreeSet;
 
 use super::plane_rotation::{PendingRotations, TurnedPair, turned_pairs};
-use lagrange_algebra::calculus::{Degree, Degrees, partials};
-use lagrange_expr::collections::{HashMap, OrderedMap};
-use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_algebra::calculus::Degree;
+use lagrange_algebra::calculus::Degrees;
+use lagrange_algebra::calculus::partials;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
 
 /// An affine variable written in its affine parts.
 #[derive(Clone, Debug)]
@@ -84,7 +89,7 @@ pub(super) struct Sweep {
     inner: BTreeSet<(usize, ExprId)>,
     /// Ready generalised velocities.
     leaves: BTreeSet<ExprId>,
-    velocities: HashMap<ExprId, ()>,
+    velocities: HashSet<ExprId>,
     rotations: PendingRotations,
 }
 
@@ -99,7 +104,7 @@ impl Sweep {
         rotations: Rotations,
     ) -> Sweep {
         let all = [heads, first].concat();
-        let velocities = velocities.iter().map(|&v| (v, ())).collect::<HashMap<_, _>>();
+        let velocities = velocities.iter().copied().collect::<HashSet<_>>();
         let mut sweep = Sweep {
             variables: affine_variables(graph, &all, &velocities),
             inner: BTreeSet::new(),
@@ -143,7 +148,7 @@ impl Sweep {
     /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the one
     /// between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
     fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
-        let is_head = heads.iter().map(|&head| (head, ())).collect::<HashMap<_, _>>();
+        let is_head = heads.iter().copied().collect::<HashSet<_>>();
         for id in self.ids() {
             let &[(part, slope)] = self.parts(id) else { continue };
             let &[(below, inner)] = self.parts(part) else { continue };
@@ -158,7 +163,7 @@ impl Sweep {
 
     /// Finds pairs that are turned; heads have coefficients of their own.
     fn join_rotations(&mut self, graph: &Graph, heads: &[ExprId], are_last: bool) {
-        let is_head = heads.iter().map(|&head| (head, ())).collect::<HashMap<_, _>>();
+        let is_head = heads.iter().copied().collect::<HashSet<_>>();
         let users = |id: ExprId| self.variables.get(&id).map_or(0, |variable| variable.users);
         let pairs = turned_pairs(
             graph,
@@ -322,7 +327,7 @@ impl Sweep {
 fn affine_variables(
     graph: &mut Graph,
     heads: &[ExprId],
-    velocities: &HashMap<ExprId, ()>,
+    velocities: &HashSet<ExprId>,
 ) -> OrderedMap<ExprId, Variable> {
     let mut degrees = Degrees::default();
     degrees.classify(graph, heads);

@@ -13,7 +13,7 @@ use lagrange_expr::symbol::Role;
 /// that entries are far larger, while a few eliminations round in the last of sixteen digits.
 const ROUNDING: f64 = 1e-9;
 /// Number of states that are tried until one has no undefined entries, such as the root of something negative.
-const MOST_STATES: u32 = 8;
+const MAX_STATES: u32 = 8;
 const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
 
 /// The numbers of the coordinates that take part in the first motion that nothing determines; none if there is no such motion.
@@ -23,7 +23,7 @@ pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     let constrained = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
     let rows = momenta.into_iter().chain(constrained);
     let rows = rows.map(|row| gradient(&mut model.graph, row, &velocities)).collect::<Vec<_>>();
-    let states = (0..MOST_STATES).map(|state| numbers(&model.graph, &rows, state));
+    let states = (0..MAX_STATES).map(|state| numbers(&model.graph, &rows, state));
     let matrix = states.into_iter().find(|rows| rows.iter().flatten().all(|entry| entry.is_finite()));
     matrix.map_or_else(Vec::new, |matrix| first_of_kernel(matrix, velocities.len()))
 }

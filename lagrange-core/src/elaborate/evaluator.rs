@@ -6,12 +6,22 @@ use super::messages;
 use super::operand::Operand;
 use super::scope::Scope;
 use super::unresolved::Unresolved;
-use lagrange_algebra::calculus::{AccelerationTerms, Rates};
-use lagrange_expr::collections::{HashMap, OrderedMap};
-use lagrange_expr::diagnostics::{Origin, Report};
-use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_algebra::calculus::AccelerationTerms;
+use lagrange_algebra::calculus::Rates;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::diagnostics::Report;
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
+use lagrange_expr::expr::Node;
 use lagrange_expr::symbol::Role;
-use lagrange_language::syntax::ast::{AstId, BinaryOperator, Declaration, Expression};
+use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::BinaryOperator;
+use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::Expression;
 
 /// Evaluates the expressions of one declaration.
 pub(super) struct Evaluator<'a> {
@@ -23,9 +33,9 @@ pub(super) struct Evaluator<'a> {
     /// Velocity and position that each `dot(…)` evaluated to.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
     /// Arguments that are reported to be no size of a solid.
-    pub(super) unsuitable: HashMap<Vec<AstId>, ()>,
+    pub(super) unsuitable: HashSet<Vec<AstId>>,
     /// Joints of which it was reported that they have no force.
-    pub(super) forceless_joints: HashMap<String, ()>,
+    pub(super) forceless_joints: HashSet<String>,
     pub(super) constants: Constants,
     pub(super) unresolved: Unresolved,
     /// Operands by expression; `None` where something was wrong and has been reported.
@@ -33,9 +43,9 @@ pub(super) struct Evaluator<'a> {
     /// Functions without a formula that calls may mention.
     pub(super) callables: OrderedMap<String, Callable>,
     /// Expressions with an obligation to be a vector: that one is none is reported there, not for each of its components.
-    pub(super) obliged_vectors: HashMap<AstId, ()>,
+    pub(super) obliged_vectors: HashSet<AstId>,
     /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is reported there.
-    pub(super) obliged_masses: HashMap<AstId, ()>,
+    pub(super) obliged_masses: HashSet<AstId>,
 }
 
 /// A leaf of a chain, negated in a sum or divided by in a product.
@@ -53,14 +63,14 @@ impl<'a> Evaluator<'a> {
             declaration,
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
-            unsuitable: HashMap::default(),
-            forceless_joints: HashMap::default(),
+            unsuitable: HashSet::default(),
+            forceless_joints: HashSet::default(),
             constants: Constants::default(),
             unresolved: Unresolved::default(),
             values: HashMap::default(),
             callables: OrderedMap::default(),
-            obliged_vectors: HashMap::default(),
-            obliged_masses: HashMap::default(),
+            obliged_vectors: HashSet::default(),
+            obliged_masses: HashSet::default(),
         }
     }
 

@@ -127,7 +127,7 @@ fn belongs_to_held_pin(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool 
 /// True if nothing was said yet of a joint without forces, one of whose constraints has this name.
 fn is_first_of_joint(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
     let joint = constraint.rsplit_once('_').map_or(constraint, |(joint, _)| joint);
-    evaluator.forceless_joints.insert(joint.to_owned(), ()).is_none()
+    evaluator.forceless_joints.insert(joint.to_owned())
 }
 
 fn evaluate_component(evaluator: &mut Evaluator<'_>, of: AstId, component: &Name) -> Option<Operand> {

@@ -86,7 +86,7 @@ fn solid_dimensions(
     }
     let dimensions = suitable_dimensions(evaluator, solid, name, arguments, call);
     if dimensions.is_none() {
-        evaluator.unsuitable.insert(arguments.to_vec(), ());
+        evaluator.unsuitable.insert(arguments.to_vec());
     }
     dimensions
 }

@@ -6,9 +6,17 @@ use super::evaluator::Evaluator;
 use super::messages;
 use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
+use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
-use lagrange_language::syntax::ast::{AstId, Declaration, Expression, ScalarType, StatementKind};
+use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::Expression;
+use lagrange_language::syntax::ast::ScalarType;
+use lagrange_language::syntax::ast::StatementKind;
 
 /// Reports numbers that the scalar does not hold, each at the smallest expression that holds it.
 pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
@@ -19,11 +27,11 @@ pub(super) fn check_magnitudes(elaborator: &mut Elaborator<'_>) {
     let evaluator = &mut elaborator.evaluator;
     let mut misfits = Misfits { scalar: &declaration.scalar, known: HashMap::default() };
     misfits.learn(evaluator, &roots);
-    let mut seen = HashMap::default();
+    let mut seen = HashSet::default();
     let mut pending = roots.into_iter().rev().collect::<Vec<_>>();
     while let Some(id) = pending.pop() {
         let misfit = misfits.of(evaluator, id);
-        if misfit.is_none() || seen.insert(id, ()).is_some() {
+        if misfit.is_none() || !seen.insert(id) {
             continue;
         }
         let mut parts = evaluator.operands(id);

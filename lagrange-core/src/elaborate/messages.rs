@@ -184,13 +184,13 @@ pub(super) fn largest_help(scalar: &str, largest: f64) -> String {
 }
 
 /// Longer lists do not help.
-const MOST_LISTED: usize = 10;
+const MAX_LISTED: usize = 10;
 
 pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
     match names {
         [] => COORDINATES_HELP.to_owned(),
         [name] => format!("the coordinate is `{name}`"),
-        _ if names.len() > MOST_LISTED => usage.to_owned(),
+        _ if names.len() > MAX_LISTED => usage.to_owned(),
         _ => format!("the coordinates are `{}`", names.join("`, `")),
     }
 }

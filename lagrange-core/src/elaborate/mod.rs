@@ -68,10 +68,10 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     for obligation in &plain.obligations {
         match obligation {
             Obligation::PlaneVector { value, .. } => {
-                elaborator.evaluator.obliged_vectors.insert(*value, ());
+                elaborator.evaluator.obliged_vectors.insert(*value);
             }
             Obligation::PositiveMass { mass: obliged, .. } | Obligation::Inertia { inertia: obliged, .. } => {
-                elaborator.evaluator.obliged_masses.insert(*obliged, ());
+                elaborator.evaluator.obliged_masses.insert(*obliged);
             }
             _ => {}
         }

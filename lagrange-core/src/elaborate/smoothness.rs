@@ -9,8 +9,13 @@ use super::elaborator::Elaborator;
 use super::messages;
 use lagrange_algebra::simplify::multiply_out;
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::elementary;
-use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph, Node};
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Function;
+use lagrange_expr::expr::Graph;
+use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
 /// Monomials up to which an energy with kinks is multiplied out.
@@ -26,10 +31,10 @@ struct Local {
 /// Reports what makes the Lagrangian or one of its momenta jump.
 pub(super) fn check_smoothness(elaborator: &mut Elaborator<'_>, lagrangian: ExprId, momenta: &[ExprId]) {
     let roots = [&[lagrangian], momenta].concat();
-    let mut places = HashMap::default();
+    let mut places = HashSet::default();
     for (kink, factors) in kinks(&mut elaborator.evaluator.graph, lagrangian) {
         let jumps = factors.into_iter().any(|factor| jumps(&mut elaborator.evaluator.graph, &roots, factor));
-        if jumps && places.insert(kink, ()).is_none() {
+        if jumps && places.insert(kink) {
             report_kink(elaborator, kink);
         }
     }

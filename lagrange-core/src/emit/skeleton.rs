@@ -15,7 +15,7 @@ use super::features::scene::motion_method;
 use super::item::items;
 use crate::elaborate::METHODS_OF_REDUCED;
 use crate::model::Product;
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
@@ -162,9 +162,9 @@ fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {
 
 /// Emits the skeletons of the reduced types.
 fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
-    let mut taken = HashMap::default();
+    let mut taken = HashSet::default();
     let mut is_new = |name: &str| {
-        let mut insert = |name: String| taken.insert(name, ()).is_none();
+        let mut insert = |name: String| taken.insert(name);
         insert(name.to_owned())
             & insert(format!("{name}State"))
             & insert(format!("{name}Columns"))

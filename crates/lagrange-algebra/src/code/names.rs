@@ -3,16 +3,18 @@
 use proc_macro2::{Ident, Span};
 
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::keywords::is_rust_keyword;
 use lagrange_expr::opaque::Opaque;
-use lagrange_expr::symbol::{Role, Symbols};
+use lagrange_expr::symbol::Role;
+use lagrange_expr::symbol::Symbols;
 
 /// Gives out local names, each once.
 ///
 /// All identifiers have mixed-site spans: they see, and are seen by, only what the same macro emits.
 #[derive(Clone, Default, Debug)]
 pub struct Names {
-    taken: HashMap<String, ()>,
+    taken: HashSet<String>,
     roles: HashMap<Role, Ident>,
     next: HashMap<String, usize>,
     /// Places where the user names functions of the user's crate.
@@ -22,13 +24,13 @@ pub struct Names {
 impl Names {
     /// Nothing given out yet; `reserved` never will be.
     pub fn new<'a>(reserved: impl IntoIterator<Item = &'a str>) -> Names {
-        let taken = reserved.into_iter().map(|name| (name.to_owned(), ())).collect();
+        let taken = reserved.into_iter().map(|name| name.to_owned()).collect();
         Names { taken, ..Names::default() }
     }
 
     /// Keeps a name from being given out.
     pub fn reserve(&mut self, name: &str) {
-        self.taken.insert(name.to_owned(), ());
+        self.taken.insert(name.to_owned());
     }
 
     /// Records where the user names a function.
@@ -87,7 +89,7 @@ impl Names {
 
     fn take(&mut self, name: String) -> Ident {
         let ident = Ident::new(&name, Span::mixed_site());
-        self.taken.insert(name, ());
+        self.taken.insert(name);
         ident
     }
 }

@@ -17,7 +17,7 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Symbols;
 
 /// Expressions with more operations than this are split by a `let`.
-const MOST_OPERATIONS: usize = 10;
+const MAX_OPERATIONS: usize = 10;
 /// Expressions longer than this many characters are split by a `let`, so that it fits on a line.
 const LONGEST_EXPRESSION: usize = 80;
 
@@ -107,7 +107,7 @@ impl<'a> BodyWriter<'a> {
                 .filter(|&i| !operands[i].is_free())
                 .max_by_key(|&i| (operands[i].operations, operands[i].width));
             match longest {
-                Some(i) if operations >= MOST_OPERATIONS || width > LONGEST_EXPRESSION => {
+                Some(i) if operations >= MAX_OPERATIONS || width > LONGEST_EXPRESSION => {
                     operands[i] = self.bind_operand(ids[i], &operands[i]);
                 }
                 _ => return,

@@ -3,9 +3,9 @@
 use lagrange_expr::number::Number;
 
 /// Decimals with more digits than this after the point are written with an exponent.
-const MOST_DECIMALS: usize = 6;
+const MAX_DECIMALS: usize = 6;
 /// Integers with more zeros than this at the end are written with an exponent.
-const MOST_ZEROS: usize = 6;
+const MAX_ZEROS: usize = 6;
 
 /// A number written as a numerator and, where that is shorter or the only exact way, a denominator.
 pub(super) struct Numeral {
@@ -29,14 +29,14 @@ pub(super) fn numeral(value: &Number) -> Numeral {
 fn integer(digits: &str) -> String {
     let significant = digits.trim_end_matches('0');
     let zeros = digits.len() - significant.len();
-    if zeros > MOST_ZEROS { format!("{significant}e{zeros}") } else { digits.to_owned() }
+    if zeros > MAX_ZEROS { format!("{significant}e{zeros}") } else { digits.to_owned() }
 }
 
 fn decimal(value: &Number, denominator: &str) -> Option<String> {
     let places = decimal_places(denominator.parse().ok()?)?;
     let scaled = value * &Number::from(10).power(i32::try_from(places).ok()?)?;
     let digits = scaled.to_string();
-    if places > MOST_DECIMALS {
+    if places > MAX_DECIMALS {
         return Some(format!("{digits}e-{places}"));
     }
     let padded = format!("{digits:0>width$}", width = places + 1);

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::ir::{Op, Program, ValueId};
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::elementary::row;
 
 /// A program that is none.
@@ -123,13 +123,13 @@ impl ValueKind {
 }
 
 fn verify_distinctness(program: &Program) -> Result<(), Fault> {
-    let mut seen: HashMap<Op, ()> = HashMap::default();
+    let mut seen: HashSet<Op> = HashSet::default();
     for (id, op) in program.values() {
         let known = match op {
             Op::SinCosEach(angles) => (1..angles.len()).any(|i| angles[..i].contains(&angles[i])),
             _ => op.commuted().is_some_and(|commuted| seen.contains(&commuted)),
         };
-        if known || seen.insert(op.clone(), ()).is_some() {
+        if known || !seen.insert(op.clone()) {
             return Err(Fault::Duplicate(id));
         }
     }
@@ -138,10 +138,10 @@ fn verify_distinctness(program: &Program) -> Result<(), Fault> {
 
 fn verify_usefulness(program: &Program) -> Result<(), Fault> {
     let uses = program.uses();
-    let mut taken: HashMap<(ValueId, u32), ()> = HashMap::default();
+    let mut taken: HashSet<(ValueId, u32)> = HashSet::default();
     for (_, op) in program.values() {
         if let Op::SinIn(batch, place) | Op::CosIn(batch, place) = op {
-            taken.insert((*batch, *place), ());
+            taken.insert((*batch, *place));
         }
     }
     let is_dead = |(id, op): &(ValueId, &Op)| match op {

@@ -1,8 +1,11 @@
 //! Quotients without the factors that numerator and denominator have in common.
 
-use super::monomial::{MOST_FACTORS, Monomial};
+use super::monomial::MAX_FACTORS;
+use super::monomial::Monomial;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{ExprId, Graph, Node};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
+use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
 /// Depth to which sums are searched for common factors: what all terms share shows near the top, and each level opens sums that
@@ -14,7 +17,7 @@ const DEEPEST: usize = 6;
 pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> ExprId {
     let plain = graph.divide(numerator, denominator);
     let (scale, core) = graph.split_coefficient(denominator);
-    let Some(below) = Monomial::of(graph, core, MOST_FACTORS) else { return plain };
+    let Some(below) = Monomial::of(graph, core, MAX_FACTORS) else { return plain };
     let mut canceller = Canceller::default();
     let common = canceller.common_factor(graph, numerator, DEEPEST);
     let cancels = |(base, _): &(ExprId, Number)| below.exponent(*base).is_some_and(|e| !e.is_negative());
@@ -51,7 +54,7 @@ impl Canceller {
                 parts.fold(first, |common, part| common.least(&part))
             }
             Node::Product(_) if depth > 0 => {
-                let flat = Monomial::of(graph, core, MOST_FACTORS).unwrap_or_default();
+                let flat = Monomial::of(graph, core, MAX_FACTORS).unwrap_or_default();
                 let positive = flat.factors().iter().filter(|(_, e)| e.is_integer() && !e.is_negative());
                 positive.fold(Monomial::default(), |common, (base, exponent)| {
                     common.times(&self.common_factor(graph, *base, depth - 1).power(exponent))
@@ -101,7 +104,7 @@ impl Canceller {
         divisor: &Monomial,
         depth: usize,
     ) -> ExprId {
-        let Some(flat) = Monomial::of(graph, product, MOST_FACTORS) else {
+        let Some(flat) = Monomial::of(graph, product, MAX_FACTORS) else {
             let one_over = divisor.power(&Number::MINUS_ONE).build(graph);
             return graph.multiply(product, one_over);
         };
@@ -141,7 +144,7 @@ fn flat_sum(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
 
 fn flat_product(graph: &mut Graph, id: ExprId) -> ExprId {
     match graph.node(id) {
-        Node::Product(_) => Monomial::of(graph, id, MOST_FACTORS).map_or(id, |flat| flat.build(graph)),
+        Node::Product(_) => Monomial::of(graph, id, MAX_FACTORS).map_or(id, |flat| flat.build(graph)),
         _ => id,
     }
 }

@@ -1,6 +1,6 @@
 //! Sums in which equal products and squares of sine and cosine meet.
 
-use super::monomial::{MOST_FACTORS, Monomial, Term};
+use super::monomial::{MAX_FACTORS, Monomial, Term};
 use super::pairs::join;
 use super::rules::squares;
 use lagrange_expr::collections::{HashMap, OrderedMap};
@@ -52,7 +52,7 @@ fn add_equal_products(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId,
     let mut sums: OrderedMap<Monomial, (ExprId, Number)> = OrderedMap::default();
     for (id, coefficient) in terms {
         let (core, coefficient) = split(graph, *id, coefficient);
-        let flat = Monomial::of(graph, core, MOST_FACTORS);
+        let flat = Monomial::of(graph, core, MAX_FACTORS);
         let key = flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)]));
         let sum = sums.get_or_insert_with(key, || (core, Number::ZERO));
         sum.1 = &sum.1 + &coefficient;
@@ -77,7 +77,7 @@ fn candidates(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Term)> 
 /// The term as a flat monomial, if a square of a function the rules know is among its factors.
 fn with_square(graph: &Graph, id: ExprId) -> Option<Monomial> {
     let Node::Product(_) = graph.node(id) else { return None };
-    let monomial = Monomial::of(graph, id, MOST_FACTORS)?;
+    let monomial = Monomial::of(graph, id, MAX_FACTORS)?;
     let is_square = |(base, exponent): &(ExprId, Number)| {
         exponent.to_i32().is_some_and(|exponent| exponent > 1) && is_known(graph, *base)
     };
@@ -123,7 +123,7 @@ fn take_out(graph: &mut Graph, product: ExprId, base: ExprId, wanted: i32) -> (E
 }
 
 fn divide_flat(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId {
-    match Monomial::of(graph, product, MOST_FACTORS) {
+    match Monomial::of(graph, product, MAX_FACTORS) {
         Some(flat) => flat.over(removed).build(graph),
         None => graph.product(
             [(product, Number::ONE)]

@@ -1,8 +1,11 @@
 //! Common factor of several expressions.
 
 use super::cancel::quotient;
-use super::monomial::{MOST_FACTORS, Monomial, Term};
-use lagrange_expr::expr::{ExprId, Graph};
+use super::monomial::MAX_FACTORS;
+use super::monomial::Monomial;
+use super::monomial::Term;
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::Graph;
 use lagrange_expr::number::Number;
 
 /// A common factor of the expressions, and what they are without it. Forms that are multiples of each other
@@ -33,9 +36,9 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
 pub fn safe_quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Option<ExprId> {
     let found = quotient(graph, numerator, denominator);
     let (_, core) = graph.split_coefficient(found);
-    let flat = Monomial::of(graph, core, MOST_FACTORS)?;
+    let flat = Monomial::of(graph, core, MAX_FACTORS)?;
     let (_, core) = graph.split_coefficient(denominator);
-    let divisor = Monomial::of(graph, core, MOST_FACTORS)?;
+    let divisor = Monomial::of(graph, core, MAX_FACTORS)?;
     let is_divided = |(base, _): &(ExprId, Number)| {
         let is_below = flat.exponent(*base).is_some_and(Number::is_negative);
         is_below && !graph.dependencies(*base).is_constant_in_motion()

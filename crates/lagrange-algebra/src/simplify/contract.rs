@@ -22,9 +22,9 @@ use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
 /// Number of sines and cosines up to which a product is written as a sum of waves: n of them make 2ⁿ⁻¹ terms.
-const MOST_WAVES: usize = 4;
+const MAX_WAVES: usize = 4;
 /// Number of terms up to which a sum is contracted, since all pairs of its waves are compared.
-const MOST_TERMS: usize = 64;
+const MAX_TERMS: usize = 64;
 
 /// A number times sines and cosines.
 #[derive(Clone, Debug)]
@@ -43,7 +43,7 @@ struct Group {
 /// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise. `angles` remembers how angles
 /// have been written before.
 pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
-    if terms.len() < 2 || terms.len() > MOST_TERMS {
+    if terms.len() < 2 || terms.len() > MAX_TERMS {
         return graph.sum(Number::ZERO, terms);
     }
     let mut groups: OrderedMap<Monomial, Group> = OrderedMap::default();
@@ -111,7 +111,7 @@ fn read(
             _ => None,
         };
         match (wave, exponent.to_i32().map(usize::try_from)) {
-            (Some(_), Some(Ok(power))) if power > MOST_WAVES - waves.len() => return None,
+            (Some(_), Some(Ok(power))) if power > MAX_WAVES - waves.len() => return None,
             (Some(wave), Some(Ok(power))) => waves.extend(std::iter::repeat_n(wave, power)),
             _ => cofactor.push((*base, exponent.clone())),
         }

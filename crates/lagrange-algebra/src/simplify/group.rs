@@ -10,7 +10,7 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
 /// Number of terms up to which a coefficient is searched for common factors: every group that is drawn out searches the rest again.
-const MOST_TERMS: usize = 64;
+const MAX_TERMS: usize = 64;
 
 /// An expression with the value of the polynomial.
 pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
@@ -130,7 +130,7 @@ fn common_factor(terms: &[Term]) -> Monomial {
 /// first.
 fn by_common_factor(graph: &mut Graph, mut terms: Vec<Term>) -> Vec<(ExprId, Number)> {
     let mut parts = Vec::new();
-    while terms.len() <= MOST_TERMS
+    while terms.len() <= MAX_TERMS
         && let Some((shared, members)) = largest_group(&terms)
     {
         let inverse = shared.power(&Number::MINUS_ONE);

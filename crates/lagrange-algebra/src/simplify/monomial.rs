@@ -5,7 +5,7 @@ use lagrange_expr::number::Number;
 
 /// Number of nested parts up to which a product is written flat. Products grow with every elimination; flat copies of all of them would
 /// take a time quadratic in the length of a chain.
-pub(super) const MOST_FACTORS: usize = 16;
+pub(super) const MAX_FACTORS: usize = 16;
 
 /// `Π base ^ exponent`: ascending bases, no exponent zero. Equal monomials are equal values.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
@@ -26,7 +26,7 @@ impl Term {
         if let Some(value) = graph.as_number(core) {
             return Term { coefficient: &coefficient * value, monomial: Monomial::default() };
         }
-        let flat = Monomial::of(graph, core, MOST_FACTORS);
+        let flat = Monomial::of(graph, core, MAX_FACTORS);
         Term { coefficient, monomial: flat.unwrap_or_else(|| Monomial::new(vec![(core, Number::ONE)])) }
     }
 }

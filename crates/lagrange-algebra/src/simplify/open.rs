@@ -7,7 +7,7 @@ use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
 /// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract()) takes.
-const MOST_TERMS: usize = 64;
+const MAX_TERMS: usize = 64;
 
 /// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if they become
 /// too many. Roots and denominators stay closed.
@@ -24,7 +24,7 @@ pub fn open(
             Some(factor) => pending.extend(distributed(graph, &term, factor)),
             None => opened.push((term.monomial.build(graph), term.coefficient)),
         }
-        if pending.len() + opened.len() > MOST_TERMS {
+        if pending.len() + opened.len() > MAX_TERMS {
             return None;
         }
     }

@@ -1,7 +1,7 @@
 //! The operands that expressions depend on.
 
 use super::{ExprId, Graph};
-use crate::collections::HashMap;
+use crate::collections::HashSet;
 
 impl Graph {
     /// Expressions that the roots are made of, themselves included, children before parents.
@@ -30,14 +30,14 @@ impl Graph {
     /// True if an expression is made of more than `limit` expressions, itself included. Looks at no
     /// more than that many, however large the expression is.
     pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
-        let mut seen = HashMap::from_iter([(root, ())]);
+        let mut seen = HashSet::from_iter([root]);
         let mut pending = vec![root];
         while let Some(id) = pending.pop() {
             if seen.len() > limit {
                 return true;
             }
             self.node(id).for_each_child(|child| {
-                if seen.insert(child, ()).is_none() {
+                if seen.insert(child) {
                     pending.push(child);
                 }
             });

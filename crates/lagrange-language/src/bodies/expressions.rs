@@ -167,7 +167,7 @@ pub(super) fn report_early(translation: &mut Translation<'_>, name: &str) -> boo
     };
     let declared = declared.span;
     let is_waiting = translation.waiting.iter().any(|body| body.name().text == name);
-    if translation.early.insert(name.to_owned(), ()).is_some() {
+    if !translation.early.insert(name.to_owned()) {
         return true;
     }
     let (message, help) = match is_waiting {

@@ -4,6 +4,7 @@ use super::constants::constants_of;
 use super::messages;
 use super::object::Object;
 use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::{Report, nearest};
 
@@ -14,17 +15,17 @@ pub(super) struct SceneNames {
     /// Objects that are declared anywhere.
     all_objects: OrderedMap<String, Name>,
     /// Parameters and constants.
-    fixed: HashMap<String, ()>,
+    fixed: HashSet<String>,
     /// Parameters.
-    parameters: HashMap<String, ()>,
+    parameters: HashSet<String>,
     /// Constants that are numbers.
     constants: HashMap<String, f64>,
     /// Bodies and frames that joints place.
-    placed_by_joints: HashMap<String, ()>,
+    placed_by_joints: HashSet<String>,
     /// Names declared anywhere but on lines.
-    declared: HashMap<String, ()>,
+    declared: HashSet<String>,
     /// Names that plain statements must not take.
-    taken: HashMap<String, ()>,
+    taken: HashSet<String>,
     /// Number of nameless statements of each kind.
     nameless: HashMap<String, u32>,
 }
@@ -32,14 +33,14 @@ pub(super) struct SceneNames {
 impl SceneNames {
     pub(super) fn new(declaration: &Declaration) -> SceneNames {
         let mut all_objects = OrderedMap::default();
-        let mut placed_by_joints = HashMap::default();
-        let (mut taken, mut declared) = (HashMap::default(), HashMap::default());
-        let (mut fixed, mut parameters) = (HashMap::default(), HashMap::default());
+        let mut placed_by_joints = HashSet::default();
+        let (mut taken, mut declared) = (HashSet::default(), HashSet::default());
+        let (mut fixed, mut parameters) = (HashSet::default(), HashSet::default());
         for statement in &declaration.statements {
             let is_object = declares_object(&statement.kind);
             let is_line = matches!(statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
             if let StatementKind::Scene(SceneStatement::Mobilizer(joint)) = &statement.kind {
-                placed_by_joints.insert(joint.outboard.text.clone(), ());
+                placed_by_joints.insert(joint.outboard.text.clone());
             }
             for name in statement.kind.declared_names() {
                 // A name that stands for something else already is not one that is used too early.
@@ -47,22 +48,22 @@ impl SceneNames {
                     all_objects.insert(name.text.clone(), name.clone());
                 }
                 if !is_line {
-                    declared.insert(name.text.clone(), ());
+                    declared.insert(name.text.clone());
                 }
             }
             for name in fixed_names(&statement.kind) {
-                fixed.insert(name.clone(), ());
+                fixed.insert(name.clone());
                 if matches!(statement.kind, StatementKind::Parameters(_)) {
-                    parameters.insert(name, ());
+                    parameters.insert(name);
                 }
             }
             for name in [statement.kind.declared_names(), statement.kind.member_names()].concat() {
-                taken.insert(name.text.clone(), ());
+                taken.insert(name.text.clone());
             }
         }
         for (_, expression) in declaration.expressions.iter() {
             if let Expression::Name(name) = expression {
-                taken.insert(name.clone(), ());
+                taken.insert(name.clone());
             }
         }
         let (objects, constants) = (OrderedMap::default(), constants_of(declaration));
@@ -133,7 +134,7 @@ impl SceneNames {
             count += 1;
             name = format!("{wish}_{count}");
         }
-        self.taken.insert(name.clone(), ());
+        self.taken.insert(name.clone());
         name
     }
 

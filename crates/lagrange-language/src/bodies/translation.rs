@@ -7,10 +7,18 @@ use super::plain::{Drawn, Motion, Obligation};
 use super::space::dimension::is_spatial;
 use super::space::scene::Space;
 use super::terms::{Pair, TermWriter};
-use crate::syntax::ast::{AstId, Declaration, Expression, Expressions, Name, Statement, StatementKind};
+use crate::syntax::ast::AstId;
+use crate::syntax::ast::Declaration;
+use crate::syntax::ast::Expression;
+use crate::syntax::ast::Expressions;
+use crate::syntax::ast::Name;
+use crate::syntax::ast::Statement;
+use crate::syntax::ast::StatementKind;
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::diagnostics::Report;
 
 /// A translation in progress.
 pub(super) struct Translation<'a> {
@@ -31,7 +39,7 @@ pub(super) struct Translation<'a> {
     /// Bodies to which points belong that `let` names.
     pub(super) points: HashMap<String, usize>,
     /// Names of which it was reported that they are used too early.
-    pub(super) early: HashMap<String, ()>,
+    pub(super) early: HashSet<String>,
     /// Translations of expressions, each found once.
     pub(super) translated: HashMap<AstId, AstId>,
     pub(super) motions: Vec<Motion>,
@@ -66,7 +74,7 @@ impl<'a> Translation<'a> {
             origin: declaration.name.span.into(),
             gravity: None,
             points: HashMap::default(),
-            early: HashMap::default(),
+            early: HashSet::default(),
             translated: HashMap::default(),
             motions: Vec::new(),
             is_drawn: declaration.asks_for("drawing"),

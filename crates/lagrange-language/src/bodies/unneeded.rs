@@ -6,11 +6,12 @@
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 
 /// Removes `let`s of these names that neither statements nor anything beside them mention.
-pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashMap<String, ()>) {
+pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashSet<String>) {
     let expressions = &plain.declaration.expressions;
-    let mut needed = Needed { expressions, names: HashMap::default(), seen: HashMap::default() };
+    let mut needed = Needed { expressions, names: HashSet::default(), seen: HashSet::default() };
     plain.mentioned.iter().for_each(|&id| needed.add(id));
     plain.in_space.expressions().into_iter().for_each(|id| needed.add(id));
     plain.drawing.iter().flat_map(drawn).for_each(|id| needed.add(id));
@@ -55,19 +56,19 @@ fn obliged(obligation: &Obligation) -> Vec<AstId> {
 /// Names in expressions, each found once.
 struct Needed<'e> {
     expressions: &'e Expressions,
-    names: HashMap<String, ()>,
-    seen: HashMap<AstId, ()>,
+    names: HashSet<String>,
+    seen: HashSet<AstId>,
 }
 
 impl Needed<'_> {
     fn add(&mut self, root: AstId) {
         let mut pending = vec![root];
         while let Some(id) = pending.pop() {
-            if self.seen.insert(id, ()).is_some() {
+            if !self.seen.insert(id) {
                 continue;
             }
             match self.expressions.get(id) {
-                Expression::Name(name) => drop(self.names.insert(name.clone(), ())),
+                Expression::Name(name) => drop(self.names.insert(name.clone())),
                 other => pending.extend(other.operands()),
             }
         }

@@ -8,6 +8,7 @@ use crate::syntax::ast::{
 };
 use crate::syntax::print;
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::{NamedUnit, NamedUnits, Scale, Unit, UnitFactor};
@@ -29,7 +30,7 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     let mut statements = std::mem::take(&mut declaration.statements);
     let expressions = &mut declaration.expressions;
     let mut writer =
-        UnitWriter { expressions, report, measured: Measured::default(), said: HashMap::default() };
+        UnitWriter { expressions, report, measured: Measured::default(), said: HashSet::default() };
     statements.iter_mut().for_each(|statement| writer.statement(&mut statement.kind));
     let mut measured = writer.measured;
     declaration.statements = statements;
@@ -71,7 +72,7 @@ struct UnitWriter<'a> {
     report: &'a mut Report,
     measured: Measured,
     /// Places of units of which it was said that they scale nothing, once for all elements of an array.
-    said: HashMap<String, ()>,
+    said: HashSet<String>,
 }
 
 impl UnitWriter<'_> {
@@ -130,7 +131,7 @@ impl UnitWriter<'_> {
     }
 
     fn is_said(&mut self, origin: Origin) -> bool {
-        self.said.insert(format!("{:?}", origin.start), ()).is_some()
+        !self.said.insert(format!("{:?}", origin.start))
     }
 
     /// The value of a definition in coherent units.

@@ -10,12 +10,13 @@ use super::solver::{Contradiction, Grounds};
 use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 use crate::syntax::print;
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::{Dimension, Unit, described, meaning, noun, spelled};
 
 /// Longer chains of reasons are cut.
-const MOST_NOTES: usize = 4;
+const MAX_NOTES: usize = 4;
 
 /// A name and what it would have to be multiplied with for an equation to hold.
 type Correction = (Unknown, Dimension);
@@ -30,19 +31,19 @@ pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report:
         located.retain(|(_, id)| is_written(*id));
     }
     let mut corrections: Vec<Correction> = Vec::new();
-    let mut said: HashMap<String, ()> = HashMap::default();
-    let mut wrong: HashMap<AstId, ()> = HashMap::default();
+    let mut said: HashSet<String> = HashSet::default();
+    let mut wrong: HashSet<AstId> = HashSet::default();
     for (contradiction, expression) in located {
         let origin = checker.expressions.origin(expression);
         let own = corrections_of(contradiction);
         let follows = own.iter().any(|correction| corrections.contains(correction));
         corrections.extend(own);
-        let is_said = said.insert(format!("{:?} {:?}", origin.start, origin.end), ()).is_some();
+        let is_said = !said.insert(format!("{:?} {:?}", origin.start, origin.end));
         // Terms of one sum that all lack the same are one mistake.
         let lack = format!("{:?} {:?}", contradiction.equation.reason.place, contradiction.missing);
-        let is_lacking_again = said.insert(lack, ()).is_some();
+        let is_lacking_again = !said.insert(lack);
         let holds_mistake = checker.expressions.parts(expression).iter().any(|part| wrong.contains(part));
-        wrong.insert(expression, ());
+        wrong.insert(expression);
         if !follows && !is_said && !is_lacking_again && !holds_mistake {
             report_contradiction(checker, contradiction, (expression, origin), report);
         }
@@ -236,7 +237,7 @@ fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, S
         pending.extend(of_unknown.found.over(&of_unknown.expected).unknowns.into_keys());
     }
     numbers.sort_by(|a, b| b.cmp(a));
-    let notes = numbers.into_iter().take(MOST_NOTES).filter_map(|(number, unknown)| {
+    let notes = numbers.into_iter().take(MAX_NOTES).filter_map(|(number, unknown)| {
         let of_unknown = &solver.equations[number];
         let dimension = solver.dimension(&Exponents::of(unknown))?;
         let place = of_unknown.expression.map(|id| checker.expressions.origin(id))?;

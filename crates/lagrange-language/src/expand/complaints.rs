@@ -7,6 +7,7 @@ use super::messages;
 use super::scopes::{ScopeId, Scopes};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, nearest};
 
 /// The reports, and the names known for them.
@@ -16,7 +17,7 @@ pub(super) struct Complaints<'a> {
     /// The names that are declared anywhere, with those of variables.
     pub(super) names: &'a BTreeSet<String>,
     /// Expressions of which something was said.
-    said: HashMap<AstId, ()>,
+    said: HashSet<AstId>,
     /// True if what could not be read may be where a name is declared.
     is_partial: bool,
 }
@@ -28,7 +29,7 @@ impl<'a> Complaints<'a> {
         names: &'a BTreeSet<String>,
     ) -> Complaints<'a> {
         let is_partial = report.has_errors();
-        Complaints { report, declaration, names, said: HashMap::default(), is_partial }
+        Complaints { report, declaration, names, said: HashSet::default(), is_partial }
     }
 
     /// True if what could not be read is not known of names.
@@ -38,7 +39,7 @@ impl<'a> Complaints<'a> {
 
     /// Reports something of an expression; nothing the second time.
     pub(super) fn once(&mut self, of: AstId, origin: Origin, message: String) -> Option<&mut Diagnostic> {
-        self.said.insert(of, ()).is_none().then(|| self.report.error(origin, message))
+        self.said.insert(of).then(|| self.report.error(origin, message))
     }
 
     /// Reports an index that cannot be counted.

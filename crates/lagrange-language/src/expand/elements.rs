@@ -11,6 +11,7 @@ use super::messages;
 use super::scopes::{ScopeId, Scopes};
 use super::unrolling::{Instance, Unrolled};
 use crate::syntax::ast::{ArrayElement, DeclaredArray, Expressions, Name, StatementKind};
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
@@ -77,7 +78,7 @@ impl ElementNames {
     ) -> ElementNames {
         let counting = Counting { expressions, scopes, constants: &unrolled.constants };
         let elements = ElementNames::default();
-        let repeated = HashMap::default();
+        let repeated = HashSet::default();
         let mut collector = Collector { elements, counting, complaints, repeated, count: 0 };
         if unrolled.instances.iter().all(|instance| collector.has_room(instance)) {
             unrolled.instances.iter().for_each(|instance| collector.instance(instance));
@@ -162,7 +163,7 @@ struct Collector<'a, 'c> {
     counting: Counting<'a>,
     complaints: &'a mut Complaints<'c>,
     /// Names without indices in loops of which that was said.
-    repeated: HashMap<String, ()>,
+    repeated: HashSet<String>,
     /// ElementNames of arrays that are declared as a whole so far.
     count: u64,
 }
@@ -217,7 +218,7 @@ impl Collector<'_, '_> {
         let text = format!("{}{suffix}", name.text);
         if let Some((_, other)) = self.elements.plain.insert(text.clone(), (name.span, statement)) {
             // Two statements with the same name are reported where names are resolved.
-            if other == statement && self.repeated.insert(text.clone(), ()).is_none() {
+            if other == statement && self.repeated.insert(text.clone()) {
                 let error = self.complaints.report.error(name.span, messages::declared_again(&text));
                 error.help(messages::declared_again_help(&text));
             }

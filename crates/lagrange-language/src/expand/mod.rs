@@ -31,6 +31,7 @@ use complaints::Complaints;
 use copies::Copier;
 use elements::ElementNames;
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 use scopes::Scopes;
 use statements::written_out;
@@ -98,7 +99,7 @@ fn names_of(statements: &[Statement]) -> BTreeSet<String> {
 }
 
 /// The names in indices, ranges of loops and conditions on indices.
-fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<String, ()> {
+fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<String> {
     let mut roots = Vec::new();
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(Statement { kind, .. }) = pending.pop() {
@@ -130,8 +131,8 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashMap<S
     }
     let parts = roots.into_iter().flat_map(|root| expressions.parts(root));
     let names = parts.filter_map(|id| match expressions.get(id) {
-        Expression::Name(name) => Some((name.clone(), ())),
-        Expression::Array(ArrayExpression::Element(name)) => Some((name.text.clone(), ())),
+        Expression::Name(name) => Some(name.clone()),
+        Expression::Array(ArrayExpression::Element(name)) => Some(name.text.clone()),
         _ => None,
     });
     names.collect()

@@ -28,6 +28,7 @@ pub use expressions::{ArrayExpression, BinaryOperator, Condition, Expression, Ex
 pub use id::AstId;
 pub use keywords::{Keyword, Soft};
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::units::Unit;
 pub use mobilizers::{Mobilizer, MobilizerKind};
 pub use quaternion::Quaternion;
@@ -64,11 +65,11 @@ pub struct Declaration {
     /// Arrays whose elements have taken their place among the statements, in source order.
     pub arrays: Vec<DeclaredArray>,
     /// Names by which was counted where arrays were written out.
-    pub counted: HashMap<String, ()>,
+    pub counted: HashSet<String>,
     /// The expressions that statements refer to.
     pub expressions: Expressions,
     /// Words in places that could not be read: names that may have been declared there.
-    pub unreadable_words: HashMap<String, ()>,
+    pub unreadable_words: HashSet<String>,
     /// True if something was declared without a name, so that any unknown name may be meant for it.
     pub lacks_names: bool,
     /// True if a unit of measurement is written anywhere.

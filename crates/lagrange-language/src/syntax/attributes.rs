@@ -7,6 +7,7 @@ use syn::punctuated::Punctuated;
 use syn::{Lit, Macro, MacroDelimiter, Meta, MetaList, Path, Token, bracketed};
 
 use super::ast::Name;
+use super::ast::ScalarType;
 use super::cursor::Cursor;
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
@@ -18,8 +19,8 @@ use lagrange_expr::diagnostics::{Origin, nearest};
 pub(super) struct Attributes {
     pub(super) kept: TokenStream,
     pub(super) derives: Vec<Name>,
-    /// Argument of `#[scalar(…)]`, true for `f32`, and its place.
-    pub(super) scalar: Option<(bool, Origin)>,
+    /// Argument of `#[scalar(…)]`, and its place.
+    pub(super) scalar: Option<(ScalarType, Origin)>,
     /// Argument of `#[accuracy(…)]`, and its place.
     pub(super) accuracy: Option<(Accuracy, Origin)>,
 }
@@ -111,15 +112,15 @@ impl Parser<'_> {
 
     fn scalar(&mut self, name: &Ident, meta: &Meta, attributes: &mut Attributes) -> Parsed<()> {
         let (argument, origin) = self.argument(name, meta, messages::SCALAR_FORM, messages::SCALAR_HELP)?;
-        let single = match argument.to_string().as_str() {
-            "f32" => true,
-            "f64" => false,
+        let scalar = match argument.to_string().as_str() {
+            "f32" => ScalarType::F32,
+            "f64" => ScalarType::F64,
             _ => {
                 let help = messages::SCALAR_HELP;
                 return Err(self.fail_with_help(argument.span(), messages::SCALAR_FORM, help));
             }
         };
-        match attributes.scalar.replace((single, origin)) {
+        match attributes.scalar.replace((scalar, origin)) {
             Some((_, first)) => Err(self.repeated(name, first)),
             None => Ok(()),
         }

@@ -18,7 +18,7 @@ const PAIRS: [&str; 17] =
     [":=", "==", "+=", "-=", "*=", "/=", "^=", "->", "=>", "<-", "!=", "<=", ">=", "&&", "||", "**", "::"];
 
 /// Longer lists of type parameters and of what is said about them are refused, whatever they say.
-const MOST_TOKENS_OF_RUST: usize = 32;
+const MAX_TOKENS_OF_RUST: usize = 32;
 
 /// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
 /// get a cursor of their own, so every token is copied once.
@@ -157,7 +157,7 @@ impl Cursor {
 
     /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it may read by recursion.
     pub(super) fn read<T>(&mut self, read: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<T> {
-        let mut left = MOST_TOKENS_OF_RUST;
+        let mut left = MAX_TOKENS_OF_RUST;
         let is_seen = |token: &&TokenTree| {
             left = left.saturating_sub(token_count(token));
             left > 0 && !is_punct(Some(token), ';')

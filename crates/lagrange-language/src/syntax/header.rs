@@ -11,7 +11,7 @@ use super::attributes::Attributes;
 use super::cursor::{Cursor, group_origin};
 use super::messages;
 use super::parser::{Parsed, Parser, Reported};
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Origin;
 
 /// Name of a system that is given as a bare list of statements.
@@ -55,8 +55,8 @@ fn declaration(
         bodies: Vec::new(),
         is_in_space: false,
         arrays: Vec::new(),
-        counted: HashMap::default(),
-        unreadable_words: HashMap::default(),
+        counted: HashSet::default(),
+        unreadable_words: HashSet::default(),
         lacks_names: false,
         has_units: false,
         has_dimensions: false,
@@ -141,12 +141,12 @@ impl Parser<'_> {
             self.report.error(name.span, message).help(messages::number_type_help(number));
             return scalar;
         }
-        match (parameter, attributes.scalar) {
-            (None, Some((true, _))) => ScalarType::F32,
-            (None, _) => ScalarType::F64,
+        match (parameter, &attributes.scalar) {
+            (None, Some((scalar, _))) => scalar.clone(),
+            (None, None) => ScalarType::F64,
             (Some(name), None) => ScalarType::Generic(name),
             (Some(name), Some((_, attribute))) => {
-                let error = self.report.error(attribute, messages::SCALAR_WITH_PARAMETER);
+                let error = self.report.error(*attribute, messages::SCALAR_WITH_PARAMETER);
                 error.related(Origin::from(name.span), messages::TYPE_PARAMETER_HERE);
                 error.help(messages::SCALAR_WITH_PARAMETER_HELP);
                 ScalarType::Generic(name)

@@ -6,7 +6,9 @@ use super::ast::{AstId, Expression, Expressions, StatementKind};
 use super::cursor::{Cursor, group_origin};
 use super::messages;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::collections::HashSet;
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::MAX_NESTING;
 
 /// Reads one declaration; the grammar is spread over the modules named after its parts.
@@ -20,7 +22,7 @@ pub(super) struct Parser<'r> {
     /// Variables of the loops and sums around what is read.
     pub(super) variables: Vec<String>,
     /// Words in what was left out of the syntax tree.
-    pub(super) unreadable_words: HashMap<String, ()>,
+    pub(super) unreadable_words: HashSet<String>,
     /// Names that were declared where the text could be read.
     pub(super) declared_names: HashMap<String, Declared>,
     /// True if something is declared without the name that it should have.
@@ -30,7 +32,7 @@ pub(super) struct Parser<'r> {
     /// True if one of these measures more than plain numbers and angles.
     pub(super) has_dimensions: bool,
     /// Messages that are given only once in a statement.
-    said: HashMap<String, ()>,
+    said: HashSet<String>,
     depth: u32,
 }
 
@@ -69,12 +71,12 @@ impl<'r> Parser<'r> {
             skipped: false,
             counts: false,
             variables: Vec::new(),
-            unreadable_words: HashMap::default(),
+            unreadable_words: HashSet::default(),
             declared_names: HashMap::default(),
             lacks_names: false,
             has_units: false,
             has_dimensions: false,
-            said: HashMap::default(),
+            said: HashSet::default(),
             depth: 0,
         }
     }
@@ -92,7 +94,7 @@ impl<'r> Parser<'r> {
 
     /// Reports a mistake that is likely made again and again in a statement, where it is made first.
     pub(super) fn fail_once(&mut self, origin: impl Into<Origin>, message: &str, help: &str) -> Reported {
-        if self.said.insert(message.to_owned(), ()).is_none() {
+        if self.said.insert(message.to_owned()) {
             self.report.error(origin, message).help(help);
         }
         Reported
@@ -106,7 +108,7 @@ impl<'r> Parser<'r> {
     /// Forgets what was said of the last statement.
     pub(super) fn begin_statement(&mut self) {
         self.skipped = false;
-        self.said = HashMap::default();
+        self.said = HashSet::default();
     }
 
     /// Kind that a name was declared as, where the text could be read.
@@ -124,7 +126,7 @@ impl<'r> Parser<'r> {
         let mut pending = cursor.taken_since(start).to_vec();
         while let Some(token) = pending.pop() {
             match token {
-                TokenTree::Ident(word) => drop(self.unreadable_words.insert(word.to_string(), ())),
+                TokenTree::Ident(word) => drop(self.unreadable_words.insert(word.to_string())),
                 TokenTree::Group(group) => pending.extend(group.stream()),
                 TokenTree::Punct(_) | TokenTree::Literal(_) => {}
             }

@@ -15,9 +15,9 @@ use crate::system::{Positions, ScalarOf, StateVector, Velocities, displaced};
 use crate::tolerance::PULL;
 
 /// More steps than this are no use.
-const MOST: u32 = 100;
+const MAX_ITERATIONS: u32 = 100;
 /// More lengths of one step are not tried.
-const MOST_LENGTHS: u32 = 20;
+const MAX_LENGTHS: u32 = 20;
 /// A step ends where no more than this part of the slope at its beginning is left.
 const LEFT: f64 = 0.1;
 /// A length beyond all that were tried is at most so many times the last one.
@@ -63,7 +63,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         let mut point = self.point(found);
         let mut direction = point.pull;
         let mut length = ScalarOf::<M>::ONE;
-        for _ in 0..MOST {
+        for _ in 0..MAX_ITERATIONS {
             let size = largest(point.q.as_ref()).max(largest(self.from.as_ref()));
             let is_pulled = largest(point.pull.as_ref()) > PULL.part::<ScalarOf<M>>() * size;
             let slope = self.product(&point.q, &point.pull, &direction);
@@ -99,7 +99,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         // The longest length that is too short and the shortest that is too long, with the slopes there.
         let (mut short, mut long) = ((ScalarOf::<M>::ZERO, slope), None);
         let (mut length, mut nearer) = (first, None);
-        for _ in 0..MOST_LENGTHS {
+        for _ in 0..MAX_LENGTHS {
             let mut q = displaced(self.system, self.t, &start.q, [(length, direction)]);
             let end = onto(&mut q).then(|| self.end(q, direction, length));
             match end.filter(|end| !self.is_farther(&start.q, &end.point.q)) {

@@ -21,9 +21,9 @@ type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
 type StepOf<M> = Correction<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 /// More corrections than this are no use within a motion,
-const MOST: u32 = 20;
+const MAX_ITERATIONS: u32 = 20;
 /// and more than this from far away.
-const MOST_FROM_AFAR: u32 = 200;
+const MAX_FROM_AFAR: u32 = 200;
 /// The root of a rounding, times this, is the part of the coordinates below which the square of a correction is left alone.
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
@@ -184,7 +184,7 @@ fn bring<M: ConstrainedSystem + ?Sized>(
     q: &mut M::Coordinates,
     v: &mut M::Velocities,
 ) -> bool {
-    bring_positions(system, t, q, v, MOST) && bring_velocities(system, t, q, v)
+    bring_positions(system, t, q, v, MAX_ITERATIONS) && bring_velocities(system, t, q, v)
 }
 
 /// Brings positions to the nearest ones on the constraints, if corrections converge. Small corrections are as short as can be.
@@ -195,11 +195,11 @@ fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     v: &M::Velocities,
 ) -> bool {
     let from = *q;
-    if !bring_positions(system, t, q, v, MOST_FROM_AFAR) {
+    if !bring_positions(system, t, q, v, MAX_FROM_AFAR) {
         return false;
     }
     if largest(system.displacement(t, q, &from).as_ref()) > negligible(q.as_ref()) {
-        let onto = |q: &mut M::Coordinates| bring_positions(system, t, q, v, MOST);
+        let onto = |q: &mut M::Coordinates| bring_positions(system, t, q, v, MAX_ITERATIONS);
         *q = NearestSearch { system, t, v, from: &from }.nearest(*q, onto);
     }
     true
@@ -273,7 +273,7 @@ fn shortened<M: ConstrainedSystem + ?Sized>(
     step: &StepOf<M>,
 ) -> Option<(Positions<M>, Residuals<M>, StepOf<M>)> {
     let mut part = M::Scalar::ONE;
-    for _ in 0..MOST {
+    for _ in 0..MAX_ITERATIONS {
         let to = end(system, t, step, part);
         let residuals = system.position_residuals(t, &to);
         let next = Correction::new(to, system.correction(t, &step.from, v, &residuals));
@@ -319,7 +319,7 @@ fn bring_velocities<M: ConstrainedSystem + ?Sized>(
     q: &M::Coordinates,
     v: &mut M::Velocities,
 ) -> bool {
-    for _ in 0..MOST {
+    for _ in 0..MAX_ITERATIONS {
         let residuals = system.velocity_residuals(t, q, v);
         if are_zero(residuals.as_ref()) {
             return true;

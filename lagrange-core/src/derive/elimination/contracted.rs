@@ -15,11 +15,11 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
 /// More coordinates are factorised without looking for what cancels: the search in each entry would take too long.
-pub(in crate::derive) const MOST_CONTRACTED: usize = 8;
+pub(in crate::derive) const MAX_CONTRACTED: usize = 8;
 /// Number of parts up to which an expression is searched for what cancels; each round of the search opens every sum in it once.
 const LARGEST_OPENED: usize = 300;
 /// Number of sums opened one after the other in one expression. Each makes it shorter, so this bounds the time and nothing else.
-const MOST_ROUNDS: usize = 8;
+const MAX_ROUNDS: usize = 8;
 
 /// The form over the generalised velocities with its coefficients contracted: with those that stand there one acceleration of a spherical
 /// pendulum loses half of its digits near the pole.
@@ -28,7 +28,7 @@ pub(in crate::derive) fn contracted(
     pushed: QuadraticForm,
     velocities: &[ExprId],
 ) -> QuadraticForm {
-    if velocities.len() > MOST_CONTRACTED {
+    if velocities.len() > MAX_CONTRACTED {
         return pushed;
     }
     let mut algebra = Algebra::new(graph);
@@ -53,7 +53,7 @@ pub(in crate::derive) fn solve_contracted(
     form: &QuadraticForm,
     velocities: &[ExprId],
 ) -> Option<Solution> {
-    if velocities.len() > MOST_CONTRACTED {
+    if velocities.len() > MAX_CONTRACTED {
         return None;
     }
     let mut system = LinearSystem::new(graph, form, velocities);
@@ -167,7 +167,7 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
 /// that is enough, otherwise all that are no differences, and one that is.
 fn shortest(algebra: &mut Algebra<'_>, sum: ExprId) -> ExprId {
     let mut best = algebra.total(vec![(sum, Number::ONE)]);
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..MAX_ROUNDS {
         let Some(found) = shorter_by_some(algebra, best) else { break };
         best = found;
     }

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::derive::algebra::{Algebra, LinearForm};
 use crate::derive::sweep::Sweep;
 use lagrange_algebra::calculus::{AccelerationTerms, Rates};
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
@@ -121,11 +122,11 @@ impl Composition {
 
     /// Every variable that `x` is a part of, itself included, parts before wholes.
     pub(super) fn made_of(&self, x: ExprId) -> Vec<ExprId> {
-        let mut seen: HashMap<ExprId, ()> = HashMap::default();
+        let mut seen: HashSet<ExprId> = HashSet::default();
         let mut found = Vec::new();
         let mut pending = vec![x];
         while let Some(id) = pending.pop() {
-            if seen.insert(id, ()).is_none() {
+            if seen.insert(id) {
                 found.push(id);
                 pending.extend(self.users.get(&id).into_iter().flatten());
             }

@@ -7,7 +7,7 @@ use super::method::{ArgumentNames, Arguments};
 use super::shape::{Shape, length, local};
 use crate::model::Model;
 use lagrange_algebra::code::Names;
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::symbol::Role;
 
 /// Variables that the bodies of one system find their symbols in.
@@ -128,7 +128,7 @@ impl Bindings<'_> {
         names: &mut Names,
     ) -> Option<TokenStream> {
         let symbols = self.model.graph.symbols();
-        let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
+        let used = used.iter().copied().collect::<HashSet<_>>();
         let is_used = |role: &Role| used.contains(role);
         let pattern = roles.clone().map(|role| match is_used(&role) {
             true => names.role(symbols, role),
@@ -153,7 +153,7 @@ pub(in crate::emit) fn field_bindings(
 /// The fields that are used, each with the names that the body uses.
 fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Names) -> Vec<TokenStream> {
     let symbols = model.graph.symbols();
-    let used = used.iter().map(|role| (*role, ())).collect::<HashMap<_, _>>();
+    let used = used.iter().copied().collect::<HashSet<_>>();
     let roles = (0..model.parameters.len() as u32).map(Role::Parameter);
     let mut roles = roles.chain((0..model.inputs.len() as u32).map(Role::Input));
     let bound = shape.number_fields().into_iter().filter_map(|field| {

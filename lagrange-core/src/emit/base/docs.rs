@@ -20,11 +20,11 @@ const READING_BUDGET: usize = 120;
 /// Entries made of more expressions than this are printed as they were derived.
 const LARGEST_PRESENTED: usize = 300;
 /// Systems with more coordinates are too large for their equations to be read.
-const MOST_COORDINATES: usize = 6;
+const MAX_COORDINATES: usize = 6;
 /// Systems whose equations are made of more expressions are too large for that, too.
 const LARGEST_SYSTEM: usize = 200;
 /// Equations with more abbreviations are harder to read than the code.
-const MOST_ABBREVIATIONS: usize = 12;
+const MAX_ABBREVIATIONS: usize = 12;
 /// Lines longer than this, in characters, are broken.
 const LONGEST_LINE: usize = 100;
 /// Equations longer than this, in characters, are left out.
@@ -46,7 +46,7 @@ const TOO_LONG: &str =
 /// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
 /// short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
-    if model.speeds.len() > MOST_COORDINATES {
+    if model.speeds.len() > MAX_COORDINATES {
         return None;
     }
     let right = right_sides(model, equations);
@@ -139,7 +139,7 @@ fn readable_lines(definitions: Definitions) -> Option<Vec<String>> {
     let abbreviations = definitions.0.len();
     let lines = lines(definitions);
     let length = lines.iter().map(String::len).sum::<usize>();
-    (length <= LONGEST_EQUATIONS && abbreviations <= MOST_ABBREVIATIONS).then_some(lines)
+    (length <= LONGEST_EQUATIONS && abbreviations <= MAX_ABBREVIATIONS).then_some(lines)
 }
 
 /// Equations between names and what they abbreviate, then between left and right sides.

@@ -7,6 +7,7 @@ use super::callees::callees;
 use crate::model::Product;
 use lagrange_algebra::code::Scalar;
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{
     Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
@@ -165,24 +166,22 @@ impl<'a> Shape<'a> {
 
     /// Names declared twice are reported elsewhere; two fields of one name would be reported again.
     fn drop_repeated_names(&mut self) {
-        let mut seen = HashMap::default();
-        let mut velocities: HashMap<String, ()> = HashMap::default();
-        let mut first = |name: &Name| seen.insert(name.text.clone(), ()).is_none();
+        let mut seen = HashSet::default();
+        let mut velocities: HashSet<String> = HashSet::default();
+        let mut first = |name: &Name| seen.insert(name.text.clone());
         self.fields.retain(|name| first(name));
         self.coordinates.retain(|name| first(name));
-        let states =
-            self.declaration.states().map(|name| (name.text.as_str(), ())).collect::<HashMap<_, _>>();
+        let states = self.declaration.states().map(|name| name.text.as_str()).collect::<HashSet<_>>();
         self.states = self.coordinates.iter().filter(|name| states.contains(&name.text.as_str())).count();
         self.velocities.retain(|velocity| {
             let is_kept = |name: &Name| self.coordinates.iter().any(|kept| std::ptr::eq(*kept, name));
-            velocity.coordinate.is_none_or(is_kept)
-                && velocities.insert(velocity.name.text.clone(), ()).is_none()
+            velocity.coordinate.is_none_or(is_kept) && velocities.insert(velocity.name.text.clone())
         });
         self.touching.retain(|(name, _)| first(name));
         self.outputs.retain(|(name, _)| first(name));
         for list in [&mut self.bodies, &mut self.frames, &mut self.frames_with_jacobian] {
             let mut seen = seen.clone();
-            list.retain(|name| seen.insert(name.text.clone(), ()).is_none());
+            list.retain(|name| seen.insert(name.text.clone()));
         }
     }
 

@@ -6,7 +6,7 @@ use lagrange_expr::expr::Function;
 
 /// Values that are computed together at most: with 8 to 32 chains take the same time, with 4 longer, and more
 /// would only keep sines and cosines waiting in memory.
-const MOST_ANGLES: usize = 32;
+const MAX_ANGLES: usize = 32;
 
 /// One operation computes the sines and cosines whose arguments depend on no other sine or cosine, another
 /// those whose arguments depend on these, and so on.
@@ -57,7 +57,7 @@ impl Batches {
         arguments.sort_by_key(|argument| (rounds[*argument], *argument));
         arguments.dedup();
         let of_rounds = arguments.chunk_by(|a, b| rounds[*a] == rounds[*b]);
-        let arguments = of_rounds.flat_map(|round| round.chunks(MOST_ANGLES)).map(<[_]>::to_vec);
+        let arguments = of_rounds.flat_map(|round| round.chunks(MAX_ANGLES)).map(<[_]>::to_vec);
         let arguments = arguments.collect::<Vec<_>>();
         let mut places = HashMap::default();
         for (index, batch) in arguments.iter().enumerate() {

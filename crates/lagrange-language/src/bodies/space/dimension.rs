@@ -5,6 +5,7 @@ use crate::syntax::ast::{
     AstId, Declaration, Expression, Expressions, MobilizerKind, SceneStatement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 
 /// True if the bodies of a declaration move in space: vectors in what is said of them have three components, or something leads out of
 /// the plane.
@@ -65,11 +66,11 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
 fn component_count(expressions: &Expressions, lets: &HashMap<String, AstId>, root: AstId) -> Option<usize> {
     let mut pending = vec![root];
     // A name that stands for itself is a mistake that is reported elsewhere.
-    let mut followed: HashMap<String, ()> = HashMap::default();
+    let mut followed: HashSet<String> = HashSet::default();
     while let Some(id) = pending.pop() {
         match expressions.get(id) {
             Expression::Tuple(components) => return Some(components.len()),
-            Expression::Name(name) if followed.insert(name.clone(), ()).is_none() => {
+            Expression::Name(name) if followed.insert(name.clone()) => {
                 pending.extend(lets.get(name));
             }
             Expression::Negate(of) => pending.push(*of),

@@ -70,7 +70,7 @@ fn velocity_of_free_center(
 
 /// True of the first `free` statement of a body, which is then remembered.
 fn is_first(translation: &mut Translation<'_>, body: &Name) -> bool {
-    translation.space.as_mut().is_none_or(|space| space.freed.insert(body.text.clone(), ()).is_none())
+    translation.space.as_mut().is_none_or(|space| space.freed.insert(body.text.clone()))
 }
 
 /// The frames behind the steps of a joint, one after another.

@@ -170,7 +170,7 @@ pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: A
     if let Expression::Name(name) = translation.expressions.get(name)
         && let Some(space) = &mut translation.space
     {
-        space.kinematic.insert(name.clone(), ());
+        space.kinematic.insert(name.clone());
     }
     name
 }

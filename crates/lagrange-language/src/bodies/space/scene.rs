@@ -6,6 +6,7 @@ use super::vectors::Triple;
 use crate::bodies::plain::LoadOrigin;
 use crate::syntax::ast::{AstId, Name};
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Origin;
 
 /// A scene in space as known so far.
@@ -18,13 +19,13 @@ pub(in crate::bodies) struct Space {
     /// Numbers of links that have their place, carriers first.
     pub(super) order: Vec<usize>,
     /// Names of bodies that a `free` statement places.
-    pub(super) freed: HashMap<String, ()>,
+    pub(super) freed: HashSet<String>,
     /// The acceleration of free fall in the world, and the statement that says it.
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
     /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
-    pub(in crate::bodies) kinematic: HashMap<String, ()>,
+    pub(in crate::bodies) kinematic: HashSet<String>,
     /// Loads on coordinates, in their order.
     pub(super) loads_on_coordinates: Vec<LoadOnCoordinate>,
     /// Names of `let`s that are points of links, with the link and their own coordinates.

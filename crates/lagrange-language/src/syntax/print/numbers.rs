@@ -3,7 +3,7 @@
 use lagrange_expr::number::Number;
 
 /// More zeros than this are written as a power of ten.
-const MOST_ZEROS: usize = 6;
+const MAX_ZEROS: usize = 6;
 
 /// Form in which a number is written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -33,10 +33,10 @@ fn decimal(digits: &str, places: usize) -> String {
     let significant = digits.trim_end_matches('0');
     let zeros = digits.len() - significant.len();
     if places == 0 {
-        let is_long = zeros > MOST_ZEROS && !significant.is_empty();
+        let is_long = zeros > MAX_ZEROS && !significant.is_empty();
         return if is_long { format!("{significant}e{zeros}") } else { digits.to_owned() };
     }
-    if digits.len() + MOST_ZEROS < places {
+    if digits.len() + MAX_ZEROS < places {
         return format!("{digits}e-{places}");
     }
     let padded = format!("{digits:0>width$}", width = places + 1);

@@ -4,6 +4,7 @@ use crate::syntax::ast::Declaration;
 use crate::syntax::keywords::{self, STATEMENTS};
 use crate::syntax::{messages, print};
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 
 /// The statement that the form of a keyword shows first.
@@ -39,10 +40,10 @@ fn documentation_of_names_that_cannot_be_read_is_no_second_mistake() {
 /// Expressions that no statement names and that are part of none that one does.
 fn strays(declaration: &Declaration) -> Vec<String> {
     let expressions = &declaration.expressions;
-    let mut known = HashMap::default();
+    let mut known = HashSet::default();
     let mut pending = declaration.statements.iter().flat_map(|s| s.kind.expressions()).collect::<Vec<_>>();
     while let Some(id) = pending.pop() {
-        known.insert(id, ());
+        known.insert(id);
         pending.extend(expressions.get(id).operands());
     }
     let strays = expressions.iter().filter(|(id, _)| !known.contains(id));
