@@ -1,12 +1,13 @@
 //! Work–precision diagrams.
 
 use std::format;
-use std::string::{String, ToString};
+use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
 use super::measurement::{Measurement, Row};
 use super::report::Report;
+use lagrange_plot::label::Label;
 use lagrange_plot::{Curve, Figure, Panel, Scale};
 
 const SIZE: (u32, u32) = (860, 420);
@@ -44,7 +45,7 @@ fn curves(report: &Report, wanted: impl Fn(&Row) -> bool, name: impl Fn(&Row) ->
         if !(error < LOST && error > 0.0) {
             continue;
         }
-        let name = name(row);
+        let name = Label::from(name(row).as_str());
         let point = (error, 1e6 * seconds);
         match curves.iter_mut().find(|curve| curve.name == name) {
             Some(curve) => curve.points.push(point),
@@ -56,8 +57,8 @@ fn curves(report: &Report, wanted: impl Fn(&Row) -> bool, name: impl Fn(&Row) ->
 
 fn panel(y: &str, curves: Vec<Curve>) -> Panel {
     Panel {
-        x: "error at the end".to_string(),
-        y: y.to_string(),
+        x: "error at the end".into(),
+        y: y.into(),
         x_scale: Scale::Logarithmic,
         y_scale: Scale::Logarithmic,
         has_room: true,

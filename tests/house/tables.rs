@@ -201,29 +201,31 @@ const PLOT: &[Layer] = &[
         purpose: "the characters that pictures can show, and their escapes in documents",
     },
     Layer {
-        modules: &["axis", "lettering", "thin"],
-        purpose: "ranges and ticks of axes; glyph outlines of the embedded font; reduction of curves \
-                  to distinguishable points",
+        modules: &["lettering", "thin"],
+        purpose: "glyph outlines of the embedded font; reduction of curves to distinguishable points",
     },
     Layer {
-        modules: &["axes", "pixels"],
-        purpose: "axes on paper; areas, lines, images and letters as pixels, for all pictures; PNG \
-                  files",
+        modules: &["label", "pixels"],
+        purpose: "lines of text with symbols and subscripts; areas, lines, images and letters as \
+                  pixels, for all pictures; PNG files",
     },
+    Layer {
+        modules: &["notation", "paper"],
+        purpose: "names and units as in formulas; the surface of a figure",
+    },
+    Layer { modules: &["axis"], purpose: "ranges and ticks of axes" },
+    Layer { modules: &["axes"], purpose: "axes on paper" },
     Layer { modules: &["band", "image"], purpose: "areas between curves; images within figures" },
     Layer {
-        modules: &["canvas", "cells"],
-        purpose: "a pixel backend for `plotters`; values as coloured cells",
+        modules: &["canvas", "cells", "document"],
+        purpose: "figures in pixels; values as coloured cells; figures as SVG documents",
     },
     Layer { modules: &["panel"], purpose: "one pair of axes and its contents" },
-    Layer { modules: &["figure"], purpose: "panels on any backend of `plotters`, as SVG or PNG" },
+    Layer { modules: &["figure"], purpose: "panels side by side, as SVG or PNG" },
 ];
 
 const DRAW: &[Layer] = &[
-    Layer {
-        modules: &["error", "picture", "text"],
-        purpose: "errors; marks in pixels; the notation of formulas",
-    },
+    Layer { modules: &["error", "picture"], purpose: "errors; marks in pixels" },
     Layer {
         modules: &["colour", "geometry", "load", "raster"],
         purpose: "colours; plane vectors; forces and moments; pixels",

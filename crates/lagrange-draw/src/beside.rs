@@ -47,7 +47,8 @@ fn shifted(mark: &Mark, by: Point) -> Mark {
 mod tests {
 
     use crate::colour::INK;
-    use crate::picture::{Anchor, Mark, Picture};
+    use crate::picture::{Mark, Picture};
+    use lagrange_plot::label::Anchor;
 
     #[test]
     fn captions_are_the_title_and_no_labels() {

@@ -15,7 +15,8 @@ use crate::sketch::Sketch;
 use crate::snapshot::Snapshot;
 use crate::stage::{self, Fixed, Wanted};
 use crate::stretch::stretches;
-use crate::text::{formula, plain};
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::formula;
 use lagrange_runtime::scalar::{Number, Scalar};
 use lagrange_runtime::scene::Scene;
 use lagrange_runtime::system::{OdeSystem, split};
@@ -257,7 +258,9 @@ where
             return String::new();
         }
         let of = |name: &String| match name.split_once(" on `") {
-            Some((load, angle)) => format!("{load} on {}", plain(&formula(angle.trim_end_matches('`')))),
+            Some((load, angle)) => {
+                format!("{load} on {}", Label::parse(&formula(angle.trim_end_matches('`'))).plain())
+            }
             None if name.contains(' ') => name.clone(),
             None => format!("force of {}", name.replace('_', " ")),
         };

@@ -1,9 +1,9 @@
 //! Titles above pictures and notes below them: in several lines or smaller letters if they are long.
 
 use crate::colour::{INK, REST};
-use crate::picture::{Anchor, Mark};
-use crate::text::width;
+use crate::picture::Mark;
 use crate::view::{BORDER, MARGIN};
+use lagrange_plot::label::{Anchor, Label};
 use lagrange_plot::lettering::LEEWAY;
 
 /// A title as it is set.
@@ -43,13 +43,18 @@ struct Word<'t> {
 
 impl Word<'_> {
     fn new(text: &str) -> Word<'_> {
-        Word { text, width: width(text, 1.0), behind_blank: width(&format!(" {text}"), 1.0) }
+        Word { text, width: width(text), behind_blank: width(&format!(" {text}")) }
     }
 
     /// More opened than closed braces in it.
     fn braces(&self) -> isize {
         self.text.matches('{').count() as isize - self.text.matches('}').count() as isize
     }
+}
+
+/// Returns the width of a text in letters of size 1.
+fn width(text: &str) -> f64 {
+    Label::parse(text).width(1.0)
 }
 
 /// A title in the largest letters in which it fits above a picture of this size.
@@ -128,8 +133,8 @@ pub(super) fn marks_below(heading: &Heading, size: [f64; 2]) -> Vec<Mark> {
 
 #[cfg(test)]
 mod tests {
+    use super::width;
     use super::{FONT, LINE, lines};
-    use crate::text::width;
 
     const LONG: &str = "A step ladder whose right foot slips along the floor, and the instantaneous centre of rotation of \
                         its right half, with the circle on which it runs";
@@ -141,7 +146,7 @@ mod tests {
                 [LONG, "Antidisestablishmentarianisms_of_electroencephalographs", "Short", "J_{S P} of it"]
             {
                 let heading = lines(title, [across, down]);
-                assert!(heading.lines.iter().all(|line| width(line, heading.size) <= across), "{heading:?}");
+                assert!(heading.lines.iter().all(|line| heading.size * width(line) <= across), "{heading:?}");
                 assert!(heading.lines.len() as f64 * LINE * heading.size <= 0.3 * down);
                 assert_eq!(heading.lines.join(" "), title);
             }

@@ -8,8 +8,9 @@ use std::f64::consts::{PI, SQRT_2};
 use crate::colour::{HATCHING, INK};
 use crate::cut::contains;
 use crate::geometry::{add, clipped, direction, flattened, length, mix, subtract};
-use crate::picture::{Anchor, Mark, Point, Segment};
+use crate::picture::{Mark, Point, Segment};
 use crate::tag::{FONT, Side, Tag};
+use lagrange_plot::label::Anchor;
 use lagrange_plot::lettering::CAPITALS;
 
 /// A box: its corners with the smallest and the largest coordinates.

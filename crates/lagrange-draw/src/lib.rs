@@ -65,7 +65,6 @@ mod stage;
 mod stretch;
 mod svg;
 mod tag;
-mod text;
 mod view;
 
 pub use drawing::Drawing;

@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::load::{Load, Value};
 use crate::snapshot::Snapshot;
-use crate::text::{formula, symbol};
+use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Joint, LoadOrigin};
 
 /// The label of a force or moment.

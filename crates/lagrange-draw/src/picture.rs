@@ -1,5 +1,7 @@
 //! A finished picture: marks in pixels, from back to front, for any format.
 
+use lagrange_plot::label::Anchor;
+
 /// A point in pixels, x to the right, y **downwards** from the top left corner.
 pub(crate) type Point = [f64; 2];
 
@@ -68,12 +70,3 @@ pub(crate) struct Style {
 /// Red, green, blue and opacity, each to 255.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Colour(pub(crate) [u8; 4]);
-
-/// The part of a text at its point.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-#[allow(dead_code, reason = "films and pages align texts to the left and right")]
-pub(crate) enum Anchor {
-    Start,
-    Middle,
-    End,
-}

@@ -4,9 +4,9 @@ use std::io::BufWriter;
 use std::path::Path;
 
 use crate::error::DrawError;
-use crate::picture::{Anchor, Colour, Mark, Picture, Point, Segment, Style};
-use crate::text;
+use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use lagrange_files as files;
+use lagrange_plot::label::{Anchor, Label};
 use lagrange_plot::pixels::{Path as Line, PathBuilder, Pixels, Transform};
 
 /// PNG files are so many times finer than a screen of 96 dots to the inch.
@@ -64,12 +64,8 @@ fn line(segments: &[Segment]) -> Option<Line> {
 }
 
 fn write(pixels: &mut Pixels, at: Point, text: &str, size: f64, anchor: Anchor, Colour(colour): Colour) {
-    let (pieces, width) = text::set(text, size);
-    let left = match anchor {
-        Anchor::Start => 0.0,
-        Anchor::Middle => -0.5 * width,
-        Anchor::End => -width,
-    };
+    let (pieces, width) = Label::parse(text).set(size);
+    let left = anchor.offset(width);
     for piece in pieces {
         let [x, y] = [at[0] + left + piece.at[0], at[1] + piece.at[1]];
         let size = piece.size as f32;
@@ -84,7 +80,8 @@ mod tests {
     use super::rasterise;
     use crate::colour::{INK, body};
     use crate::geometry::polyline;
-    use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
+    use crate::picture::{Colour, Mark, Picture, Segment, Style};
+    use lagrange_plot::label::{Anchor, Label};
     use lagrange_plot::lettering::CAPITALS;
 
     fn square(low: f64, high: f64) -> Vec<Segment> {
@@ -132,7 +129,7 @@ mod tests {
     /// An anchor of the document is the start, the middle or the end of the text, and its height the base line.
     #[test]
     fn letters_are_where_the_document_has_them() {
-        let wide = crate::text::width("HEH_2", 20.0);
+        let wide = Label::parse("HEH_2").width(20.0);
         for (anchor, left) in [(Anchor::Start, 0.0), (Anchor::Middle, 0.5 * wide), (Anchor::End, wide)] {
             let text = |text: &str| Mark::Text {
                 at: [90.0, 40.0],

@@ -3,7 +3,7 @@
 use crate::colour::{ACCELERATION, FORCE, INK, VELOCITY, ink};
 use crate::element::{Element, Layer, Measure, Shape};
 use crate::picture::{Colour, Point};
-use crate::text::formula;
+use lagrange_plot::notation::formula;
 
 /// A sheet over a picture, in the coordinates of the scene.
 ///

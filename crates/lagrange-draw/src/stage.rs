@@ -11,7 +11,7 @@ use crate::picture::{Colour, Point};
 use crate::remainder::{REMAINDER, Remainder};
 use crate::snapshot::{Body, Snapshot};
 use crate::stretch::{self, Stretches};
-use crate::text::{formula, symbol};
+use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
 
 /// The requested additions to the scene.

@@ -1,9 +1,9 @@
 //! Pictures as SVG: a document of paths and texts without script, style sheet or anything from elsewhere.
 
 use crate::beside::SEPARATOR;
-use crate::picture::{Anchor, Colour, Mark, Picture, Segment, Style};
-use crate::text::{self, Run};
-use lagrange_plot::characters::escaped;
+use crate::picture::{Colour, Mark, Picture, Segment, Style};
+use lagrange_plot::characters::{escaped, number};
+use lagrange_plot::label::Label;
 use lagrange_plot::lettering::FAMILY;
 
 /// The document.
@@ -21,7 +21,7 @@ pub(crate) fn opening(picture: &Picture) -> String {
          viewBox=\"0 0 {width} {height}\" role=\"img\" xml:space=\"preserve\" font-family=\"{FAMILY}\" stroke-linecap=\"round\" \
          stroke-linejoin=\"round\" fill-rule=\"evenodd\">\n<title>{}</title>\n<desc>{}</desc>\n\
          <rect width=\"{width}\" height=\"{height}\" fill=\"#ffffff\"/>\n",
-        escaped(&text::plain(&picture.title)),
+        escaped(&Label::parse(&picture.title).plain()),
         escaped(&description(picture)),
     )
 }
@@ -31,7 +31,7 @@ fn description(picture: &Picture) -> String {
     let mut labels: Vec<String> = Vec::new();
     for mark in &picture.marks {
         if let Mark::Text { text, .. } = mark {
-            let label = text::plain(text);
+            let label = Label::parse(text).plain();
             // Titles and lines of them are no labels.
             let is_caption = picture.title.split(SEPARATOR).any(|part| part == text);
             let is_title = is_caption || (text.contains(' ') && picture.title.contains(text));
@@ -61,23 +61,9 @@ pub(crate) fn mark(mark: &Mark) -> String {
         Mark::Path { segments, style: how } => {
             format!("<path d=\"{}\"{}/>\n", path_data(segments), style(how))
         }
-        Mark::Text { at, text, size, anchor, colour } => format!(
-            "<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n",
-            number(at[0]),
-            number(at[1]),
-            number(*size),
-            anchored(*anchor),
-            paint("fill", Some(*colour)),
-            content(text, *size),
-        ),
-    }
-}
-
-fn anchored(anchor: Anchor) -> &'static str {
-    match anchor {
-        Anchor::Start => "",
-        Anchor::Middle => " text-anchor=\"middle\"",
-        Anchor::End => " text-anchor=\"end\"",
+        Mark::Text { at, text, size, anchor, colour } => {
+            Label::parse(text).element(*at, *size, *anchor, &paint("fill", Some(*colour)))
+        }
     }
 }
 
@@ -114,46 +100,6 @@ fn paint(attribute: &str, colour: Option<Colour>) -> String {
         return colour;
     }
     format!("{colour} {attribute}-opacity=\"{}\"", number(f64::from(opacity) / 255.0))
-}
-
-/// Returns the content of a text element: symbols in italics, subscripts smaller and lower.
-///
-/// Sizes are in the units of the picture, which every viewer understands: not all take a percentage, or an em of a part of a text.
-fn content(text: &str, size: f64) -> String {
-    let mut content = String::new();
-    let mut is_lowered = false;
-    for run in text::runs(text) {
-        content += &element(&run, size, is_lowered);
-        is_lowered = run.is_subscript;
-    }
-    content
-}
-
-/// One piece of a text in letters of this size; `is_lowered` is true if the one before was a subscript.
-fn element(run: &Run, size: f64, is_lowered: bool) -> String {
-    let (factor, lowered) = text::SUBSCRIPT;
-    let lowered = number(size * lowered);
-    let mut attributes = String::new();
-    if run.is_subscript && !is_lowered {
-        attributes += &format!(" dy=\"{lowered}\"");
-    } else if is_lowered && !run.is_subscript {
-        attributes += &format!(" dy=\"-{lowered}\"");
-    }
-    if run.is_subscript {
-        attributes += &format!(" font-size=\"{}\"", number(size * factor));
-    }
-    if run.is_symbol() {
-        attributes += " font-style=\"italic\"";
-    }
-    let text = escaped(&run.text);
-    if attributes.is_empty() { text } else { format!("<tspan{attributes}>{text}</tspan>") }
-}
-
-/// A number with at most two decimals.
-pub(crate) fn number(value: f64) -> String {
-    let text = format!("{value:.2}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".into() } else { text.into() }
 }
 
 #[cfg(test)]

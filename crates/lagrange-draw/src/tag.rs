@@ -6,8 +6,8 @@ use crate::geometry::{add, direction, length, mix, subtract, times, turned, unit
 use crate::marks::arrow::{self, ANGLE, BESIDE};
 use crate::outline::Piece;
 use crate::picture::{Colour, Point};
-use crate::text;
 use crate::view::View;
+use lagrange_plot::label::{Label, SUBSCRIPT};
 use lagrange_plot::lettering::LEEWAY;
 
 /// A label and the place beside which it is written.
@@ -69,9 +69,9 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
 /// The size of the letters of a label in a picture of a width, and half its own width and height.
 pub(super) fn extent(label: &str, room: f64) -> (f64, Point) {
     // Subscripts hang below.
-    let has_subscript = text::runs(label).iter().any(|run| run.is_subscript);
+    let has_subscript = Label::parse(label).has_subscript();
     let (size, width) = fitting(label, room);
-    let height = if has_subscript { size * (1.0 + text::SUBSCRIPT.1) } else { size };
+    let height = if has_subscript { size * (1.0 + SUBSCRIPT.1) } else { size };
     (size, [0.5 * width, 0.5 * height])
 }
 
@@ -84,7 +84,7 @@ fn reach(shape: &Shape, view: &View) -> f64 {
 
 /// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.
 fn fitting(label: &str, room: f64) -> (f64, f64) {
-    let width = text::width(label, 1.0);
+    let width = Label::parse(label).width(1.0);
     let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));
     (size, size * width)
 }

@@ -1,15 +1,12 @@
 //! Axes on paper: where they lie, their marks and what is written beside them.
 
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{FontTransform, IntoFont, RGBColor, ShapeStyle, TextStyle};
-use plotters_backend::{DrawingBackend, DrawingErrorKind};
-
 use crate::axis::Axis;
-use crate::characters::shown;
-use crate::lettering::FAMILY;
+use crate::label::{Anchor, Label};
+use crate::paper::{Down, INK, Paper, Place};
+use crate::pixels::Colour;
 use crate::thin::Point;
 
-/// Points of backends to the unit of sizes: curves are drawn to a tenth of it.
+/// Points to the unit of sizes: curves are drawn to a tenth of it.
 pub(crate) const FINENESS: u32 = 10;
 
 /// The place of a panel, in points: left, right, top and bottom of its axes.
@@ -19,23 +16,19 @@ pub(crate) struct Frame {
     pub(crate) right: i32,
     pub(crate) top: i32,
     pub(crate) bottom: i32,
-    /// True if lines run across it at all marks.
+    /// True if lines run anchor it at all marks.
     pub(crate) is_ruled: bool,
 }
 
 /// Margins around the axes for labels: left, right, top and bottom.
 const MARGINS: (u32, u32, u32, u32) = (74, 18, 28, 50);
-/// The size of letters.
-pub(crate) const FONT: i32 = 17;
 const TICK: i32 = 5;
-/// From an ordinate to the far side of its name.
-const NAME: i32 = 66;
+/// From an ordinate to the far side of its name on the left, and to the near side on the right.
+const NAMES: [i32; 2] = [66, 49];
 /// Width and height that a mark with its label takes.
 const MARK: (i32, i32) = (90, 30);
-const INK: RGBColor = RGBColor(40, 40, 40);
-const GRID: RGBColor = RGBColor(225, 225, 225);
-
-pub(crate) type Drawn<B> = Result<(), DrawingErrorKind<<B as DrawingBackend>::ErrorType>>;
+const GRID: Colour = [225, 225, 225, u8::MAX];
+const THIN: u32 = 10;
 
 /// The size of a panel whose axes have this size, with labels on the left and below.
 pub(crate) fn around((width, height): (u32, u32)) -> (u32, u32) {
@@ -98,30 +91,27 @@ pub(crate) fn rounded((x, y): Point) -> (i32, i32) {
 }
 
 /// A line around everything that is drawn.
-pub(crate) fn draw_border<B: DrawingBackend>(backend: &mut B, frame: &Frame) -> Drawn<B> {
-    backend.draw_path(frame.corners(), &line(INK, 10))
+pub(crate) fn draw_border(paper: &mut dyn Paper, frame: &Frame) {
+    paper.line(&frame.corners(), INK, THIN);
 }
 
-/// Marks and labels below.
-pub(crate) fn draw_abscissa<B: DrawingBackend>(
-    backend: &mut B,
-    frame: &Frame,
-    axis: &Axis,
-    name: &str,
-) -> Drawn<B> {
-    let style = text(HPos::Center, VPos::Top, FontTransform::None);
+/// Draws marks and labels below.
+pub(crate) fn draw_abscissa(paper: &mut dyn Paper, frame: &Frame, axis: &Axis, name: &Label) {
+    let place = |at, anchor| Place { at, anchor, down: Down::Below, is_turned: false };
     for mark in &axis.marks {
         let x = frame.x(mark.place).round() as i32;
         if frame.is_ruled {
-            backend.draw_path([(x, frame.top), (x, frame.bottom)], &line(GRID, 10))?;
+            paper.line(&[(x, frame.top), (x, frame.bottom)], GRID, THIN);
         }
-        backend.draw_path([(x, frame.bottom), (x, frame.bottom + points(TICK))], &line(INK, 10))?;
-        write(backend, &mark.label, &style, (x, frame.bottom + points(TICK + 3)))?;
+        paper.line(&[(x, frame.bottom), (x, frame.bottom + points(TICK))], INK, THIN);
+        let at = (x, frame.bottom + points(TICK + 3));
+        paper.write(&mark.label.as_str().into(), place(at, Anchor::Middle));
     }
     let below = frame.bottom + points(28);
-    write(backend, name, &style, ((frame.left + frame.right) / 2, below))?;
-    let style = text(HPos::Right, VPos::Top, FontTransform::None);
-    if axis.note.is_empty() { Ok(()) } else { write(backend, &axis.note, &style, (frame.right, below)) }
+    paper.write(name, place(((frame.left + frame.right) / 2, below), Anchor::Middle));
+    if !axis.note.is_empty() {
+        paper.write(&axis.note.as_str().into(), place((frame.right, below), Anchor::End));
+    }
 }
 
 /// The side of an ordinate.
@@ -131,55 +121,27 @@ pub(crate) enum Side {
     Right,
 }
 
-/// Marks and labels at a side.
-pub(crate) fn draw_ordinate<B: DrawingBackend>(
-    backend: &mut B,
-    frame: &Frame,
-    side: Side,
-    axis: &Axis,
-    name: &str,
-) -> Drawn<B> {
-    let (edge, outwards, beside) = match side {
-        Side::Left => (frame.left, -1, HPos::Right),
-        Side::Right => (frame.right, 1, HPos::Left),
+/// Draws marks and labels at a side.
+pub(crate) fn draw_ordinate(paper: &mut dyn Paper, frame: &Frame, side: Side, axis: &Axis, name: &Label) {
+    let (edge, outwards, anchor, column) = match side {
+        Side::Left => (frame.left, -1, Anchor::End, NAMES[0]),
+        Side::Right => (frame.right, 1, Anchor::Start, NAMES[1]),
     };
     let out = |units: i32| edge + outwards * points(units);
-    let style = text(beside, VPos::Center, FontTransform::None);
     for mark in &axis.marks {
         let y = frame.y(mark.place).round() as i32;
         if frame.is_ruled {
-            backend.draw_path([(frame.left, y), (frame.right, y)], &line(GRID, 10))?;
+            paper.line(&[(frame.left, y), (frame.right, y)], GRID, THIN);
         }
-        backend.draw_path([(out(TICK), y), (edge, y)], &line(INK, 10))?;
-        write(backend, &mark.label, &style, (out(TICK + 3), y))?;
+        paper.line(&[(out(TICK), y), (edge, y)], INK, THIN);
+        let place = Place { at: (out(TICK + 3), y), anchor, down: Down::Level, is_turned: false };
+        paper.write(&mark.label.as_str().into(), place);
     }
-    let middle = (frame.top + frame.bottom) / 2;
-    let upright = text(HPos::Center, VPos::Top, FontTransform::Rotate270);
-    let column = out(if side == Side::Left { NAME } else { NAME - FONT });
-    write(backend, name, &upright, (column, middle))?;
-    let style = text(HPos::Left, VPos::Bottom, FontTransform::None);
-    if axis.note.is_empty() {
-        Ok(())
-    } else {
-        write(backend, &axis.note, &style, (frame.left, frame.top - points(4)))
+    let at = (out(column), (frame.top + frame.bottom) / 2);
+    paper.write(name, Place { at, anchor: Anchor::Middle, down: Down::Below, is_turned: true });
+    if !axis.note.is_empty() {
+        let at = (frame.left, frame.top - points(4));
+        let place = Place { at, anchor: Anchor::Start, down: Down::Above, is_turned: false };
+        paper.write(&axis.note.as_str().into(), place);
     }
-}
-
-/// Writes what pictures show of a text.
-pub(crate) fn write<B: DrawingBackend>(
-    backend: &mut B,
-    text: &str,
-    style: &TextStyle<'_>,
-    at: (i32, i32),
-) -> Drawn<B> {
-    backend.draw_text(&shown(text).collect::<String>(), style, at)
-}
-
-pub(crate) fn line(color: RGBColor, width: u32) -> ShapeStyle {
-    ShapeStyle { color: color.into(), filled: false, stroke_width: width }
-}
-
-pub(crate) fn text(horizontal: HPos, vertical: VPos, transform: FontTransform) -> TextStyle<'static> {
-    let font = (FAMILY, points(FONT)).into_font().transform(transform);
-    TextStyle::from(font).color(&INK).pos(Pos::new(horizontal, vertical))
 }

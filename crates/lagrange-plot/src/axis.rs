@@ -1,5 +1,7 @@
 //! Axes: what they span, where their marks are, and what is written there.
 
+use crate::notation::raised;
+
 /// The scale of an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Scale {
@@ -171,14 +173,6 @@ fn minus(number: &str) -> String {
 }
 
 fn power_of_ten(exponent: f64) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        // The other superscripts lie side by side.
-        digit => digit.to_digit(10).and_then(|digit| char::from_u32('⁰' as u32 + digit)).unwrap_or(digit),
-    };
     let digits: String = format!("{exponent:.0}").chars().map(raised).collect();
     format!("10{digits}")
 }

@@ -1,18 +1,17 @@
 //! Values over two quantities, as a grid of coloured cells.
 
-use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
-use plotters_backend::DrawingBackend;
-
-use crate::axes::{Drawn, Frame, Side, draw_border, draw_ordinate, points};
+use crate::axes::{Frame, Side, draw_border, draw_ordinate, points};
 use crate::axis::{Axis, Scale};
 use crate::image::{Image, Placed};
+use crate::label::Label;
+use crate::paper::Paper;
+use crate::pixels::{Colour, mixed};
 
-/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the largest (Nuñez, Anderton and Renslow,
-/// *PLoS ONE* 13 (2018) e0199239). Cells whose value is not finite stay white.
+/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the largest. Cells whose value is not finite stay white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Cells {
     /// Name of the values.
-    pub name: String,
+    pub name: Label,
     /// Scale of the colours.
     pub scale: Scale,
     /// The left and the right edge of the grid.
@@ -25,6 +24,17 @@ pub struct Cells {
     pub values: Vec<f64>,
 }
 
+/// Colours at equal distances from the least to the largest value: `viridis` by Stéfan van der Walt and Nathaniel Smith (2015).
+const VIRIDIS: [Colour; 8] = [
+    [68, 1, 84, u8::MAX],
+    [70, 50, 127, u8::MAX],
+    [54, 92, 141, u8::MAX],
+    [39, 127, 142, u8::MAX],
+    [31, 161, 135, u8::MAX],
+    [74, 194, 109, u8::MAX],
+    [159, 218, 58, u8::MAX],
+    [253, 231, 37, u8::MAX],
+];
 /// The bar of colours: how far it is from the grid, how wide it is, and what its marks and its name take.
 const GAP: i32 = 12;
 const BAR: i32 = 14;
@@ -69,10 +79,10 @@ impl Cells {
     }
 
     /// Marks and name of the bar.
-    pub(crate) fn draw_bar<B: DrawingBackend>(&self, backend: &mut B, frame: &Frame) -> Drawn<B> {
+    pub(crate) fn draw_bar(&self, paper: &mut dyn Paper, frame: &Frame) {
         let bar = bar_frame(frame);
-        draw_border(backend, &bar)?;
-        draw_ordinate(backend, &bar, Side::Right, &self.axis(frame.rows()), &self.name)
+        draw_border(paper, &bar);
+        draw_ordinate(paper, &bar, Side::Right, &self.axis(frame.rows()), &self.name);
     }
 }
 
@@ -82,10 +92,11 @@ fn bar_frame(frame: &Frame) -> Frame {
 }
 
 /// Red, green, blue and opacity of a value that lies there between the least and the largest.
-fn colour(place: f64) -> [u8; 4] {
+fn colour(place: f64) -> Colour {
     if !place.is_finite() {
         return [0; 4];
     }
-    let color = ViridisRGB.get_color(place.clamp(0.0, 1.0));
-    [color.0, color.1, color.2, u8::MAX]
+    let place = place.clamp(0.0, 1.0) * (VIRIDIS.len() - 1) as f64;
+    let below = (place.floor() as usize).min(VIRIDIS.len() - 2);
+    mixed([VIRIDIS[below], VIRIDIS[below + 1]], place - below as f64)
 }

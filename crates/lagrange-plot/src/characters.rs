@@ -1,4 +1,4 @@
-//! Characters of texts that pictures show, and how documents hold them.
+//! Characters of texts and numbers that pictures show, and how documents hold them.
 //!
 //! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control characters and for U+FFFE and U+FFFF, not
 //! even as references. Pixels and documents show the same ones, so that widths are those of what is written.
@@ -33,6 +33,13 @@ pub fn escaped(text: &str) -> String {
         }
     }
     escaped
+}
+
+/// Returns a number with at most two decimals.
+pub fn number(value: f64) -> String {
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
 }
 
 #[cfg(test)]

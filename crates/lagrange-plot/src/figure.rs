@@ -1,4 +1,4 @@
-//! Figures of curves, areas and coloured cells, drawn on any backend of `plotters` and saved as SVG or PNG.
+//! Figures of curves, areas and coloured cells, saved as SVG or PNG.
 //!
 //! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs tuning: ranges, marks,
 //! labels and colours follow from the numbers. Colours are those of Okabe and Ito, *Color Universal Design* (2008), which
@@ -9,15 +9,13 @@ use std::io::{self, BufWriter};
 use std::path::{Path, PathBuf};
 
 use lagrange_files::{save, save_bytes};
-use plotters::backend::SVGBackend;
-use plotters::style::WHITE;
-use plotters_backend::DrawingBackend;
 
-use crate::axes::{Drawn, FINENESS, FONT, Frame, points};
-use crate::canvas::{self, Canvas, LOWERED};
-use crate::characters::escaped;
+use crate::axes::{FINENESS, Frame};
+use crate::canvas::Canvas;
+use crate::document::Document;
 use crate::image::Placed;
 use crate::panel::Panel;
+use crate::paper::Paper;
 use crate::pixels::Pixels;
 
 /// Panels side by side.
@@ -31,8 +29,6 @@ pub struct Figure {
     pub size: (u32, u32),
 }
 
-/// Corners and ends of curves must not stick out.
-const ROUND: &str = "stroke-linejoin=\"round\" stroke-linecap=\"round\"";
 /// Points to the pixel of PNG files, which are so twice as fine as a screen of 96 dots to the inch.
 const POINTS_A_PIXEL: u32 = 5;
 
@@ -46,7 +42,7 @@ impl Figure {
     /// Saves the figure to a file: SVG or PNG, by its extension. An older file stays until the new one is whole.
     ///
     /// # Errors
-    /// If the extension is another one, or what the operating system or the library of plots says.
+    /// If the extension is another one, an image cannot be encoded, or the file cannot be written.
     pub fn save(&self, path: &Path) -> Result<(), PlotError> {
         let written =
             |result: io::Result<()>| result.map_err(|error| PlotError::Io { path: path.to_owned(), error });
@@ -64,23 +60,12 @@ impl Figure {
     /// The figure as SVG.
     ///
     /// # Errors
-    /// What the library of plots says.
+    /// If an image cannot be encoded.
     pub fn svg(&self) -> Result<String, PlotError> {
-        let mut text = String::new();
-        let (width, height) = self.points();
-        let mut backend = SVGBackend::with_string(&mut text, (width, height));
-        drawn::<SVGBackend>(backend.draw_rect((0, 0), (width as i32, height as i32), &WHITE, true))?;
-        self.draw(&mut backend)?;
-        drop(backend);
-        let text = in_points(self.with_images(text)?);
-        // Points are finer than what a size is given in.
-        let size = |points: u32| format!("=\"{points}\"");
-        let wanted = |points: u32| format!("=\"{}\"", points / FINENESS);
-        let text = text.replacen(&size(width), &wanted(width), 1).replacen(&size(height), &wanted(height), 1);
-        let text = text.replacen("<svg ", &format!("<svg role=\"img\" {ROUND} "), 1);
-        // A title is the first element, for those who cannot see the picture and for those who point at it.
-        let title = escaped(&self.title());
-        Ok(text.replacen('>', &format!(">\n<title>{title}</title>"), 1))
+        let document = Document::new(self.points(), &self.title(), &self.images());
+        let mut document = document.map_err(|error| PlotError::Backend(error.into()))?;
+        self.draw(&mut document);
+        Ok(document.finish())
     }
 
     /// Returns a description of the panels.
@@ -95,15 +80,8 @@ impl Figure {
         let too_large = || PlotError::Backend(format!("{} by {} are too many pixels", size.0, size.1).into());
         let mut canvas = Canvas::new(size, POINTS_A_PIXEL).ok_or_else(too_large)?;
         self.images().iter().for_each(|image| canvas.place(image));
-        self.draw(&mut canvas)?;
+        self.draw(&mut canvas);
         Ok(canvas.pixels)
-    }
-
-    /// Puts images behind the white below everything, which is the first element of an SVG document.
-    fn with_images(&self, svg: String) -> Result<String, PlotError> {
-        let images = self.images().iter().map(Placed::svg).collect::<Result<Vec<_>, _>>();
-        let images = images.map_err(|error| PlotError::Backend(error.into()))?.concat();
-        Ok(if images.is_empty() { svg } else { svg.replacen("/>", &format!("/>{images}"), 1) })
     }
 
     /// Images below everything that is drawn.
@@ -111,12 +89,8 @@ impl Figure {
         self.frames().flat_map(|(panel, frame)| panel.images(&frame)).collect()
     }
 
-    fn draw<B: DrawingBackend>(&self, backend: &mut B) -> Result<(), PlotError>
-    where
-        B::ErrorType: 'static,
-    {
-        self.frames().try_for_each(|(panel, frame)| drawn::<B>(panel.draw(backend, &frame)))?;
-        drawn::<B>(backend.present())
+    fn draw(&self, paper: &mut dyn Paper) {
+        self.frames().for_each(|(panel, frame)| panel.draw(paper, &frame));
     }
 
     /// Panels and where they lie.
@@ -134,21 +108,6 @@ impl Figure {
         let rows = self.panels.len().div_ceil(self.columns) as u32;
         (FINENESS * columns * self.size.0, FINENESS * rows * self.size.1)
     }
-}
-
-/// Writes in points how far the base lines of texts are lowered: ems and heights of small letters are other ones in every font and viewer.
-fn in_points(svg: String) -> String {
-    let size = canvas::FONT * f64::from(points(FONT));
-    LOWERED.iter().fold(svg, |svg, (written, part)| {
-        svg.replace(&format!(" dy=\"{written}\""), &format!(" dy=\"{}\"", (part * size).round()))
-    })
-}
-
-fn drawn<B: DrawingBackend>(result: Drawn<B>) -> Result<(), PlotError>
-where
-    B::ErrorType: 'static,
-{
-    result.map_err(|error| PlotError::Backend(Box::new(error)))
 }
 
 /// Why a plot could not be made.
@@ -184,7 +143,7 @@ pub enum PlotError {
         /// Error of the operating system.
         error: io::Error,
     },
-    /// The library of plots failed.
+    /// The picture is too large, or an image cannot be encoded.
     Backend(Box<dyn std::error::Error + Send + Sync>),
 }
 

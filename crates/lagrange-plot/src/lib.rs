@@ -16,12 +16,18 @@ mod canvas;
 mod cells;
 pub mod characters;
 #[cfg(feature = "figures")]
+mod document;
+#[cfg(feature = "figures")]
 mod figure;
 #[cfg(feature = "figures")]
 mod image;
+pub mod label;
 pub mod lettering;
+pub mod notation;
 #[cfg(feature = "figures")]
 mod panel;
+#[cfg(feature = "figures")]
+mod paper;
 pub mod pixels;
 #[cfg(all(test, feature = "figures"))]
 mod tests;

@@ -1,28 +1,25 @@
 //! One pair of axes with what is over them.
 
-use plotters::style::text_anchor::{HPos, VPos};
-use plotters::style::{FontTransform, RGBColor};
-use plotters_backend::DrawingBackend;
-
 use crate::axes::{
-    Drawn, FINENESS, FONT, Frame, Side, around, draw_abscissa, draw_border, draw_ordinate, line, points,
-    rounded, text, write,
+    FINENESS, Frame, Side, around, draw_abscissa, draw_border, draw_ordinate, points, rounded,
 };
 use crate::axis::{Axis, Scale};
 use crate::band::Band;
-use crate::canvas;
 use crate::cells::Cells;
 use crate::image::Placed;
-use crate::lettering::{LEEWAY, Slope, width};
+use crate::label::{Anchor, Label};
+use crate::lettering::LEEWAY;
+use crate::paper::{Down, FONT, Paper, Place};
+use crate::pixels::{Colour, mixed};
 use crate::thin::{Point, thin};
 
 /// A pair of axes with curves, and with a grid of cells and areas behind them.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Panel {
     /// Label of the abscissa.
-    pub x: String,
+    pub x: Label,
     /// Label of the ordinate.
-    pub y: String,
+    pub y: Label,
     /// Scale of the abscissa.
     pub x_scale: Scale,
     /// Scale of the ordinate.
@@ -41,7 +38,7 @@ pub struct Panel {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Curve {
     /// Name in the legend.
-    pub name: String,
+    pub name: Label,
     /// Abscissae and ordinates, in their order.
     pub points: Vec<Point>,
 }
@@ -60,50 +57,50 @@ const CURVE: u32 = 14;
 const DOT: u32 = 60;
 
 /// After Okabe and Ito, without yellow, which is hard to see on white.
-const COLORS: [RGBColor; 7] = [
-    RGBColor(0, 114, 178),
-    RGBColor(213, 94, 0),
-    RGBColor(0, 158, 115),
-    RGBColor(204, 121, 167),
-    RGBColor(230, 159, 0),
-    RGBColor(86, 180, 233),
-    RGBColor(0, 0, 0),
+const COLOURS: [Colour; 7] = [
+    [0, 114, 178, u8::MAX],
+    [213, 94, 0, u8::MAX],
+    [0, 158, 115, u8::MAX],
+    [204, 121, 167, u8::MAX],
+    [230, 159, 0, u8::MAX],
+    [86, 180, 233, u8::MAX],
+    [0, 0, 0, u8::MAX],
 ];
 /// Ends and middle of the colours of many curves, falling in luminance from the last to the first.
-const RAMP: [RGBColor; 3] = [RGBColor(0, 32, 96), RGBColor(124, 123, 120), RGBColor(235, 210, 60)];
+const RAMP: [Colour; 3] = [[0, 32, 96, u8::MAX], [124, 123, 120, u8::MAX], [235, 210, 60, u8::MAX]];
 
 impl Panel {
     /// Draws axes, what is over them, and a legend.
-    pub(crate) fn draw<B: DrawingBackend>(&self, backend: &mut B, panel: &Frame) -> Drawn<B> {
+    pub(crate) fn draw(&self, paper: &mut dyn Paper, panel: &Frame) {
         let frame = self.frame(panel);
         let (x, y) = self.axes(&frame);
-        draw_abscissa(backend, &frame, &x, &self.x)?;
-        draw_ordinate(backend, &frame, Side::Left, &y, &self.y)?;
+        draw_abscissa(paper, &frame, &x, &self.x);
+        draw_ordinate(paper, &frame, Side::Left, &y, &self.y);
         if let Some(cells) = &self.cells {
-            cells.draw_bar(backend, &frame)?;
+            cells.draw_bar(paper, &frame);
         }
-        draw_border(backend, &frame)?;
+        draw_border(paper, &frame);
         for band in &self.bands {
-            band.draw(backend, &frame, (&x, &y), COLORS[0])?;
+            band.draw(paper, &frame, (&x, &y), COLOURS[0]);
         }
         for (index, curve) in self.curves.iter().enumerate() {
-            curve.draw(backend, &frame, (&x, &y), self.color(index))?;
+            curve.draw(paper, &frame, (&x, &y), self.colour(index));
         }
-        self.draw_legend(backend, panel)
+        self.draw_legend(paper, panel);
     }
 
     /// Returns a description in words.
     pub(crate) fn title(&self) -> String {
         let names = self.names();
         let more = names.len().saturating_sub(MAX_TITLED);
-        let named = names.iter().take(MAX_TITLED).copied().collect::<Vec<_>>().join(", ");
+        let named = names.iter().take(MAX_TITLED).map(|name| name.plain()).collect::<Vec<_>>().join(", ");
         let names = if more > 0 { format!("{named} and {more} more") } else { named };
         let ordinate = match (names.is_empty(), self.y.is_empty()) {
-            (true, _) => self.y.clone(),
+            (true, _) => self.y.plain(),
             (false, true) => names,
-            (false, false) => format!("{} ({names})", self.y),
+            (false, false) => format!("{} ({names})", self.y.plain()),
         };
-        let parts = [ordinate, self.x.clone()].into_iter().filter(|part| !part.is_empty());
+        let parts = [ordinate, self.x.plain()].into_iter().filter(|part| !part.is_empty());
         parts.collect::<Vec<_>>().join(" over ")
     }
 
@@ -143,18 +140,14 @@ impl Panel {
         )
     }
 
-    fn color(&self, index: usize) -> RGBColor {
+    fn colour(&self, index: usize) -> Colour {
         // Blue is among the colours of cells.
         let index = index + usize::from(self.cells.is_some());
-        if self.curves.len() <= COLORS.len() {
-            return COLORS[index % COLORS.len()];
+        if self.curves.len() <= COLOURS.len() {
+            return COLOURS[index % COLOURS.len()];
         }
         let place = 2.0 * index as f64 / (self.curves.len() - 1) as f64;
-        let (from, to, part) =
-            if place < 1.0 { (RAMP[0], RAMP[1], place) } else { (RAMP[1], RAMP[2], place - 1.0) };
-        let mix =
-            |from: u8, to: u8| (f64::from(from) + part * (f64::from(to) - f64::from(from))).round() as u8;
-        RGBColor(mix(from.0, to.0), mix(from.1, to.1), mix(from.2, to.2))
+        if place < 1.0 { mixed([RAMP[0], RAMP[1]], place) } else { mixed([RAMP[1], RAMP[2]], place - 1.0) }
     }
 
     /// In points; none without cells.
@@ -163,20 +156,19 @@ impl Panel {
     }
 
     /// Returns the names in the legend.
-    fn names(&self) -> Vec<&str> {
-        let bands = self.bands.iter().map(|band| &*band.name);
-        let names: Vec<_> = bands.chain(self.curves.iter().map(|curve| &*curve.name)).collect();
+    fn names(&self) -> Vec<&Label> {
+        let bands = self.bands.iter().map(|band| &band.name);
+        let names: Vec<_> = bands.chain(self.curves.iter().map(|curve| &curve.name)).collect();
         if names.len() < 2 { Vec::new() } else { names }
     }
 
     /// In points; none for a single curve.
     fn legend_width(&self) -> i32 {
-        let longest = self.names().into_iter().map(|name| width(name, Slope::Upright)).reduce(f64::max);
-        let letters = |longest| (longest * LEEWAY * canvas::FONT * f64::from(points(FONT))) as i32;
-        longest.map_or(0, |longest| points(SWATCH + 16) + letters(longest))
+        let longest = self.names().into_iter().map(|name| name.width(FONT)).reduce(f64::max);
+        longest.map_or(0, |longest| points(SWATCH + 16) + (longest * LEEWAY) as i32)
     }
 
-    fn draw_legend<B: DrawingBackend>(&self, backend: &mut B, panel: &Frame) -> Drawn<B> {
+    fn draw_legend(&self, paper: &mut dyn Paper, panel: &Frame) {
         let names = self.names();
         let left = self.frame(panel).right + self.bar_width() + points(8);
         let pitch = points(LINE).min((panel.bottom - panel.top) / names.len().max(1) as i32);
@@ -184,34 +176,26 @@ impl Panel {
             let y = panel.top + points(LINE) / 2 + pitch * index as i32;
             let right = left + points(SWATCH);
             if let Some(curve) = index.checked_sub(self.bands.len()) {
-                backend.draw_path([(left, y), (right, y)], &line(self.color(curve), 2 * CURVE))?;
+                paper.line(&[(left, y), (right, y)], self.colour(curve), 2 * CURVE);
             } else {
                 let half = pitch / 3;
-                Band::draw_sample(backend, index, (left, y - half), (right, y + half), COLORS[0])?;
+                Band::draw_sample(paper, index, (left, y - half), (right, y + half), COLOURS[0]);
             }
-            let style = text(HPos::Left, VPos::Center, FontTransform::None);
-            write(backend, name, &style, (left + points(SWATCH + 6), y))?;
+            let at = (left + points(SWATCH + 6), y);
+            paper.write(name, Place { at, anchor: Anchor::Start, down: Down::Level, is_turned: false });
         }
-        Ok(())
     }
 }
 
 impl Curve {
-    fn draw<B: DrawingBackend>(
-        &self,
-        backend: &mut B,
-        frame: &Frame,
-        (x, y): (&Axis, &Axis),
-        color: RGBColor,
-    ) -> Drawn<B> {
+    fn draw(&self, paper: &mut dyn Paper, frame: &Frame, (x, y): (&Axis, &Axis), colour: Colour) {
         let place = |point: &Point| (frame.x(x.place(point.0)), frame.y(y.place(point.1)));
         for piece in thin(self.points.iter().map(place), COLUMN) {
             let mut path: Vec<(i32, i32)> = piece.into_iter().map(rounded).collect();
             path.dedup();
             let is_dot = path.len() == 1;
             path.extend(path.first().copied().filter(|_| is_dot));
-            backend.draw_path(path, &line(color, if is_dot { DOT } else { CURVE }))?;
+            paper.line(&path, colour, if is_dot { DOT } else { CURVE });
         }
-        Ok(())
     }
 }

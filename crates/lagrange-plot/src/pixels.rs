@@ -22,6 +22,13 @@ pub struct Pixels {
 /// Red, green, blue and opacity, each to 255.
 pub type Colour = [u8; 4];
 
+/// Returns the colour this part of the way from the first to the second.
+#[cfg(feature = "figures")]
+pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
+    let mix = |channel| f64::from(from[channel]) + part * (f64::from(to[channel]) - f64::from(from[channel]));
+    [0, 1, 2, 3].map(|channel| mix(channel).round() as u8)
+}
+
 impl Pixels {
     /// A white picture of so many pixels with so many of them to the unit of what is drawn; none without pixels, or with more than
     /// can lie in memory.

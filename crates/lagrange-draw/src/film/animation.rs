@@ -5,6 +5,7 @@ use crate::film::layers::{Change, Layer, layers, lengths};
 use crate::film::motion::Pose;
 use crate::picture::Mark;
 use crate::svg;
+use lagrange_plot::characters::number;
 
 /// The value that something takes on in a picture, counted from zero.
 type Key = (usize, String);
@@ -95,8 +96,8 @@ impl Clock {
     /// A line of one dash, which is pushed forward.
     fn growing(&self, mark: &Mark, drawn: &[Option<f64>]) -> String {
         let all = full_length(mark);
-        let keys = self.held(drawn, |drawn| svg::number(all - drawn));
-        let dash = format!(" stroke-dasharray=\"{}\" stroke-dashoffset=\"{}\"", svg::number(all), keys[0].1);
+        let keys = self.held(drawn, |drawn| number(all - drawn));
+        let dash = format!(" stroke-dasharray=\"{}\" stroke-dashoffset=\"{}\"", number(all), keys[0].1);
         with_children(mark, &dash, &self.animate("stroke-dashoffset", &keys))
     }
 
@@ -168,7 +169,7 @@ pub(super) fn full_length(mark: &Mark) -> f64 {
 }
 
 pub(super) fn place(pose: Pose) -> String {
-    format!("{},{}", svg::number(pose.at[0]), svg::number(pose.at[1]))
+    format!("{},{}", number(pose.at[0]), number(pose.at[1]))
 }
 
 /// An angle to a thousandth of a degree, which is less than a hundredth of a pixel on what fits on a screen.

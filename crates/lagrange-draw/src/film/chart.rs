@@ -3,8 +3,7 @@
 use std::ops::Range;
 
 use crate::film::timeline::{Curve, Timeline};
-use crate::svg::number;
-use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::{escaped, number};
 
 /// Width and height, in pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];

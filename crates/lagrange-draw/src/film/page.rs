@@ -8,8 +8,9 @@ use crate::film::timeline::{Curve, Timeline};
 use crate::film::{Film, points};
 use crate::picture::Segment;
 use crate::svg;
-use crate::text;
-use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::{escaped, number};
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
@@ -86,13 +87,14 @@ impl Page<'_> {
     }
 
     fn name(&self) -> String {
-        let title = text::plain(self.title);
+        let title = Label::parse(self.title).plain();
         if title.is_empty() { UNTITLED.to_string() } else { escaped(&title) }
     }
 
     fn figure(&self, chart: &Chart<'_>) -> String {
+        let columns = Columns::new(self.timeline.curves.iter().map(|curve| &*curve.name));
         let entry = |(index, curve): (usize, &Curve)| {
-            let name = escaped(&curve.name);
+            let name = columns.label(&curve.name).html();
             format!(
                 "<li><svg viewBox=\"0 0 35 12\" aria-hidden=\"true\"><path class=\"{}\" d=\"M0 8H35\"/></svg> \
                  {name} <output id=\"value-{index}\"></output></li>",
@@ -124,13 +126,13 @@ fn is_still(layer: &Layer) -> bool {
 }
 
 /// A layer as it is in the first picture, for the script to change.
-fn group(layer: &Layer, number: usize) -> String {
+fn group(layer: &Layer, index: usize) -> String {
     let (transform, mark) = match &layer.change {
         Change::Shows(_) | Change::Bends(_) => (String::new(), svg::mark(&layer.mark)),
         Change::Moves(poses) => {
             let pose = poses.iter().flatten().next();
             let transform = |pose: &Pose| {
-                let [x, y] = pose.at.map(svg::number);
+                let [x, y] = pose.at.map(number);
                 format!(" transform=\"translate({x} {y}) rotate({})\"", angle(*pose))
             };
             (pose.map(transform).unwrap_or_default(), svg::mark(&layer.mark))
@@ -138,13 +140,13 @@ fn group(layer: &Layer, number: usize) -> String {
         Change::Grows(drawn) => {
             let all = full_length(&layer.mark);
             let left = all - drawn.iter().flatten().next().unwrap_or(&0.0);
-            let (all, left) = (svg::number(all), svg::number(left));
+            let (all, left) = (number(all), number(left));
             let dash = format!(" stroke-dasharray=\"{all}\" stroke-dashoffset=\"{left}\"");
             (String::new(), with_children(&layer.mark, &dash, ""))
         }
     };
     let is_shown = layer.change.shown().first().copied().unwrap_or(false);
-    format!("<g id=\"layer-{number}\"{transform} visibility=\"{}\">{mark}</g>", visibility(is_shown))
+    format!("<g id=\"layer-{index}\"{transform} visibility=\"{}\">{mark}</g>", visibility(is_shown))
 }
 
 fn layer_json(layer: &Layer) -> String {
@@ -153,19 +155,19 @@ fn layer_json(layer: &Layer) -> String {
         Change::Moves(poses) => {
             let turns = poses.iter().flatten().any(|pose| angle(*pose) != "0");
             let pose = |pose: &Pose| {
-                let [x, y] = pose.at.map(svg::number);
+                let [x, y] = pose.at.map(number);
                 if turns { format!("[{x},{y},{}]", angle(*pose)) } else { format!("[{x},{y}]") }
             };
             format!("{{\"change\":\"moves\",\"track\":{}}}", track(poses, pose))
         }
         Change::Grows(drawn) => {
-            let length = svg::number(full_length(&layer.mark));
-            let drawn = track(drawn, |length| svg::number(*length));
+            let length = number(full_length(&layer.mark));
+            let drawn = track(drawn, |length| number(*length));
             format!("{{\"change\":\"grows\",\"length\":{length},\"track\":{drawn}}}")
         }
         Change::Bends(shapes) => {
             let numbers = |segments: &Vec<Segment>| {
-                list(segments.iter().copied().flat_map(points).flatten().map(svg::number))
+                list(segments.iter().copied().flat_map(points).flatten().map(number))
             };
             let (kinds, shapes) = (kinds(&layer.mark), track(shapes, numbers));
             format!("{{\"change\":\"bends\",\"kinds\":\"{kinds}\",\"track\":{shapes}}}")

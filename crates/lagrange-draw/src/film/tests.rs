@@ -7,7 +7,8 @@ mod page;
 mod svg;
 
 use crate::film::Film;
-use crate::picture::{Anchor, Colour, Mark, Picture, Point, Segment, Style};
+use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
+use lagrange_plot::label::Anchor;
 
 const HINGE: Point = [160.0, 40.0];
 const LENGTH: f64 = 120.0;

@@ -8,7 +8,7 @@ use super::solids::{self, SHORTEST_ARROW};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector, length, times};
 use crate::colour::{FORCE, PALE};
 use crate::picture::Colour;
-use crate::text::{formula, symbol};
+use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::LoadOrigin;
 

@@ -13,7 +13,7 @@ use crate::error::DrawError;
 use crate::film::page::{exact, list, quoted};
 use crate::film::refusal;
 use crate::picture::Colour;
-use crate::text;
+use lagrange_plot::label::Label;
 
 /// The rotation that takes z to y and y to −z.
 const UPWARDS: Quaternion = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2];
@@ -30,7 +30,7 @@ pub(super) fn file(recording: &Recording, title: &str, elapsed: &[f64]) -> Resul
     let mut model = Model { longest: longest(&recording.things), moments, ..Model::default() };
     recording.things.iter().for_each(|thing| model.thing(thing));
     recording.traces.iter().for_each(|trace| model.trace(trace));
-    let title = text::plain(title);
+    let title = Label::parse(title).plain();
     container(model.json(if title.is_empty() { "motion" } else { &title }))
 }
 

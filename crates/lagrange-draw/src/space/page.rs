@@ -11,9 +11,9 @@ use crate::colour::{INK, PALE, mixed};
 use crate::film::page::{Page, exact, list};
 use crate::film::timeline::Timeline;
 use crate::picture::{Colour, Picture};
-use crate::svg;
-use crate::text;
-use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::{escaped, number};
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::formula;
 
 const STYLE: &str = include_str!("page/space.css");
 const VIEWER: &str = concat!(
@@ -83,14 +83,19 @@ impl Scene<'_> {
             format!(
                 "<span id=\"label-{index}\" style=\"color:{}\" hidden>{}</span>",
                 hex(colour),
-                rich(&text)
+                Label::parse(&text).html()
             )
         };
         let labels: String = labels.enumerate().map(element).collect();
         let caption = |class: &str, text: &str| {
-            if text.is_empty() { String::new() } else { format!("<p class=\"{class}\">{}</p>", rich(text)) }
+            if text.is_empty() {
+                String::new()
+            } else {
+                format!("<p class=\"{class}\">{}</p>", Label::parse(text).html())
+            }
         };
-        let name = if look.title.is_empty() { "Motion in space".into() } else { text::plain(&look.title) };
+        let name =
+            if look.title.is_empty() { "Motion in space".into() } else { Label::parse(&look.title).plain() };
         format!(
             "<div id=\"space\" hidden><canvas id=\"canvas\" tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
              <div id=\"labels\" aria-hidden=\"true\">{labels}</div>{}{}\
@@ -193,7 +198,7 @@ fn label_of(thing: &Thing) -> Option<(String, Colour)> {
 }
 
 fn trace_label(trace: &Trace) -> (String, Colour) {
-    (text::formula(&trace.label), trace.colour)
+    (formula(&trace.label), trace.colour)
 }
 
 /// A mesh in numbers of its own unit.
@@ -233,22 +238,9 @@ fn whole(values: &[f64]) -> String {
 
 /// From zero to one.
 fn colour(Colour([red, green, blue, _]): Colour) -> String {
-    list([red, green, blue].map(|part| svg::number(f64::from(part) / 255.0)))
+    list([red, green, blue].map(|part| number(f64::from(part) / 255.0)))
 }
 
 fn hex(Colour([red, green, blue, _]): Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-/// Text as elements of HTML: symbols in italics, subscripts as such.
-fn rich(text: &str) -> String {
-    let piece = |run: text::Run| {
-        let text = escaped(&run.text);
-        match (run.is_subscript, run.is_symbol()) {
-            (true, _) => format!("<sub>{text}</sub>"),
-            (false, true) => format!("<i>{text}</i>"),
-            (false, false) => text,
-        }
-    };
-    text::runs(text).into_iter().map(piece).collect()
 }

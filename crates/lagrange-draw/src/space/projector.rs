@@ -13,6 +13,7 @@ use crate::labels::{self, Sheet};
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
 use crate::view::{BORDER, MARGIN};
+use lagrange_plot::notation::formula;
 
 /// The look of pictures, independent of their content.
 #[derive(Clone, PartialEq, Debug)]
@@ -119,7 +120,7 @@ impl<'a> Projector<'a> {
         let lines = labels::lines(&marks);
         let traces = self.recording.traces.iter().map(|trace| {
             let at = *trace.until(moment).last().as_ref()?;
-            self.tag(&crate::text::formula(&trace.label), at, Side::Around, trace.colour, false)
+            self.tag(&formula(&trace.label), at, Side::Around, trace.colour, false)
         });
         let tags = things.iter().map(|thing| self.label(thing, moment)).chain(traces).collect();
         (marks, Sheet { tags, lines, areas })

@@ -11,7 +11,7 @@ use super::vector::{NONE, UPRIGHT, Vector, add, apply, axes_along, length, subtr
 use crate::colour::{self, ACCELERATION, INK, PALE, VELOCITY};
 use crate::picture::Colour;
 use crate::stage::is_made_up;
-use crate::text::formula;
+use lagrange_plot::notation::formula;
 use lagrange_runtime::scene::{Connector, SpatialJoint};
 
 /// The requested additions to the scene.

@@ -1,9 +1,10 @@
 use roxmltree::{Document, Node};
 
-use super::{content, document, number};
+use super::document;
 use crate::colour::INK;
-use crate::picture::{Anchor, Mark, Picture};
-use crate::text::{SUBSCRIPT, set};
+use crate::picture::{Mark, Picture};
+use lagrange_plot::characters::number;
+use lagrange_plot::label::{Anchor, Label, SUBSCRIPT};
 
 /// Texts that look like something else, that no document may hold as they are, or that no line has room for.
 pub(crate) fn hostile() -> Vec<String> {
@@ -68,7 +69,7 @@ fn names_cannot_break_a_document() {
     for text in hostile() {
         assert_plain(&document(&picture(&text)));
     }
-    let text = format!("<text>{}</text>", content("<v>_P'&_{<Q>}", 10.0));
+    let text = format!("<text>{}</text>", Label::parse("<v>_P'&_{<Q>}").content(10.0));
     let document = Document::parse(&text).expect("is well formed");
     let words: String = document.descendants().filter_map(|node| node.text()).collect();
     assert!(words.contains("<v>") && words.contains("<Q>"));
@@ -79,7 +80,7 @@ fn names_cannot_break_a_document() {
 fn subscripts_have_sizes_and_heights_in_units_of_the_picture() {
     for size in [10.0, 14.0, 160.0, 0.5] {
         for text in ["v_P", "J_{S P}′ = a_Q", "v_a_b_{c d} e", "_a", "x", "a_1 b_2"] {
-            let xml = format!("<text>{}</text>", content(text, size));
+            let xml = format!("<text>{}</text>", Label::parse(text).content(size));
             let document = Document::parse(&xml).expect("is well formed");
             let mut down = 0.0;
             let pieces = document.root_element().children().map(|node: Node<'_, '_>| {
@@ -90,7 +91,7 @@ fn subscripts_have_sizes_and_heights_in_units_of_the_picture() {
                 (text, value("font-size").unwrap_or(size), down)
             });
             let pieces = pieces.collect::<Vec<_>>();
-            let (expected, _) = set(text, size);
+            let (expected, _) = Label::parse(text).set(size);
             assert_eq!(pieces.len(), expected.len(), "{text}");
             for ((letters, found, down), piece) in pieces.iter().zip(&expected) {
                 assert_eq!(*letters, piece.text);

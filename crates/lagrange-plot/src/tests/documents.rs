@@ -20,8 +20,8 @@ const NAMES: [&str; 8] = [
 fn named(name: &str) -> Figure {
     let line = || [(0.0, 1.0), (1.0, 2.0)].into_iter();
     let mut figure = figure(vec![curve(name, line()), curve("other", line())]);
-    figure.panels[0].x = name.to_owned();
-    figure.panels[0].y = name.to_owned();
+    figure.panels[0].x = name.into();
+    figure.panels[0].y = name.into();
     figure
 }
 
@@ -63,8 +63,7 @@ fn titles_say_what_there_is_to_see() {
     assert_eq!(title(&figure(vec![line("a < b"), line("c")])), "height (a < b, c) over time");
     let many = (0..20).map(|index| line(&index.to_string())).collect::<Vec<_>>();
     assert_eq!(title(&figure(many)), "height (0, 1, 2, 3, 4, 5, 6 and 13 more) over time");
-    let unnamed =
-        Panel { x: String::new(), y: String::new(), curves: vec![line("a"), line("b")], ..Panel::default() };
+    let unnamed = Panel { curves: vec![line("a"), line("b")], ..Panel::default() };
     let panels = vec![figure(vec![line("y")]).panels.remove(0), unnamed, Panel::default()];
     assert_eq!(title(&Figure { panels, columns: 2, size: (400, 300) }), "height over time; a, b");
 }

@@ -8,8 +8,9 @@ use std::vec::Vec;
 use super::ends::Ends;
 use super::grid::Grid;
 use super::samples::Samples;
-use crate::simulate::{PlotError, TIME, TIME_AXIS, labelled};
+use crate::simulate::{PlotError, TIME, label_with_unit, time_axis, unit};
 use crate::system::MechanicalSystem;
+use lagrange_plot::notation::Columns;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
 /// A picture of values over the two quantities of a [`Grid`], with a colour for each: dark blue for the least, yellow for the largest, white
@@ -33,9 +34,9 @@ impl Map {
             quantity.bounds().ok_or_else(|| PlotError::Range(quantity.name.clone()))
         };
         let (x, y) = (bounds(&grid.x)?, bounds(&grid.y)?);
-        let name = name.to_string();
-        let cells = Cells { name, scale: Scale::Linear, x, y, columns: grid.x.cells, values };
-        let panel = Panel { x: grid.x.name.clone(), y: grid.y.name.clone(), ..Panel::default() };
+        let label = |name: &str| Columns::new([&*grid.x.name, &*grid.y.name, name]).label(name);
+        let cells = Cells { name: label(name), scale: Scale::Linear, x, y, columns: grid.x.cells, values };
+        let panel = Panel { x: label(&grid.x.name), y: label(&grid.y.name), ..Panel::default() };
         Ok(Map { cells, panel })
     }
 
@@ -47,13 +48,13 @@ impl Map {
 
     /// Says what the values are called beside the colours, instead of the name of their column.
     pub fn named(mut self, name: &str) -> Self {
-        self.cells.name = name.to_string();
+        self.cells.name = name.into();
         self
     }
 
     /// Draws a line through points over the cells, broken where one is not finite; several are named in a legend.
     pub fn curve(mut self, name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
-        self.panel.curves.push(Curve { name: name.to_string(), points: points.into_iter().collect() });
+        self.panel.curves.push(Curve { name: name.into(), points: points.into_iter().collect() });
         self
     }
 
@@ -79,8 +80,11 @@ where
     pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
         let values = if column == TIME { Some(self.times()) } else { self.column(column) };
         let values = values.ok_or_else(|| unknown(column, self.names()))?;
-        let label = |name: &str| labelled::<M>(name).into_owned();
-        let mut map = Map::new(grid, &label(column), values.iter().map(|value| (*value).into()).collect())?;
+        let columns =
+            Columns::new(self.names().iter().map(String::as_str).chain([&*grid.x.name, &*grid.y.name]));
+        let label = |name: &str| label_with_unit(columns.label(name), unit::<M>(name));
+        let mut map = Map::new(grid, column, values.iter().map(|value| (*value).into()).collect())?;
+        map.cells.name = label(column);
         (map.panel.x, map.panel.y) = (label(&grid.x.name), label(&grid.y.name));
         Ok(map)
     }
@@ -101,26 +105,20 @@ where
     /// If there is no such column, or the file cannot be written.
     pub fn plot_quantiles(&self, column: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let parts: Vec<f64> = BANDS.iter().flat_map(|(_, low, high)| [*low, *high]).chain([0.5]).collect();
-        let quantiles = self.quantiles(column, &parts).ok_or_else(|| {
-            let known = self.iter().next().map_or(&[][..], |(_, motion)| motion.names());
-            unknown(column, known)
-        })?;
+        let names = self.iter().next().map_or(&[][..], |(_, motion)| motion.names());
+        let quantiles = self.quantiles(column, &parts).ok_or_else(|| unknown(column, names))?;
         let times: Vec<f64> = self.times().iter().map(|time| (*time).into()).collect();
         let band = |((name, ..), pair): (&(&str, f64, f64), &[Vec<f64>])| {
             let points = times.iter().zip(&pair[0]).zip(&pair[1]);
             let points = points.map(|((time, low), high)| (*time, *low, *high)).collect();
-            Band { name: (*name).to_string(), points }
+            Band { name: (*name).into(), points }
         };
         let bands = BANDS.iter().zip(quantiles.chunks_exact(2)).map(band).collect();
         let median = times.iter().copied().zip(quantiles.last().into_iter().flatten().copied()).collect();
-        let curves = vec![Curve { name: "median".to_string(), points: median }];
-        let panel = Panel {
-            x: TIME_AXIS.to_string(),
-            y: labelled::<M>(column).into_owned(),
-            bands,
-            curves,
-            ..Panel::default()
-        };
+        let curves = vec![Curve { name: "median".into(), points: median }];
+        let label = Columns::new(names.iter().map(String::as_str)).label(column);
+        let y = label_with_unit(label, unit::<M>(column));
+        let panel = Panel { x: time_axis(), y, bands, curves, ..Panel::default() };
         Figure { panels: vec![panel], columns: 1, size: SIZE }.save(path.as_ref())
     }
 }

@@ -80,7 +80,7 @@ pub(crate) use self::observer::state_names;
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
-pub(crate) use self::plots::TIME_AXIS;
+pub(crate) use self::plots::time_axis;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::sampling::Grid;
@@ -90,7 +90,7 @@ pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
-pub(crate) use self::units::labelled;
+pub(crate) use self::units::{label_with_unit, unit};
 #[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
 pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]

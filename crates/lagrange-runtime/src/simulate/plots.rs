@@ -7,12 +7,15 @@ use std::vec::Vec;
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
-use crate::simulate::units::{labelled, unit, with_unit};
+use crate::simulate::units::{label_with_unit, unit};
 use crate::system::{MechanicalSystem, StateVector, WithSuffix};
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::Columns;
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
 
-/// Label of the time axis; SI units, as everywhere.
-pub(crate) const TIME_AXIS: &str = "time t in s";
+/// A column and its points.
+type NamedCurve<'n> = (&'n str, Vec<(f64, f64)>);
+
 /// Up to this many coordinates have a panel each.
 const SEPARATE: usize = 4;
 /// Sizes of figures and panels.
@@ -32,8 +35,9 @@ where
     /// coordinates and one for all velocities, also where there are not as many of the one as of the other. First-order states share a panel
     /// of their own.
     ///
-    /// Units that a declaration says stand behind names, here and in all plots, as in `x in m`: at the axis, and in the legend where curves have
-    /// several.
+    /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for `x_ddot`, x₂ for `x[2]`. Words, and names that
+    /// would look like others, stay as they are. Units that a declaration says stand behind names, as in x in m: at the axis, and in the
+    /// legend where curves have several.
     ///
     /// The extension of the file says what it is, here and in all plots: `svg` for drawings and `png` for pixels.
     ///
@@ -72,8 +76,8 @@ where
     pub fn plot_columns(&self, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
         some(names)?;
         let names: Vec<String> = names.iter().map(ToString::to_string).collect();
-        let title = if names.len() == 1 { names[0].clone() } else { String::new() };
-        Figure { panels: vec![self.over_time(&title, &names)?], columns: 1, size: WIDE }.save(path.as_ref())
+        let title = if let [name] = &names[..] { name } else { "" };
+        Figure { panels: vec![self.over_time(title, &names)?], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
     /// Plots the velocity of a coordinate against the coordinate.
@@ -93,7 +97,7 @@ where
     /// If there is no such column, or the file cannot be written.
     pub fn plot_pair(&self, x: &str, y: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let points = self.numbers(x)?.into_iter().zip(self.numbers(y)?).collect();
-        let panel = Panel { has_room: true, ..panel::<M>(x, y, vec![Curve { name: y.to_string(), points }]) };
+        let panel = Panel { has_room: true, ..self.panel(self.axis(x), y, vec![(y, points)]) };
         Figure { panels: vec![panel], columns: 1, size: SQUARE }.save(path.as_ref())
     }
 
@@ -104,13 +108,11 @@ where
     pub fn plot_against(&self, x: &str, names: &[&str], path: impl AsRef<Path>) -> Result<(), PlotError> {
         some(names)?;
         let abscissae = self.numbers(x)?;
-        let curve = |name: &&str| {
-            let points = abscissae.iter().copied().zip(self.numbers(name)?).collect();
-            Ok(Curve { name: (*name).to_string(), points })
-        };
-        let curves = names.iter().map(curve).collect::<Result<_, PlotError>>()?;
+        let curves = names.iter().map(|name| self.curve(abscissae.iter().copied(), name));
+        let curves = curves.collect::<Result<_, PlotError>>()?;
         let title = if let [name] = names { name } else { "" };
-        Figure { panels: vec![panel::<M>(x, title, curves)], columns: 1, size: WIDE }.save(path.as_ref())
+        Figure { panels: vec![self.panel(self.axis(x), title, curves)], columns: 1, size: WIDE }
+            .save(path.as_ref())
     }
 
     /// Plots how far the energy is from its initial value E₀, relative to that unless it is too small for it: against
@@ -125,11 +127,10 @@ where
         let is_growing = grows(&drift);
         let (name, y_scale) =
             if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
-        let y = with_unit(name, unit::<M>(ENERGY).filter(|_| !is_relative));
+        let y = label_with_unit(Label::parse(name), unit::<M>(ENERGY).filter(|_| !is_relative));
         let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
-        let points = self.seconds().zip(shown).collect();
-        let panel =
-            Panel { y_scale, ..panel::<M>(TIME_AXIS, &y, vec![Curve { name: name.to_string(), points }]) };
+        let curves = vec![Curve { name: y.clone(), points: self.seconds().zip(shown).collect() }];
+        let panel = Panel { x: time_axis(), y, y_scale, curves, ..Panel::default() };
         Figure { panels: vec![panel], columns: 1, size: WIDE }.save(path.as_ref())
     }
 
@@ -141,11 +142,33 @@ where
 
     /// Columns against time.
     fn over_time(&self, title: &str, names: &[String]) -> Result<Panel, PlotError> {
-        let curve = |name: &String| {
-            let points = self.seconds().zip(self.numbers(name)?).collect();
-            Ok(Curve { name: name.clone(), points })
+        let curves = names.iter().map(|name| self.curve(self.seconds(), name));
+        Ok(self.panel(time_axis(), title, curves.collect::<Result<_, PlotError>>()?))
+    }
+
+    /// Returns a column over abscissae.
+    fn curve<'n>(&self, x: impl Iterator<Item = f64>, name: &'n str) -> Result<NamedCurve<'n>, PlotError> {
+        Ok((name, x.zip(self.numbers(name)?).collect()))
+    }
+
+    /// Returns a panel for columns. Units stand at the axes, and in the legend where curves have several.
+    fn panel(&self, x: Label, y: &str, curves: Vec<NamedCurve<'_>>) -> Panel {
+        let columns = Columns::new(self.names().iter().map(String::as_str));
+        let mut units = curves.iter().map(|(name, _)| unit::<M>(name));
+        let first = units.next().flatten();
+        let shared = if units.all(|unit| unit == first) { first } else { None };
+        let curve = |(name, points): (&str, _)| {
+            let unit = unit::<M>(name).filter(|_| shared.is_none());
+            Curve { name: label_with_unit(columns.label(name), unit), points }
         };
-        Ok(panel::<M>(TIME_AXIS, title, names.iter().map(curve).collect::<Result<_, PlotError>>()?))
+        let y = label_with_unit(columns.label(y), shared);
+        Panel { x, y, curves: curves.into_iter().map(curve).collect(), ..Panel::default() }
+    }
+
+    /// Returns the label of an axis for a column.
+    fn axis(&self, name: &str) -> Label {
+        let columns = Columns::new(self.names().iter().map(String::as_str));
+        label_with_unit(columns.label(name), unit::<M>(name))
     }
 
     fn seconds(&self) -> impl Iterator<Item = f64> + '_ {
@@ -161,21 +184,14 @@ where
     }
 }
 
-/// That columns are named at all.
-fn some(names: &[&str]) -> Result<(), PlotError> {
-    if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
+/// Returns the label of the time axis; SI units, as everywhere.
+pub(crate) fn time_axis() -> Label {
+    Label::from("time ").then("t").then(" in s")
 }
 
-/// A panel for curves that are called like columns. Units stand at the axes, and in the legend where curves have several.
-fn panel<M: MechanicalSystem>(x: &str, y: &str, mut curves: Vec<Curve>) -> Panel {
-    let mut units = curves.iter().map(|curve| unit::<M>(&curve.name));
-    let first = units.next().flatten();
-    let shared = if units.all(|unit| unit == first) { first } else { None };
-    if shared.is_none() {
-        curves.iter_mut().for_each(|curve| curve.name = labelled::<M>(&curve.name).into_owned());
-    }
-    let (x, y) = (labelled::<M>(x).into_owned(), with_unit(y, shared).trim_start().to_string());
-    Panel { x, y, curves, ..Panel::default() }
+/// Refuses a plot without columns.
+fn some(names: &[&str]) -> Result<(), PlotError> {
+    if names.is_empty() { Err(PlotError::NoColumns) } else { Ok(()) }
 }
 
 /// Returns the deviations of energies from the first, their labels with and without sign, and true
@@ -185,10 +201,10 @@ fn drift(energies: &[f64]) -> (Vec<f64>, [&'static str; 2], bool) {
     let drift: Vec<f64> = energies.iter().map(|energy| energy - start).collect();
     let largest = drift.iter().copied().map(f64::abs).fold(0.0, f64::max);
     if start != 0.0 && largest < LARGE_DRIFT * start.abs() {
-        let names = ["(E − E0)/|E0|", "|E − E0|/|E0|"];
+        let names = ["(E − E_0)/|E_0|", "|E − E_0|/|E_0|"];
         return (drift.iter().map(|drift| drift / start.abs()).collect(), names, true);
     }
-    (drift, ["E − E0", "|E − E0|"], false)
+    (drift, ["E − E_0", "|E − E_0|"], false)
 }
 
 /// True if a drift grows by orders of magnitude.

@@ -6,6 +6,8 @@ use std::format;
 use crate::simulate::builder::ENERGY;
 use crate::simulate::table::TIME;
 use crate::system::MechanicalSystem;
+#[cfg(feature = "plot")]
+use lagrange_plot::{label::Label, notation};
 
 /// The unit of plain numbers, which labels leave out.
 const PLAIN: &str = "1";
@@ -30,7 +32,15 @@ pub(super) fn with_unit<'n>(name: &'n str, unit: Option<&str>) -> Cow<'n, str> {
     }
 }
 
-/// The name of a column with its unit.
-pub(crate) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
+/// Returns the name of a column with its unit.
+pub(super) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
     with_unit(name, unit::<M>(name))
+}
+
+/// Returns a label followed by a unit, as in x in m/s².
+#[cfg(feature = "plot")]
+pub(crate) fn label_with_unit(label: Label, unit: Option<&str>) -> Label {
+    let Some(unit) = unit.filter(|unit| *unit != PLAIN) else { return label };
+    let before = if label.is_empty() { "in " } else { " in " };
+    label.then(&format!("{before}{}", notation::unit(unit)))
 }

@@ -1,0 +1,52 @@
+//! The surface of a figure: lines, areas, images and labels in points.
+
+use crate::label::{Anchor, Label};
+use crate::lettering::SMALL;
+use crate::pixels::Colour;
+
+/// A place in points, downwards from the upper left corner.
+pub(crate) type Point = (i32, i32);
+
+/// A document or pixels.
+pub(crate) trait Paper {
+    /// Draws a line through points.
+    fn line(&mut self, points: &[Point], colour: Colour, width: u32);
+    /// Fills the area within corners.
+    fn area(&mut self, corners: &[Point], colour: Colour);
+    /// Writes a label in letters of size [`FONT`].
+    fn write(&mut self, label: &Label, place: Place);
+}
+
+/// The size of letters in points.
+pub(crate) const FONT: f64 = 137.0;
+/// The colour of letters and axes.
+pub(crate) const INK: Colour = [40, 40, 40, u8::MAX];
+
+/// The place of a label.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) struct Place {
+    pub(crate) at: Point,
+    pub(crate) anchor: Anchor,
+    pub(crate) down: Down,
+    /// True if it is read from below, turned about its place.
+    pub(crate) is_turned: bool,
+}
+
+/// The side of its place on which a label is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Down {
+    Below,
+    Level,
+    Above,
+}
+
+impl Down {
+    /// Returns the points from the place down to the base line.
+    pub(crate) fn base(self) -> f64 {
+        FONT * match self {
+            Down::Below => 0.76,
+            Down::Level => 0.5 * SMALL,
+            Down::Above => -0.5 * SMALL,
+        }
+    }
+}
