@@ -474,3 +474,42 @@ fn states_that_slide_along_two_switches_stand_still_in_no_run() {
         assert!(matches!(error.cause, StepFailure::Slides { .. }), "{error} from {start:?}");
     }
 }
+
+lagrange::system! {
+    /// A small body in a valley, beside coordinates that are large.
+    #[derive(Clone, Debug)]
+    struct FarValley;
+
+    param y0 = 1, place = 0;
+    coord far, y;
+    kinetic = 1/2 * (dot(far)^2 + dot(y)^2);
+    potential = y0 * abs(y - place);
+}
+
+/// Each fall from y₀ with y₀ takes √2, whatever else moves and wherever the valley is.
+#[test]
+fn surfaces_are_located_by_the_size_of_their_functions() {
+    let phase = |time: f64| {
+        let (quarter, rest) = ((time / 2_f64.sqrt()) as u32 % 4, time % 2_f64.sqrt());
+        let left = 2_f64.sqrt() - rest;
+        match quarter {
+            0 => 1.0 - rest * rest / 2.0,
+            1 => left * left / 2.0 - 1.0,
+            2 => rest * rest / 2.0 - 1.0,
+            _ => 1.0 - left * left / 2.0,
+        }
+    };
+    for (far, y0, place) in
+        [(0.0, 1.0, 0.0), (1e9, 1e-8, 0.0), (-1e15, 1e-3, 0.0), (1e3, 1e-3, 1e9), (1e-3, 1e6, 0.0)]
+    {
+        let system = FarValley { y0, place, ..FarValley::default() };
+        let run =
+            system.simulate([far, place + y0, 0.1, 0.0]).until(13.0).every(0.5).absolute_tolerance(1e-9 * y0);
+        let run = run.run().unwrap_or_else(|error| panic!("{far} {y0} {place}: {error}"));
+        for (time, state) in run.iter() {
+            let (found, wanted) = ((state[1] - place) / y0, phase(time));
+            let rounding = 1e-7 + 1e3 * f64::EPSILON * place / y0;
+            assert!((found - wanted).abs() < rounding, "{far} {y0} {place} at {time}: {found}, not {wanted}");
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::candidate::Candidate;
 use super::function::EventFunction;
-use super::instant::{accuracy, is_at_once};
+use super::instant::{accuracy, is_at_once, unresolved};
 use super::locate::{MOST_ROUNDS, Sample, locate};
 use super::piece::{Piece, Sight};
 use super::polynomial::{POINTS, points};
@@ -98,6 +98,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self
     }
 
+    /// Returns the largest magnitude that each function was found to have.
+    pub(crate) fn ranges(&self) -> [S; K] {
+        self.functions.map(|function| function.range)
+    }
+
     /// The next event in the stepper's last step, after those that were returned before.
     ///
     /// To be called after each step until there is no more, and after [`Stepper::confirm`]; `values` gives all functions at a time and
@@ -105,8 +110,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     /// the value there is zero or has the sign that it changes to.
     ///
     /// # Errors
-    /// If a function is NaN or infinite, or does not settle in 200 evaluations, or if states were replaced many times at
-    /// times that rounding cannot tell apart.
+    /// If a function is NaN or infinite, or does not settle in 200 evaluations, if times are too far apart to locate its
+    /// zero, or if states were replaced many times at times that rounding cannot tell apart.
     pub fn next<M>(
         &mut self,
         system: &M,
@@ -168,6 +173,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                 First::Unclear => self.search.shorten(),
                 First::Passing(event) => self.functions[event].go_on(),
                 First::At(event, time) => {
+                    self.measure(&piece, |t| is_past(t, time));
+                    let range = self.functions[event].range;
+                    if let Some(spacing) = unresolved((from, to), time, range, |t| values(t)[event]) {
+                        return Err(StepFailure::EventUnresolved { event: Given(event), time, spacing });
+                    }
                     // What was found at once was known: another look at noise would find something else.
                     let there = if time == start { piece.values[0] } else { values(time) };
                     self.search.pause();
@@ -175,6 +185,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                     return Ok(Some((event, time)));
                 }
                 First::None => {
+                    self.measure(&piece, |_| true);
                     let last = piece.values[POINTS - 1];
                     self.functions.iter_mut().zip(last).for_each(|(function, value)| function.learn(value));
                     self.reached = end;
@@ -192,6 +203,14 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         let here = self.functions.map(|function| function.here);
         let values = core::array::from_fn(|j| if j == 0 { here } else { values(times[j]) });
         Piece { times, values }
+    }
+
+    /// Keeps in view how large functions get in the part of a piece that is passed.
+    fn measure(&mut self, piece: &Piece<S, K>, is_passed: impl Fn(S) -> bool) {
+        let passed = piece.times.into_iter().zip(&piece.values).filter(|(t, _)| is_passed(*t));
+        for (_, values) in passed {
+            self.functions.iter_mut().zip(values).for_each(|(function, value)| function.measure(*value));
+        }
     }
 
     /// The function has its event at `time`, where these are the values.

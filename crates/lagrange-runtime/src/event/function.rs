@@ -20,6 +20,8 @@ pub(super) struct EventFunction<S> {
     pub(super) claim: Claim,
     /// The value at the last start.
     pub(super) start: S,
+    /// The largest magnitude that it was found to have.
+    pub(super) range: S,
     /// Its last two events, the later one first: what lies behind an event is looked at before the state is replaced there.
     fired: [Option<Fired<S>>; 2],
 }
@@ -55,6 +57,7 @@ impl<S: Scalar> EventFunction<S> {
             sign: value,
             claim: Claim::Found,
             start: value,
+            range: value.abs(),
             fired: [None; 2],
         }
     }
@@ -79,6 +82,12 @@ impl<S: Scalar> EventFunction<S> {
             None => (value, Claim::Found),
         };
         (self.here, self.start, self.fired) = (value, value, [None; 2]);
+        self.measure(value);
+    }
+
+    /// Keeps in view how large it gets.
+    pub(super) fn measure(&mut self, value: S) {
+        self.range = self.range.max(value.abs());
     }
 
     /// Passes zero as it was about to when the state was replaced.

@@ -3,6 +3,12 @@
 use super::locate::ACCURACY;
 use crate::scalar::Scalar;
 
+/// Roundings of time that are no longer than this part of a step locate any event,
+const FINE: f64 = 1.0 / 1024.0;
+/// and others if its function changes by no more than this part of the largest magnitude that it
+/// had, in a rounding of time.
+const LARGEST_CHANGE: f64 = 1.0 / 64.0;
+
 /// To which part of a step, or of time, zeros within it are located.
 pub(super) fn accuracy<S: Scalar>(from: S, to: S) -> S {
     S::from_f64(ACCURACY) * (to - from).abs()
@@ -29,4 +35,25 @@ pub(crate) fn end_of_instant<S: Scalar>(time: S, from: S, to: S) -> S {
 fn instant<S: Scalar>(time: S, from: S, to: S) -> S {
     let rounding = S::from_f64(4.0) * S::epsilon() * time.abs();
     accuracy(from, to) + accuracy(from, to) + rounding
+}
+
+/// Returns the rounding of time if it is too long to locate the event of a function in a step, which had magnitudes up to
+/// `range` before.
+///
+/// A function that jumps does so between two times; the change that counts is that before.
+pub(super) fn unresolved<S: Scalar>(
+    (from, to): (S, S),
+    time: S,
+    range: S,
+    mut value: impl FnMut(S) -> S,
+) -> Option<S> {
+    let rounding = (to - from).sign() * S::epsilon() * time.abs();
+    if rounding.abs() <= S::from_f64(FINE) * (to - from).abs() || range == S::ZERO {
+        return None;
+    }
+    let before = time - (rounding + rounding);
+    let earlier = if (before - from) * rounding > S::ZERO { before } else { from };
+    let later = earlier + rounding;
+    let change = (value(later) - value(earlier)).abs();
+    (change > S::from_f64(LARGEST_CHANGE) * range).then(|| (later - earlier).abs())
 }

@@ -1,16 +1,17 @@
 //! The events that the declaration of a system states.
 
 use super::events::{Events, Found, Next, Origin};
+use super::margins::{Margins, exact_values};
 use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
-use crate::tolerance::SURFACE;
 
 /// The events that the declaration of the system M states.
 pub struct DeclaredEvents<M: OdeSystem> {
     pending: Pending<M::Scalar, M::State, MOST_LOCATED>,
+    margins: Margins<M::Scalar>,
     /// When the run started.
     start: M::Scalar,
     /// The last change of a side.
@@ -42,9 +43,10 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         for (direction, event) in directions.iter_mut().zip(M::EVENTS) {
             *direction = event.direction;
         }
-        let detector = Detector::new(directions, t, values(system, t, y)).with_switches(M::EVENTS);
+        let margins = Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]);
+        let detector = Detector::new(directions, t, margins.values(system, t, y)).with_switches(M::EVENTS);
         let together = [false; MOST_LOCATED];
-        DeclaredEvents { pending: Pending::new(detector), start: t, change: None, together }
+        DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together }
     }
 
     /// Counts how often a switch returns to its surface without having left it.
@@ -61,7 +63,8 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         let returns = match self.change {
             Some(last) if last.event == event && last.time == stepper.last_time() => {
                 let middle = M::Scalar::from_f64(0.5) * (last.time + time);
-                let between = values(system, middle, &stepper.interpolate(system, middle))[event];
+                let between =
+                    self.margins.values(system, middle, &stepper.interpolate(system, middle))[event];
                 let is_near = time == last.time || between <= M::Scalar::from_f64(NEAR) * last.value;
                 if is_near { last.returns + 1 } else { 0 }
             }
@@ -85,7 +88,12 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
             return Ok(None);
         }
         let is_new = self.pending.next.is_none();
-        let found = self.pending.look(system, stepper, end, |t, y| values(system, t, y));
+        if self.margins.time != stepper.time() {
+            let ranges = self.pending.ranges();
+            self.margins = Margins::new(system, stepper.time(), stepper.state(), &ranges);
+        }
+        let margins = self.margins;
+        let found = self.pending.look(system, stepper, end, |t, y| margins.values(system, t, y));
         found.map_err(|cause| cause.named(M::EVENTS))?;
         if let Some(next) = self.pending.next
             && is_new
@@ -96,7 +104,8 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
             self.check_sliding(system, stepper, &next)?;
             self.together = passage.others(next.event);
             if self.together.contains(&true) {
-                self.pending.fire_together(&values(system, next.time, &next.state), &self.together);
+                let values = margins.values(system, next.time, &next.state);
+                self.pending.fire_together(&values, &self.together);
             }
             self.pending.next = Some(next);
         }
@@ -122,7 +131,8 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         if !M::EVENTS.is_empty() {
-            let values = values(system, t, y);
+            self.margins = Margins::new(system, t, y, &self.pending.ranges());
+            let values = self.margins.values(system, t, y);
             if let Some(change) = &mut self.change {
                 change.value = values[change.event];
             }
@@ -132,28 +142,10 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         if !M::EVENTS.is_empty() {
-            self.pending.jump(values(system, t, y));
+            self.margins = Margins::new(system, t, y, &self.pending.ranges());
+            self.pending.jump(self.margins.values(system, t, y));
         }
     }
-}
-
-/// The values of all declared events, and of others that never happen. Those of switches are zero a little beyond their surfaces.
-fn values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
-    let mut values = exact_values(system, t, y);
-    if M::EVENTS.iter().any(|event| event.is_side) {
-        let size = y.as_ref().iter().fold(M::Scalar::ZERO, |size, entry| size.max(entry.abs()));
-        let width = SURFACE.part::<M::Scalar>() * size;
-        let sides = values.iter_mut().zip(M::EVENTS).filter(|(_, event)| event.is_side);
-        sides.for_each(|(value, _)| *value = *value + width);
-    }
-    values
-}
-
-fn exact_values<M: OdeSystem>(system: &M, t: M::Scalar, y: &M::State) -> [M::Scalar; MOST_LOCATED] {
-    let mut values = [M::Scalar::ONE; MOST_LOCATED];
-    let count = M::EVENTS.len().min(MOST_LOCATED);
-    system.event_values(t, y, &mut values[..count]);
-    values
 }
 
 /// Sides that are passed at the same time, as far as times are located.

@@ -8,6 +8,7 @@ mod declared;
 mod drive;
 mod events;
 mod integrate;
+mod margins;
 mod outcome;
 mod pending;
 mod restarts;

@@ -41,6 +41,11 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         Ok(self.time())
     }
 
+    /// Returns the largest magnitude that each function was found to have.
+    pub fn ranges(&self) -> [S; K] {
+        self.detector.ranges()
+    }
+
     /// Counts the zeros of these functions, which have these values, as parts of the event that was found.
     pub fn fire_together(&mut self, values: &[S; K], is_fired: &[bool; K]) {
         self.detector.fire_together(values, |k| is_fired[k]);

@@ -4,11 +4,10 @@ use std::boxed::Box;
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{Debug, Display, Formatter, Result};
-use std::format;
 use std::string::{String, ToString};
 
 use crate::simulate::trajectory::Trajectory;
-use crate::system::{EventSource, MechanicalSystem, StepFailure, explain};
+use crate::system::{EventName, EventSource, MechanicalSystem, StepFailure, explain};
 
 /// The first name that stands twice in a list.
 pub(super) fn repeated(names: &[String]) -> Option<String> {
@@ -77,7 +76,7 @@ pub(crate) fn explain_run<S: Copy + Debug + PartialEq>(
 ) -> Result {
     match name {
         Some(name) if *cause == StepFailure::RepeatedColumn => write!(f, "two columns are called `{name}`")?,
-        Some(name) => explain(cause, &format!("event `{name}`"), f)?,
+        Some(name) => explain(cause, &EventName(name), f)?,
         None => write!(f, "{cause}")?,
     }
     write!(f, " (at time {time:?})")

@@ -16,9 +16,21 @@ impl<S: Debug> Display for StepFailure<S> {
 impl Display for EventSource {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
-            EventSource::Declared(name) => write!(f, "event `{name}`"),
+            EventSource::Declared(name) => write!(f, "{}", EventName(name)),
             EventSource::Given(0) => f.write_str("the first of the events that were given"),
             EventSource::Given(index) => write!(f, "the event at index {index} of those that were given"),
+        }
+    }
+}
+
+/// The name of an event in messages; those of switches quote what they are about.
+pub(crate) struct EventName<'a>(pub(crate) &'a str);
+
+impl Display for EventName<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self.0 {
+            name if name.contains('`') => write!(f, "the switch at {name}"),
+            name => write!(f, "event `{name}`"),
         }
     }
 }
@@ -104,5 +116,10 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::EventNotLocated { bisections, .. } => {
             write!(f, "the zero of {event} could not be located in {bisections} bisections")
         }
+        StepFailure::EventUnresolved { time, spacing, .. } => write!(
+            f,
+            "the zero of {event} could not be located: from the time {time:?} to the next one it is {spacing:?}, which is too far \
+             for a motion as fast as this; count time from nearer to the start"
+        ),
     }
 }

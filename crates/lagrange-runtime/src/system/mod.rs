@@ -27,7 +27,7 @@ pub use self::kernel::KernelSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
-pub(crate) use self::message::explain;
+pub(crate) use self::message::{EventName, explain};
 pub use self::ports::{ControlledSystem, OutputSystem};
 #[cfg(feature = "std")]
 pub(crate) use self::positions::normalised;

@@ -121,6 +121,16 @@ pub enum StepFailure<S> {
         /// Number of bisections.
         bisections: u32,
     },
+    /// An event function passes zero between two times so fast that neither is near its zero: times so far from zero are
+    /// too far apart.
+    EventUnresolved {
+        /// Source of the event.
+        event: EventSource,
+        /// The time.
+        time: S,
+        /// Its distance from the next one.
+        spacing: S,
+    },
 }
 
 /// The source of an event function.
@@ -138,7 +148,8 @@ impl<S> StepFailure<S> {
         match *self {
             StepFailure::EventNotFinite { event }
             | StepFailure::EventsAccumulate { event, .. }
-            | StepFailure::EventNotLocated { event, .. } => Some(event),
+            | StepFailure::EventNotLocated { event, .. }
+            | StepFailure::EventUnresolved { event, .. } => Some(event),
             _ => None,
         }
     }
@@ -147,7 +158,8 @@ impl<S> StepFailure<S> {
     pub(crate) fn of_event(mut self, source: impl FnOnce(EventSource) -> EventSource) -> Self {
         if let StepFailure::EventNotFinite { event }
         | StepFailure::EventsAccumulate { event, .. }
-        | StepFailure::EventNotLocated { event, .. } = &mut self
+        | StepFailure::EventNotLocated { event, .. }
+        | StepFailure::EventUnresolved { event, .. } = &mut self
         {
             *event = source(*event);
         }

@@ -1,0 +1,78 @@
+//! Switches are looked for a little beyond their surfaces.
+//!
+//! Otherwise rounding on a surface would pass it again and again. What rounding makes of a switching function is told by its own
+//! size: by the largest value that it was seen to have, and by what it changes by if each entry of the state is rounded. Other
+//! entries of the state say nothing about it, unless constraints hold them together.
+
+use crate::scalar::{Number, Scalar};
+use crate::system::{MOST_LOCATED, OdeSystem};
+use crate::tolerance::SURFACE;
+
+/// Entries of a state are changed by these steps through the range from one half to one, lest equal changes cancel.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// The distances beyond their surfaces at which switches change their sides; zero for other events.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Margins<S> {
+    /// When they were found.
+    pub(super) time: S,
+    margins: [S; MOST_LOCATED],
+}
+
+impl<S: Scalar> Margins<S> {
+    /// Finds them at a state, where functions have had magnitudes up to `ranges` so far.
+    pub(super) fn new<M>(system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let mut margins = [S::ZERO; MOST_LOCATED];
+        if M::EVENTS.iter().any(|event| event.is_side) {
+            let here = exact_values(system, time, y);
+            let rounded = exact_values(system, time, &rounded::<S, M>(y));
+            let shared = if M::IS_CONSTRAINED { largest(y.as_ref()) } else { S::ZERO };
+            for (k, _) in M::EVENTS.iter().enumerate().filter(|(_, event)| event.is_side) {
+                let own = ranges[k].max(here[k].abs()).max(shared);
+                let change = (rounded[k] - here[k]).abs();
+                let margin = SURFACE.part::<S>() * own + if change.is_finite() { change } else { S::ZERO };
+                margins[k] = margin;
+            }
+        }
+        Margins { time, margins }
+    }
+
+    /// The values of all declared events, and of others that never happen. Those of switches are zero a little beyond their
+    /// surfaces.
+    pub(super) fn values<M>(&self, system: &M, t: S, y: &M::State) -> [S; MOST_LOCATED]
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        let values = exact_values(system, t, y);
+        core::array::from_fn(|k| values[k] + self.margins[k])
+    }
+}
+
+/// The values of all declared events, and of others that never happen.
+pub(super) fn exact_values<M: OdeSystem>(
+    system: &M,
+    t: M::Scalar,
+    y: &M::State,
+) -> [M::Scalar; MOST_LOCATED] {
+    let mut values = [M::Scalar::ONE; MOST_LOCATED];
+    let count = M::EVENTS.len().min(MOST_LOCATED);
+    system.event_values(t, y, &mut values[..count]);
+    values
+}
+
+/// The state with each entry changed by some roundings, all by different ones.
+fn rounded<S: Scalar, M: OdeSystem<Scalar = S>>(y: &M::State) -> M::State {
+    let (mut rounded, mut part) = (*y, 0.5);
+    for entry in rounded.as_mut() {
+        part = (part + GOLDEN) % 1.0;
+        *entry = *entry + S::from_f64(0.5 + 0.5 * part) * SURFACE.part::<S>() * entry.abs();
+    }
+    rounded
+}
+
+fn largest<S: Scalar>(y: &[S]) -> S {
+    y.iter().fold(S::ZERO, |size, entry| size.max(entry.abs()))
+}
