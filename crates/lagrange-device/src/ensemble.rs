@@ -140,7 +140,7 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         let states = starts.iter().map(|start| start.as_ref().to_vec()).collect::<Vec<_>>();
         let (count, nothing) = (starts.len(), T::ZERO);
         // No step went before, whose error the controller could use.
-        let controls = [vec![nothing; count], vec![T::from_f64(1e-4); count]].concat();
+        let controls = [vec![nothing; count], vec![T::from_f64(1e-4); count], vec![nothing; count]].concat();
         Ok(Work {
             method,
             motions,

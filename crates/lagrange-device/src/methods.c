@@ -38,6 +38,22 @@ LAGRANGE_FUNCTION int lagrange_is_finite(const REAL *y)
     return sum == 0;
 }
 
+// Goes on in time by h. The time and its remainder are the exact sum of all steps but for the rounding of the remainder.
+LAGRANGE_FUNCTION void lagrange_advance(REAL *t, REAL *t_rest, REAL h)
+{
+    const REAL wanted = *t_rest + h, before = *t;
+    *t = before + wanted;
+    *t_rest = wanted + (before - *t);
+}
+
+// The length of the shortest steps that count in the rounding of this time, whatever the remainder is.
+LAGRANGE_FUNCTION REAL lagrange_least_step(REAL t)
+{
+    // A third has no finite binary expansion; rounding it leaves this much.
+    const REAL epsilon = LAGRANGE_ABS(3 * ((REAL)4 / 3 - 1) - 1);
+    return 2 * epsilon * LAGRANGE_ABS(t);
+}
+
 // The classical method of order four in equal steps, of which the last may be shorter. States and times are summed with compensation.
 // Sources: Kutta 1901; Hairer, Lubich, Wanner, Geometric Numerical Integration, section VIII.5.
 LAGRANGE_KERNEL void lagrange_runge_kutta_4(
@@ -55,9 +71,9 @@ LAGRANGE_KERNEL void lagrange_runge_kutta_4(
     }
     for (int i = 0; i < LAGRANGE_PARAMETERS; i++)
         p[i] = parameters[(size_t)i * motions + motion];
-    REAL t = times[motion], t_rest = 0;
+    REAL t = times[motion], t_rest = controls[(size_t)2 * motions + motion];
     unsigned int steps = taken[motion], status = LAGRANGE_RUNNING;
-    (void)controls, (void)relative, (void)absolute;
+    (void)relative, (void)absolute;
 
     for (unsigned int left = budget; left > 0 && status == LAGRANGE_RUNNING; left--) {
         if (steps == most) {
@@ -67,6 +83,11 @@ LAGRANGE_KERNEL void lagrange_runge_kutta_4(
         const REAL way = (end - t) - t_rest;
         const int is_last = LAGRANGE_ABS(way) <= step * (1 + (REAL)1e-9);
         const REAL h = is_last ? way : way < 0 ? -step : step;
+        if (!is_last && (t + step == t || t - step == t)) {
+            controls[motion] = step;
+            status = LAGRANGE_STEP_UNDERFLOW;
+            break;
+        }
         REAL k[LAGRANGE_LENGTH], sum[LAGRANGE_LENGTH], z[LAGRANGE_LENGTH];
         lagrange_rhs(t, y, p, k);
         for (int i = 0; i < LAGRANGE_LENGTH; i++) {
@@ -103,15 +124,14 @@ LAGRANGE_KERNEL void lagrange_runge_kutta_4(
             t = end;
             status = LAGRANGE_DONE;
         } else {
-            const REAL wanted = t_rest + h, before = t;
-            t = before + wanted;
-            t_rest = wanted + (before - t);
+            lagrange_advance(&t, &t_rest, h);
         }
     }
 
     for (int i = 0; i < LAGRANGE_LENGTH; i++)
         states[(size_t)i * motions + motion] = y[i];
     times[motion] = t;
+    controls[(size_t)2 * motions + motion] = t_rest;
     taken[motion] = steps;
     statuses[motion] = status;
 }
@@ -169,7 +189,8 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
         y[i] = states[(size_t)i * motions + motion];
     for (int i = 0; i < LAGRANGE_PARAMETERS; i++)
         p[i] = parameters[(size_t)i * motions + motion];
-    REAL t = times[motion], size = controls[motion], before = controls[(size_t)motions + motion];
+    REAL t = times[motion], t_rest = controls[(size_t)2 * motions + motion];
+    REAL size = controls[motion], before = controls[(size_t)motions + motion];
     unsigned int steps = taken[motion], status = LAGRANGE_RUNNING;
     int was_rejected = 0;
     lagrange_rhs(t, y, p, k1);
@@ -179,7 +200,7 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
         size = lagrange_first_step(t, y, k1, p, end - t, relative, absolute);
 
     for (unsigned int left = budget; left > 0 && status == LAGRANGE_RUNNING; left--) {
-        const REAL way = end - t;
+        const REAL way = (end - t) - t_rest;
         if (way == 0) {
             status = LAGRANGE_DONE;
             break;
@@ -188,8 +209,16 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
             status = LAGRANGE_TOO_MANY_STEPS;
             break;
         }
-        steps++;
         size = size < step ? size : step;
+        const REAL least = lagrange_least_step(t);
+        if (size < least) {
+            if (was_rejected || step < least) {
+                status = LAGRANGE_STEP_UNDERFLOW;
+                break;
+            }
+            size = least;
+        }
+        steps++;
         // A last step is stretched a little, so that none behind it is lost in rounding.
         const int is_last = LAGRANGE_ABS(way) <= size * (REAL)1.01;
         const REAL h = is_last ? way : way < 0 ? -size : size;
@@ -228,7 +257,12 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
                 size = LAGRANGE_ABS(h) / divisor;
             before = measured > (REAL)1e-4 ? measured : (REAL)1e-4;
             was_rejected = 0;
-            t = is_last ? end : t + h;
+            if (is_last) {
+                t = end;
+                t_rest = 0;
+            } else {
+                lagrange_advance(&t, &t_rest, h);
+            }
             for (int i = 0; i < LAGRANGE_LENGTH; i++) {
                 y[i] = z[i];
                 k1[i] = k7[i];
@@ -237,7 +271,7 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
             const REAL part = LAGRANGE_POWF(measured, (REAL)0.17) / (REAL)0.9;
             size = LAGRANGE_ABS(h) / (part < 5 ? part > (REAL)1.1 ? part : (REAL)1.1 : (REAL)5);
             was_rejected = 1;
-            if (t + (REAL)0.1 * (h < 0 ? -size : size) == t)
+            if (size < lagrange_least_step(t))
                 status = measured - measured == 0 ? LAGRANGE_STEP_UNDERFLOW : LAGRANGE_NOT_FINITE;
         }
     }
@@ -247,6 +281,7 @@ LAGRANGE_KERNEL void lagrange_dormand_prince(
     times[motion] = t;
     controls[motion] = size;
     controls[(size_t)motions + motion] = before;
+    controls[(size_t)2 * motions + motion] = t_rest;
     taken[motion] = steps;
     statuses[motion] = status;
 }

@@ -141,6 +141,29 @@ fn single_precision_has_its_digits() -> Result<(), DeviceError> {
     Ok(())
 }
 
+/// Steps are some spacings of times long there, and too short from 10⁶ on.
+#[test]
+fn motions_do_not_depend_on_where_time_is_counted_from() -> Result<(), DeviceError> {
+    let Some(device) = device() else { return Ok(()) };
+    let pendulums = Pendulums::default();
+    let from = |start: f64| {
+        let asked = || device.ensemble(&pendulums, starts()).from(start).until(start + 2.0).single_precision();
+        [asked().method(RungeKutta4 { step: 5e-3 }).run(), asked().tolerance(1e-5).run()]
+    };
+    for (near, far) in from(0.0).into_iter().zip(from(10_000.0)) {
+        let (near, far) = (near?, far?);
+        let state = |index| far.state(index).expect("no failure");
+        let apart = (0..100).flat_map(|k| near.state(k).expect("no failure").into_iter().zip(state(k)));
+        let distance = apart.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(distance < 2e-3, "{distance:e}");
+    }
+    for refused in from(1e7) {
+        let cause = refused?.failures()[0].cause;
+        assert!(matches!(cause, StepFailure::StepUnderflow { .. }), "{cause:?}");
+    }
+    Ok(())
+}
+
 #[test]
 fn quaternions_keep_their_length() -> Result<(), DeviceError> {
     let Some(device) = device() else { return Ok(()) };
