@@ -163,6 +163,16 @@ impl QuadraticForm {
         vanished
     }
 
+    /// Forgets the products xᵢxⱼ whose coefficients are zero.
+    pub(super) fn separate_uncoupled(&mut self, graph: &mut Graph, i: ExprId) {
+        for j in self.near(i).collect::<Vec<_>>() {
+            let product = self.coefficient(graph, i, j);
+            if graph.is_zero(product) {
+                self.separate(i, j);
+            }
+        }
+    }
+
     /// Removes every term with xᵢ.
     pub(super) fn take(&mut self, graph: &mut Graph, i: ExprId) -> FormRow {
         let near = self.neighbours.remove(&i).unwrap_or_default();

@@ -31,6 +31,8 @@ pub struct NumericSystem {
     switches: Program,
     accelerations: Program,
     multipliers: Program,
+    /// True if some constraints always follow from others, which leaves multipliers to the second way.
+    is_redundant: bool,
     /// Growth of rounding errors in the computation; empty if there is none.
     growth: Program,
     /// Matrices and vectors that the second way starts from; nothing for large systems.
@@ -125,6 +127,7 @@ impl NumericSystem {
             switches,
             accelerations,
             multipliers,
+            is_redundant: equations.constraints.is_redundant,
             growth,
             undivided,
             products,
@@ -231,7 +234,7 @@ impl NumericSystem {
     fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
         let found = self.run(&self.accelerations, at);
         let is_trusted = || self.run(&self.growth, at).iter().all(|&growth| is_regular(growth));
-        (are_finite(&found) && is_trusted()).then_some(found)
+        (!self.is_redundant && are_finite(&found) && is_trusted()).then_some(found)
     }
 
     /// Accelerations and multipliers from the undivided equations.

@@ -228,6 +228,7 @@ fn eliminate_squareless(
 ) -> Option<()> {
     let first = waiting.unknowns.first_squareless()?;
     waiting.unknowns.remove(first);
+    form.separate_uncoupled(graph, first);
     if is_multiplier(graph, first) && form.degree(first) == 0 {
         elimination.redundant.push(first);
         return Some(());
