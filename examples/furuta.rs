@@ -17,7 +17,7 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 
 lagrange::system! {
     /// Two thin rods.
@@ -63,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     compare("after six seconds", 1e-12, &rows);
 
-    let drawing = SpatialDrawing::of(&furuta)
+    let drawing = Drawing::of(&furuta)
         .title("A Furuta pendulum")
         .view(-0.9, 0.45)
         .floor(0.0)

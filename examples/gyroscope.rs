@@ -18,7 +18,7 @@ use std::f64::consts::FRAC_PI_6;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 
 lagrange::system! {
     /// A disk on a thin axle.
@@ -82,14 +82,14 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let motion =
         gyroscope.simulate(start).until(4.0 * PERIOD).tolerance(1e-10).every(PERIOD / 50.0).energy().run()?;
-    let drawing = SpatialDrawing::of(&gyroscope)
+    let drawing = Drawing::of(&gyroscope)
         .title("A gyroscope nods while it precesses")
         .view(0.4, 0.35)
         .nameless()
         .trace("", |gyroscope, t, y| gyroscope.tip(t, &[y[0], y[1], y[2], y[3]], &[y[4], y[5], y[6]]));
     let film = drawing.film(&motion)?;
     film.save(gallery::picture("gyroscope.html")?)?;
-    let last = film.pictures()?.pop().ok_or("a film has pictures")?;
+    let last = film.pictures().last().cloned().ok_or("a film has pictures")?;
     last.save(gallery::picture("gyroscope.svg")?)?;
     Ok(())
 }

@@ -26,7 +26,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
@@ -265,7 +265,7 @@ fn report([empty, loaded]: [[f64; 7]; 2], bounds: [f64; 7]) {
 /// The arm after two thirds of the time, and a film.
 fn draw(arm: &Panda, run: &Trajectory<Panda>) -> Result<(), Box<dyn Error>> {
     let wanted = (0..=100).map(|k| circle(END * f64::from(k) / 100.0));
-    let drawing = SpatialDrawing::of(arm)
+    let drawing = Drawing::of(arm)
         .title("An arm with seven joints")
         .view(0.9, 0.35)
         .nameless()

@@ -28,7 +28,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use common::compare;
 use lagrange::Simulate;
 use lagrange::body::SpatialMotion;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
@@ -290,7 +290,7 @@ fn draw(copter: &Quadcopter, run: &Trajectory<Quadcopter>) -> Result<(), Box<dyn
     let QuadcopterInputs { f1, f2, f3, f4 } =
         thrusts(copter, shown, &copter.copter_motion(shown, &state.coordinates(), &state.velocities()));
     let driven = Quadcopter { f1, f2, f3, f4, ..*copter };
-    let drawing = SpatialDrawing::of(&driven)
+    let drawing = Drawing::of(&driven)
         .title("A quadcopter flips")
         .view(0.5, 0.3)
         .nameless()

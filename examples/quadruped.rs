@@ -23,7 +23,7 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
@@ -177,7 +177,7 @@ fn balance(title: &str, quadruped: &Quadruped) -> Result<Trajectory<Quadruped>, 
 
 /// A still picture and a film.
 fn draw(quadruped: &Quadruped, run: &Trajectory<Quadruped>) -> Result<(), Box<dyn Error>> {
-    let drawing = SpatialDrawing::of(quadruped).title("A quadruped on a spring").view(-0.8, 0.3).nameless();
+    let drawing = Drawing::of(quadruped).title("A quadruped on a spring").view(-0.8, 0.3).nameless();
     let still = drawing.clone().picture(1.0, &run.at(1.0)?)?;
     still.save(gallery::picture("quadruped.png")?)?;
     drawing.clone().film_at(30.0, run)?.save(gallery::picture("quadruped.html")?)?;

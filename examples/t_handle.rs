@@ -16,7 +16,7 @@ use std::error::Error;
 
 use common::compare;
 use lagrange::Simulate;
-use lagrange::draw::SpatialDrawing;
+use lagrange::draw::Drawing;
 
 lagrange::system! {
     /// Two cylinders of steel: a bar along y and a stem along x.
@@ -82,7 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     compare("after ten flips", 1e-14, &rows);
 
-    let drawing = SpatialDrawing::of(&handle).size(300.0, 260.0).title("A handle turns over").nameless();
+    let drawing = Drawing::of(&handle).size(300.0, 260.0).title("A handle turns over").nameless();
     let seen = handle.simulate(start).until(2.0 * FLIP).every(FLIP / 40.0).energy().run()?;
     drawing.film(&seen)?.save(gallery::picture("t_handle.gif")?)?;
     Ok(())

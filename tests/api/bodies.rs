@@ -2,7 +2,7 @@
 
 use lagrange::Scalar;
 use lagrange::body::Motion;
-use lagrange::scene::{Item, Outline, Scene};
+use lagrange::scene::{Item, Line, Outline, Scene};
 use lagrange::system::OdeSystem;
 
 use crate::assert_close;
@@ -174,16 +174,13 @@ fn shapes_are_the_declared_ones() {
     let (l, mut seen) = (system.l, 0);
     system.items(TIME, &q, &v, &mut |item| {
         let Item::Body { name: "boom", parts: [bar, hole, corner], .. } = item else { return };
-        assert_eq!(
-            (bar.outline, bar.at, bar.is_hole),
-            (Outline::Rectangle(l, l / 8.0), [l / 2.0, 0.0], false)
-        );
-        assert_eq!((hole.outline, hole.at, hole.is_hole), (Outline::Disk(l / 32.0), [l / 4.0, 0.0], true));
+        assert_eq!((bar.shape, bar.at, bar.is_hole), (Outline::Rectangle(l, l / 8.0), [l / 2.0, 0.0], false));
+        assert_eq!((hole.shape, hole.at, hole.is_hole), (Outline::Disk(l / 32.0), [l / 4.0, 0.0], true));
         let corners = [[0.0, 0.0], [l / 5.0, 0.0], [0.0, l / 5.0]];
-        let Outline::Polygon(found) = corner.outline else { panic!("{corner:?}") };
+        let Outline::Polygon(found) = corner.shape else { panic!("{corner:?}") };
         let pairs = found.iter().flatten().zip(corners.as_flattened());
         pairs.for_each(|(found, expected)| assert_close(*found, *expected));
-        assert_eq!((found.len(), corner.angle), (3, 0.3));
+        assert_eq!((found.len(), corner.rotation), (3, 0.3));
         seen += 1;
     });
     assert_eq!(seen, 1);
@@ -194,7 +191,7 @@ fn listed(system: &Crane<f64>) -> Vec<String> {
     let ((q, v), mut list) = (halves(STATE), Vec::new());
     system.items(TIME, &q, &v, &mut |item| {
         list.push(match item {
-            Item::Line { name, .. } => format!("line {name}"),
+            Item::Line(Line { name, .. }) => format!("line {name}"),
             Item::Body { name, .. } => format!("body {name}"),
             Item::Connector { name, kind, .. } => format!("{kind:?} {name}"),
             Item::Joint { name, kind, .. } => format!("{kind:?} {name}"),

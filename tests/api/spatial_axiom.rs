@@ -5,7 +5,9 @@
 
 use lagrange::Scalar;
 use lagrange::body::SpatialMotion;
-use lagrange::scene::{Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene};
+use lagrange::scene::{
+    Connector, Frame, Item, LoadOrigin, Part, Scene, Solid, Spatial, SpatialJoint, SpatialJointKind,
+};
 use lagrange::system::MechanicalSystem;
 
 type Vector = [f64; 3];
@@ -96,7 +98,7 @@ fn change_of_spin(motion: &SpatialMotion<f64>) -> Vector {
 }
 
 /// Force, moment about a place, and how large what is summed is, of all that acts on a body.
-fn loads<T: SpatialScene<Scalar = f64>>(
+fn loads<T: Scene<Scalar = f64, Space = Spatial>>(
     system: &T,
     (q, v): (&T::Coordinates, &T::Velocities),
     wanted: &str,
@@ -104,16 +106,16 @@ fn loads<T: SpatialScene<Scalar = f64>>(
 ) -> (Vector, Vector, f64) {
     let (mut sum, mut turning, mut summed) = ([0.0; 3], [0.0; 3], 0.0);
     system.items(0.3, q, v, &mut |item| match item {
-        SpatialItem::Force { body: Some(body), at, force, .. } if body == wanted => {
+        Item::Force { body: Some(body), at, force, .. } if body == wanted => {
             let arm = minus(at, about);
             (sum, turning) = (plus(sum, force), plus(turning, cross(arm, force)));
             summed += size(force) * (1.0 + size(arm));
         }
-        SpatialItem::Moment { body: Some(body), moment, .. } if body == wanted => {
+        Item::Moment { body: Some(body), moment, .. } if body == wanted => {
             turning = plus(turning, moment);
             summed += size(moment);
         }
-        SpatialItem::Omitted { name } => panic!("{name} is left out"),
+        Item::Omitted { name } => panic!("{name} is left out"),
         _ => {}
     });
     (sum, turning, summed)
@@ -128,7 +130,7 @@ fn forces_on_free_bodies_are_those_that_move_them() {
         Flock::normalise(&mut q);
         let mut bodies = Vec::new();
         flock.items(0.3, &q, &v, &mut |item| {
-            if let SpatialItem::Body { name, motion, .. } = item {
+            if let Item::Body { name, motion, .. } = item {
                 bodies.push((name.to_owned(), motion));
             }
         });
@@ -182,7 +184,7 @@ const V: [f64; 4] = [0.5, -0.6, 0.7, 0.1];
 /// A joint by its numbers.
 struct Place {
     name: String,
-    kind: SpatialJoint,
+    kind: SpatialJointKind,
     at: Vector,
     axis: Vector,
     bodies: [Option<String>; 2],
@@ -207,7 +209,7 @@ fn trolley() -> (Vector, Vector) {
 fn joints_are_where_geometry_puts_them() {
     let mut joints = Vec::new();
     crane::<f64>().items(0.0, &Q, &V, &mut |item| {
-        if let SpatialItem::Joint { name, kind, at, axis, bodies } = item {
+        if let Item::Joint { name, kind: SpatialJoint { kind, axis, bodies }, at } = item {
             let bodies = bodies.map(|body| body.map(str::to_owned));
             joints.push(Place { name: name.to_owned(), kind, at, axis, bodies });
         }
@@ -215,11 +217,11 @@ fn joints_are_where_geometry_puts_them() {
     let (boom, trolley) = trolley();
     let hook = [trolley[0], trolley[1], 2.0 - 0.5 / 6.0];
     let expected = [
-        ("turn", SpatialJoint::Revolute, [0.0; 3], [0.0, 0.0, 1.0], [None, Some("column")]),
-        ("way", SpatialJoint::Prismatic, [0.0, 0.0, 2.0], boom, [Some("column"), Some("trolley")]),
-        ("hook", SpatialJoint::Weld, hook, [0.0, 0.0, 1.0], [Some("trolley"), Some("hook")]),
+        ("turn", SpatialJointKind::Revolute, [0.0; 3], [0.0, 0.0, 1.0], [None, Some("column")]),
+        ("way", SpatialJointKind::Prismatic, [0.0, 0.0, 2.0], boom, [Some("column"), Some("trolley")]),
+        ("hook", SpatialJointKind::Weld, hook, [0.0, 0.0, 1.0], [Some("trolley"), Some("hook")]),
         // Turned by a quarter, so that its x-axis is the boom.
-        ("p", SpatialJoint::Universal, hook, boom, [Some("hook"), Some("load")]),
+        ("p", SpatialJointKind::Universal, hook, boom, [Some("hook"), Some("load")]),
     ];
     assert_eq!(joints.len(), expected.len());
     for (joint, (name, kind, at, axis, bodies)) in joints.iter().zip(expected) {
@@ -248,7 +250,7 @@ fn motors_springs_and_weights_act_where_they_are() {
     expected.push((Some("load"), below(0.5), [1.0, 2.0, 3.0]));
     let (mut number, mut moments) = (0, 0);
     crane.items(0.0, &Q, &V, &mut |item| match item {
-        SpatialItem::Force { body, at, force, .. } => {
+        Item::Force { body, at, force, .. } => {
             assert_eq!(body, expected[number].0);
             assert_near(at, expected[number].1);
             assert!(
@@ -258,19 +260,19 @@ fn motors_springs_and_weights_act_where_they_are() {
             );
             number += 1;
         }
-        SpatialItem::Moment { body, cause, at, moment, .. } => {
+        Item::Moment { body, cause, at, moment, .. } => {
             assert_eq!(
                 (body, cause, at, moment),
                 (Some("column"), LoadOrigin::Applied, [0.0; 3], [0.0, 0.0, 7.0])
             );
             moments += 1;
         }
-        SpatialItem::Connector { name, kind, from, to, tension } => {
+        Item::Connector { name, kind, from, to, tension } => {
             assert_eq!((name, kind, to), ("rope", Connector::Spring, [0.0; 3]));
             assert_near(from, trolley);
             assert!((tension - 30.0 * stretch).abs() < 1e-12);
         }
-        SpatialItem::Omitted { name } => panic!("{name} is left out"),
+        Item::Omitted { name } => panic!("{name} is left out"),
         _ => {}
     });
     assert_eq!((number, moments), (expected.len(), 1));
@@ -281,8 +283,8 @@ fn solids_and_frames_lie_where_the_declaration_puts_them() {
     let crane = crane::<f64>();
     let mut solids = Vec::new();
     crane.items(0.0, &Q, &V, &mut |item| match item {
-        SpatialItem::Body { parts, .. } => solids.extend(parts.iter().map(|part| (part.solid, part.at))),
-        SpatialItem::Frame { name, rotation, origin } => {
+        Item::Body { parts, .. } => solids.extend(parts.iter().map(|part| (part.shape, part.at))),
+        Item::Frame(Frame { name, rotation, origin }) => {
             assert_eq!((name, (rotation, origin)), ("hook", crane.hook_frame(0.0, &Q)));
         }
         _ => {}
@@ -302,18 +304,18 @@ fn solids_and_frames_lie_where_the_declaration_puts_them() {
 
 #[test]
 fn what_is_drawn_is_the_same_in_single_precision() {
-    let single = |item: SpatialItem<'_, f32>| match item {
-        SpatialItem::Body { name, parts, .. } => (name.to_owned(), parts.first().map(|part| part.at[2])),
-        SpatialItem::Joint { name, at, .. } => (name.to_owned(), Some(at[1])),
-        SpatialItem::Force { name, force, .. } => (name.to_owned(), Some(force[2])),
+    let single = |item: Item<'_, f32, Spatial>| match item {
+        Item::Body { name, parts, .. } => (name.to_owned(), parts.first().map(|part| part.at[2])),
+        Item::Joint { name, at, .. } => (name.to_owned(), Some(at[1])),
+        Item::Force { name, force, .. } => (name.to_owned(), Some(force[2])),
         _ => (String::new(), None),
     };
-    let double = |item: SpatialItem<'_, f64>| match item {
-        SpatialItem::Body { name, parts, .. } => {
-            (name.to_owned(), parts.first().map(|part: &SolidPart<_>| part.at[2]))
+    let double = |item: Item<'_, f64, Spatial>| match item {
+        Item::Body { name, parts, .. } => {
+            (name.to_owned(), parts.first().map(|part: &Part<'_, _, _>| part.at[2]))
         }
-        SpatialItem::Joint { name, at, .. } => (name.to_owned(), Some(at[1])),
-        SpatialItem::Force { name, force, .. } => (name.to_owned(), Some(force[2])),
+        Item::Joint { name, at, .. } => (name.to_owned(), Some(at[1])),
+        Item::Force { name, force, .. } => (name.to_owned(), Some(force[2])),
         _ => (String::new(), None),
     };
     let (mut rough, mut fine) = (Vec::new(), Vec::new());

@@ -1,6 +1,6 @@
 //! What pictures show of bodies in the place of what these are made of.
 
-use lagrange::scene::{Item, Outline, Scene, Solid, SpatialItem, SpatialScene};
+use lagrange::scene::{Item, Outline, Scene, Solid};
 
 lagrange::system! {
     /// Inertia is stated; seen are a cylinder beside the centre of mass, and a sphere with a hole.
@@ -28,18 +28,18 @@ lagrange::system! {
 fn a_body_in_space_is_seen_as_its_visuals() {
     let mut parts = Vec::new();
     Link::default().items(0.0, &[0.3], &[0.0], &mut |item| {
-        if let SpatialItem::Body { parts: of_body, .. } = item {
+        if let Item::Body { parts: of_body, .. } = item {
             parts.extend_from_slice(of_body);
         }
     });
     assert_eq!(parts.len(), 2);
     assert_eq!(
-        (parts[0].solid, parts[0].at, parts[0].is_hole),
+        (parts[0].shape, parts[0].at, parts[0].is_hole),
         (Solid::Cylinder(0.1, 0.5), [0.0, 0.0, 0.25], false)
     );
     // A quarter turn about x takes z to −y.
     assert_eq!(parts[0].rotation.map(|row| row[2].round()), [0.0, -1.0, 0.0]);
-    assert_eq!((parts[1].solid, parts[1].at, parts[1].is_hole), (Solid::Sphere(0.05), [0.0; 3], true));
+    assert_eq!((parts[1].shape, parts[1].at, parts[1].is_hole), (Solid::Sphere(0.05), [0.0; 3], true));
 }
 
 #[test]
@@ -47,7 +47,7 @@ fn a_body_in_the_plane_is_seen_as_its_visuals_and_moves_as_before() {
     let mut inertia = 0.0;
     Wheel.items(0.0, &[0.0], &[0.0], &mut |item| {
         if let Item::Body { motion, parts, .. } = item {
-            assert_eq!(parts.iter().map(|part| part.outline).collect::<Vec<_>>(), [Outline::SlenderRod(2.0)]);
+            assert_eq!(parts.iter().map(|part| part.shape).collect::<Vec<_>>(), [Outline::SlenderRod(2.0)]);
             inertia = motion.inertia;
         }
     });

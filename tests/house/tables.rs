@@ -225,23 +225,27 @@ const PLOT: &[Layer] = &[
 ];
 
 const DRAW: &[Layer] = &[
-    Layer { modules: &["error", "picture"], purpose: "errors; marks in pixels" },
     Layer {
-        modules: &["colour", "geometry", "load", "raster"],
-        purpose: "colours; plane vectors; forces and moments; pixels",
+        modules: &["error", "look", "picture"],
+        purpose: "errors; requests to a drawing; marks in pixels",
     },
     Layer {
-        modules: &["beside", "cut", "outline", "remainder"],
-        purpose: "pictures side by side; holes; outlines of bodies; the resultant of unnamed forces",
+        modules: &["colour", "geometry", "load", "raster", "timeline"],
+        purpose: "colours; plane vectors; forces and moments; pixels; times and curves of a film",
+    },
+    Layer {
+        modules: &["beside", "cut", "outline", "recorded", "remainder"],
+        purpose: "pictures side by side; holes; outlines of bodies; recorded motions; the resultant of \
+                  unnamed forces",
     },
     Layer {
         modules: &["element", "snapshot", "svg"],
         purpose: "elements of a picture in world coordinates; a scene at one moment; SVG documents",
     },
     Layer {
-        modules: &["files", "load_label", "moment", "parallel", "sketch", "stretch", "view"],
+        modules: &["files", "load_label", "moment", "parallel", "plane", "sketch", "stretch", "view"],
         purpose: "files; labels of loads; user additions and their moment; offsets of coincident \
-                  lines; extents and the window of a film",
+                  lines; stored bodies of the plane; extents and the window of a film",
     },
     Layer {
         modules: &["anchored", "marks"],
@@ -256,8 +260,11 @@ const DRAW: &[Layer] = &[
         purpose: "titles and notes; placement of labels without overlap",
     },
     Layer { modules: &["layout"], purpose: "the same marks in the same order for all moments of a film" },
-    Layer { modules: &["drawing"], purpose: "the drawing of a system" },
-    Layer { modules: &["film"], purpose: "animated SVG, GIF, HTML pages" },
+    Layer { modules: &["drawing"], purpose: "the drawing of a system in the plane or in space" },
+    Layer {
+        modules: &["film"],
+        purpose: "films: pictures of the plane as layers, animated SVG, GIF, HTML pages",
+    },
     Layer { modules: &["space"], purpose: "pictures and films of bodies in space, from moving meshes" },
 ];
 

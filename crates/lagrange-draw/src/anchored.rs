@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::geometry::{add, length, subtract, unit};
 use crate::picture::Point;
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Snapshot, Span};
 use crate::stretch::coordinates;
 use lagrange_runtime::scene::{Connector, LoadOrigin};
 
@@ -22,7 +22,7 @@ const TOUCHING: f64 = 1e-6;
 /// The ends that are held throughout a film; the scene in another configuration is `elsewhere`.
 pub(super) fn anchored(film: &[Snapshot], elsewhere: &Snapshot) -> Anchored {
     let mut anchored = Anchored::new();
-    for (name, kind, ends) in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
+    for Span { name, kind, ends } in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
         if !matches!(kind, Connector::Spring | Connector::Damper) {
             continue;
         }
@@ -39,7 +39,7 @@ pub(super) fn anchored(film: &[Snapshot], elsewhere: &Snapshot) -> Anchored {
 }
 
 fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
-    snapshot.connectors.iter().find(|(other, ..)| other == name).map(|(.., ends)| *ends)
+    snapshot.connectors.iter().find(|other| other.name == name).map(|other| other.ends)
 }
 
 fn is_at_rest(name: &str, end: usize, at: Point, film: &[Snapshot], elsewhere: &Snapshot) -> bool {
@@ -61,7 +61,7 @@ fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -
 fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
     let close = TOUCHING * length(subtract(ends[1], ends[0]));
     let on_line = snapshot.lines.iter().any(|line| coordinates(line, at)[1].abs() <= close);
-    on_line || snapshot.joints.iter().any(|(.., joint)| length(subtract(*joint, at)) <= close)
+    on_line || snapshot.joints.iter().any(|joint| length(subtract(joint.at, at)) <= close)
 }
 
 /// The direction of a level or upright wall from which a connector leads away on the left, as the mean of the film has it.
@@ -88,15 +88,15 @@ mod tests {
     use crate::geometry::Place;
     use crate::load::{Load, Value};
     use crate::picture::Point;
-    use crate::snapshot::{Line, Snapshot};
-    use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
+    use crate::snapshot::{Joint, Line, Snapshot, Span};
+    use lagrange_runtime::scene::{self, Connector, LoadOrigin};
 
     /// A spring that pulls on a body at its second end.
     fn spring(from: Point, to: Point) -> Snapshot {
         let (name, body) = ("k".to_string(), Some("mass".to_string()));
         let value = Value::Force([0.0, 1.0]);
         Snapshot {
-            connectors: vec![(name.clone(), Connector::Spring, [from, to])],
+            connectors: vec![Span { name: name.clone(), kind: Connector::Spring, ends: [from, to] }],
             loads: vec![Load { name, cause: LoadOrigin::Connector, body, at: to, value }],
             ..Snapshot::default()
         }
@@ -127,7 +127,7 @@ mod tests {
         let elsewhere = spring([0.0, 2.0], [1.0, 1.0]);
         let mut scene = spring([0.0, 2.0], [0.0, 0.0]);
         assert_eq!(anchored(&[scene.clone()], &elsewhere).len(), 1);
-        scene.joints = vec![("pin".to_string(), Joint::Anchor, [0.0, 2.0])];
+        scene.joints = vec![Joint { name: "pin".to_string(), kind: scene::Joint::Anchor, at: [0.0, 2.0] }];
         assert!(anchored(&[scene.clone()], &elsewhere).is_empty());
         scene.joints.clear();
         scene.lines =

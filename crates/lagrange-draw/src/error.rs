@@ -45,6 +45,11 @@ pub enum DrawError {
     },
 }
 
+/// Refuses a film for a reason.
+pub(super) fn refusal(reason: &str) -> DrawError {
+    DrawError::Film(reason.to_owned())
+}
+
 impl DrawError {
     pub(super) fn extension(path: &Path, known: &'static [&'static str]) -> Self {
         DrawError::Extension { path: path.to_owned(), known }

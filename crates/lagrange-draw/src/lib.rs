@@ -1,4 +1,4 @@
-//! Pictures and films of systems of rigid bodies, in the plane ([`Drawing`]) and in space ([`SpatialDrawing`]).
+//! Pictures and films of systems of rigid bodies in the plane and in space.
 //!
 //! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into [`Picture`]s. Nothing is computed of the motion
 //! here, and nothing needs tuning: window, scales, colours and places of labels follow from what is drawn.
@@ -51,12 +51,15 @@ mod labels;
 mod layout;
 mod load;
 mod load_label;
+mod look;
 mod marks;
 mod moment;
 mod outline;
 mod parallel;
 mod picture;
+mod plane;
 mod raster;
+mod recorded;
 mod remainder;
 mod sketch;
 mod snapshot;
@@ -65,12 +68,12 @@ mod stage;
 mod stretch;
 mod svg;
 mod tag;
+mod timeline;
 mod view;
 
-pub use drawing::Drawing;
+pub use drawing::{Drawing, DrawnSpace};
 pub use error::DrawError;
 pub use film::Film;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;
-pub use space::{SpatialDrawing, SpatialFilm};

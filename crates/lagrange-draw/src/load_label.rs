@@ -29,8 +29,8 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
 /// The symbol of a constraint force, if the scene has its joint.
 fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
     let name = joint_of(load);
-    let (_, kind, _) = snapshot.joints.iter().find(|(joint, ..)| joint == name)?;
-    let letter = match (kind, load.name.strip_prefix(name)) {
+    let joint = snapshot.joints.iter().find(|joint| joint.name == name)?;
+    let letter = match (joint.kind, load.name.strip_prefix(name)) {
         (Joint::Slide, _) | (_, Some(".normal")) => "N",
         (_, Some(".friction")) => "H",
         _ => "F",
@@ -59,7 +59,8 @@ mod tests {
 
     #[test]
     fn forces_have_the_symbols_of_textbooks() {
-        let joint = |name: &str, kind| (name.to_string(), kind, [0.0, 0.0]);
+        let joint =
+            |name: &str, kind| crate::snapshot::Joint { name: name.to_string(), kind, at: [0.0, 0.0] };
         let wheel = Snapshot { joints: vec![joint("contact", Joint::Roll)], ..Snapshot::default() };
         let loads =
             vec![force("contact.normal", LoadOrigin::Joint), force("contact.friction", LoadOrigin::Joint)];

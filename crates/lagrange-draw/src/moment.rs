@@ -2,14 +2,14 @@
 
 use crate::load::Value;
 use crate::remainder::REMAINDER;
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Snapshot, Stored};
 use lagrange_runtime::body::Motion;
-use lagrange_runtime::scene::Scene;
+use lagrange_runtime::scene::{Plane, Scene};
 use lagrange_runtime::system::split;
 
 /// A system at one moment of its motion.
 #[derive(Debug)]
-pub struct Moment<'m, M: Scene> {
+pub struct Moment<'m, M: Scene<Space: Stored>> {
     /// The system.
     pub system: &'m M,
     /// The time.
@@ -20,10 +20,10 @@ pub struct Moment<'m, M: Scene> {
     pub q: M::Coordinates,
     /// The velocities.
     pub v: M::Velocities,
-    snapshot: &'m Snapshot,
+    snapshot: &'m Snapshot<M::Space>,
 }
 
-impl<'m, M: Scene> Moment<'m, M> {
+impl<'m, M: Scene<Space = Plane>> Moment<'m, M> {
     pub(super) fn new(system: &'m M, t: M::Scalar, y: M::State, snapshot: &'m Snapshot) -> Self {
         let (q, v) = split::<M>(&y);
         Moment { system, t, y, q, v, snapshot }

@@ -4,6 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::geometry::{Place, arc, direction, ellipse, flattened, moved, polyline, times};
 use crate::picture::{Point, Segment};
+use lagrange_runtime::scalar::Scalar;
 use lagrange_runtime::scene::{Outline, Part};
 
 /// Inner end of the radius that shows a body's rotation, as a fraction of the radius: the middle
@@ -36,9 +37,9 @@ pub(super) enum Form {
 }
 
 impl Piece {
-    pub(super) fn of<S: Copy + Into<f64>>(part: &Part<'_, S>) -> Self {
-        let place = Place { at: part.at.map(Into::into), angle: part.angle.into() };
-        Piece { form: form(part.outline), place, is_hole: part.is_hole }
+    pub(super) fn of<S: Scalar + Into<f64>>(part: &Part<'_, S>) -> Self {
+        let place = Place { at: part.at.map(Into::into), angle: part.rotation.into() };
+        Piece { form: form(part.shape), place, is_hole: part.is_hole }
     }
 
     /// Its lines in the body's own coordinates. What has no thickness is drawn this thick.

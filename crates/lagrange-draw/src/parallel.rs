@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use crate::geometry::{length, subtract};
 use crate::picture::Point;
-use crate::snapshot::Snapshot;
+use crate::snapshot::{Snapshot, Span};
 use lagrange_runtime::scene::Connector;
 
 /// The place of connectors among those that would lie on each other, by name. Between points: so many places on the left of the
@@ -29,7 +29,7 @@ pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
     let moments: Vec<&Snapshot> = film.iter().chain(elsewhere).collect();
     let close = TOUCHING * size(&moments);
     let mut groups: Vec<(bool, Vec<Member>)> = Vec::new();
-    for (name, kind, _) in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
+    for Span { name, kind, .. } in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
         let turns = matches!(kind, Connector::TorsionSpring | Connector::TorsionDamper);
         let is_damper = matches!(kind, Connector::Damper | Connector::TorsionDamper);
         let found = groups.iter_mut().filter(|(other, _)| *other == turns).find_map(|(_, members)| {
@@ -62,7 +62,8 @@ fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
 /// The longest way in either direction of the plane between ends of connectors and bodies: connectors may have no length, at a moment or ever.
 fn size(moments: &[&Snapshot]) -> f64 {
     let points = || {
-        let ends = moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|(.., ends)| *ends);
+        let ends =
+            moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|connector| connector.ends);
         ends.chain(moments.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center))
     };
     let span = |axis: usize| {
@@ -90,20 +91,24 @@ fn is_same(ends: [Point; 2], others: [Point; 2], close: f64) -> bool {
 }
 
 fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
-    snapshot.connectors.iter().find(|(other, ..)| other == name).map(|(.., ends)| *ends)
+    snapshot.connectors.iter().find(|other| other.name == name).map(|other| other.ends)
 }
 
 #[cfg(test)]
 mod tests {
 
     use super::lanes;
-    use crate::snapshot::Snapshot;
+    use crate::snapshot::{Snapshot, Span};
     use lagrange_runtime::scene::Connector::{self, Damper, Spring, TorsionDamper, TorsionSpring};
 
     type Row = (&'static str, Connector, [[f64; 2]; 2]);
 
     fn scene(connectors: &[Row]) -> Snapshot {
-        let connectors = connectors.iter().map(|(name, kind, ends)| (name.to_string(), *kind, *ends));
+        let connectors = connectors.iter().map(|(name, kind, ends)| Span {
+            name: name.to_string(),
+            kind: *kind,
+            ends: *ends,
+        });
         Snapshot { connectors: connectors.collect(), ..Snapshot::default() }
     }
 

@@ -1,45 +1,90 @@
 //! A stored scene at one moment.
 
+use std::fmt::Debug;
+
 use crate::geometry::Place;
 use crate::load::{Load, Value};
-use crate::outline::Piece;
-use crate::picture::Point;
 use crate::remainder::Remainder;
-use lagrange_runtime::body::Motion;
-use lagrange_runtime::scene::{Connector, Item, Joint, LoadOrigin, Scene};
+use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scene::{Connector, Item, LoadOrigin, Part, Plane, Scene, Space};
+
+/// A space whose scenes are stored as double-precision numbers.
+pub trait Stored: Space {
+    /// A body or frame.
+    type Body: Named + Clone + PartialEq + Debug;
+    /// A joint, apart from its name and place.
+    type Joint: Clone + PartialEq + Debug;
+
+    /// Stores a body, the one of this index in the scene.
+    fn body<S: Scalar + Into<f64>>(
+        name: &str,
+        index: usize,
+        motion: &Self::Motion<S>,
+        parts: &[Part<'_, S, Self>],
+    ) -> Self::Body;
+    /// Stores a frame.
+    fn frame<S: Scalar + Into<f64>>(frame: &Self::Frame<'_, S>) -> Self::Body;
+    /// Stores a line.
+    fn line<S: Scalar + Into<f64>>(line: &Self::Line<'_, S>) -> Line;
+    /// Stores a joint.
+    fn joint<S: Scalar + Into<f64>>(joint: &<Self as Space>::Joint<'_, S>) -> <Self as Stored>::Joint;
+    /// Stores a vector.
+    fn vector<S: Scalar + Into<f64>>(vector: Self::Vector<S>) -> Self::Vector<f64>;
+    /// Stores a moment.
+    fn moment<S: Scalar + Into<f64>>(moment: Self::Moment<S>) -> Self::Moment<f64>;
+}
+
+/// Something with a name.
+pub trait Named {
+    /// Returns its name.
+    fn name(&self) -> &str;
+}
 
 /// A scene at one moment.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub(super) struct Snapshot {
-    pub(super) bodies: Vec<Body>,
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Snapshot<D: Stored = Plane> {
+    /// Bodies and, in space, frames.
+    pub(super) bodies: Vec<D::Body>,
     pub(super) lines: Vec<Line>,
-    pub(super) connectors: Vec<(String, Connector, [Point; 2])>,
-    pub(super) joints: Vec<(String, Joint, Point)>,
-    pub(super) loads: Vec<Load>,
+    pub(super) connectors: Vec<Span<D>>,
+    pub(super) joints: Vec<Joint<D>>,
+    pub(super) loads: Vec<Load<D>>,
     /// Loads that act but are unknown.
     pub(super) omitted: Vec<String>,
     /// Resultant of unnamed loads on a free body.
     pub(super) remainder: Option<Remainder>,
 }
 
+/// A line in the plane.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Body {
-    pub(super) name: String,
-    /// Index of the body in the scene, regardless of hidden bodies.
-    pub(super) index: usize,
-    pub(super) motion: Motion<f64>,
-    pub(super) pieces: Vec<Piece>,
-}
-
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Line {
+pub struct Line {
     pub(super) name: String,
     pub(super) body: Option<String>,
     pub(super) place: Place,
 }
 
-impl Snapshot {
-    pub(super) fn of<M: Scene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> Self
+/// A spring or damper.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Span<D: Space = Plane> {
+    pub(super) name: String,
+    pub(super) kind: Connector,
+    pub(super) ends: [D::Vector<f64>; 2],
+}
+
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Joint<D: Stored = Plane> {
+    pub(super) name: String,
+    pub(super) kind: <D as Stored>::Joint,
+    pub(super) at: D::Vector<f64>,
+}
+
+impl<D: Stored> Snapshot<D> {
+    pub(super) fn of<M: Scene<Space = D>>(
+        system: &M,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &M::Velocities,
+    ) -> Self
     where
         M::Scalar: Into<f64>,
     {
@@ -48,102 +93,79 @@ impl Snapshot {
         snapshot
     }
 
-    fn keep<S: Copy + Into<f64>>(&mut self, item: Item<'_, S>) {
+    fn keep<S: Scalar + Into<f64>>(&mut self, item: Item<'_, S, D>) {
         match item {
-            Item::Body { name, motion, parts } => self.bodies.push(Body {
-                name: name.to_owned(),
-                index: self.bodies.len(),
-                motion: numbers(&motion),
-                pieces: parts.iter().map(Piece::of).collect(),
-            }),
-            Item::Line { name, body, through, angle } => self.lines.push(Line {
-                name: name.to_owned(),
-                body: body.map(ToOwned::to_owned),
-                place: Place { at: point(through), angle: angle.into() },
-            }),
-            Item::Connector { name, kind, from, to, .. } => {
-                self.connectors.push((name.to_owned(), kind, [point(from), point(to)]));
+            Item::Body { name, motion, parts } => {
+                self.bodies.push(D::body(name, self.bodies.len(), &motion, parts));
             }
-            Item::Joint { name, kind, at } => self.joints.push((name.to_owned(), kind, point(at))),
+            Item::Frame(frame) => self.bodies.push(D::frame(&frame)),
+            Item::Line(line) => self.lines.push(D::line(&line)),
+            Item::Connector { name, kind, from, to, .. } => {
+                self.connectors.push(Span { name: name.to_owned(), kind, ends: [from, to].map(D::vector) });
+            }
+            Item::Joint { name, kind, at } => {
+                let (kind, at) = (D::joint(&kind), D::vector(at));
+                self.joints.push(Joint { name: name.to_owned(), kind, at });
+            }
             Item::Omitted { name } => self.omitted.push(name.to_owned()),
             Item::Force { name, cause, body, at, force } => {
-                self.load(name, cause, body, point(at), Value::Force(point(force)));
+                self.load(name, cause, body, D::vector(at), Value::Force(D::vector(force)));
             }
             Item::Moment { name, cause, body, at, moment } => {
-                self.load(name, cause, body, point(at), Value::Moment(moment.into()));
+                self.load(name, cause, body, D::vector(at), Value::Moment(D::moment(moment)));
             }
         }
     }
 
-    fn load(&mut self, name: &str, cause: LoadOrigin, body: Option<&str>, at: Point, value: Value) {
+    fn load(
+        &mut self,
+        name: &str,
+        cause: LoadOrigin,
+        body: Option<&str>,
+        at: D::Vector<f64>,
+        value: Value<D>,
+    ) {
         let body = body.map(ToOwned::to_owned);
         self.loads.push(Load { name: name.to_owned(), cause, body, at, value });
     }
 
-    pub(super) fn body(&self, name: &str) -> Option<&Body> {
-        self.bodies.iter().find(|body| body.name == name)
+    pub(super) fn body(&self, name: &str) -> Option<&D::Body> {
+        self.bodies.iter().find(|body| body.name() == name)
     }
 
     /// The names of everything.
-    pub(super) fn names(&self) -> impl Iterator<Item = &String> {
-        let bodies =
-            self.bodies.iter().map(|body| &body.name).chain(self.lines.iter().map(|line| &line.name));
-        let connectors = self.connectors.iter().map(|(name, ..)| name);
-        let joints = self.joints.iter().map(|(name, ..)| name);
-        let loads = self.loads.iter().map(|load| &load.name);
-        bodies.chain(connectors).chain(joints).chain(loads).chain(&self.omitted)
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        let bodies = self.bodies.iter().map(Named::name).chain(self.lines.iter().map(|line| &*line.name));
+        let connectors = self.connectors.iter().map(|connector| &*connector.name);
+        let joints = self.joints.iter().map(|joint| &*joint.name);
+        let loads = self.loads.iter().map(|load| &*load.name);
+        let omitted = self.omitted.iter().map(|name| &**name);
+        bodies.chain(connectors).chain(joints).chain(loads).chain(omitted)
     }
 
     /// Without what has one of these names.
     pub(super) fn without(mut self, hidden: &[String]) -> Self {
-        self.bodies.retain(|body| !hidden.contains(&body.name));
-        self.lines.retain(|line| !hidden.contains(&line.name));
-        self.connectors.retain(|(name, ..)| !hidden.contains(name));
-        self.joints.retain(|(name, ..)| !hidden.contains(name));
-        self.loads.retain(|load| !hidden.contains(&load.name));
-        self.omitted.retain(|name| !hidden.contains(name));
+        let is_shown = |name: &str| hidden.iter().all(|other| other != name);
+        self.bodies.retain(|body| is_shown(body.name()));
+        self.lines.retain(|line| is_shown(&line.name));
+        self.connectors.retain(|connector| is_shown(&connector.name));
+        self.joints.retain(|joint| is_shown(&joint.name));
+        self.loads.retain(|load| is_shown(&load.name));
+        self.omitted.retain(|name| is_shown(name));
         self
     }
-
-    /// Returns the resultant of unnamed loads on a body, in numbers with the relative spacing
-    /// `epsilon`.
-    pub(super) fn remainder_of(&self, name: &str, epsilon: f64) -> Option<Remainder> {
-        let loads = self.loads.iter().filter(|load| load.body.as_deref() == Some(name));
-        self.body(name).map(|body| Remainder::of(&body.motion, loads, epsilon))
-    }
-
-    /// Only one body and what acts on it.
-    pub(super) fn free_body(mut self, name: &str) -> Self {
-        self.bodies.retain(|body| body.name == name);
-        self.loads.retain(|load| load.body.as_deref() == Some(name));
-        // What is not known of a free body is its remainder. Joints stay, for they tell what a force is.
-        Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
-    }
 }
 
-impl Body {
-    /// From its own coordinates to the world.
-    pub(super) fn place(&self) -> Place {
-        let Motion { center, centroid, angle, .. } = self.motion;
-        let turned = Place { at: [0.0, 0.0], angle }.of(centroid);
-        Place { at: [center[0] - turned[0], center[1] - turned[1]], angle }
-    }
-}
-
-fn point<S: Into<f64>>(point: [S; 2]) -> Point {
-    point.map(Into::into)
-}
-
-fn numbers<S: Copy + Into<f64>>(motion: &Motion<S>) -> Motion<f64> {
-    Motion {
-        mass: motion.mass.into(),
-        inertia: motion.inertia.into(),
-        centroid: point(motion.centroid),
-        center: point(motion.center),
-        angle: motion.angle.into(),
-        velocity: point(motion.velocity),
-        angular_velocity: motion.angular_velocity.into(),
-        acceleration: point(motion.acceleration),
-        angular_acceleration: motion.angular_acceleration.into(),
+impl<D: Stored> Default for Snapshot<D> {
+    fn default() -> Self {
+        Snapshot {
+            bodies: Vec::new(),
+            lines: Vec::new(),
+            connectors: Vec::new(),
+            joints: Vec::new(),
+            loads: Vec::new(),
+            omitted: Vec::new(),
+            remainder: None,
+        }
     }
 }

@@ -6,26 +6,15 @@ use crate::element::{Element, Layer, Measure, Shape};
 use crate::geometry::{add, direction, dot, length, subtract, times, turned};
 use crate::load::{Load, Value};
 use crate::load_label::load_label;
+use crate::look::Wanted;
 use crate::parallel::Lanes;
 use crate::picture::{Colour, Point};
+use crate::plane::Body;
 use crate::remainder::{REMAINDER, Remainder};
-use crate::snapshot::{Body, Snapshot};
+use crate::snapshot::{Snapshot, Span};
 use crate::stretch::{self, Stretches};
 use lagrange_plot::notation::{formula, symbol};
 use lagrange_runtime::scene::{Connector, Joint, LoadOrigin};
-
-/// The requested additions to the scene.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(super) struct Wanted {
-    pub(super) velocities: bool,
-    pub(super) accelerations: bool,
-    pub(super) forces: bool,
-    pub(super) centers: bool,
-    pub(super) frames: bool,
-    pub(super) names: bool,
-    /// True if a body is drawn without what surrounds it.
-    pub(super) is_free: bool,
-}
 
 /// The data that stay the same throughout a film.
 #[derive(Clone, PartialEq, Debug)]
@@ -50,12 +39,12 @@ pub(super) fn elements(snapshot: &Snapshot, wanted: Wanted, fixed: &Fixed, faste
             Shape::Body { place: body.place(), center: body.motion.center, pieces: body.pieces.clone() };
         elements.push(element(&body.name, label, colour::body(body.index), Layer::Body, shape));
     }
-    elements.extend(snapshot.connectors.iter().map(|(name, kind, ends)| {
+    elements.extend(snapshot.connectors.iter().map(|Span { name, kind, ends }| {
         let lane = fixed.lanes.get(name).copied().unwrap_or_default();
         connector(name, *kind, *ends, lane, wanted)
     }));
     if !wanted.is_free {
-        elements.extend(snapshot.joints.iter().map(|(name, kind, at)| joint(name, *kind, *at)));
+        elements.extend(snapshot.joints.iter().map(|held| joint(&held.name, held.kind, held.at)));
     }
     for body in &snapshot.bodies {
         elements.extend(kinematics(body, wanted, snapshot.bodies.len() > 1, fastest));
@@ -86,7 +75,7 @@ fn lines(snapshot: &Snapshot, stretches: &Stretches) -> Vec<Element> {
 
 /// Returns the walls that hold connectors.
 fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
-    let ends = snapshot.connectors.iter().flat_map(|(name, _, ends)| {
+    let ends = snapshot.connectors.iter().flat_map(|Span { name, ends, .. }| {
         let walls =
             ends.iter().enumerate().map(move |(end, at)| (name, *at, anchored.get(&(name.clone(), end))));
         walls.filter_map(|(name, at, angle)| Some((name, at, *angle?)))

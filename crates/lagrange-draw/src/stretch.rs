@@ -35,7 +35,7 @@ pub(super) fn stretches(film: &[Snapshot]) -> Stretches {
 
 /// Returns the visible part of a line without contacts: the part onto which bodies would fall.
 pub(super) fn seen(line: &Line, snapshot: &Snapshot, stretches: &[[f64; 2]]) -> Vec<Point> {
-    let has_contact = snapshot.joints.iter().any(|(_, kind, _)| matches!(kind, Joint::Slide | Joint::Roll));
+    let has_contact = snapshot.joints.iter().any(|joint| matches!(joint.kind, Joint::Slide | Joint::Roll));
     if line.body.is_some() || has_contact {
         return Vec::new();
     }
@@ -74,8 +74,8 @@ pub(super) fn coordinates(line: &Line, p: Point) -> [f64; 2] {
 }
 
 fn contacts(line: &Line, snapshot: &Snapshot, close: f64) -> Vec<f64> {
-    let touching = snapshot.joints.iter().filter(|(_, kind, _)| matches!(kind, Joint::Slide | Joint::Roll));
-    let places = touching.map(|(.., at)| coordinates(line, *at));
+    let touching = snapshot.joints.iter().filter(|joint| matches!(joint.kind, Joint::Slide | Joint::Roll));
+    let places = touching.map(|joint| coordinates(line, joint.at));
     places.filter(|[_, across]| across.abs() <= close).map(|[along, _]| along).collect()
 }
 
@@ -112,7 +112,7 @@ fn crossings(line: &Line, film: &[Snapshot]) -> Vec<f64> {
 fn size(film: &[Snapshot]) -> f64 {
     let places = film.iter().flat_map(|snapshot| {
         let centers = snapshot.bodies.iter().map(|body| body.motion.center);
-        centers.chain(snapshot.joints.iter().map(|(.., at)| *at))
+        centers.chain(snapshot.joints.iter().map(|joint| joint.at))
     });
     let places: Vec<Point> = places.collect();
     let span = |axis: usize| {
@@ -127,15 +127,15 @@ mod tests {
 
     use super::{ENDLESS, stretches};
     use crate::geometry::Place;
-    use crate::snapshot::{Line, Snapshot};
-    use lagrange_runtime::scene::Joint;
+    use crate::snapshot::{Joint, Line, Snapshot};
+    use lagrange_runtime::scene;
 
     fn line(name: &str, angle: f64) -> Line {
         Line { name: name.to_string(), body: None, place: Place { at: [0.0, 0.0], angle } }
     }
 
-    fn slide(at: [f64; 2]) -> (String, Joint, [f64; 2]) {
-        ("foot".to_string(), Joint::Slide, at)
+    fn slide(at: [f64; 2]) -> Joint {
+        Joint { name: "foot".to_string(), kind: scene::Joint::Slide, at }
     }
 
     #[test]

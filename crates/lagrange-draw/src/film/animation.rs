@@ -3,8 +3,9 @@
 use crate::film::Film;
 use crate::film::layers::{Change, Layer, layers, lengths};
 use crate::film::motion::Pose;
-use crate::picture::Mark;
+use crate::picture::{Mark, Picture};
 use crate::svg;
+use crate::timeline::Timeline;
 use lagrange_plot::characters::number;
 
 /// The value that something takes on in a picture, counted from zero.
@@ -13,15 +14,19 @@ type Key = (usize, String);
 impl Film {
     /// The film as SVG that plays by itself, again and again. Still viewers show its first picture.
     pub fn svg(&self) -> String {
-        let clock = Clock::new(self);
-        let marks: String = layers(&self.pictures).iter().map(|layer| clock.animated(layer)).collect();
-        self.with_marks(&marks)
+        animated(&self.recording, &self.timeline)
     }
+}
 
-    /// The frame of a picture around marks that are already written.
-    pub(super) fn with_marks(&self, marks: &str) -> String {
-        format!("{}{marks}</svg>\n", svg::opening(&self.pictures[0]))
-    }
+pub(super) fn animated(pictures: &[Picture], timeline: &Timeline) -> String {
+    let clock = Clock::new(timeline);
+    let marks: String = layers(pictures).iter().map(|layer| clock.animated(layer)).collect();
+    with_marks(pictures, &marks)
+}
+
+/// The frame of a picture around marks that are already written.
+pub(super) fn with_marks(pictures: &[Picture], marks: &str) -> String {
+    format!("{}{marks}</svg>\n", pictures.first().map(svg::opening).unwrap_or_default())
 }
 
 /// When pictures are shown.
@@ -39,8 +44,8 @@ struct Clock {
 const EVENNESS: f64 = 1e-3;
 
 impl Clock {
-    fn new(film: &Film) -> Clock {
-        let (elapsed, duration) = (film.timeline.elapsed(), film.timeline.duration());
+    fn new(timeline: &Timeline) -> Clock {
+        let (elapsed, duration) = (timeline.elapsed(), timeline.duration());
         let intervals = elapsed.len().saturating_sub(1) as f64;
         let part = |time: &f64| if duration > 0.0 { time / duration } else { 0.0 };
         let is_even = |(index, time): (usize, &f64)| (part(time) * intervals - index as f64).abs() < EVENNESS;

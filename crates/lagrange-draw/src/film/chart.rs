@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
-use crate::film::timeline::{Curve, Timeline};
-use lagrange_plot::characters::{escaped, number};
+use crate::timeline::Curve;
+use crate::timeline::Timeline;
+use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::number;
 
 /// Width and height, in pixels.
 const SIZE: [f64; 2] = [640.0, 300.0];

@@ -4,9 +4,11 @@ use std::borrow::Cow;
 
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
-use crate::error::DrawError;
+use crate::drawing::DrawnSpace;
+use crate::error::{DrawError, refusal};
+use crate::film::Film;
 use crate::film::palette::{Histogram, Palette};
-use crate::film::{Film, refusal};
+use crate::picture::Picture;
 use crate::raster::rasterise;
 
 /// The colour number that leaves a pixel as it is.
@@ -16,15 +18,16 @@ const SAMPLES: usize = 16;
 /// The shortest time, in hundredths of a second, for which viewers show a picture; they take less for a mistake.
 const SHORTEST: u64 = 2;
 
-impl Film {
+impl<D: DrawnSpace> Film<D> {
     /// The film as a GIF that plays again and again. Times are rounded to hundredths of a second, without adding up; of pictures
     /// that follow each other faster than fifty times a second, some are left out.
     ///
     /// # Errors
     /// If pictures are larger than 65535 pixels, or one is to be shown for longer than 655 seconds.
     pub fn gif(&self) -> Result<Vec<u8>, DrawError> {
-        let mut palette = self.palette()?;
-        let first = rasterise(&self.pictures[0], 1.0)?;
+        let pictures = self.pictures();
+        let mut palette = palette(&pictures)?;
+        let first = rasterise(&pictures[0], 1.0)?;
         let (Ok(width), Ok(height)) = (u16::try_from(first.width()), u16::try_from(first.height())) else {
             return Err(refusal("a GIF is at most 65535 pixels wide and high"));
         };
@@ -33,7 +36,7 @@ impl Film {
         encoder.set_repeat(Repeat::Infinite).map_err(|error| failure(&error))?;
         let mut before: Option<Vec<u8>> = None;
         for (index, delay) in shown(&self.timeline.elapsed()) {
-            let picture = palette.indices(rasterise(&self.pictures[index], 1.0)?.rgba());
+            let picture = palette.indices(rasterise(&pictures[index], 1.0)?.rgba());
             let mut frame = difference(before.as_deref(), &picture, width, height);
             frame.delay =
                 u16::try_from(delay).map_err(|_| refusal("a GIF shows a picture for at most 655 seconds"))?;
@@ -42,14 +45,14 @@ impl Film {
         }
         encoder.into_inner().map_err(|error| failure(&error))
     }
+}
 
-    fn palette(&self) -> Result<Palette, DrawError> {
-        let mut histogram = Histogram::default();
-        for picture in self.pictures.iter().step_by(self.pictures.len().div_ceil(SAMPLES)) {
-            histogram.add(rasterise(picture, 1.0)?.rgba());
-        }
-        Ok(histogram.palette(usize::from(UNCHANGED)))
+fn palette(pictures: &[Picture]) -> Result<Palette, DrawError> {
+    let mut histogram = Histogram::default();
+    for picture in pictures.iter().step_by(pictures.len().div_ceil(SAMPLES)) {
+        histogram.add(rasterise(picture, 1.0)?.rgba());
     }
+    Ok(histogram.palette(usize::from(UNCHANGED)))
 }
 
 /// Returns the pictures that are shown, and their durations in hundredths of a second. The last one

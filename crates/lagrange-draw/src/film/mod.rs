@@ -1,14 +1,6 @@
-//! Films: pictures of one scene at several times, as animated SVG, as GIF, or as an HTML page.
+//! Films: motions as HTML pages, as GIF, and as animated SVG or glTF.
 //!
-//! | file | what it is for |
-//! |---|---|
-//! | `svg` | plays in any browser, without a script; sharp at any size |
-//! | `gif` | plays wherever pictures are shown |
-//! | `html` | one file without anything from elsewhere: play, pause, scrub, speed, and curves of energy with a cursor |
-//!
-//! All of them play in real time: one second of the motion, in its own unit of time, is a second of the film.
-//!
-//! [`layers`] finds out how each mark changes, which the files hold instead of whole pictures; [`motion`] finds marks that only
+//! [`layers`] finds out how each mark of a picture changes, which the files hold instead of whole pictures; [`motion`] finds marks that only
 //! turn and move.
 
 mod animation;
@@ -18,25 +10,38 @@ mod layers;
 mod motion;
 pub(crate) mod page;
 mod palette;
-pub(crate) mod timeline;
-pub(crate) mod trajectory;
+mod plane;
+mod trajectory;
 
+use std::borrow::Cow;
 use std::path::Path;
 
-use crate::error::DrawError;
-use crate::film::timeline::Timeline;
+use crate::drawing::DrawnSpace;
+use crate::error::{DrawError, refusal};
 use crate::picture::{Mark, Picture, Segment};
+use crate::recorded::Recorded;
+use crate::timeline::Timeline;
 use lagrange_files::save_bytes;
+use lagrange_runtime::scene::Plane;
 
-/// Pictures of one scene, and when each is shown.
+/// A motion in the plane or in space, and when each of its moments is shown.
+///
+/// | file | what it is for |
+/// |---|---|
+/// | `html` | one file without anything from elsewhere: play, pause, scrub, speed, and curves of energy with a cursor; in space turned and zoomed with the mouse |
+/// | `gif` | plays wherever pictures are shown, in space seen as [`view`](crate::Drawing::view) says |
+/// | `svg` | in the plane: plays in any browser, without a script; sharp at any size |
+/// | `glb` | in space: bodies and their motion as glTF 2.0, for viewers and Blender |
+///
+/// All of them play in real time: one second of the motion, in its own unit of time, is a second of the film.
 ///
 /// ```text
 /// let film = Drawing::of(&system).film(&trajectory)?.with_columns(&trajectory, &["kinetic", "potential"])?;
 /// film.save("pendulum.html")?;
 /// ```
 #[derive(Clone, PartialEq, Debug)]
-pub struct Film {
-    pub(super) pictures: Vec<Picture>,
+pub struct Film<D: DrawnSpace = Plane> {
+    pub(super) recording: D::Recording,
     pub(super) timeline: Timeline,
 }
 
@@ -50,45 +55,50 @@ impl Film {
         check_count(&times, pictures.len())?;
         let timeline = Timeline::new(times)?;
         check_pictures(&pictures)?;
-        Ok(Film { pictures, timeline })
+        Ok(Film { recording: pictures, timeline })
     }
+}
 
-    /// Pictures whose marks may be others from picture to picture, for what shows them whole.
-    pub(crate) fn of(pictures: Vec<Picture>, timeline: Timeline) -> Film {
-        Film { pictures, timeline }
-    }
-
+impl<D: DrawnSpace> Film<D> {
     /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if it is an energy in SI units.
     /// Values that are not finite leave a gap.
     ///
     /// # Errors
     /// If there is not one value for each picture.
-    pub fn with_values(self, name: &str, values: Vec<f64>) -> Result<Film, DrawError> {
+    pub fn with_values(self, name: &str, values: Vec<f64>) -> Result<Self, DrawError> {
         Ok(Film { timeline: self.timeline.with_values(name, values)?, ..self })
     }
 
-    /// When its pictures are shown.
+    /// Returns the times at which its pictures are shown.
     pub fn times(&self) -> &[f64] {
         &self.timeline.times
     }
 
-    /// Its pictures.
-    pub fn pictures(&self) -> &[Picture] {
-        &self.pictures
+    /// Returns its pictures, in space seen as the drawing says.
+    pub fn pictures(&self) -> Cow<'_, [Picture]> {
+        self.recording.pictures()
     }
 
-    /// Saves it to a file: animated SVG, GIF or an HTML page, by the extension. An older file stays until the new one is whole.
+    /// Returns the film as an HTML page that needs nothing else: to play, pause and scrub, in space to turn with the mouse and to zoom, with curves
+    /// under the picture. Without scripts, in space without WebGL 2, it shows the first picture; where less motion is preferred, it waits to be
+    /// started.
+    pub fn html(&self) -> String {
+        self.recording.page(&self.timeline)
+    }
+
+    /// Saves it to a file: an HTML page, GIF, in the plane animated SVG, in space glTF, by the extension. An older file stays until the new one is
+    /// whole.
     ///
     /// # Errors
-    /// If the extension is none of `svg`, `gif`, `html`, or the file cannot be written.
+    /// If the extension is none of `html`, `gif`, and `svg` in the plane or `glb` in space, or the file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();
         let bytes = match extension.to_ascii_lowercase().as_str() {
-            "svg" => self.svg().into_bytes(),
             "html" => self.html().into_bytes(),
             "gif" => self.gif()?,
-            _ => return Err(DrawError::extension(path, &["svg", "gif", "html"])),
+            own if own == D::Recording::FORMAT => self.recording.file(&self.timeline)?,
+            _ => return Err(DrawError::extension(path, &[D::Recording::FORMAT, "gif", "html"])),
         };
         DrawError::written(path, save_bytes(path, bytes))
     }
@@ -135,10 +145,6 @@ fn points(segment: Segment) -> Vec<[f64; 2]> {
         Segment::Curve(first, second, end) => vec![first, second, end],
         Segment::Close => Vec::new(),
     }
-}
-
-pub(crate) fn refusal(reason: &str) -> DrawError {
-    DrawError::Film(reason.to_string())
 }
 
 #[cfg(test)]

@@ -1,14 +1,16 @@
 //! The film as one HTML file: its first picture, what changes of it as JSON, and a script that plays it.
 
-use crate::film::animation::{full_length, visibility, with_children};
+use crate::film::animation::{full_length, visibility, with_children, with_marks};
 use crate::film::chart::{Chart, look};
 use crate::film::layers::{Change, Layer, kinds, layers};
 use crate::film::motion::Pose;
-use crate::film::timeline::{Curve, Timeline};
-use crate::film::{Film, points};
-use crate::picture::Segment;
+use crate::film::points;
+use crate::picture::{Picture, Segment};
 use crate::svg;
-use lagrange_plot::characters::{escaped, number};
+use crate::timeline::Curve;
+use crate::timeline::Timeline;
+use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::number;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 
@@ -37,36 +39,32 @@ pub(crate) struct Page<'a> {
     pub(crate) keys: &'a str,
 }
 
-impl Film {
-    /// The film as an HTML page that needs nothing else: to play, pause and scrub, with curves under the picture. Without scripts it
-    /// shows the first picture; where less motion is preferred, it waits to be started.
-    pub fn html(&self) -> String {
-        let layers = layers(&self.pictures);
-        let changing = layers.iter().filter(|layer| !is_still(layer)).map(layer_json);
-        let page = Page {
-            title: &self.pictures[0].title,
-            timeline: &self.timeline,
-            style: "",
-            picture: self.first_picture(&layers),
-            shown: format!("\"layers\":[\n{}]", changing.collect::<Vec<_>>().join(",\n")),
-            viewer: LAYERS,
-            keys: "",
-        };
-        page.html()
-    }
+/// The page of pictures that have the same marks.
+pub(super) fn of_pictures(pictures: &[Picture], timeline: &Timeline) -> String {
+    let layers = layers(pictures);
+    let changing = layers.iter().filter(|layer| !is_still(layer)).map(layer_json);
+    let page = Page {
+        title: pictures.first().map(|picture| &*picture.title).unwrap_or_default(),
+        timeline,
+        style: "",
+        picture: first_picture(pictures, &layers),
+        shown: format!("\"layers\":[\n{}]", changing.collect::<Vec<_>>().join(",\n")),
+        viewer: LAYERS,
+        keys: "",
+    };
+    page.html()
+}
 
-    fn first_picture(&self, layers: &[Layer]) -> String {
-        let mut changing = 0;
-        let mark = |layer: &Layer| {
-            if is_still(layer) {
-                return svg::mark(&layer.mark);
-            }
-            changing += 1;
-            group(layer, changing - 1)
-        };
-        let marks: String = layers.iter().map(mark).collect();
-        self.with_marks(&marks)
-    }
+fn first_picture(pictures: &[Picture], layers: &[Layer]) -> String {
+    let mut changing = 0;
+    let mark = |layer: &Layer| {
+        if is_still(layer) {
+            return svg::mark(&layer.mark);
+        }
+        changing += 1;
+        group(layer, changing - 1)
+    };
+    with_marks(pictures, &layers.iter().map(mark).collect::<String>())
 }
 
 impl Page<'_> {

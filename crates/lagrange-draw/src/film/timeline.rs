@@ -1,14 +1,13 @@
 //! When the pictures of a film are shown, and the quantities that are plotted under them.
 
-use crate::error::DrawError;
-use crate::film::refusal;
+use crate::error::{DrawError, refusal};
 use lagrange_runtime::scalar::Number;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
 
 /// Times, and values at these times.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Timeline {
+pub struct Timeline {
     /// In seconds, rising or falling.
     pub(crate) times: Vec<f64>,
     pub(crate) curves: Vec<Curve>,

@@ -1,17 +1,18 @@
 //! Films of simulated motions.
 
-use crate::drawing::{Drawing, Shot};
-use crate::error::DrawError;
-use crate::film::{Film, refusal};
+use crate::drawing::{Drawing, DrawnSpace, Shot};
+use crate::error::{DrawError, refusal};
+use crate::film::Film;
+use crate::timeline::Timeline;
 use lagrange_runtime::scalar::Number;
 use lagrange_runtime::scene::Scene;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::MechanicalSystem;
 
 /// The column that a film takes along by itself.
-pub(crate) const ENERGY: &str = "energy";
+const ENERGY: &str = "energy";
 
-impl<M: Scene> Drawing<'_, M>
+impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
@@ -21,8 +22,8 @@ where
     ///
     /// # Errors
     /// If there are more than 100 000 pictures, or one cannot be made, as [`pictures`](Drawing::pictures) says.
-    pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
-        let film = self.film_of(samples(trajectory, self.system())?)?;
+    pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
+        let film = self.film_of(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -32,17 +33,22 @@ where
     ///
     /// # Errors
     /// If the run was not dense, the number is not positive and finite, there are more than 100 000 pictures, or one cannot be made.
-    pub fn film_at(&self, pictures_a_second: f64, trajectory: &Trajectory<M>) -> Result<Film, DrawError> {
-        self.film_of(samples_at(pictures_a_second, trajectory, self.system())?)
+    pub fn film_at(
+        &self,
+        pictures_a_second: f64,
+        trajectory: &Trajectory<M>,
+    ) -> Result<Film<M::Space>, DrawError> {
+        self.film_of(&samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    fn film_of(&self, shots: Vec<Shot<M>>) -> Result<Film, DrawError> {
+    pub(crate) fn film_of(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
+        let recording = M::Space::record(self, shots)?;
         let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
-        Film::new(self.pictures_of(shots)?, times)
+        Ok(Film { recording, timeline: Timeline::new(times)? })
     }
 }
 
-impl Film {
+impl<D: DrawnSpace> Film<D> {
     /// Adds columns of the trajectory that the film was made of to what pages plot.
     ///
     /// # Errors
@@ -51,7 +57,7 @@ impl Film {
         self,
         trajectory: &Trajectory<M>,
         names: &[&str],
-    ) -> Result<Film, DrawError>
+    ) -> Result<Self, DrawError>
     where
         M::Scalar: Into<f64>,
     {
@@ -67,7 +73,7 @@ impl Film {
         name: &str,
         trajectory: &Trajectory<M>,
         energy: impl Fn(M::Scalar, &M::State) -> M::Scalar,
-    ) -> Result<Film, DrawError>
+    ) -> Result<Self, DrawError>
     where
         M::Scalar: Into<f64>,
     {
@@ -88,10 +94,7 @@ fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
 }
 
 /// The samples of a trajectory, of those at the same time the last, each with the system as inputs made it then.
-pub(crate) fn samples<M: MechanicalSystem>(
-    trajectory: &Trajectory<M>,
-    system: &M,
-) -> Result<Vec<Shot<M>>, DrawError> {
+fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Result<Vec<Shot<M>>, DrawError> {
     let times = trajectory.times();
     let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);
     refuse_too_many((0..times.len()).filter(is_last).count() as f64)?;
@@ -100,7 +103,7 @@ pub(crate) fn samples<M: MechanicalSystem>(
 }
 
 /// States of a dense trajectory at equal intervals, about so many a second, with its end.
-pub(crate) fn samples_at<M: MechanicalSystem>(
+fn samples_at<M: MechanicalSystem>(
     pictures_a_second: f64,
     trajectory: &Trajectory<M>,
     system: &M,

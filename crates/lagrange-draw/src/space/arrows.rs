@@ -3,14 +3,17 @@
 use super::mesh::{Mesh, Placement};
 use super::recording::{Kind, Label, Thing};
 use super::size::Size;
-use super::snapshot::{Link, SpatialSnapshot};
+use super::snapshot::Link;
 use super::solids::{self, SHORTEST_ARROW};
 use super::vector::{NONE, Rotation, UPRIGHT, Vector, length, times};
 use crate::colour::{FORCE, PALE};
+use crate::load::Value;
 use crate::picture::Colour;
-use lagrange_plot::notation::{formula, symbol};
+use crate::snapshot::Snapshot;
+use lagrange_plot::notation::formula;
+use lagrange_plot::notation::symbol;
 use lagrange_runtime::body::SpatialMotion;
-use lagrange_runtime::scene::LoadOrigin;
+use lagrange_runtime::scene::{LoadOrigin, Spatial};
 
 /// The longest arrows of a kind, and axes, in terms of the diagonal of the whole.
 const LONGEST: f64 = 0.3;
@@ -18,7 +21,7 @@ const AXIS: f64 = 0.12;
 
 /// Arrows in a motion.
 pub(super) struct Arrows<'a> {
-    pub(super) film: &'a [SpatialSnapshot],
+    pub(super) film: &'a [Snapshot<Spatial>],
     pub(super) size: &'a Size,
 }
 
@@ -26,15 +29,15 @@ impl Arrows<'_> {
     /// An arrow at the centre of mass of each body, called by a letter.
     pub(super) fn rates(
         &self,
-        first: &SpatialSnapshot,
+        first: &Snapshot<Spatial>,
         letter: &str,
         colour: Colour,
         rate: fn(&SpatialMotion<f64>) -> Vector,
     ) -> Vec<Thing> {
         let bodies: Vec<(usize, &Link)> = bodies(first).collect();
         let vectors = bodies.iter().map(|(index, link)| {
-            let vector = |snapshot: &SpatialSnapshot| {
-                let motion = snapshot.links[*index].motion;
+            let vector = |snapshot: &Snapshot<Spatial>| {
+                let motion = snapshot.bodies[*index].motion;
                 motion.map_or([NONE; 2], |motion| [motion.center, rate(&motion)])
             };
             let text = symbol(letter, &link.name, bodies.len() > 1);
@@ -44,10 +47,10 @@ impl Arrows<'_> {
     }
 
     /// The own axes of bodies.
-    pub(super) fn own_axes(&self, first: &SpatialSnapshot) -> Vec<Thing> {
+    pub(super) fn own_axes(&self, first: &Snapshot<Spatial>) -> Vec<Thing> {
         let axes = |(index, link): (usize, &Link)| {
-            let pose = |snapshot: &SpatialSnapshot| {
-                let link = &snapshot.links[index];
+            let pose = |snapshot: &Snapshot<Spatial>| {
+                let link = &snapshot.bodies[index];
                 (link.origin, link.rotation)
             };
             self.axes(&link.name, pose, ["X", "Y", "Z"])
@@ -62,13 +65,14 @@ impl Arrows<'_> {
     }
 
     /// Forces, then moments, each kind on a scale of its own.
-    pub(super) fn loads(&self, first: &SpatialSnapshot) -> Vec<Thing> {
+    pub(super) fn loads(&self, first: &Snapshot<Spatial>) -> Vec<Thing> {
         let of_kind = |is_moment: bool| {
-            let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment == is_moment);
+            let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment() == is_moment);
             let vectors = loads.map(|(index, load)| {
-                let vector = |snapshot: &SpatialSnapshot| {
+                let vector = |snapshot: &Snapshot<Spatial>| {
                     let load = &snapshot.loads[index];
-                    [load.at, load.value]
+                    let (Value::Force(value) | Value::Moment(value)) = load.value;
+                    [load.at, value]
                 };
                 let text = match (load.cause, &load.body) {
                     (LoadOrigin::Gravity, Some(body)) => symbol("G", body, true),
@@ -122,7 +126,7 @@ impl Arrows<'_> {
     fn axes(
         &self,
         name: &str,
-        pose: impl Fn(&SpatialSnapshot) -> (Vector, Rotation),
+        pose: impl Fn(&Snapshot<Spatial>) -> (Vector, Rotation),
         letters: [&str; 3],
     ) -> Vec<Thing> {
         let length = AXIS * self.size.diagonal();
@@ -145,6 +149,6 @@ impl Arrows<'_> {
 }
 
 /// Links with mass, and which ones they are.
-fn bodies(snapshot: &SpatialSnapshot) -> impl Iterator<Item = (usize, &Link)> {
-    snapshot.links.iter().enumerate().filter(|(_, link)| link.motion.is_some())
+fn bodies(snapshot: &Snapshot<Spatial>) -> impl Iterator<Item = (usize, &Link)> {
+    snapshot.bodies.iter().enumerate().filter(|(_, link)| link.motion.is_some())
 }

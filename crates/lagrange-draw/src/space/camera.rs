@@ -5,6 +5,7 @@
 //! distance d of the eye from the middle and the height z towards it.
 
 use super::vector::{Vector, add, cross, dot, subtract, times};
+use crate::look::Direction;
 use crate::picture::Point;
 
 /// An eye that looks at the middle of a scene.
@@ -15,21 +16,6 @@ pub(super) struct Camera {
     axes: [Vector; 3],
     /// The distance of the eye; none if it is infinitely far away.
     distance: Option<f64>,
-}
-
-/// The viewing direction of a scene.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Direction {
-    /// In radians.
-    pub(crate) azimuth: f64,
-    pub(crate) elevation: f64,
-    pub(crate) is_perspective: bool,
-}
-
-impl Default for Direction {
-    fn default() -> Self {
-        Direction { azimuth: -60.0_f64.to_radians(), elevation: 25.0_f64.to_radians(), is_perspective: false }
-    }
 }
 
 /// The distance of an eye, in terms of the radius of what it sees.

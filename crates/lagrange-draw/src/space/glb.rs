@@ -9,9 +9,8 @@ use super::recording::{Recording, Thing, Trace};
 use super::store::{Purpose, Store};
 use super::surface::Surface;
 use super::vector::{NONE, Vector};
-use crate::error::DrawError;
+use crate::error::{DrawError, refusal};
 use crate::film::page::{exact, list, quoted};
-use crate::film::refusal;
 use crate::picture::Colour;
 use lagrange_plot::label::Label;
 

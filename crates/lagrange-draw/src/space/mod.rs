@@ -24,8 +24,5 @@ mod store;
 mod surface;
 mod vector;
 
-pub use drawing::SpatialDrawing;
-pub use film::SpatialFilm;
-
 #[cfg(test)]
 mod tests;

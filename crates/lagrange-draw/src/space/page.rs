@@ -3,15 +3,17 @@
 use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};
 use super::motion::{Motion, once};
-use super::projector::{DARK, EDGE, LINE, Look};
+use super::projector::{DARK, EDGE, LINE, Projector};
 use super::recording::{Kind, Recording, Thing, Trace};
 use super::surface::Surface;
 use super::vector::{Vector, subtract, times};
 use crate::colour::{INK, PALE, mixed};
 use crate::film::page::{Page, exact, list};
-use crate::film::timeline::Timeline;
+use crate::look::Look;
 use crate::picture::{Colour, Picture};
-use lagrange_plot::characters::{escaped, number};
+use crate::timeline::Timeline;
+use lagrange_plot::characters::escaped;
+use lagrange_plot::characters::number;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 
@@ -34,14 +36,15 @@ const AROUND: f64 = 1.0;
 /// Whole numbers to the length of a normal.
 const NORMAL: f64 = 100.0;
 
-/// The page of a motion; `picture` is its first one.
-pub(super) fn html(recording: &Recording, look: &Look, timeline: &Timeline, picture: &Picture) -> String {
+/// The page of a motion.
+pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
+    let Projector { recording, look, .. } = projector;
     let scene = Scene { recording, look, frame: Frame::of(recording) };
     let page = Page {
         title: &look.title,
         timeline,
         style: STYLE,
-        picture: scene.elements(picture),
+        picture: scene.elements(&projector.project(0..1)),
         shown: format!("\"space\":{}", scene.json()),
         viewer: VIEWER,
         keys: KEYS,
@@ -75,7 +78,7 @@ impl Frame {
 
 impl Scene<'_> {
     /// Returns the elements for the viewer, and the first picture, which is shown without it.
-    fn elements(&self, picture: &Picture) -> String {
+    fn elements(&self, pictures: &[Picture]) -> String {
         let (look, recording) = (self.look, self.recording);
         let labels =
             recording.things.iter().filter_map(label_of).chain(recording.traces.iter().map(trace_label));
@@ -105,7 +108,7 @@ impl Scene<'_> {
             escaped(&name),
             caption("title", &look.title),
             caption("note", &recording.note),
-            picture.svg(),
+            pictures.first().map(Picture::svg).unwrap_or_default(),
         )
     }
 

@@ -1,6 +1,6 @@
 //! A motion in space as pictures: what is seen of things, from back to front, with labels.
 
-use super::camera::{Camera, Direction};
+use super::camera::Camera;
 use super::mesh::{Edges, normal};
 use super::recording::{Kind, Recording, Thing};
 use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
@@ -10,23 +10,17 @@ use crate::error::DrawError;
 use crate::geometry::{self, polyline};
 use crate::heading::{self, Heading};
 use crate::labels::{self, Sheet};
+use crate::look::Look;
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
 use crate::view::{BORDER, MARGIN};
 use lagrange_plot::notation::formula;
 
-/// The look of pictures, independent of their content.
-#[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Look {
-    pub(crate) size: [f64; 2],
-    pub(crate) title: String,
-    pub(crate) direction: Direction,
-}
-
 /// Pictures of a motion, all from the same place and on the same scale.
-pub(super) struct Projector<'a> {
-    recording: &'a Recording,
-    look: &'a Look,
+#[derive(Clone, PartialEq, Debug)]
+pub struct Projector {
+    pub(super) recording: Recording,
+    pub(super) look: Look,
     camera: Camera,
     window: Window,
     heading: [Heading; 2],
@@ -58,8 +52,8 @@ const NEAR: f64 = 5.0;
 const UNIT: f64 = 0.25;
 const NOTHING: f64 = 1e-9;
 
-impl<'a> Projector<'a> {
-    pub(super) fn new(recording: &'a Recording, look: &'a Look) -> Result<Projector<'a>, DrawError> {
+impl Projector {
+    pub(super) fn new(recording: Recording, look: Look) -> Result<Projector, DrawError> {
         let angles = [look.direction.azimuth, look.direction.elevation];
         if !angles.iter().all(|angle| angle.is_finite()) {
             return Err(DrawError::View(angles));
@@ -72,11 +66,12 @@ impl<'a> Projector<'a> {
         let least = NOTHING * radius;
         let meshes =
             recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
-        Ok(Projector { recording, look, camera, window, heading, meshes: meshes.collect(), least })
+        let meshes = meshes.collect();
+        Ok(Projector { recording, look, camera, window, heading, meshes, least })
     }
 
     /// The pictures of some moments; labels stay on their sides.
-    pub(super) fn pictures(&self, moments: impl IntoIterator<Item = usize>) -> Vec<Picture> {
+    pub(super) fn project(&self, moments: impl IntoIterator<Item = usize>) -> Vec<Picture> {
         let scenes: Vec<(Vec<Mark>, Sheet)> = moments.into_iter().map(|moment| self.scene(moment)).collect();
         let (marks, sheets): (Vec<_>, Vec<_>) = scenes.into_iter().unzip();
         let [width, height] = self.look.size;

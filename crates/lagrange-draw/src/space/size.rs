@@ -1,8 +1,10 @@
 //! The size of a motion, which determines all sizes that are not specified.
 
-use super::snapshot::{Link, SpatialSnapshot};
+use super::snapshot::{Link, SolidPart};
 use super::solids::solid;
 use super::vector::{Vector, length, subtract};
+use crate::snapshot::Snapshot;
+use lagrange_runtime::scene::Spatial;
 
 /// The extent of a motion.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -15,8 +17,8 @@ pub(super) struct Size {
 const THIN: f64 = 0.006;
 
 impl Size {
-    pub(super) fn of(snapshots: &[SpatialSnapshot]) -> Size {
-        let all = snapshots.iter().flat_map(SpatialSnapshot::places);
+    pub(super) fn of(snapshots: &[Snapshot<Spatial>]) -> Size {
+        let all = snapshots.iter().flat_map(Snapshot::places);
         let [low, high] =
             all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], (at, room)| {
                 [0, 1].map(|end| {
@@ -39,10 +41,10 @@ impl Size {
     }
 }
 
-impl SpatialSnapshot {
+impl Snapshot<Spatial> {
     /// Places of what has a size of its own, with the room that it takes around them.
     fn places(&self) -> impl Iterator<Item = (Vector, f64)> + '_ {
-        let links = self.links.iter().flat_map(Link::places);
+        let links = self.bodies.iter().flat_map(Link::places);
         let joints = self.joints.iter().map(|joint| (joint.at, 0.0));
         let spans = self.connectors.iter().flat_map(|connector| connector.ends.map(|end| (end, 0.0)));
         links.chain(joints).chain(spans)
@@ -51,8 +53,8 @@ impl SpatialSnapshot {
 
 impl Link {
     fn places(&self) -> Vec<(Vector, f64)> {
-        let part = |part: &lagrange_runtime::scene::SolidPart<f64>| {
-            let corners = solid(part.solid, 0.0).corners;
+        let part = |part: &SolidPart| {
+            let corners = solid(part.shape, 0.0).corners;
             let radius = corners.iter().map(|corner| length(corner.at)).fold(0.0, f64::max);
             (self.place_of(part.at), radius)
         };

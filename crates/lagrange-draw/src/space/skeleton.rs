@@ -2,14 +2,15 @@
 //! that they carry.
 
 use super::mesh::Mesh;
-use super::snapshot::{Joint, Link, SpatialSnapshot};
+use super::snapshot::{Link, SolidPart};
 use super::solids::{ball, cylinder, solid};
 use super::vector::{NONE, UPRIGHT, Vector, axes_along, dot, length, subtract, times, unit};
-use lagrange_runtime::scene::{SolidPart, SpatialJoint};
+use crate::snapshot::{Joint, Snapshot};
+use lagrange_runtime::scene::{Spatial, SpatialJointKind};
 
 /// Rods of a tree of bodies.
 pub(super) struct Skeleton<'a> {
-    scene: &'a SpatialSnapshot,
+    scene: &'a Snapshot<Spatial>,
     /// The radius of arrows, by which everything is sized.
     thin: f64,
 }
@@ -20,7 +21,7 @@ const CENTER: f64 = 2.6;
 const ROUND: usize = 16;
 
 impl<'a> Skeleton<'a> {
-    pub(super) fn of(scene: &'a SpatialSnapshot, thin: f64) -> Self {
+    pub(super) fn of(scene: &'a Snapshot<Spatial>, thin: f64) -> Self {
         Skeleton { scene, thin }
     }
 
@@ -33,17 +34,17 @@ impl<'a> Skeleton<'a> {
     }
 
     /// Holes are drawn by their edges.
-    fn part(&self, part: &SolidPart<f64>) -> Mesh {
-        let mesh = solid(part.solid, 2.0 * self.thin).placed(part.at, &part.rotation);
+    fn part(&self, part: &SolidPart) -> Mesh {
+        let mesh = solid(part.shape, 2.0 * self.thin).placed(part.at, &part.rotation);
         if part.is_hole { mesh.edges_only() } else { mesh }
     }
 
     /// Rods from the origin of a link to the joints that it carries and, where there are none, to its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
-        let is_carried = |joint: &&Joint| {
-            let [carrier, other] = joint.links.each_ref().map(|name| name.as_ref() == Some(&link.name));
+        let is_carried = |joint: &&Joint<Spatial>| {
+            let [carrier, other] = joint.kind.links.each_ref().map(|name| name.as_ref() == Some(&link.name));
             // A pin is fixed in both.
-            carrier || (other && joint.kind == SpatialJoint::Pin)
+            carrier || (other && joint.kind.kind == SpatialJointKind::Pin)
         };
         let carried = self.scene.joints.iter().filter(is_carried);
         let mut ends: Vec<Vector> = carried.map(|joint| link.own(joint.at)).collect();

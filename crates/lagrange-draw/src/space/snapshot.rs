@@ -1,160 +1,92 @@
-//! A stored scene in space at one moment.
+//! Bodies, frames and joints of space as they are stored.
+
+use std::convert::Infallible;
 
 use super::vector::{Rotation, Vector, add, apply, apply_back, subtract};
+use crate::snapshot::{Joint, Line, Named, Snapshot, Stored};
 use lagrange_runtime::body::SpatialMotion;
-use lagrange_runtime::scene::{
-    Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene,
-};
-
-/// A scene in space at one moment.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub(super) struct SpatialSnapshot {
-    pub(super) links: Vec<Link>,
-    pub(super) connectors: Vec<Span>,
-    pub(super) joints: Vec<Joint>,
-    pub(super) loads: Vec<SpatialLoad>,
-    /// Loads that act but are unknown.
-    pub(super) omitted: Vec<String>,
-}
+use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scene::{Frame, Part, Solid, Spatial, SpatialJoint, SpatialJointKind};
 
 /// A body or frame.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Link {
+pub struct Link {
     pub(super) name: String,
     pub(super) origin: Vector,
     pub(super) rotation: Rotation,
     /// Motion, if it has mass.
     pub(super) motion: Option<SpatialMotion<f64>>,
-    pub(super) parts: Vec<SolidPart<f64>>,
+    pub(super) parts: Vec<SolidPart>,
 }
 
-/// A spring or damper.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct Span {
-    pub(super) name: String,
-    pub(super) kind: Connector,
-    pub(super) ends: [Vector; 2],
-}
+/// A part of a body's shape.
+pub(super) type SolidPart = Part<'static, f64, Spatial>;
 
+/// A joint, apart from its name and place.
 #[derive(Clone, PartialEq, Debug)]
-pub(super) struct Joint {
-    pub(super) name: String,
-    pub(super) kind: SpatialJoint,
-    pub(super) at: Vector,
+pub struct Hold {
+    pub(super) kind: SpatialJointKind,
     pub(super) axis: Vector,
     pub(super) links: [Option<String>; 2],
 }
 
-/// A force or moment.
-#[derive(Clone, PartialEq, Debug)]
-pub(super) struct SpatialLoad {
-    pub(super) name: String,
-    pub(super) cause: LoadOrigin,
-    pub(super) body: Option<String>,
-    pub(super) at: Vector,
-    pub(super) value: Vector,
-    pub(super) is_moment: bool,
-}
+impl Stored for Spatial {
+    type Body = Link;
+    type Joint = Hold;
 
-impl SpatialSnapshot {
-    pub(super) fn of<M: SpatialScene>(system: &M, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> Self
-    where
-        M::Scalar: Into<f64>,
-    {
-        let mut snapshot = SpatialSnapshot::default();
-        system.items(t, q, v, &mut |item| snapshot.keep(item));
-        snapshot
-    }
-
-    fn keep<S: Copy + Into<f64>>(&mut self, item: SpatialItem<'_, S>) {
-        match item {
-            SpatialItem::Body { name, motion, parts } => {
-                let (motion, parts) = (numbers(&motion), parts.iter().map(part).collect());
-                let origin = subtract(motion.center, apply(&motion.rotation, motion.centroid));
-                let rotation = motion.rotation;
-                self.links.push(Link {
-                    name: name.to_owned(),
-                    origin,
-                    rotation,
-                    motion: Some(motion),
-                    parts,
-                });
-            }
-            SpatialItem::Frame { name, rotation, origin } => {
-                let (origin, rotation) = (vector(origin), rotation.map(vector));
-                self.links.push(Link {
-                    name: name.to_owned(),
-                    origin,
-                    rotation,
-                    motion: None,
-                    parts: Vec::new(),
-                });
-            }
-            SpatialItem::Connector { name, kind, from, to, .. } => {
-                self.connectors.push(Span { name: name.to_owned(), kind, ends: [from, to].map(vector) });
-            }
-            SpatialItem::Joint { name, kind, at, axis, bodies } => self.joints.push(Joint {
-                name: name.to_owned(),
-                kind,
-                at: vector(at),
-                axis: vector(axis),
-                links: bodies.map(|body| body.map(ToOwned::to_owned)),
-            }),
-            SpatialItem::Force { name, cause, body, at, force } => {
-                self.load(name, cause, body, [at, force], false);
-            }
-            SpatialItem::Moment { name, cause, body, at, moment } => {
-                self.load(name, cause, body, [at, moment], true);
-            }
-            SpatialItem::Omitted { name } => self.omitted.push(name.to_owned()),
+    fn body<S: Scalar + Into<f64>>(
+        name: &str,
+        _index: usize,
+        motion: &SpatialMotion<S>,
+        parts: &[Part<'_, S, Spatial>],
+    ) -> Link {
+        let motion = SpatialMotion {
+            mass: motion.mass.into(),
+            inertia: motion.inertia.map(Self::vector),
+            centroid: Self::vector(motion.centroid),
+            center: Self::vector(motion.center),
+            rotation: motion.rotation.map(Self::vector),
+            velocity: Self::vector(motion.velocity),
+            angular_velocity: Self::vector(motion.angular_velocity),
+            acceleration: Self::vector(motion.acceleration),
+            angular_acceleration: Self::vector(motion.angular_acceleration),
+        };
+        let rotation = motion.rotation;
+        Link {
+            name: name.to_owned(),
+            origin: subtract(motion.center, apply(&rotation, motion.centroid)),
+            rotation,
+            motion: Some(motion),
+            parts: parts.iter().map(part).collect(),
         }
     }
 
-    fn load<S: Into<f64>>(
-        &mut self,
-        name: &str,
-        cause: LoadOrigin,
-        body: Option<&str>,
-        values: [[S; 3]; 2],
-        is_moment: bool,
-    ) {
-        let [at, value] = values.map(vector);
-        let body = body.map(ToOwned::to_owned);
-        self.loads.push(SpatialLoad { name: name.to_owned(), cause, body, at, value, is_moment });
+    fn frame<S: Scalar + Into<f64>>(frame: &Frame<'_, S>) -> Link {
+        let (origin, rotation) = (Self::vector(frame.origin), frame.rotation.map(Self::vector));
+        Link { name: frame.name.to_owned(), origin, rotation, motion: None, parts: Vec::new() }
     }
 
-    /// The names of everything.
-    pub(super) fn names(&self) -> impl Iterator<Item = &String> {
-        let links = self.links.iter().map(|link| &link.name);
-        let connectors = self.connectors.iter().map(|connector| &connector.name);
-        let joints = self.joints.iter().map(|joint| &joint.name);
-        links
-            .chain(connectors)
-            .chain(joints)
-            .chain(self.loads.iter().map(|load| &load.name))
-            .chain(&self.omitted)
+    fn line<S: Scalar + Into<f64>>(line: &Infallible) -> Line {
+        match *line {}
     }
 
-    /// The name of the first thing that is not the same in another scene but for where it is.
-    pub(super) fn difference(&self, other: &SpatialSnapshot) -> Option<String> {
-        let names = [self, other].map(|scene| scene.names().cloned().collect::<Vec<_>>());
-        let [own, others] = &names;
-        let renamed = own.iter().zip(others).find(|(a, b)| a != b).map(|(name, _)| name);
-        let missing = own.get(others.len()).or_else(|| others.get(own.len()));
-        let reshaped = self.links.iter().zip(&other.links).find(|(a, b)| a.parts != b.parts);
-        let changed = self.joints.iter().zip(&other.joints).find(|(a, b)| a.kind != b.kind);
-        let of_things = reshaped.map(|(a, _)| &a.name).or_else(|| changed.map(|(a, _)| &a.name));
-        renamed.or(missing).or(of_things).cloned()
+    fn joint<S: Scalar + Into<f64>>(joint: &SpatialJoint<'_, S>) -> Hold {
+        let links = joint.bodies.map(|body| body.map(ToOwned::to_owned));
+        Hold { kind: joint.kind, axis: Self::vector(joint.axis), links }
     }
 
-    /// Without what has one of these names.
-    pub(super) fn without(mut self, hidden: &[String]) -> Self {
-        self.links.retain(|link| !hidden.contains(&link.name));
-        self.connectors.retain(|connector| !hidden.contains(&connector.name));
-        self.joints.retain(|joint| !hidden.contains(&joint.name));
-        self.loads.retain(|load| !hidden.contains(&load.name));
-        self.omitted.retain(|name| !hidden.contains(name));
-        self
+    fn vector<S: Scalar + Into<f64>>(vector: [S; 3]) -> Vector {
+        vector.map(Into::into)
+    }
+
+    fn moment<S: Scalar + Into<f64>>(moment: [S; 3]) -> Vector {
+        Self::vector(moment)
+    }
+}
+
+impl Named for Link {
+    fn name(&self) -> &str {
+        &self.name
     }
 }
 
@@ -169,27 +101,20 @@ impl Link {
     }
 }
 
-fn vector<S: Into<f64>>(vector: [S; 3]) -> Vector {
-    vector.map(Into::into)
+/// Returns the name of the first thing that is not the same in two scenes but for where it is.
+pub(super) fn difference(one: &Snapshot<Spatial>, other: &Snapshot<Spatial>) -> Option<String> {
+    let [names, others] = [one, other].map(|scene| scene.names().collect::<Vec<_>>());
+    let renamed = names.iter().zip(&others).find(|(a, b)| a != b).map(|(name, _)| name);
+    let missing = names.get(others.len()).or_else(|| others.get(names.len()));
+    let reshaped = one.bodies.iter().zip(&other.bodies).find(|(a, b)| a.parts != b.parts);
+    let is_changed = |(a, b): &(&Joint<Spatial>, &Joint<Spatial>)| a.kind.kind != b.kind.kind;
+    let changed = one.joints.iter().zip(&other.joints).find(is_changed);
+    let of_things = reshaped.map(|(a, _)| &*a.name).or_else(|| changed.map(|(a, _)| &*a.name));
+    renamed.or(missing).copied().or(of_things).map(ToOwned::to_owned)
 }
 
-fn numbers<S: Copy + Into<f64>>(motion: &SpatialMotion<S>) -> SpatialMotion<f64> {
-    SpatialMotion {
-        mass: motion.mass.into(),
-        inertia: motion.inertia.map(vector),
-        centroid: vector(motion.centroid),
-        center: vector(motion.center),
-        rotation: motion.rotation.map(vector),
-        velocity: vector(motion.velocity),
-        angular_velocity: vector(motion.angular_velocity),
-        acceleration: vector(motion.acceleration),
-        angular_acceleration: vector(motion.angular_acceleration),
-    }
-}
-
-fn part<S: Copy + Into<f64>>(part: &SolidPart<S>) -> SolidPart<f64> {
-    let SolidPart { at, rotation, is_hole, .. } = *part;
-    let solid = match part.solid {
+fn part<S: Scalar + Into<f64>>(part: &Part<'_, S, Spatial>) -> SolidPart {
+    let shape = match part.shape {
         Solid::PointMass => Solid::PointMass,
         Solid::SlenderRod(l) => Solid::SlenderRod(l.into()),
         Solid::Sphere(r) => Solid::Sphere(r.into()),
@@ -201,5 +126,6 @@ fn part<S: Copy + Into<f64>>(part: &SolidPart<S>) -> SolidPart<f64> {
         Solid::HollowCylinder(inner, outer, h) => Solid::HollowCylinder(inner.into(), outer.into(), h.into()),
         Solid::Cone(r, h) => Solid::Cone(r.into(), h.into()),
     };
-    SolidPart { solid, at: vector(at), rotation: rotation.map(vector), is_hole }
+    let (at, rotation) = (Spatial::vector(part.at), part.rotation.map(Spatial::vector));
+    Part { shape, at, rotation, is_hole: part.is_hole }
 }

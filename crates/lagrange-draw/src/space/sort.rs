@@ -253,7 +253,8 @@ pub(super) fn is_convex(faces: &[(Vec<Vector>, Vector)], least: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Fragment, FragmentShape, back_to_front};
-    use crate::space::camera::{Camera, Direction};
+    use crate::look::Direction;
+    use crate::space::camera::Camera;
     use crate::space::mesh::normal;
     use crate::space::vector::{Vector, cross, dot, subtract};
 

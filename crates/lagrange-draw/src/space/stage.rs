@@ -5,27 +5,16 @@ use super::mesh::{Corner, Mesh, Placement};
 use super::recording::{Kind, Label, Thing};
 use super::size::Size;
 use super::skeleton::Skeleton;
-use super::snapshot::{Joint, Link, Span, SpatialSnapshot};
+use super::snapshot::{Hold, Link};
 use super::solids;
 use super::vector::{NONE, UPRIGHT, Vector, add, apply, axes_along, length, subtract, unit};
 use crate::colour::{self, ACCELERATION, INK, PALE, VELOCITY};
+use crate::look::Wanted;
 use crate::picture::Colour;
+use crate::snapshot::{Joint, Snapshot, Span};
 use crate::stage::is_made_up;
 use lagrange_plot::notation::formula;
-use lagrange_runtime::scene::{Connector, SpatialJoint};
-
-/// The requested additions to the scene.
-#[derive(Clone, Copy, PartialEq, Debug, Default)]
-pub(super) struct Wanted {
-    pub(super) velocities: bool,
-    pub(super) accelerations: bool,
-    pub(super) forces: bool,
-    pub(super) frames: bool,
-    pub(super) axes: bool,
-    pub(super) names: bool,
-    /// The height of a floor.
-    pub(super) floor: Option<f64>,
-}
+use lagrange_runtime::scene::{Connector, Spatial, SpatialJointKind};
 
 /// Sizes in terms of the radius of rods.
 const PIN: f64 = 2.0;
@@ -38,14 +27,14 @@ const TOUCHING: f64 = 1e-6;
 const FIELDS: f64 = 8.0;
 
 /// All things of a motion; every scene of it hands out the same items.
-pub(super) fn things(film: &[SpatialSnapshot], wanted: Wanted, size: &Size) -> Vec<Thing> {
+pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) -> Vec<Thing> {
     let Some(first) = film.first() else { return Vec::new() };
     let stage = Stage { film, wanted, size };
     let mut things = Vec::new();
     things.extend(wanted.floor.map(|height| stage.floor(height)));
     let skeleton = Skeleton::of(first, size.thin());
     let mut bodies = 0;
-    for (index, link) in first.links.iter().enumerate() {
+    for (index, link) in first.bodies.iter().enumerate() {
         let mesh = skeleton.mesh(link);
         let colour = colour::solid(bodies);
         bodies += usize::from(link.motion.is_some());
@@ -57,7 +46,7 @@ pub(super) fn things(film: &[SpatialSnapshot], wanted: Wanted, size: &Size) -> V
     things
 }
 
-fn arrows(arrows: &Arrows<'_>, first: &SpatialSnapshot, wanted: Wanted) -> Vec<Thing> {
+fn arrows(arrows: &Arrows<'_>, first: &Snapshot<Spatial>, wanted: Wanted) -> Vec<Thing> {
     let mut things = Vec::new();
     if wanted.velocities {
         things.extend(arrows.rates(first, "v", VELOCITY, |motion| motion.velocity));
@@ -78,13 +67,13 @@ fn arrows(arrows: &Arrows<'_>, first: &SpatialSnapshot, wanted: Wanted) -> Vec<T
 }
 
 struct Stage<'a> {
-    film: &'a [SpatialSnapshot],
+    film: &'a [Snapshot<Spatial>],
     wanted: Wanted,
     size: &'a Size,
 }
 
 impl Stage<'_> {
-    fn track(&self, placement: impl Fn(&SpatialSnapshot) -> Placement) -> Vec<Placement> {
+    fn track(&self, placement: impl Fn(&Snapshot<Spatial>) -> Placement) -> Vec<Placement> {
         self.film.iter().map(placement).collect()
     }
 
@@ -95,7 +84,7 @@ impl Stage<'_> {
     fn link(&self, index: usize, link: &Link, mesh: Mesh, colour: Colour) -> Thing {
         let center = link.motion.map_or(NONE, |motion| motion.centroid);
         let track = self.track(|snapshot| {
-            let Link { origin, rotation, .. } = snapshot.links[index];
+            let Link { origin, rotation, .. } = snapshot.bodies[index];
             Placement::rigid(origin, rotation)
         });
         let text = if link.motion.is_some() { self.name(&link.name) } else { String::new() };
@@ -109,7 +98,7 @@ impl Stage<'_> {
         }
     }
 
-    fn connector(&self, index: usize, span: &Span) -> Thing {
+    fn connector(&self, index: usize, span: &Span<Spatial>) -> Thing {
         let thin = self.size.thin();
         let (mesh, colour) = match span.kind {
             Connector::Damper | Connector::TorsionDamper => (solids::damper(COIL * thin), PALE),
@@ -149,18 +138,18 @@ impl Stage<'_> {
         (together.first().copied().unwrap_or(index), lane)
     }
 
-    fn joint(&self, index: usize, joint: &Joint) -> Vec<Thing> {
+    fn joint(&self, index: usize, joint: &Joint<Spatial>) -> Vec<Thing> {
         let thin = self.size.thin();
-        let mesh = match joint.kind {
-            SpatialJoint::Revolute
-            | SpatialJoint::Cylindrical
-            | SpatialJoint::Screw
-            | SpatialJoint::Universal => solids::pin(PIN * thin, PIN_LENGTH * thin),
-            SpatialJoint::Prismatic => {
+        let mesh = match joint.kind.kind {
+            SpatialJointKind::Revolute
+            | SpatialJointKind::Cylindrical
+            | SpatialJointKind::Screw
+            | SpatialJointKind::Universal => solids::pin(PIN * thin, PIN_LENGTH * thin),
+            SpatialJointKind::Prismatic => {
                 solids::cuboid([2.0 * PIN * thin, 2.0 * PIN * thin, PIN_LENGTH * thin])
             }
-            SpatialJoint::Ball | SpatialJoint::Pin => solids::ball(PIN * thin),
-            SpatialJoint::Planar | SpatialJoint::Free | SpatialJoint::Weld => return Vec::new(),
+            SpatialJointKind::Ball | SpatialJointKind::Pin => solids::ball(PIN * thin),
+            SpatialJointKind::Planar | SpatialJointKind::Free | SpatialJointKind::Weld => return Vec::new(),
         };
         let thing = |mesh, track| Thing {
             name: joint.name.clone(),
@@ -170,16 +159,16 @@ impl Stage<'_> {
             mesh,
             track,
         };
-        let at = |snapshot: &SpatialSnapshot| {
-            let Joint { at, axis, .. } = snapshot.joints[index];
-            let rotation = unit(axis).map_or(UPRIGHT, axes_along);
-            Placement::rigid(at, rotation)
+        let at = |snapshot: &Snapshot<Spatial>| {
+            let Joint { at, kind: Hold { axis, .. }, .. } = &snapshot.joints[index];
+            let rotation = unit(*axis).map_or(UPRIGHT, axes_along);
+            Placement::rigid(*at, rotation)
         };
         let mut things = vec![thing(mesh, self.track(at))];
-        if joint.kind == SpatialJoint::Prismatic {
+        if joint.kind.kind == SpatialJointKind::Prismatic {
             let rod = Placement::spanned(self.film.iter().map(|snapshot| {
-                let Joint { at, links, .. } = &snapshot.joints[index];
-                let outer = snapshot.links.iter().find(|link| links[1].as_ref() == Some(&link.name));
+                let Joint { at, kind: Hold { links, .. }, .. } = &snapshot.joints[index];
+                let outer = snapshot.bodies.iter().find(|link| links[1].as_ref() == Some(&link.name));
                 [*at, outer.map_or(NONE, |link| subtract(link.origin, *at))]
             }));
             things.push(thing(solids::stick(thin), rod));

@@ -7,15 +7,15 @@ mod walker;
 
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scene::{
-    Connector, LoadOrigin, Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene,
+    Connector, Item, LoadOrigin, Part, Scene, Solid, Spatial, SpatialJoint, SpatialJointKind,
 };
 use lagrange_runtime::system::{MechanicalSystem, OdeSystem, Unnamed};
 
-use super::SpatialDrawing;
 use super::skeleton::Skeleton;
-use super::snapshot::{Joint, Link, SpatialSnapshot};
-use crate::DrawError;
+use super::snapshot::{Hold, Link, difference};
 use crate::picture::{Mark, Picture};
+use crate::snapshot::{Joint, Snapshot};
+use crate::{DrawError, Drawing};
 
 /// A cuboid on an arm that turns about z, hung on a spring.
 struct Crane;
@@ -60,36 +60,40 @@ fn motion(rotation: [[f64; 3]; 3], center: [f64; 3], velocity: [f64; 3]) -> Spat
     }
 }
 
-impl SpatialScene for Crane {
+impl Scene for Crane {
+    type Space = Spatial;
+
     fn items(
         &self,
         _t: f64,
         [angle]: &[f64; 1],
         [rate]: &[f64; 1],
-        visit: &mut dyn FnMut(SpatialItem<'_, f64>),
+        visit: &mut dyn FnMut(Item<'_, f64, Spatial>),
     ) {
         let (sin, cos) = angle.sin_cos();
         let rotation = [[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]];
         let center = [2.0 * cos, 2.0 * sin, 0.0];
         let velocity = [-2.0 * sin * rate, 2.0 * cos * rate, 0.0];
-        let part = |solid, at, is_hole| SolidPart { solid, at, rotation: UPRIGHT, is_hole };
+        let part = |shape, at, is_hole| Part { shape, at, rotation: UPRIGHT, is_hole };
         let arm = SpatialMotion { centroid: [0.0; 3], ..motion(rotation, [0.0; 3], [0.0; 3]) };
-        visit(SpatialItem::Body { name: "arm", motion: arm, parts: &[] });
+        visit(Item::Body { name: "arm", motion: arm, parts: &[] });
         let parts = [
             part(Solid::Cuboid(1.0, 0.6, 0.4), [0.0; 3], false),
             part(Solid::Cylinder(0.1, 0.4), [0.0; 3], true),
         ];
-        visit(SpatialItem::Body { name: "box", motion: motion(rotation, center, velocity), parts: &parts });
+        visit(Item::Body { name: "box", motion: motion(rotation, center, velocity), parts: &parts });
         for (name, kind) in [("hanger", Connector::Spring), ("brake", Connector::Damper)] {
-            visit(SpatialItem::Connector { name, kind, from: [0.0, 0.0, 2.0], to: center, tension: 1.0 });
+            visit(Item::Connector { name, kind, from: [0.0, 0.0, 2.0], to: center, tension: 1.0 });
         }
-        let joint =
-            |name, kind, at, bodies| SpatialItem::Joint { name, kind, at, axis: [0.0, 0.0, 1.0], bodies };
-        visit(joint("phi", SpatialJoint::Revolute, [0.0; 3], [None, Some("arm")]));
-        visit(joint("tip", SpatialJoint::Pin, center, [Some("arm"), Some("box")]));
+        let joint = |name, kind, at, bodies| {
+            let kind = SpatialJoint { kind, axis: [0.0, 0.0, 1.0], bodies };
+            Item::Joint { name, kind, at }
+        };
+        visit(joint("phi", SpatialJointKind::Revolute, [0.0; 3], [None, Some("arm")]));
+        visit(joint("tip", SpatialJointKind::Pin, center, [Some("arm"), Some("box")]));
         let (cause, body) = (LoadOrigin::Gravity, Some("box"));
-        visit(SpatialItem::Force { name: "weight", cause, body, at: center, force: [0.0, 0.0, -19.62] });
-        visit(SpatialItem::Omitted { name: "torque on `phi`" });
+        visit(Item::Force { name: "weight", cause, body, at: center, force: [0.0, 0.0, -19.62] });
+        visit(Item::Omitted { name: "torque on `phi`" });
     }
 }
 
@@ -103,12 +107,12 @@ fn texts(picture: &Picture) -> Vec<String> {
 
 #[test]
 fn what_is_asked_for_is_drawn_and_named() {
-    let drawing = SpatialDrawing::of(&Crane).title("A crane").forces().velocities().axes().floor(-0.5);
+    let drawing = Drawing::of(&Crane).title("A crane").forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
     let moments = (0..10).map(|k| (0.1 * f64::from(k), [0.2 * f64::from(k), 1.0]));
     let pictures = drawing.pictures(moments).expect("draws");
     let texts = texts(&pictures[9]);
-    for text in ["A crane", "box", "x", "y", "z", "tip", "not drawn: torque on phi"] {
+    for text in ["A crane", "box", "x", "y", "z", "tip", "not drawn: torque on φ"] {
         assert!(texts.iter().any(|known| known == text), "`{text}` is not among {texts:?}");
     }
     let inside = |mark: &Mark| match mark {
@@ -132,10 +136,12 @@ fn what_is_asked_for_is_drawn_and_named() {
 fn rods_go_to_joints_that_a_body_carries_only() {
     let joint = |name: &str, at, links: [Option<&str>; 2]| Joint {
         name: name.to_owned(),
-        kind: SpatialJoint::Prismatic,
+        kind: Hold {
+            kind: SpatialJointKind::Prismatic,
+            axis: [0.0, 0.0, 1.0],
+            links: links.map(|link| link.map(str::to_owned)),
+        },
         at,
-        axis: [0.0, 0.0, 1.0],
-        links: links.map(|link| link.map(str::to_owned)),
     };
     let link = |name: &str, origin| Link {
         name: name.to_owned(),
@@ -144,39 +150,39 @@ fn rods_go_to_joints_that_a_body_carries_only() {
         motion: Some(motion(UPRIGHT, origin, [0.0; 3])),
         parts: Vec::new(),
     };
-    let scene = SpatialSnapshot {
-        links: vec![link("slide", [0.0, 0.0, 0.5]), link("tip", [1.0, 0.0, 0.5])],
+    let scene = Snapshot {
+        bodies: vec![link("slide", [0.0, 0.0, 0.5]), link("tip", [1.0, 0.0, 0.5])],
         joints: vec![
             joint("s", [0.0; 3], [None, Some("slide")]),
             joint("q", [1.0, 0.0, 0.5], [Some("slide"), Some("tip")]),
         ],
-        ..SpatialSnapshot::default()
+        ..Snapshot::default()
     };
     let reach = |link: &Link| {
         let mesh = Skeleton::of(&scene, 0.01).mesh(link).expect("is drawn");
         let along = |axis: usize| mesh.corners.iter().map(|corner| corner.at[axis].abs()).fold(0.0, f64::max);
         [along(0), along(2)]
     };
-    let [across, down] = reach(&scene.links[0]);
+    let [across, down] = reach(&scene.bodies[0]);
     assert!(
         (across - 1.0).abs() < 1e-12 && down < 0.1,
         "to the joint that it carries, not to the one that carries it"
     );
-    assert!(reach(&scene.links[1]).iter().all(|reach| *reach < 0.1));
+    assert!(reach(&scene.bodies[1]).iter().all(|reach| *reach < 0.1));
 }
 
 #[test]
 fn things_that_change_during_a_film_are_refused_by_name() {
-    let before = SpatialSnapshot { omitted: vec!["torque".to_owned()], ..SpatialSnapshot::default() };
-    let now = SpatialSnapshot { omitted: vec!["force".to_owned()], ..SpatialSnapshot::default() };
-    assert_eq!(before.difference(&before), None);
-    assert_eq!(before.difference(&now), Some("torque".to_owned()));
-    assert_eq!(SpatialSnapshot::default().difference(&now), Some("force".to_owned()));
+    let before = Snapshot::<Spatial> { omitted: vec!["torque".to_owned()], ..Snapshot::default() };
+    let now = Snapshot { omitted: vec!["force".to_owned()], ..Snapshot::default() };
+    assert_eq!(difference(&before, &before), None);
+    assert_eq!(difference(&before, &now), Some("torque".to_owned()));
+    assert_eq!(difference(&Snapshot::default(), &now), Some("force".to_owned()));
 }
 
 #[test]
 fn what_is_hidden_or_not_finite_is_refused_by_name() {
-    let drawing = SpatialDrawing::of(&Crane);
+    let drawing = Drawing::of(&Crane);
     assert!(matches!(drawing.clone().hide("wheel").picture(0.0, &[0.0; 2]), Err(DrawError::UnknownItem(_))));
     match drawing.clone().picture(0.5, &[f64::NAN, 0.0]) {
         Err(DrawError::NotFinite { item, time, .. }) => assert_eq!((item.as_str(), time), ("arm", 0.5)),
@@ -184,19 +190,16 @@ fn what_is_hidden_or_not_finite_is_refused_by_name() {
     }
     let without = drawing.hide("box").hide("hanger").picture(0.0, &[0.0; 2]).expect("draws");
     assert!(!texts(&without).iter().any(|text| text == "box"));
+    assert!(matches!(Drawing::of(&Crane).size(20.0, 20.0).picture(0.0, &[0.0; 2]), Err(DrawError::Size(_))));
     assert!(matches!(
-        SpatialDrawing::of(&Crane).size(20.0, 20.0).picture(0.0, &[0.0; 2]),
-        Err(DrawError::Size(_))
-    ));
-    assert!(matches!(
-        SpatialDrawing::of(&Crane).view(f64::NAN, 0.0).picture(0.0, &[0.0; 2]),
+        Drawing::of(&Crane).view(f64::NAN, 0.0).picture(0.0, &[0.0; 2]),
         Err(DrawError::View(_))
     ));
-    let astray = SpatialDrawing::of(&Crane).path("way", [[0.0; 3], [f64::INFINITY, 0.0, 0.0]]);
+    let astray = Drawing::of(&Crane).path("way", [[0.0; 3], [f64::INFINITY, 0.0, 0.0]]);
     match astray.picture(0.0, &[0.0; 2]) {
         Err(DrawError::NotFinite { item, .. }) => assert_eq!(item, "way"),
         other => panic!("{other:?}"),
     }
-    let dot = SpatialDrawing::of(&Crane).path("way", [[0.0; 3]]);
+    let dot = Drawing::of(&Crane).path("way", [[0.0; 3]]);
     assert!(dot.picture(0.0, &[0.0; 2]).is_ok(), "a path of one point is none");
 }

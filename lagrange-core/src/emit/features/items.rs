@@ -55,6 +55,11 @@ impl<'a> Values<'a> {
         Returns::Matrix(3, 3).collect(&self.scalars(9))
     }
 
+    /// An angle, in space three rows.
+    fn rotation(&mut self) -> TokenStream {
+        if self.is_in_space() { self.matrix() } else { self.scalar() }
+    }
+
     /// Emits the motion of a body in the plane.
     pub(super) fn motion(&mut self, krate: &TokenStream) -> TokenStream {
         let (mass, inertia, centroid) = (self.scalar(), self.scalar(), self.vector());
@@ -110,11 +115,11 @@ impl<'a> Values<'a> {
             }
             DrawnKind::Frame { name } => {
                 let (rotation, origin) = (self.matrix(), self.vector());
-                quote!(Frame { name: #name, rotation: #rotation, origin: #origin })
+                quote!(Frame(#krate::scene::Frame { name: #name, rotation: #rotation, origin: #origin }))
             }
             DrawnKind::Line { name, body } => {
                 let (body, through, angle) = (option(body.as_deref()), self.vector(), self.scalar());
-                quote!(Line { name: #name, body: #body, through: #through, angle: #angle })
+                quote!(Line(#krate::scene::Line { name: #name, body: #body, through: #through, angle: #angle }))
             }
             DrawnKind::Connector { name, kind } => self.connector(krate, name, *kind),
             DrawnKind::Joint { name, kind } => {
@@ -136,8 +141,7 @@ impl<'a> Values<'a> {
                 quote!(Moment { #acts at: #at, moment: #moment })
             }
         };
-        let item = local(if self.is_in_space() { "SpatialItem" } else { "Item" });
-        quote!(#krate::scene::#item::#content)
+        quote!(#krate::scene::Item::#content)
     }
 
     fn connector(&mut self, krate: &TokenStream, name: &str, kind: ConnectorKind) -> TokenStream {
@@ -166,10 +170,12 @@ impl<'a> Values<'a> {
         quote! {
             Joint {
                 name: #name,
-                kind: #krate::scene::SpatialJoint::#kind,
+                kind: #krate::scene::SpatialJoint {
+                    kind: #krate::scene::SpatialJointKind::#kind,
+                    axis: #axis,
+                    bodies: [#carrier, #placed],
+                },
                 at: #at,
-                axis: #axis,
-                bodies: [#carrier, #placed],
             }
         }
     }
@@ -187,24 +193,13 @@ impl<'a> Values<'a> {
                 quote!((#(#lengths),*))
             }
         };
-        let (variant, at) = (local(variant), self.vector());
-        if self.is_in_space() {
-            let rotation = self.matrix();
-            return quote! {
-                #krate::scene::SolidPart {
-                    solid: #krate::scene::Solid::#variant #dimensions,
-                    at: #at,
-                    rotation: #rotation,
-                    is_hole: #is_hole,
-                }
-            };
-        }
-        let angle = self.scalar();
+        let (variant, at, rotation) = (local(variant), self.vector(), self.rotation());
+        let shape = local(if self.is_in_space() { "Solid" } else { "Outline" });
         quote! {
             #krate::scene::Part {
-                outline: #krate::scene::Outline::#variant #dimensions,
+                shape: #krate::scene::#shape::#variant #dimensions,
                 at: #at,
-                angle: #angle,
+                rotation: #rotation,
                 is_hole: #is_hole,
             }
         }

@@ -88,26 +88,25 @@ pub(in crate::emit) fn motion_method(
     }
 }
 
-/// The implementation of `Scene`, in space of `SpatialScene`, if it is asked for.
+/// Emits the implementation of `Scene`, if it is requested.
 pub(in crate::emit) fn scene_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let Some(items) = &members.items else { return TokenStream::new() };
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
     let (krate, nq, nv) = (shape.krate, shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, visit, .. } = &members.names;
-    let [scene, item] = match shape.declaration.is_in_space {
-        true => ["SpatialScene", "SpatialItem"].map(local),
-        false => ["Scene", "Item"].map(local),
-    };
+    let space = local(if shape.declaration.is_in_space { "Spatial" } else { "Plane" });
     quote! {
         #[automatically_derived]
-        impl #bounds #krate::scene::#scene for #name #generics {
+        impl #bounds #krate::scene::Scene for #name #generics {
+            type Space = #krate::scene::#space;
+
             #[inline]
             fn items(
                 &self,
                 #time: #scalar,
                 #positions: &[#scalar; #nq],
                 #velocities: &[#scalar; #nv],
-                #visit: &mut dyn ::core::ops::FnMut(#krate::scene::#item<'_, #scalar>),
+                #visit: &mut dyn ::core::ops::FnMut(#krate::scene::Item<'_, #scalar, #krate::scene::#space>),
             ) {
                 #items
             }

@@ -93,7 +93,7 @@ fn nothing_is_derived_or_emitted_that_nobody_asks_for() {
         ["no drawing", "drawing", "drawing } output o = unknown; emit {"].map(items);
     assert!(!silent.contains("scene"));
     for text in [drawn, broken] {
-        assert!(text.contains(":: scene :: SpatialScene for Arm") && !text.contains("fn arm_motion"));
+        assert!(text.contains(":: scene :: Scene for Arm") && !text.contains("fn arm_motion"));
     }
     let all = items("drawing, motion, frames, frame_jacobians");
     assert!(all.contains("fn arm_motion") && all.contains("fn tool_frame"));

@@ -958,14 +958,17 @@ const _: () = {
         }
     }
     #[automatically_derived]
-    impl ::lagrange::scene::SpatialScene for HungArm {
+    impl ::lagrange::scene::Scene for HungArm {
+        type Space = ::lagrange::scene::Spatial;
         #[inline]
         fn items(
             &self,
             t: f64,
             positions: &[f64; 4],
             v: &[f64; 4],
-            visit: &mut dyn ::core::ops::FnMut(::lagrange::scene::SpatialItem<'_, f64>),
+            visit: &mut dyn ::core::ops::FnMut(
+                ::lagrange::scene::Item<'_, f64, ::lagrange::scene::Spatial>,
+            ),
         ) {
             let Self { m, l, r, k, g, u } = *self;
             let [x, y, z, q] = *positions;
@@ -995,7 +998,7 @@ const _: () = {
             let pos_1 = l - sqrt_0;
             let m_g = m * g;
             let inv_sqrt_0 = 1.0 / sqrt_0;
-            visit(::lagrange::scene::SpatialItem::Body {
+            visit(::lagrange::scene::Item::Body {
                 name: "arm",
                 motion: ::lagrange::body::SpatialMotion {
                     mass: arm_mass,
@@ -1017,30 +1020,32 @@ const _: () = {
                     angular_acceleration: [0.0, q_ddot, 0.0],
                 },
                 parts: &[
-                    ::lagrange::scene::SolidPart {
-                        solid: ::lagrange::scene::Solid::Cuboid(l, r, r),
+                    ::lagrange::scene::Part {
+                        shape: ::lagrange::scene::Solid::Cuboid(l, r, r),
                         at: [0.0, 0.0, 0.0],
                         rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                         is_hole: false,
                     },
-                    ::lagrange::scene::SolidPart {
-                        solid: ::lagrange::scene::Solid::Cylinder(0.25 * r, r),
+                    ::lagrange::scene::Part {
+                        shape: ::lagrange::scene::Solid::Cylinder(0.25 * r, r),
                         at: [0.0, 0.0, 0.0],
                         rotation: [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]],
                         is_hole: true,
                     },
                 ],
             });
-            visit(::lagrange::scene::SpatialItem::Frame {
-                name: "tip",
-                rotation: [
-                    [arm_x_x, 0.0, arm_z_x],
-                    [0.0, 1.0, 0.0],
-                    [arm_x_z, 0.0, arm_x_x],
-                ],
-                origin: [tip_origin_x, 0.0, tip_origin_z],
-            });
-            visit(::lagrange::scene::SpatialItem::Body {
+            visit(
+                ::lagrange::scene::Item::Frame(::lagrange::scene::Frame {
+                    name: "tip",
+                    rotation: [
+                        [arm_x_x, 0.0, arm_z_x],
+                        [0.0, 1.0, 0.0],
+                        [arm_x_z, 0.0, arm_x_x],
+                    ],
+                    origin: [tip_origin_x, 0.0, tip_origin_z],
+                }),
+            );
+            visit(::lagrange::scene::Item::Body {
                 name: "bob",
                 motion: ::lagrange::body::SpatialMotion {
                     mass: m,
@@ -1054,87 +1059,93 @@ const _: () = {
                     angular_acceleration: [0.0, 0.0, 0.0],
                 },
                 parts: &[
-                    ::lagrange::scene::SolidPart {
-                        solid: ::lagrange::scene::Solid::PointMass,
+                    ::lagrange::scene::Part {
+                        shape: ::lagrange::scene::Solid::PointMass,
                         at: [0.0, 0.0, 0.0],
                         rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
                         is_hole: false,
                     },
                 ],
             });
-            visit(::lagrange::scene::SpatialItem::Connector {
+            visit(::lagrange::scene::Item::Connector {
                 name: "spring_1",
                 kind: ::lagrange::scene::Connector::Spring,
                 from: [x, y, z],
                 to: [1.0, 1.0, 0.0],
                 tension: -k * pos_1,
             });
-            visit(::lagrange::scene::SpatialItem::Joint {
+            visit(::lagrange::scene::Item::Joint {
                 name: "q",
-                kind: ::lagrange::scene::SpatialJoint::Revolute,
+                kind: ::lagrange::scene::SpatialJoint {
+                    kind: ::lagrange::scene::SpatialJointKind::Revolute,
+                    axis: [0.0, 1.0, 0.0],
+                    bodies: [
+                        ::core::option::Option::None,
+                        ::core::option::Option::Some("arm"),
+                    ],
+                },
                 at: [0.0, 0.0, 0.0],
-                axis: [0.0, 1.0, 0.0],
-                bodies: [
-                    ::core::option::Option::None,
-                    ::core::option::Option::Some("arm"),
-                ],
             });
-            visit(::lagrange::scene::SpatialItem::Joint {
+            visit(::lagrange::scene::Item::Joint {
                 name: "tip",
-                kind: ::lagrange::scene::SpatialJoint::Weld,
+                kind: ::lagrange::scene::SpatialJoint {
+                    kind: ::lagrange::scene::SpatialJointKind::Weld,
+                    axis: [arm_z_x, 0.0, arm_x_x],
+                    bodies: [
+                        ::core::option::Option::Some("arm"),
+                        ::core::option::Option::Some("tip"),
+                    ],
+                },
                 at: [tip_origin_x, 0.0, tip_origin_z],
-                axis: [arm_z_x, 0.0, arm_x_x],
-                bodies: [
-                    ::core::option::Option::Some("arm"),
-                    ::core::option::Option::Some("tip"),
-                ],
             });
-            visit(::lagrange::scene::SpatialItem::Joint {
+            visit(::lagrange::scene::Item::Joint {
                 name: "hook",
-                kind: ::lagrange::scene::SpatialJoint::Pin,
+                kind: ::lagrange::scene::SpatialJoint {
+                    kind: ::lagrange::scene::SpatialJointKind::Pin,
+                    axis: [0.0, 0.0, 1.0],
+                    bodies: [
+                        ::core::option::Option::Some("tip"),
+                        ::core::option::Option::Some("bob"),
+                    ],
+                },
                 at: [tip_origin_x, 0.0, tip_origin_z],
-                axis: [0.0, 0.0, 1.0],
-                bodies: [
-                    ::core::option::Option::Some("tip"),
-                    ::core::option::Option::Some("bob"),
-                ],
             });
-            visit(::lagrange::scene::SpatialItem::Force {
+            visit(::lagrange::scene::Item::Force {
                 name: "gravity",
                 cause: ::lagrange::scene::LoadOrigin::Gravity,
                 body: ::core::option::Option::Some("arm"),
                 at: [0.0, 0.0, 0.0],
                 force: [0.0, 0.0, -0.98 * m_g],
             });
-            visit(::lagrange::scene::SpatialItem::Moment {
+            visit(::lagrange::scene::Item::Moment {
                 name: "torque",
                 cause: ::lagrange::scene::LoadOrigin::Applied,
                 body: ::core::option::Option::Some("arm"),
                 at: [0.0, 0.0, 0.0],
                 moment: [0.0, u, 0.0],
             });
-            visit(::lagrange::scene::SpatialItem::Force {
+            visit(::lagrange::scene::Item::Force {
                 name: "gravity",
                 cause: ::lagrange::scene::LoadOrigin::Gravity,
                 body: ::core::option::Option::Some("bob"),
                 at: [x, y, z],
                 force: [0.0, 0.0, -m_g],
             });
-            visit(::lagrange::scene::SpatialItem::Force {
+            visit(::lagrange::scene::Item::Force {
                 name: "hook",
                 cause: ::lagrange::scene::LoadOrigin::Joint,
                 body: ::core::option::Option::Some("arm"),
                 at: [tip_origin_x, 0.0, tip_origin_z],
                 force: [hook_x, hook_y, hook_z],
             });
-            visit(::lagrange::scene::SpatialItem::Force {
+            visit(::lagrange::scene::Item::Force {
                 name: "hook",
                 cause: ::lagrange::scene::LoadOrigin::Joint,
                 body: ::core::option::Option::Some("bob"),
                 at: [x, y, z],
                 force: [-hook_x, -hook_y, -hook_z],
             });
-            visit(::lagrange::scene::SpatialItem::Force {
+            visit(::lagrange::scene::Item::Force {
                 name: "spring_1",
                 cause: ::lagrange::scene::LoadOrigin::Connector,
                 body: ::core::option::Option::Some("bob"),

@@ -8,7 +8,7 @@ fn reason(film: Result<Film, crate::DrawError>) -> String {
 
 #[test]
 fn refuses_what_is_no_film() {
-    let pictures = pendulum(3).pictures;
+    let pictures = pendulum(3).recording;
     let film = |pictures, times: &[f64]| reason(Film::new(pictures, times.to_vec()));
     assert!(film(vec![], &[]).contains("at least one"));
     assert!(film(pictures.clone(), &[0.0, 1.0]).contains("3 pictures have 2 times"));
@@ -20,7 +20,7 @@ fn refuses_what_is_no_film() {
 #[test]
 fn refuses_pictures_that_do_not_match() {
     let with = |change: &dyn Fn(&mut Picture)| {
-        let mut pictures = pendulum(3).pictures;
+        let mut pictures = pendulum(3).recording;
         change(&mut pictures[1]);
         reason(Film::new(pictures, vec![0.0, 1.0, 2.0]))
     };
@@ -32,7 +32,7 @@ fn refuses_pictures_that_do_not_match() {
 
 #[test]
 fn takes_motions_that_ran_backwards() {
-    let pictures = pendulum(3).pictures;
+    let pictures = pendulum(3).recording;
     let film = Film::new(pictures, vec![1.0, 0.5, 0.0]).expect("is a film");
     assert_eq!(film.timeline.elapsed(), [0.0, 0.5, 1.0]);
 }

@@ -37,7 +37,7 @@ fn shows_every_picture() {
     let film = pendulum(12);
     let shown = play(&film.gif().expect("can be written"));
     assert_eq!(shown.len(), 12);
-    for (shown, picture) in shown.iter().zip(&film.pictures) {
+    for (shown, picture) in shown.iter().zip(&film.recording) {
         let wanted = rasterise(picture, 1.0).expect("can be drawn").rgba().to_vec();
         let off = shown.rgba.iter().zip(&wanted).map(|(a, b)| a.abs_diff(*b)).max();
         let exact = shown.rgba.iter().zip(&wanted).filter(|(a, b)| a == b).count();
@@ -69,7 +69,7 @@ fn leaves_out_pictures_that_no_viewer_shows_but_never_the_last() {
     let shown = play(&film.gif().expect("can be written"));
     assert!(shown.iter().all(|shown| shown.delay >= 2), "shorter delays are ignored by browsers");
     assert!((5..=6).contains(&shown.len()), "{}", shown.len());
-    let last = rasterise(&film.pictures[100], 1.0).expect("can be drawn").rgba().to_vec();
+    let last = rasterise(&film.recording[100], 1.0).expect("can be drawn").rgba().to_vec();
     let exact = shown[shown.len() - 1].rgba.iter().zip(&last).filter(|(a, b)| a == b).count();
     assert!(exact * 100 > last.len() * 98);
 }

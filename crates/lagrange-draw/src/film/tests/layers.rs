@@ -69,8 +69,8 @@ fn is_drawn(mark: &&Mark) -> bool {
 #[test]
 fn show_every_picture_of_the_film() {
     let film = pendulum(30);
-    let layers = layers(&film.pictures);
-    for (index, picture) in film.pictures.iter().enumerate() {
+    let layers = layers(&film.recording);
+    for (index, picture) in film.recording.iter().enumerate() {
         let (shown, wanted) = (marks(&layers, index), picture.marks.iter().filter(is_drawn));
         assert_eq!(shown.len(), wanted.clone().count(), "picture {index}");
         for (shown, wanted) in shown.iter().zip(wanted) {
@@ -82,7 +82,7 @@ fn show_every_picture_of_the_film() {
 #[test]
 fn hold_only_what_changes() {
     let film = pendulum(30);
-    let kinds: Vec<char> = layers(&film.pictures)
+    let kinds: Vec<char> = layers(&film.recording)
         .iter()
         .map(|layer| match layer.change {
             Change::Shows(_) => 's',
@@ -102,7 +102,7 @@ fn hold_only_what_changes() {
 fn follow_turns_beyond_half_a_turn() {
     // The rod swings by 0.9 rad, so that its own angle never jumps.
     let film = pendulum_at(&(0..200).map(|index| f64::from(index) / 25.0).collect::<Vec<_>>());
-    for layer in layers(&film.pictures) {
+    for layer in layers(&film.recording) {
         let Change::Moves(poses) = layer.change else { continue };
         let angles: Vec<f64> = poses.iter().flatten().map(|pose| pose.angle).collect();
         assert!(angles.windows(2).all(|pair| (pair[1] - pair[0]).abs() < 0.1));
@@ -113,7 +113,7 @@ fn follow_turns_beyond_half_a_turn() {
 fn turn_on_without_end() {
     let spun = |index: usize| {
         let (sin, cos) = (0.7 * index as f64).sin_cos();
-        let mut picture = pendulum(1).pictures[0].clone();
+        let mut picture = pendulum(1).recording[0].clone();
         picture.marks.truncate(1);
         each_point(&mut picture.marks[0], |[x, y]| [cos * x - sin * y, sin * x + cos * y]);
         picture

@@ -51,7 +51,7 @@ fn has_the_first_picture_without_its_script() {
         !node.ancestors().any(|above| above.attribute("visibility") == Some("hidden"))
     };
     let marks = picture.descendants().filter(|node| ["path", "text"].contains(&node.tag_name().name()));
-    let drawn = pendulum(26).pictures[0].marks.iter().filter(|mark| !crate::svg::is_empty(mark)).count();
+    let drawn = pendulum(26).recording[0].marks.iter().filter(|mark| !crate::svg::is_empty(mark)).count();
     assert_eq!(marks.filter(shown).count(), drawn);
 }
 

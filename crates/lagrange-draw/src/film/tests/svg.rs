@@ -63,13 +63,13 @@ fn shows_marks_only_while_they_are_there() {
 #[test]
 fn is_a_still_picture_if_there_is_one_only() {
     let film = pendulum(1);
-    assert_eq!(film.svg(), film.pictures[0].svg());
+    assert_eq!(film.svg(), film.recording[0].svg());
 }
 
 #[test]
 fn looks_like_its_first_picture_where_nothing_is_animated() {
     let film = pendulum(26);
-    let (text, still) = (film.svg(), film.pictures[0].svg());
+    let (text, still) = (film.svg(), film.recording[0].svg());
     let (document, still) = (Document::parse(&text), Document::parse(&still));
     let (document, still) = (document.expect("is well formed"), still.expect("is well formed"));
     let title = |document: &Document<'_>| {
@@ -98,6 +98,6 @@ fn looks_like_its_first_picture_where_nothing_is_animated() {
 fn grows_by_moves_and_not_by_pictures() {
     let (short, long) = (pendulum(26).svg().len(), pendulum(251).svg().len());
     // 225 pictures more cost less than half of what their marks would.
-    let mark = pendulum(26).pictures[0].svg().len();
+    let mark = pendulum(26).recording[0].svg().len();
     assert!(long - short < 225 * mark / 4, "{short} {long} {mark}");
 }

@@ -6,7 +6,8 @@ use super::Crane;
 use super::page::{NAUGHTY, crane, walker};
 use crate::space::surface::Surface;
 use crate::space::vector::{Vector, length, subtract};
-use crate::space::{SpatialDrawing, SpatialFilm};
+use crate::{Drawing, Film};
+use lagrange_runtime::scene::Spatial;
 
 /// A file, taken apart.
 struct File {
@@ -19,7 +20,7 @@ fn word(bytes: &[u8], at: usize) -> usize {
 }
 
 impl File {
-    fn of(film: &SpatialFilm) -> File {
+    fn of(film: &Film<Spatial>) -> File {
         let bytes = film.glb().expect("is written");
         assert_eq!((&bytes[..4], word(&bytes, 4), word(&bytes, 8)), (&b"glTF"[..], 2, bytes.len()));
         let json = word(&bytes, 12);
@@ -100,7 +101,7 @@ fn turned(four: &[f64], r: Vector) -> Vector {
 fn corners_are_where_they_are_at_each_moment() {
     let film = crane(40);
     let file = File::of(&film);
-    for (node, thing) in film.recording.things.iter().enumerate() {
+    for (node, thing) in film.recording.recording.things.iter().enumerate() {
         assert_eq!(file.json["nodes"][node]["name"], thing.name);
         for moment in [0, 13, 39] {
             let placement = thing.track[moment];
@@ -157,7 +158,7 @@ fn z_points_upwards() {
 
 #[test]
 fn one_moment_is_a_model_without_a_motion_and_names_are_kept() {
-    let drawing = SpatialDrawing::of(&Crane).title(NAUGHTY);
+    let drawing = Drawing::of(&Crane).title(NAUGHTY);
     let film = drawing.film_of(&[((0.0, [0.3, 1.0]), None)]).expect("draws");
     let file = File::of(&film);
     assert!(file.json["animations"].is_null());

@@ -8,18 +8,14 @@ use super::Crane;
 use super::walker::{LEGS, Walker, leg};
 use crate::DrawError;
 use crate::space::vector::{Vector, length, subtract};
-use crate::space::{SpatialDrawing, SpatialFilm};
+use crate::{Drawing, Film};
+use lagrange_runtime::scene::Spatial;
 
 pub(super) const NAUGHTY: &str = "</script><!--{{script}} & \"T\"";
 
-pub(super) fn crane(moments: usize) -> SpatialFilm {
-    let drawing = SpatialDrawing::of(&Crane)
-        .title("A crane's load")
-        .perspective()
-        .forces()
-        .velocities()
-        .axes()
-        .floor(-0.5);
+pub(super) fn crane(moments: usize) -> Film<Spatial> {
+    let drawing =
+        Drawing::of(&Crane).title("A crane's load").perspective().forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
     let shots = (0..moments).map(|k| ((0.05 * k as f64, [0.05 * k as f64, 1.0]), None)).collect::<Vec<_>>();
     let film = drawing.film_of(&shots).expect("draws");
@@ -28,23 +24,19 @@ pub(super) fn crane(moments: usize) -> SpatialFilm {
 }
 
 /// Ten seconds at sixty pictures a second.
-pub(super) fn walker() -> &'static SpatialFilm {
-    static FILM: OnceLock<SpatialFilm> = OnceLock::new();
+pub(super) fn walker() -> &'static Film<Spatial> {
+    static FILM: OnceLock<Film<Spatial>> = OnceLock::new();
     FILM.get_or_init(walk)
 }
 
 fn walker_page() -> &'static str {
     static PAGE: OnceLock<String> = OnceLock::new();
-    PAGE.get_or_init(|| walker().html().expect("is written"))
+    PAGE.get_or_init(|| walker().html())
 }
 
-fn walk() -> SpatialFilm {
-    let mut drawing = SpatialDrawing::of(&Walker)
-        .title("A walking machine")
-        .view(-1.0, 0.35)
-        .perspective()
-        .nameless()
-        .floor(0.0);
+fn walk() -> Film<Spatial> {
+    let mut drawing =
+        Drawing::of(&Walker).title("A walking machine").view(-1.0, 0.35).perspective().nameless().floor(0.0);
     for (index, (name, ..)) in LEGS.iter().enumerate() {
         drawing = drawing.trace(&format!("foot_{name}"), move |_, _, [x, _]| leg(index, *x).0[2]);
     }
@@ -75,8 +67,8 @@ fn at(list: &[f64], width: usize, moment: usize) -> &[f64] {
 #[test]
 fn places_are_where_things_are() {
     let film_in_space = crane(40);
-    let recording = &film_in_space.recording;
-    let data = film(&film_in_space.html().expect("is written"));
+    let recording = &film_in_space.recording.recording;
+    let data = film(&film_in_space.html());
     let space = &data["space"];
     let times = numbers(&data["times"]);
     assert_eq!(times.len(), film_in_space.times().len());
@@ -141,7 +133,7 @@ fn what_does_not_change_is_written_once_and_equal_meshes_are_one() {
 
 #[test]
 fn surfaces_are_made_of_what_there_is() {
-    let data = film(&crane(3).html().expect("is written"));
+    let data = film(&crane(3).html());
     for mesh in data["space"]["meshes"].as_array().expect("has meshes") {
         let [corners, points, triangles, flat, sharp, smooth, lines] =
             ["corners", "points", "triangles", "flat", "sharp", "smooth", "lines"]
@@ -163,10 +155,9 @@ fn a_long_film_of_a_machine_with_four_legs_is_below_two_megabytes() {
 
 #[test]
 fn every_label_has_an_element_and_no_name_breaks_the_page() {
-    let drawing =
-        SpatialDrawing::of(&Crane).title(NAUGHTY).velocities().trace(NAUGHTY, |_, _, _| [1.0, 0.0, 0.0]);
+    let drawing = Drawing::of(&Crane).title(NAUGHTY).velocities().trace(NAUGHTY, |_, _, _| [1.0, 0.0, 0.0]);
     let shots = (0..3).map(|k| ((f64::from(k), [f64::from(k), 1.0]), None)).collect::<Vec<_>>();
-    let html = drawing.film_of(&shots).and_then(|film| film.html()).expect("is written");
+    let html = drawing.film_of(&shots).expect("is a film").html();
     assert_eq!(html.matches("</script>").count(), 2);
     assert!(!html.contains("<!--") && html.contains("&lt;/script&gt;&lt;!--{{script}}"));
     let space = &film(&html)["space"];
@@ -185,7 +176,7 @@ fn every_label_has_an_element_and_no_name_breaks_the_page() {
 
 #[test]
 fn needs_nothing_from_elsewhere_and_has_all_it_uses() {
-    let html = crane(3).html().expect("is written");
+    let html = crane(3).html();
     assert_eq!(html.matches("://").count(), html.matches("http://www.w3.org/2000/svg").count());
     for reference in ["src=", "href=", "@import", "url(", "fetch("] {
         assert!(!html.contains(reference), "{reference}");

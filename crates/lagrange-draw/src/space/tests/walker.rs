@@ -1,12 +1,14 @@
 //! A walking machine with four legs, moved by formulas: thirteen bodies and twelve joints.
 
-use lagrange_runtime::scene::{Solid, SolidPart, SpatialItem, SpatialJoint, SpatialScene};
+use lagrange_runtime::scene::{Item, Part, Scene, Solid, Spatial, SpatialJoint, SpatialJointKind};
 use lagrange_runtime::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 use super::{UPRIGHT, motion};
 use crate::space::vector::{Rotation, Vector, add, apply};
 
 pub(super) struct Walker;
+
+type Visit<'v> = dyn FnMut(Item<'_, f64, Spatial>) + 'v;
 
 impl OdeSystem for Walker {
     type Scalar = f64;
@@ -62,23 +64,30 @@ fn trunk(x: f64) -> Vector {
     [x, 0.05 * (4.0 * x).sin(), 0.5 + 0.01 * (18.0 * x).sin()]
 }
 
-impl SpatialScene for Walker {
-    fn items(&self, _t: f64, [x]: &[f64; 1], [rate]: &[f64; 1], visit: &mut dyn FnMut(SpatialItem<'_, f64>)) {
-        let part = |solid, at| [SolidPart { solid, at, rotation: UPRIGHT, is_hole: false }];
-        let body =
-            |name: &str, rotation, center, parts: &[_], visit: &mut dyn FnMut(SpatialItem<'_, f64>)| {
-                visit(SpatialItem::Body { name, motion: motion(rotation, center, [*rate, 0.0, 0.0]), parts });
-            };
-        let solid = part(Solid::Cuboid(0.6, 0.2, 0.14), [0.0; 3]);
-        body("trunk", UPRIGHT, trunk(*x), &solid, visit);
+impl Scene for Walker {
+    type Space = Spatial;
+
+    fn items(
+        &self,
+        _t: f64,
+        [x]: &[f64; 1],
+        [rate]: &[f64; 1],
+        visit: &mut dyn FnMut(Item<'_, f64, Spatial>),
+    ) {
+        let rate = *rate;
+        let body = |name: &str, rotation, center, (shape, at), visit: &mut Visit<'_>| {
+            let motion = motion(rotation, center, [rate, 0.0, 0.0]);
+            let parts = &[Part { shape, at, rotation: UPRIGHT, is_hole: false }];
+            visit(Item::Body { name, motion, parts });
+        };
+        body("trunk", UPRIGHT, trunk(*x), (Solid::Cuboid(0.6, 0.2, 0.14), [0.0; 3]), visit);
         for (index, (name, ..)) in LEGS.iter().enumerate() {
             let ([hip, knee, _], [thigh, shank]) = leg(index, *x);
-            let hips = part(Solid::Sphere(0.05), [0.0; 3]);
-            body(&format!("{name}_hip"), UPRIGHT, hip, &hips, visit);
-            let cuboid = part(Solid::Cuboid(0.05, 0.04, THIGH), [0.0, 0.0, -0.5 * THIGH]);
-            body(&format!("{name}_thigh"), thigh, hip, &cuboid, visit);
-            let rod = part(Solid::Cylinder(0.018, SHANK), [0.0, 0.0, -0.5 * SHANK]);
-            body(&format!("{name}_shank"), shank, knee, &rod, visit);
+            body(&format!("{name}_hip"), UPRIGHT, hip, (Solid::Sphere(0.05), [0.0; 3]), visit);
+            let cuboid = (Solid::Cuboid(0.05, 0.04, THIGH), [0.0, 0.0, -0.5 * THIGH]);
+            body(&format!("{name}_thigh"), thigh, hip, cuboid, visit);
+            let rod = (Solid::Cylinder(0.018, SHANK), [0.0, 0.0, -0.5 * SHANK]);
+            body(&format!("{name}_shank"), shank, knee, rod, visit);
             let pins = [
                 ("roll", hip, [1.0, 0.0, 0.0]),
                 ("pitch", hip, [0.0, 1.0, 0.0]),
@@ -86,13 +95,8 @@ impl SpatialScene for Walker {
             ];
             for (joint, at, axis) in pins {
                 let name = format!("{name}_{joint}");
-                visit(SpatialItem::Joint {
-                    name: &name,
-                    kind: SpatialJoint::Revolute,
-                    at,
-                    axis,
-                    bodies: [None, None],
-                });
+                let kind = SpatialJoint { kind: SpatialJointKind::Revolute, axis, bodies: [None, None] };
+                visit(Item::Joint { name: &name, kind, at });
             }
         }
     }

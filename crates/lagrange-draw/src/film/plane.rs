@@ -1,0 +1,157 @@
+//! Motions in the plane, recorded as pictures with the same marks in the same order.
+
+use std::borrow::Cow;
+
+use crate::anchored::anchored;
+use crate::colour;
+use crate::drawing::{Drawing, DrawnSpace, Instant, Shot};
+use crate::element::Element;
+use crate::error::DrawError;
+use crate::film::animation::animated;
+use crate::film::{check_pictures, page};
+use crate::layout::{self, Paper};
+use crate::moment::Moment;
+use crate::parallel::lanes;
+use crate::picture::{Picture, Point};
+use crate::recorded::Recorded;
+use crate::sketch::Sketch;
+use crate::snapshot::Snapshot;
+use crate::stage::{self, Fixed};
+use crate::stretch::stretches;
+use crate::timeline::Timeline;
+use lagrange_runtime::scalar::{Number, Scalar};
+use lagrange_runtime::scene::{Plane, Scene};
+use lagrange_runtime::system::split;
+
+/// The longest arrows take this part of the smaller side; on a free body they are the matter itself.
+const LONGEST: f64 = 0.25;
+const LONGEST_FREE: f64 = 0.35;
+
+impl DrawnSpace for Plane {
+    const SIZE: [f64; 2] = [640.0, 400.0];
+    type Recording = Vec<Picture>;
+
+    fn record<M: Scene<Space = Plane>>(
+        drawing: &Drawing<'_, M>,
+        shots: &[Shot<M>],
+    ) -> Result<Vec<Picture>, DrawError>
+    where
+        M::Scalar: Into<f64>,
+    {
+        let past = drawing.past.iter().map(|instant| (*instant, None));
+        let past: Vec<Shot<M>> = past.collect();
+        let shots: Vec<&Shot<M>> = past.iter().chain(shots).collect();
+        let snapshots = shots.iter().map(|shot| snapshot(drawing, shot));
+        let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
+        let elsewhere = shots.first().map(|(first, _)| elsewhere(drawing.system(), first));
+        let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
+        let fixed = Fixed {
+            stretches: stretches(&snapshots),
+            anchored: anchored.unwrap_or_default(),
+            lanes: lanes(&snapshots, elsewhere.as_ref()),
+        };
+        let turning = |snapshot: &Snapshot| {
+            let rates = snapshot.bodies.iter().map(|body| body.motion.angular_velocity.abs());
+            rates.fold(0.0, f64::max)
+        };
+        let fastest = snapshots.iter().map(turning).fold(0.0, f64::max);
+        let mut paths: Vec<Vec<Point>> = vec![Vec::new(); drawing.traces.len()];
+        let mut film = Vec::new();
+        for (shot, snapshot) in shots.iter().zip(&snapshots) {
+            let mut elements = stage::elements(snapshot, drawing.wanted, &fixed, fastest);
+            elements.extend(traced(drawing, shot, &mut paths));
+            elements.extend(sketched(drawing, shot, snapshot));
+            film.push((shot.0.0.into(), elements));
+        }
+        let longest = if drawing.free_body.is_some() { LONGEST_FREE } else { LONGEST };
+        let (look, note) = (&drawing.look, drawing.note(&snapshots));
+        let paper = Paper { size: look.size, title: &look.title, note: &note, longest };
+        let mut pictures = layout::pictures(&film, paper)?;
+        pictures.drain(..past.len());
+        check_pictures(&pictures)?;
+        Ok(pictures)
+    }
+}
+
+impl Recorded for Vec<Picture> {
+    const FORMAT: &'static str = "svg";
+
+    fn pictures(&self) -> Cow<'_, [Picture]> {
+        Cow::Borrowed(self)
+    }
+
+    fn page(&self, timeline: &Timeline) -> String {
+        page::of_pictures(self, timeline)
+    }
+
+    fn file(&self, timeline: &Timeline) -> Result<Vec<u8>, DrawError> {
+        Ok(animated(self, timeline).into_bytes())
+    }
+}
+
+/// The scene of a shot without what is hidden, or what is left of it for a free body.
+fn snapshot<M: Scene<Space = Plane>>(drawing: &Drawing<'_, M>, shot: &Shot<M>) -> Result<Snapshot, DrawError>
+where
+    M::Scalar: Into<f64>,
+{
+    let snapshot = drawing.snapshot(shot)?;
+    let Some(name) = &drawing.free_body else { return Ok(snapshot.without(&drawing.hidden)) };
+    // Hidden forces have names; they are not missing.
+    let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
+    let snapshot = snapshot.without(&drawing.hidden);
+    if snapshot.body(name).is_none() {
+        return Err(DrawError::UnknownBody(name.clone()));
+    }
+    Ok(Snapshot { remainder, ..snapshot.free_body(name) })
+}
+
+/// The scene in another configuration at another time: what is in the same place there does not move.
+fn elsewhere<M: Scene<Space = Plane>>(system: &M, (t, y): &Instant<M>) -> Snapshot
+where
+    M::Scalar: Into<f64>,
+{
+    let (mut q, v) = split::<M>(y);
+    // No period is a fraction of such steps.
+    for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
+        let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
+        *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
+    }
+    M::normalise(&mut q);
+    Snapshot::of(system, *t + M::Scalar::from_f64(0.577), &q, &v)
+}
+
+/// Adds the present points to the paths.
+fn traced<M: Scene<Space = Plane>>(
+    drawing: &Drawing<'_, M>,
+    shot: &Shot<M>,
+    paths: &mut [Vec<Point>],
+) -> Vec<Element>
+where
+    M::Scalar: Into<f64>,
+{
+    let ((t, y), system) = (&shot.0, drawing.system_in(shot));
+    let mut elements = Vec::new();
+    for (index, ((label, point), path)) in drawing.traces.iter().zip(paths).enumerate() {
+        path.push(point(system, *t, y).map(Into::into));
+        elements.extend(stage::trace(label, path, colour::trace(index)));
+    }
+    elements
+}
+
+fn sketched<M: Scene<Space = Plane>>(
+    drawing: &Drawing<'_, M>,
+    shot: &Shot<M>,
+    snapshot: &Snapshot,
+) -> Vec<Element>
+where
+    M::Scalar: Into<f64>,
+{
+    let ((t, y), system) = (&shot.0, drawing.system_in(shot));
+    let mut elements = Vec::new();
+    for draw in &drawing.sketches {
+        let mut sketch = Sketch::new();
+        draw(&mut sketch, &Moment::new(system, *t, *y, snapshot));
+        elements.extend(sketch.elements);
+    }
+    elements
+}

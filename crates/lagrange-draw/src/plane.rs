@@ -1,0 +1,98 @@
+//! Bodies and joints of the plane as they are stored.
+
+use crate::geometry::Place;
+use crate::outline::Piece;
+use crate::remainder::Remainder;
+use crate::snapshot::{Line, Named, Snapshot, Stored};
+use lagrange_runtime::body::Motion;
+use lagrange_runtime::scalar::Scalar;
+use lagrange_runtime::scene::{self, Joint, Part, Plane};
+use std::convert::Infallible;
+
+/// A body.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Body {
+    pub(super) name: String,
+    /// Index of the body in the scene, regardless of hidden bodies.
+    pub(super) index: usize,
+    pub(super) motion: Motion<f64>,
+    pub(super) pieces: Vec<Piece>,
+}
+
+impl Stored for Plane {
+    type Body = Body;
+    type Joint = Joint;
+
+    fn body<S: Scalar + Into<f64>>(
+        name: &str,
+        index: usize,
+        motion: &Motion<S>,
+        parts: &[Part<'_, S>],
+    ) -> Body {
+        let motion = Motion {
+            mass: motion.mass.into(),
+            inertia: motion.inertia.into(),
+            centroid: Self::vector(motion.centroid),
+            center: Self::vector(motion.center),
+            angle: motion.angle.into(),
+            velocity: Self::vector(motion.velocity),
+            angular_velocity: motion.angular_velocity.into(),
+            acceleration: Self::vector(motion.acceleration),
+            angular_acceleration: motion.angular_acceleration.into(),
+        };
+        Body { name: name.to_owned(), index, motion, pieces: parts.iter().map(Piece::of).collect() }
+    }
+
+    fn frame<S: Scalar + Into<f64>>(frame: &Infallible) -> Body {
+        match *frame {}
+    }
+
+    fn line<S: Scalar + Into<f64>>(line: &scene::Line<'_, S>) -> Line {
+        let place = Place { at: Self::vector(line.through), angle: line.angle.into() };
+        Line { name: line.name.to_owned(), body: line.body.map(ToOwned::to_owned), place }
+    }
+
+    fn joint<S: Scalar + Into<f64>>(joint: &Joint) -> Joint {
+        *joint
+    }
+
+    fn vector<S: Scalar + Into<f64>>(vector: [S; 2]) -> [f64; 2] {
+        vector.map(Into::into)
+    }
+
+    fn moment<S: Scalar + Into<f64>>(moment: S) -> f64 {
+        moment.into()
+    }
+}
+
+impl Named for Body {
+    fn name(&self) -> &str {
+        &self.name
+    }
+}
+
+impl Body {
+    /// From its own coordinates to the world.
+    pub(super) fn place(&self) -> Place {
+        let Motion { center, centroid, angle, .. } = self.motion;
+        let turned = Place { at: [0.0, 0.0], angle }.of(centroid);
+        Place { at: [center[0] - turned[0], center[1] - turned[1]], angle }
+    }
+}
+
+impl Snapshot {
+    /// Returns the resultant of unnamed loads on a body, in numbers with the relative spacing
+    /// `epsilon`.
+    pub(super) fn remainder_of(&self, name: &str, epsilon: f64) -> Option<Remainder> {
+        let loads = self.loads.iter().filter(|load| load.body.as_deref() == Some(name));
+        self.body(name).map(|body| Remainder::of(&body.motion, loads, epsilon))
+    }
+
+    /// Only one body and what acts on it.
+    pub(super) fn free_body(mut self, name: &str) -> Self {
+        self.bodies.retain(|body| body.name == name);
+        self.loads.retain(|load| load.body.as_deref() == Some(name));
+        // What is not known of a free body is its remainder. Joints stay, for they tell what a force is.
+        Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
+    }
+}

@@ -1,0 +1,26 @@
+//! A recorded motion: what films are made of.
+
+use std::borrow::Cow;
+use std::fmt::Debug;
+
+use crate::error::DrawError;
+use crate::picture::Picture;
+use crate::timeline::Timeline;
+
+/// A motion as it was recorded by a drawing.
+pub trait Recorded: Clone + PartialEq + Debug {
+    /// The extension of files in a format of its own.
+    const FORMAT: &'static str;
+
+    /// Returns the picture of each moment.
+    fn pictures(&self) -> Cow<'_, [Picture]>;
+
+    /// Returns the motion as an HTML page.
+    fn page(&self, timeline: &Timeline) -> String;
+
+    /// Returns the content of a file in the format of its own.
+    ///
+    /// # Errors
+    /// If the file would be larger than its format allows.
+    fn file(&self, timeline: &Timeline) -> Result<Vec<u8>, DrawError>;
+}

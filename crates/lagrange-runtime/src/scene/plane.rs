@@ -1,0 +1,59 @@
+//! Lines, shapes of bodies and kinds of joints in the plane.
+
+/// A straight line without ends: ground, a slope, a rail. Its free side is on the left of its direction.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Line<'a, S> {
+    /// Its name.
+    pub name: &'a str,
+    /// The body that carries it; none if it is at rest.
+    pub body: Option<&'a str>,
+    /// A point of it.
+    pub through: [S; 2],
+    /// Its direction.
+    pub angle: S,
+}
+
+/// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia) says where centres of mass are.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Outline<'a, S> {
+    /// A point mass at the origin.
+    PointMass,
+    /// A rod of this length along X, its middle in the origin.
+    SlenderRod(S),
+    /// A disk of this radius about the origin; also a cylinder or sphere seen from its end.
+    Disk(S),
+    /// A disk about the origin with a hole: inner and outer radius.
+    Annulus(S, S),
+    /// A circle of this radius about the origin.
+    Ring(S),
+    /// A rectangle about the origin: lengths along X and along Y.
+    Rectangle(S, S),
+    /// Half a disk of this radius, on the side of positive Y; the middle of its straight edge is in the origin.
+    SemicircularDisk(S),
+    /// A sector of a disk: its radius and its opening angle, halved by the X axis; the apex is in the origin.
+    CircularSector(S, S),
+    /// A triangle with the right angle in the origin and legs of these lengths along X and Y.
+    RightTriangle(S, S),
+    /// A triangle of these three sides; the first goes from the origin along X, the second on from there, the third back; Y is
+    /// positive inside.
+    Triangle(S, S, S),
+    /// An ellipse about the origin: semi-axes along X and along Y.
+    Ellipse(S, S),
+    /// A regular polygon of this many corners on a circle of this radius about the origin, the first on the X axis.
+    RegularPolygon(S, S),
+    /// A polygon of these corners.
+    Polygon(&'a [[S; 2]]),
+}
+
+/// The kind of a joint.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Joint {
+    /// Two points that stay together.
+    Pin,
+    /// A point that stays where it is.
+    Anchor,
+    /// A point that stays on a line.
+    Slide,
+    /// A round body that rolls on a line.
+    Roll,
+}
