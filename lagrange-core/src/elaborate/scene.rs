@@ -10,10 +10,19 @@ use super::operand::Operand;
 use super::scene_in_space::add_scene_in_space;
 use super::staged::Staged;
 use super::torques::torque_item;
-use crate::model::{BodyMotion, DrawnItem, LinkPose, OutlinedPart, Product, Scene};
+use crate::model::BodyMotion;
+use crate::model::DrawnItem;
+use crate::model::LinkPose;
+use crate::model::OutlinedPart;
+use crate::model::Product;
 use lagrange_expr::expr::ExprId;
-use lagrange_language::bodies::{Drawn, DrawnKind, Motion, Outline, Plain};
-use lagrange_language::syntax::ast::{AstId, Declaration};
+use lagrange_language::bodies::Drawn;
+use lagrange_language::bodies::DrawnKind;
+use lagrange_language::bodies::Motion;
+use lagrange_language::bodies::Outline;
+use lagrange_language::bodies::Plain;
+use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::Declaration;
 
 /// Takes what is known of bodies into the model, as far as it is asked for.
 pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
@@ -23,12 +32,10 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
     let [moves, is_drawn] = [Product::Motion, Product::Drawing].map(|product| products.contains(&product));
     if moves || is_drawn {
         let motions = plain.motions.iter().map(|motion| body_motion(elaborator, motion)).collect::<Vec<_>>();
-        elaborator.scene.motions = motions.into_iter().flatten().collect();
+        elaborator.scene.motions.extend(motions.into_iter().flatten());
     }
     // Where the motion of a body is unknown, that was reported.
-    let Scene { motions, spatial_motions, .. } = &elaborator.scene;
-    let found = [motions.len(), spatial_motions.len()];
-    if is_drawn && found == [plain.motions.len(), plain.in_space.motions.len()] {
+    if is_drawn && elaborator.scene.motions.len() == plain.motions.len() + plain.in_space.motions.len() {
         add_drawing(elaborator, &plain.drawing);
     }
 }
@@ -62,11 +69,11 @@ fn body_motion(elaborator: &mut Elaborator<'_>, motion: &Motion) -> Option<BodyM
         values.extend(operand.components());
     }
     let body = motion.body.clone();
-    let Ok(values) = values.try_into() else {
+    if values.len() != BodyMotion::VALUES[0] {
         let error = elaborator.evaluator.report.error(body.span, scene::not_in_the_plane(&body.text));
         error.help(scene::PLANE_HELP);
         return None;
-    };
+    }
     Some(BodyMotion { body, values })
 }
 

@@ -3,17 +3,25 @@
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::scene;
-use crate::model::{LinkPose, LinkTwist, Product, SpatialBodyMotion};
-use lagrange_expr::expr::{Dependencies, ExprId};
-use lagrange_language::bodies::{FramePose, FrameTwist, SpatialKinematics, SpatialMotion};
-use lagrange_language::syntax::ast::{AstId, Name};
+use crate::model::BodyMotion;
+use crate::model::LinkPose;
+use crate::model::LinkTwist;
+use crate::model::Product;
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::FramePose;
+use lagrange_language::bodies::FrameTwist;
+use lagrange_language::bodies::SpatialKinematics;
+use lagrange_language::bodies::SpatialMotion;
+use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::Name;
 
 /// Takes what was asked for into the model.
 pub(super) fn add_scene_in_space(elaborator: &mut Elaborator<'_>, kinematics: &SpatialKinematics) {
     let SpatialKinematics { motions, frames, twists } = kinematics;
     for motion in motions {
         let found = spatial_motion(elaborator, motion);
-        elaborator.scene.spatial_motions.extend(found);
+        elaborator.scene.motions.extend(found);
     }
     for frame in frames {
         let found = frame_pose(elaborator, frame);
@@ -25,7 +33,7 @@ pub(super) fn add_scene_in_space(elaborator: &mut Elaborator<'_>, kinematics: &S
     }
 }
 
-fn spatial_motion(elaborator: &mut Elaborator<'_>, motion: &SpatialMotion) -> Option<SpatialBodyMotion> {
+fn spatial_motion(elaborator: &mut Elaborator<'_>, motion: &SpatialMotion) -> Option<BodyMotion> {
     let [xx, yy, zz, xy, xz, yz] = motion.tensor;
     let inertia = [xx, xy, xz, xy, yy, yz, xz, yz, zz];
     let [center, velocity, acceleration] = motion.center;
@@ -37,8 +45,8 @@ fn spatial_motion(elaborator: &mut Elaborator<'_>, motion: &SpatialMotion) -> Op
     {
         syntax.extend(vectors.iter().flatten());
     }
-    let values = scalars(elaborator, &syntax)?;
-    Some(SpatialBodyMotion { body: motion.body.clone(), values })
+    let values: [ExprId; BodyMotion::VALUES[1]] = scalars(elaborator, &syntax)?;
+    Some(BodyMotion { body: motion.body.clone(), values: values.into() })
 }
 
 fn frame_pose(elaborator: &mut Elaborator<'_>, frame: &FramePose) -> Option<LinkPose> {

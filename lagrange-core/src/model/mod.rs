@@ -11,7 +11,7 @@ use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
-pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene, SpatialBodyMotion};
+pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene};
 
 /// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]

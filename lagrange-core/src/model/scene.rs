@@ -9,8 +9,6 @@ use lagrange_language::syntax::ast::Name;
 pub struct Scene {
     /// Motions of bodies, in the order of their declaration.
     pub motions: Vec<BodyMotion>,
-    /// Motions of bodies in space.
-    pub spatial_motions: Vec<SpatialBodyMotion>,
     /// Poses of bodies and frames in space.
     pub frames: Vec<LinkPose>,
     /// Twists of their frames.
@@ -25,38 +23,23 @@ pub struct BodyMotion {
     /// The name of the body.
     pub body: Name,
     /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular velocity, acceleration, angular
-    /// acceleration; vectors take two places.
-    pub values: [ExprId; BodyMotion::VALUES],
+    /// acceleration. In the plane vectors take two places; in space they take three, and the tensor of inertia and the rotation nine, in rows.
+    pub values: Vec<ExprId>,
 }
 
 impl BodyMotion {
-    /// Number of values that tell how a body moves.
-    pub const VALUES: usize = 13;
+    /// Number of values that tell how a body moves in the plane, and in space.
+    pub const VALUES: [usize; 2] = [13, 37];
 
-    /// The centre of mass.
+    /// The centre of mass in the plane.
     pub(crate) fn center(&self) -> [ExprId; 2] {
         [self.values[4], self.values[5]]
     }
 
-    /// The angular velocity.
+    /// The angular velocity in the plane.
     pub(crate) fn spin(&self) -> ExprId {
         self.values[9]
     }
-}
-
-/// Motion of a body in space.
-#[derive(Clone, Debug)]
-pub struct SpatialBodyMotion {
-    /// The name of the body.
-    pub body: Name,
-    /// Mass, tensor of inertia in rows, centroid in own coordinates, then in the world centre, rotation in rows, velocity, angular
-    /// velocity, acceleration, angular acceleration.
-    pub values: [ExprId; SpatialBodyMotion::VALUES],
-}
-
-impl SpatialBodyMotion {
-    /// Number of values that tell how a body moves.
-    pub const VALUES: usize = 37;
 }
 
 /// The pose of a body or frame in space.
@@ -120,7 +103,6 @@ impl Scene {
     /// Places that hold expressions.
     pub(crate) fn places(&mut self) -> Vec<&mut ExprId> {
         let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
-        places.extend(self.spatial_motions.iter_mut().flat_map(|motion| &mut motion.values));
         places.extend(self.frames.iter_mut().flat_map(|frame| &mut frame.values));
         places.extend(self.twists.iter_mut().flat_map(|twist| &mut twist.values));
         for item in &mut self.drawing {

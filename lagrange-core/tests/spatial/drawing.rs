@@ -241,7 +241,7 @@ fn powers(scene: &Scene<'_>) -> Vec<[f64; 2]> {
             _ => {}
         }
     }
-    for motion in &scene.derived.model.scene.spatial_motions {
+    for motion in &scene.derived.model.scene.motions {
         let values = scene.values(&motion.values);
         let inertia = [1, 4, 7].map(|row| vector(&values, row));
         let rotation = [16, 19, 22].map(|row| vector(&values, row));

@@ -1,41 +1,26 @@
-//! Methods of bodies and frames in space: how bodies move, where frames are, and their Jacobians.
+//! Methods of bodies and frames in space: where frames are, and their Jacobians.
 
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::items::Values;
-use super::scene::motion_method;
 use super::sparse::{Sparse, lowered_sparse};
 use crate::emit::base::docs::with_counts;
 use crate::emit::base::method::{Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, method_of};
 use crate::emit::base::writer::MethodWriter;
-use crate::model::{LinkPose, Product, SpatialBodyMotion};
+use crate::model::LinkPose;
+use crate::model::Product;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Name;
 
 /// A method for each body or frame and each product that is asked for.
 pub(in crate::emit) fn write_frames(writer: &mut MethodWriter<'_>) {
     let scene = writer.model.scene.clone();
-    // Drawings need them, too.
-    if writer.model.products.contains(&Product::Motion) {
-        scene.spatial_motions.iter().for_each(|motion| write_motion(writer, motion));
-    }
     scene.frames.iter().for_each(|frame| write_frame(writer, frame));
     let jacobians = &writer.equations.frame_jacobians;
     for (twist, jacobian) in scene.twists.iter().zip(jacobians) {
         write_jacobian(writer, &twist.name, jacobian);
     }
-}
-
-fn write_motion(writer: &mut MethodWriter<'_>, motion: &SpatialBodyMotion) {
-    let krate = writer.shape.krate;
-    let (body, counts) = writer
-        .lowered(&motion.values, Arguments::State, |values| Values::new(values, 3).spatial_motion(krate));
-    let line = format!("How the body `{}` moves.", motion.body.text);
-    let docs = with_counts(writer.shape.body_docs(&motion.body, &line), counts);
-    let names = &writer.members.names;
-    writer.members.motions.extend(motion_method(writer.shape, names, &motion.body, &docs, &body));
 }
 
 fn write_frame(writer: &mut MethodWriter<'_>, LinkPose { name, values }: &LinkPose) {

@@ -1,5 +1,6 @@
 //! Values of `lagrange::body` and `lagrange::scene`: motions and items to draw.
 
+use std::fmt::Debug;
 use std::slice::Iter;
 
 use proc_macro2::{Ident, TokenStream};
@@ -9,15 +10,16 @@ use crate::emit::base::method::Returns;
 use crate::emit::base::shape::local;
 use crate::model::{DrawnItem, OutlinedPart, Scene};
 use lagrange_expr::expr::ExprId;
-use lagrange_language::bodies::{DrawnKind, JointForm, LoadOrigin, SpatialJointForm};
-use lagrange_language::syntax::ast::{ConnectorKind, MobilizerKind};
+use lagrange_language::bodies::DrawnKind;
+use lagrange_language::bodies::JointForm;
+use lagrange_language::bodies::LoadOrigin;
+use lagrange_language::bodies::SpatialJointForm;
+use lagrange_language::syntax::ast::ConnectorKind;
 
 /// The name of the body that an item draws, and how it moves.
 pub(super) fn body_of<'a>(scene: &'a Scene, item: &DrawnItem) -> Option<(&'a str, &'a [ExprId])> {
     let DrawnKind::Body { body, .. } = item.kind else { return None };
-    let in_the_plane = scene.motions.get(body).map(|motion| (motion.body.text.as_str(), &motion.values[..]));
-    let in_space = || scene.spatial_motions.get(body);
-    in_the_plane.or_else(|| in_space().map(|motion| (motion.body.text.as_str(), &motion.values[..])))
+    scene.motions.get(body).map(|motion| (motion.body.text.as_str(), &motion.values[..]))
 }
 
 /// Results of a program, taken one after another.
@@ -55,48 +57,35 @@ impl<'a> Values<'a> {
         Returns::Matrix(3, 3).collect(&self.scalars(9))
     }
 
-    /// An angle, in space three rows.
+    /// A number, in space a matrix in rows: a rotation, or the inertia of a body.
     fn rotation(&mut self) -> TokenStream {
         if self.is_in_space() { self.matrix() } else { self.scalar() }
     }
 
-    /// Emits the motion of a body in the plane.
+    /// A number, in space a vector.
+    fn moment(&mut self) -> TokenStream {
+        if self.is_in_space() { self.vector() } else { self.scalar() }
+    }
+
+    /// Emits the motion of a body.
     pub(super) fn motion(&mut self, krate: &TokenStream) -> TokenStream {
-        let (mass, inertia, centroid) = (self.scalar(), self.scalar(), self.vector());
-        let (center, angle) = (self.vector(), self.scalar());
-        let (velocity, angular_velocity) = (self.vector(), self.scalar());
-        let (acceleration, angular_acceleration) = (self.vector(), self.scalar());
+        let [motion, turn] =
+            if self.is_in_space() { ["SpatialMotion", "rotation"] } else { ["Motion", "angle"] }.map(local);
+        let (mass, inertia, centroid) = (self.scalar(), self.rotation(), self.vector());
+        let (center, rotation) = (self.vector(), self.rotation());
+        let (velocity, angular_velocity) = (self.vector(), self.moment());
+        let (acceleration, angular_acceleration) = (self.vector(), self.moment());
         quote! {
-            #krate::body::Motion {
+            #krate::body::#motion {
                 mass: #mass,
                 inertia: #inertia,
                 centroid: #centroid,
                 center: #center,
-                angle: #angle,
+                #turn: #rotation,
                 velocity: #velocity,
                 angular_velocity: #angular_velocity,
                 acceleration: #acceleration,
                 angular_acceleration: #angular_acceleration,
-            }
-        }
-    }
-
-    /// Emits the motion of a body in space.
-    pub(super) fn spatial_motion(&mut self, krate: &TokenStream) -> TokenStream {
-        let (mass, inertia) = (self.scalar(), self.matrix());
-        let (centroid, center, rotation) = (self.vector(), self.vector(), self.matrix());
-        let [velocity, spin, acceleration, change] = [(); 4].map(|()| self.vector());
-        quote! {
-            #krate::body::SpatialMotion {
-                mass: #mass,
-                inertia: #inertia,
-                centroid: #centroid,
-                center: #center,
-                rotation: #rotation,
-                velocity: #velocity,
-                angular_velocity: #spin,
-                acceleration: #acceleration,
-                angular_acceleration: #change,
             }
         }
     }
@@ -106,10 +95,7 @@ impl<'a> Values<'a> {
         let content = match &item.kind {
             DrawnKind::Body { .. } => {
                 let name = body_of(scene, item).map_or("", |(name, _)| name);
-                let motion = match self.is_in_space() {
-                    true => self.spatial_motion(krate),
-                    false => self.motion(krate),
-                };
+                let motion = self.motion(krate);
                 let parts = item.parts.iter().map(|part| self.part(krate, part));
                 quote!(Body { name: #name, motion: #motion, parts: &[#(#parts),*] })
             }
@@ -123,7 +109,7 @@ impl<'a> Values<'a> {
             }
             DrawnKind::Connector { name, kind } => self.connector(krate, name, *kind),
             DrawnKind::Joint { name, kind } => {
-                let (kind, at) = (joint(*kind), self.vector());
+                let (kind, at) = (variant(kind), self.vector());
                 quote!(Joint { name: #name, kind: #krate::scene::Joint::#kind, at: #at })
             }
             DrawnKind::SpatialJoint { name, kind, links } => self.spatial_joint(krate, name, *kind, links),
@@ -136,8 +122,7 @@ impl<'a> Values<'a> {
             DrawnKind::Omitted { name } | DrawnKind::Torque { name } => quote!(Omitted { name: #name }),
             DrawnKind::Moment { name, cause: from, body } => {
                 let acts = acts(krate, name, *from, body.as_deref());
-                let at = self.vector();
-                let moment = if self.is_in_space() { self.vector() } else { self.scalar() };
+                let (at, moment) = (self.vector(), self.moment());
                 quote!(Moment { #acts at: #at, moment: #moment })
             }
         };
@@ -145,7 +130,7 @@ impl<'a> Values<'a> {
     }
 
     fn connector(&mut self, krate: &TokenStream, name: &str, kind: ConnectorKind) -> TokenStream {
-        let kind = connector(kind);
+        let kind = variant(kind);
         let (from, to, tension) = (self.vector(), self.vector(), self.scalar());
         quote! {
             Connector {
@@ -165,7 +150,11 @@ impl<'a> Values<'a> {
         form: SpatialJointForm,
         links: &[Option<String>; 2],
     ) -> TokenStream {
-        let (kind, at, axis) = (spatial_joint(form), self.vector(), self.vector());
+        let kind = match form {
+            SpatialJointForm::Mobilizer(kind) => variant(kind),
+            SpatialJointForm::Pin => variant(form),
+        };
+        let (at, axis) = (self.vector(), self.vector());
         let [carrier, placed] = links.each_ref().map(|link| option(link.as_deref()));
         quote! {
             Joint {
@@ -208,7 +197,7 @@ impl<'a> Values<'a> {
 
 /// Members that forces and moments have in common.
 fn acts(krate: &TokenStream, name: &str, from: LoadOrigin, body: Option<&str>) -> TokenStream {
-    let (cause, body) = (cause(from), option(body));
+    let (cause, body) = (variant(from), option(body));
     quote!(name: #name, cause: #krate::scene::LoadOrigin::#cause, body: #body,)
 }
 
@@ -219,46 +208,7 @@ fn option(name: Option<&str>) -> TokenStream {
     }
 }
 
-fn connector(kind: ConnectorKind) -> Ident {
-    local(match kind {
-        ConnectorKind::Spring => "Spring",
-        ConnectorKind::Damper => "Damper",
-        ConnectorKind::TorsionSpring => "TorsionSpring",
-        ConnectorKind::TorsionDamper => "TorsionDamper",
-    })
-}
-
-fn joint(form: JointForm) -> Ident {
-    local(match form {
-        JointForm::Pin => "Pin",
-        JointForm::Anchor => "Anchor",
-        JointForm::Slide => "Slide",
-        JointForm::Roll => "Roll",
-    })
-}
-
-fn spatial_joint(form: SpatialJointForm) -> Ident {
-    local(match form {
-        SpatialJointForm::Pin => "Pin",
-        SpatialJointForm::Mobilizer(kind) => match kind {
-            MobilizerKind::Revolute => "Revolute",
-            MobilizerKind::Prismatic => "Prismatic",
-            MobilizerKind::Screw => "Screw",
-            MobilizerKind::Cylindrical => "Cylindrical",
-            MobilizerKind::Universal => "Universal",
-            MobilizerKind::Planar => "Planar",
-            MobilizerKind::Ball => "Ball",
-            MobilizerKind::Free => "Free",
-            MobilizerKind::Weld => "Weld",
-        },
-    })
-}
-
-fn cause(cause: LoadOrigin) -> Ident {
-    local(match cause {
-        LoadOrigin::Applied => "Applied",
-        LoadOrigin::Gravity => "Gravity",
-        LoadOrigin::Connector => "Connector",
-        LoadOrigin::Joint => "Joint",
-    })
+/// The variant of `lagrange::scene` by which an enumeration of the same variants is emitted.
+fn variant(kind: impl Debug) -> Ident {
+    local(&format!("{kind:?}"))
 }

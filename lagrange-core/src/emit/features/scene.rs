@@ -27,9 +27,9 @@ pub(in crate::emit) fn write_scene(writer: &mut MethodWriter<'_>) {
 }
 
 fn write_motion(writer: &mut MethodWriter<'_>, motion: &BodyMotion) {
-    let krate = writer.shape.krate;
-    let (body, counts) =
-        writer.lowered(&motion.values, Arguments::State, |results| Values::new(results, 2).motion(krate));
+    let (krate, dimension) = (writer.shape.krate, dimension(writer));
+    let (body, counts) = writer
+        .lowered(&motion.values, Arguments::State, |results| Values::new(results, dimension).motion(krate));
     let line = format!("How the body `{}` moves.", motion.body.text);
     let docs = docs::with_counts(writer.shape.body_docs(&motion.body, &line), counts);
     writer.members.motions.extend(motion_method(
@@ -43,14 +43,19 @@ fn write_motion(writer: &mut MethodWriter<'_>, motion: &BodyMotion) {
 
 fn visits(writer: &mut MethodWriter<'_>, scene: &Scene) -> TokenStream {
     let roots = scene.drawing.iter().flat_map(|item| roots(scene, item)).collect::<Vec<_>>();
-    let dimension = if writer.shape.declaration.is_in_space { 3 } else { 2 };
-    let (krate, visit) = (writer.shape.krate, writer.members.names.visit.clone());
+    let (krate, dimension) = (writer.shape.krate, dimension(writer));
+    let visit = writer.members.names.visit.clone();
     let (body, _) = writer.lowered(&roots, Arguments::State, |results| {
         let mut values = Values::new(results, dimension);
         let items = scene.drawing.iter().map(|item| values.item(krate, scene, item));
         quote!(#(#visit(#items);)*)
     });
     body
+}
+
+/// Returns the number of components of vectors.
+fn dimension(writer: &MethodWriter<'_>) -> usize {
+    if writer.shape.declaration.is_in_space { 3 } else { 2 }
 }
 
 /// The numbers of an item: for a body how it moves, then its shape.

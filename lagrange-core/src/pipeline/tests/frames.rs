@@ -1,7 +1,8 @@
 //! What is derived and emitted of bodies and frames in space.
 
 use super::{derived, expand, parse};
-use crate::model::{Product, SpatialBodyMotion};
+use crate::model::BodyMotion;
+use crate::model::Product;
 use crate::pipeline::{Derived, NumericSystem};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::expr::evaluate;
@@ -96,8 +97,8 @@ impl Values {
         self.at(&frame.expect("a frame").values)
     }
 
-    fn motion(&self, name: &str) -> [f64; SpatialBodyMotion::VALUES] {
-        let motions = &self.derived.model.scene.spatial_motions;
+    fn motion(&self, name: &str) -> [f64; BodyMotion::VALUES[1]] {
+        let motions = &self.derived.model.scene.motions;
         let motion = motions.iter().find(|motion| motion.body.text == name).expect("a body");
         self.at(&motion.values).try_into().expect("as many as there are")
     }
@@ -357,5 +358,5 @@ fn frames_of_reduced_types_are_those_where_coordinates_are_frozen() {
     let expected = jacobian.iter().flat_map(|row| [row[0], row[3], row[4]]).collect::<Vec<_>>();
     assert_near(&at(&equations.frame_jacobians[4]), &expected, 1e-14);
     assert_near(&at(&model.scene.frames[4].values), &frame, 1e-14);
-    assert_eq!(model.scene.spatial_motions.len(), 5);
+    assert_eq!(model.scene.motions.len(), 5);
 }

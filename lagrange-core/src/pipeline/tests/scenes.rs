@@ -160,7 +160,7 @@ fn bodies_cannot_be_named_like_a_method_that_exists() {
 }
 
 /// The numbers that say how the first body moves, at x = 0.3, y = 0.5 and velocities 0.2, 0.1.
-fn numbers(model: &Model) -> [f64; BodyMotion::VALUES] {
+fn numbers(model: &Model) -> [f64; BodyMotion::VALUES[0]] {
     let value = |role| match role {
         Role::Parameter(i) => [2.0, 3.0][i as usize],
         Role::Coordinate(i) => [0.3, 0.5][i as usize],

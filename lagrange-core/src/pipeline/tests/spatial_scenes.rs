@@ -84,7 +84,7 @@ fn items_come_in_the_order_in_which_they_are_drawn() {
 #[test]
 fn nothing_is_derived_or_emitted_that_nobody_asks_for() {
     let silent = scene(ARM);
-    assert!(silent.spatial_motions.is_empty() && silent.drawing.is_empty());
+    assert!(silent.motions.is_empty() && silent.drawing.is_empty());
     let items = |emit: &str| {
         let text = format!("struct Arm; {ARM} emit {{ {emit} }}");
         expand(text.parse().expect("tokens"), &quote!(::lagrange)).to_string()
@@ -199,5 +199,5 @@ fn reduced_types_draw_where_coordinates_are_frozen() {
     let system = parse(&text).unwrap_or_else(|report| panic!("{report}"));
     let reduced = &system.model.reduced[0].model.scene;
     assert_eq!(reduced.drawing.len(), system.model.scene.drawing.len());
-    assert_eq!(reduced.spatial_motions.len(), 3);
+    assert_eq!(reduced.motions.len(), 3);
 }
