@@ -33,7 +33,7 @@
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
     ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method,
-    Outcome, PlainGaussLegendre, RungeKutta4, StepFailure, Stepper, StormerVerlet, SuspectStep,
+    Outcome, PlainGaussLegendre, RungeKutta4, SettingError, StepFailure, Stepper, StormerVerlet, SuspectStep,
     SymplecticEuler, Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
 };
 #[doc(inline)]

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use lagrange::Simulate;
 use lagrange::contact::Contact;
-use lagrange::integrate::{GaussLegendre4, RungeKutta4, StepFailure, Verner98};
+use lagrange::integrate::{GaussLegendre4, RungeKutta4, SettingError, Verner98};
 use lagrange::simulate::{Ending, Trajectory};
 use lagrange::system::{ControlledSystem, OdeSystem};
 
@@ -414,7 +414,10 @@ fn what_a_control_does_wrong_is_named() {
     assert!(error.to_string().starts_with("the input `u` is NaN at time "), "{error}");
     for period in [0.0, -0.1, f64::NAN, f64::INFINITY] {
         let error = cart.simulate(TILTED).until(1.0).sampled(period, balance).run().expect_err("no period");
-        assert_eq!(error.cause, StepFailure::Setting("the interval of sampling must be positive and finite"));
+        assert_eq!(
+            error.cause,
+            SettingError::Invalid("the interval of sampling must be positive and finite").into()
+        );
     }
 }
 

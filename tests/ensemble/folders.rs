@@ -323,7 +323,7 @@ fn parts_of_another_ensemble_are_refused() {
     let error = columns(["b", "a"]).save_parquet(&two.0).expect_err("has another order").to_string();
     assert!(error.contains("what was asked for had another order"), "{error}");
     let error = ensemble(&pendulum).save_parquet(&two.0).expect_err("has no columns").to_string();
-    assert!(error.contains("it says `run observe a`, which is not so here;"), "{error}");
+    assert!(error.contains("it says `run column a`, which is not so here;"), "{error}");
     assert_refused(ensemble(&lighter).save_parquet(&folder.0), "motion 0 starts at");
     let method = RungeKutta4 { step: 0.1 };
     assert_refused(ensemble(&pendulum).method(method).save_parquet(&folder.0), "RungeKutta4");

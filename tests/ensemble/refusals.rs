@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use lagrange::Ensembles;
-use lagrange::ensemble::{Done, EnsembleError, Moments, Shard};
+use lagrange::ensemble::{Done, EnsembleError, Moments, Random, Shard};
 use lagrange::integrate::{RungeKutta4, StepFailure};
 use lagrange::system::Direction;
 
@@ -35,11 +35,41 @@ fn settings_that_make_no_sense_are_errors() {
         assert_says(ensemble().run(), "must both be finite");
         assert_says(ensemble().every(0.1).motion(0).map(drop), "must both be finite");
     }
-    assert_says(ensemble(10).tolerance(-1.0).run(), "motion 0: ");
-    assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "motion 0: ");
+    assert_says(ensemble(10).tolerance(-1.0).run(), "tolerances must be");
+    assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "the length of steps must be");
     assert_says(ensemble(10).energy().energy().run(), "two columns are called `energy`");
     assert_says(ensemble(10).every(-1.0).run(), "interval of sampling");
     assert_says(ensemble(10).every(1e-12).run().map(drop), "samples would be kept");
+}
+
+/// By two ways: one by one, and in lanes. No motion begins.
+#[test]
+fn settings_are_checked_before_anything_moves() {
+    let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
+    let unstarted = |_: usize, _: &mut Random| -> [f64; 4] { panic!("begins") };
+    let alone = || pendulum.ensemble(10).start(unstarted).until(1.0);
+    let lanes = || cart.ensemble(10).start(unstarted).until(1.0);
+    assert!(lanes().is_in_lanes() && !alone().is_in_lanes());
+    assert_says(alone().tolerance(-1.0).run(), "tolerances must be");
+    assert_says(lanes().tolerance(-1.0).run(), "tolerances must be");
+    let steps = "the length of steps must be";
+    assert_says(alone().method(RungeKutta4 { step: -1.0 }).run(), steps);
+    for step in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
+        assert_says(lanes().method(RungeKutta4 { step }).run(), steps);
+    }
+    assert_says(alone().longest_step(0.0).run(), "lengths of steps must be");
+    assert_says(lanes().longest_step(0.0).run(), "lengths of steps must be");
+    let shorten = "shorten that one";
+    assert_says(alone().method(RungeKutta4 { step: 0.1 }).longest_step(0.1).run(), shorten);
+    assert_says(lanes().method(RungeKutta4 { step: 0.1 }).longest_step(0.1).run(), shorten);
+    assert_says(alone().every(0.0).run(), "interval of sampling");
+    assert_says(lanes().every(f64::NAN).run(), "interval of sampling");
+    assert_says(lanes().every(1e-9).run(), "samples would be kept");
+    assert_says(alone().restart_at([f64::NAN]).run(), "times of restart");
+    let twice = "two columns are called `theta1_dot`";
+    assert_says(alone().observe("theta1_dot", |_, t, _| t).run(), twice);
+    assert_says(alone().observe("", |_, t, _| t).reduce(0_u64, |_, _| {}), "an empty name");
+    assert_says(lanes().observe("t", |_, t, _| t).motion(3).map(drop), "the name of the time");
 }
 
 #[test]
@@ -93,14 +123,14 @@ fn a_panic_is_an_error_that_says_in_which_motion() {
     }
 }
 
-/// By two ways: one by one, and in lanes, where columns are asked for before anything moves.
+/// By two ways: one by one, and in lanes, where columns are computed of ends.
 #[test]
 fn what_is_observed_may_panic() {
     let (pendulum, cart) = (DoublePendulum::default(), CartPole::default());
     let alone =
-        pendulum.ensemble(9).start(start).until(0.1).observe("x", |_, _, _| panic!("is not observed"));
+        pendulum.ensemble(9).start(start).until(0.1).observe("seen", |_, _, _| panic!("is not observed"));
     assert_says(alone.run(), "motion 0 panicked: is not observed");
-    let lanes = cart.ensemble(9).start(start).until(0.1).observe("x", |_, _, _| panic!("is not observed"));
+    let lanes = cart.ensemble(9).start(start).until(0.1).observe("seen", |_, _, _| panic!("is not observed"));
     assert!(lanes.is_in_lanes());
     assert_says(lanes.run(), "motion 0 panicked: is not observed");
 }

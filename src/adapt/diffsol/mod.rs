@@ -19,7 +19,7 @@ use self::problem::problem;
 use lagrange_runtime::integrate::explained;
 
 use crate::integrate::{IntegrationError, Outcome};
-use crate::system::{OdeSystem, StepFailure};
+use crate::system::{OdeSystem, SettingError, StepFailure};
 
 /// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.
 ///
@@ -40,12 +40,12 @@ impl Stiff {
         Stiff { relative: tolerance, absolute: tolerance, max_steps: 10_000_000 }
     }
 
-    fn check(&self) -> Result<(), StepFailure<f64>> {
+    fn check(&self) -> Result<(), SettingError<f64>> {
         let is_tolerance = |part: f64| part > 0.0 && part.is_finite();
         if is_tolerance(self.relative) && is_tolerance(self.absolute) {
             return Ok(());
         }
-        Err(StepFailure::Setting("tolerances must be positive and finite"))
+        Err(SettingError::Invalid("tolerances must be positive and finite"))
     }
 }
 
@@ -90,7 +90,7 @@ where
     M: OdeSystem<Scalar = f64> + ?Sized,
 {
     let failed = |cause| IntegrationError { cause, time: t0, state: y0 };
-    method.check().map_err(failed)?;
+    method.check().map_err(|error| failed(error.into()))?;
     let is_finite = |y: &M::State| y.as_ref().iter().all(|component| component.is_finite());
     if !(t0.is_finite() && t_end.is_finite() && is_finite(&y0) && is_finite(&system.rhs(t0, &y0))) {
         return Err(failed(explained(StepFailure::NotFinite, system, (t0, &y0), t_end)));

@@ -14,4 +14,6 @@ fn main() {
     println!("{:?}", run.theta());
     let fine = pendulum.simulate([0.5, 0.0]).tolerance(1e-9).every(0.1).run().unwrap();
     println!("{:?}", fine.theta());
+    let late = pendulum.simulate([0.5, 0.0]).tolerance(1e-9).until(1.0).run().unwrap();
+    println!("{:?}", late.theta());
 }

@@ -2,22 +2,23 @@
 
 use core::marker::PhantomData;
 use std::boxed::Box;
-use std::format;
 
-use super::asked::{Asked, SharedSystem};
+use super::batch::Batch;
+use super::plan::SharedSystem;
 use super::progress::{Done, Reporter};
 use super::random::Random;
 use super::shard::Shard;
 use super::starts::Starts;
 use crate::integrate::{Method, Verner98};
-use crate::scalar::Number;
-use crate::simulate::{Drive, InitialState, Law, Start, Undriven, Verdict};
-use crate::system::{ControlledSystem, MechanicalSystem, StateVector};
+use crate::simulate::{
+    Drive, InitialState, Law, Sampling, Undriven, Verdict, columns_of, default_method, inputs,
+};
+use crate::system::{ControlledSystem, MechanicalSystem};
 
 /// Motions of one system. They want to know when they end.
 #[must_use = "say when the motions end: `.until(time)`"]
 pub struct Motions<'a, M: MechanicalSystem> {
-    asked: Asked<'a, M>,
+    batch: Batch<'a, M>,
     has_starts: bool,
 }
 
@@ -26,7 +27,7 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         let (number, starts) = starts.into_starts();
         let has_starts = starts.is_some();
         let start = starts.map(|starts| Box::new(move |index: usize, _: &mut Random| starts[index]) as _);
-        Motions { asked: Asked::new(system, number, start, M::Scalar::ZERO), has_starts }
+        Motions { batch: Batch::new(system, number, start), has_starts }
     }
 
     /// Starts each motion from a state: a function of its index, counted from zero, and of [random numbers](Random) of its own. It may
@@ -37,9 +38,9 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     ) -> Self {
         if self.has_starts {
             let twice = "motions were given a list of starts and `.start(…)`, too: give a number of motions";
-            self.asked.fault = self.asked.fault.or(Some(twice));
+            self.batch.refuse_setting(twice);
         }
-        self.asked.start = Some(Box::new(move |index, random| start(index, random).into_state()));
+        self.batch.start = Some(Box::new(move |index, random| start(index, random).into_state()));
         self
     }
 
@@ -53,7 +54,7 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     where
         M: Clone,
     {
-        self.asked.variation = Some(Box::new(move |index, system: &M| {
+        self.batch.variation = Some(Box::new(move |index, system: &M| {
             let mut system = system.clone();
             change(index, &mut system);
             system
@@ -63,17 +64,14 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
 
     /// Starts at this time instead of 0.
     pub fn from(mut self, time: M::Scalar) -> Self {
-        self.asked.from = time;
+        self.batch.plan.settings.span = [time; 2];
         self
     }
 
     /// Ends at this time, which may lie before the start.
     pub fn until(mut self, end: M::Scalar) -> Ensemble<'a, M, Verner98<M::Scalar>> {
-        self.asked.end = end;
-        // The method of a single run with the tolerance of one.
-        let zero = M::State::ZERO;
-        let method = Start::of(self.asked.system, self.asked.from, zero).until(end).into_method();
-        Ensemble { asked: self.asked, method, drive: Undriven, kept: PhantomData }
+        self.batch.plan.settings.span[1] = end;
+        Ensemble { batch: self.batch, method: default_method(), drive: Undriven, kept: PhantomData }
     }
 }
 
@@ -106,7 +104,7 @@ impl Keep for KeepSamples {
 /// motion, [`KeepEnds`] or [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
 #[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
 pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
-    pub(super) asked: Asked<'a, M>,
+    pub(super) batch: Batch<'a, M>,
     pub(super) method: K,
     pub(super) drive: D,
     kept: PhantomData<fn() -> P>,
@@ -135,38 +133,37 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
         M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs + Send + Sync,
     {
-        self.asked.request("driven by a law", |_, _, run| run.recording_inputs());
-        let Ensemble { asked, method, kept, .. } = self;
-        Ensemble { asked, method, drive: Law::new(law), kept }
+        self.batch.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        let Ensemble { batch, method, kept, .. } = self;
+        Ensemble { batch, method, drive: Law::new(law), kept }
     }
 }
 
 impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// Integrates by this method instead of the adaptive one.
     pub fn method<N: Method<D::Closed>>(self, method: N) -> Ensemble<'a, M, N, D, P> {
-        let Ensemble { asked, drive, kept, .. } = self;
-        Ensemble { asked, method, drive, kept }
+        let Ensemble { batch, drive, kept, .. } = self;
+        Ensemble { batch, method, drive, kept }
     }
 
     /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()` then hands out a trajectory for each,
     /// `.reduce(…)` sees it, and `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions lie in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
-        self.asked.interval = Some(interval);
-        self.asked.request_anyhow(format!("every {interval:?}"), move |_, _, run| run.every(interval));
-        let Ensemble { asked, method, drive, .. } = self;
-        Ensemble { asked, method, drive, kept: PhantomData }
+        self.batch.plan.settings.sampling = Sampling::Every(interval);
+        let Ensemble { batch, method, drive, .. } = self;
+        Ensemble { batch, method, drive, kept: PhantomData }
     }
 
     /// The seed of the [random numbers](Random) of all motions; 0 by default.
     pub fn seed(mut self, seed: u64) -> Self {
-        self.asked.seed = seed;
+        self.batch.seed = seed;
         self
     }
 
     /// Computes every motion as a run by itself, with the bits of a [single run](crate::simulate::Simulation), instead of several
     /// [in lanes](Self::is_in_lanes).
     pub fn one_by_one(mut self) -> Self {
-        self.asked.is_one_by_one = true;
+        self.batch.is_one_by_one = true;
         self
     }
 
@@ -174,9 +171,9 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
-            0 => self.asked.fault = self.asked.fault.or(Some("an ensemble needs a thread at least")),
-            1..=4096 => self.asked.threads = Some(threads),
-            _ => self.asked.fault = self.asked.fault.or(Some("an ensemble has 4096 threads at most")),
+            0 => self.batch.refuse_setting("an ensemble needs a thread at least"),
+            1..=4096 => self.batch.threads = Some(threads),
+            _ => self.batch.refuse_setting("an ensemble has 4096 threads at most"),
         }
         self
     }
@@ -186,13 +183,13 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions that have begun go on to their end, and
     /// [`Cancelled`](super::EnsembleError::Cancelled) comes back. What was saved is kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
-        self.asked.reporter = Some(Reporter::new(callback));
+        self.batch.reporter = Some(Reporter::new(callback));
         self
     }
 
     /// Computes this share of the motions only, for one of several processes.
     pub fn shard(mut self, shard: Shard) -> Self {
-        self.asked.shard = shard;
+        self.batch.shard = shard;
         self
     }
 
@@ -200,7 +197,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     /// default. A killed process loses at most this many motions, and this many are in memory while
     /// a file is saved.
     pub fn motions_per_part(mut self, motions: usize) -> Self {
-        self.asked.motions_per_part = motions;
+        self.batch.motions_per_part = motions;
         self
     }
 }

@@ -5,14 +5,14 @@ use core::ops::{Deref, Range};
 use std::string::String;
 use std::vec::Vec;
 
-use super::asked::SharedSystem;
 use super::builder::{Ensemble, Keep, KeepEnds};
 use super::engine::Engine;
 use super::error::EnsembleError;
 use super::failure::Failure;
-use super::lanes::{Arrival, Came};
+use super::lanes::{Arrival, MotionOutcome};
+use super::plan::SharedSystem;
 use super::progress::Counter;
-use super::rows::{Rows, samples};
+use super::rows::Rows;
 use crate::integrate::Method;
 use crate::simulate::{Drive, Table};
 use crate::system::{MechanicalSystem, StateVector};
@@ -116,7 +116,9 @@ where
         let mut rows = Rows::new();
         let compute = |chunk: Range<usize>| {
             let mut rows = Rows::new();
-            self.each(chunk, counter, |index, system, came| self.push_end(&mut rows, index, system, came))?;
+            self.each(chunk, counter, |index, system, outcome| {
+                self.push_end(&mut rows, index, system, outcome)
+            })?;
             Ok(rows)
         };
         engine.chunks(motions, counter, compute, |chunk| {
@@ -127,22 +129,22 @@ where
     }
 
     /// Adds the end of a motion, however it was computed.
-    pub(super) fn push_end(&self, rows: &mut Rows<M>, index: usize, system: &M, came: Came<M>) {
-        let end = self.asked.end;
-        match came {
-            Came::Ran(ran) => rows.push_end(&self.asked, index, system, ran),
-            Came::Arrived(Arrival { state, .. }) if self.asked.has_columns => {
+    pub(super) fn push_end(&self, rows: &mut Rows<M>, index: usize, system: &M, outcome: MotionOutcome<M>) {
+        let [_, end] = self.batch.span();
+        match outcome {
+            MotionOutcome::Run(result) => rows.push_end(&self.batch, index, system, result),
+            MotionOutcome::Arrival(Arrival { state, .. }) if !self.batch.plan.columns.is_empty() => {
                 let instant = self.instant(index, system, (end, state));
-                rows.push_arrival(&self.asked, system, (end, &state), Some(samples(&instant).0));
+                rows.push_arrival(&self.batch, system, (end, &state), Some(instant.table()));
             }
-            Came::Arrived(Arrival { state, .. }) => {
-                rows.push_arrival(&self.asked, system, (end, &state), None);
+            MotionOutcome::Arrival(Arrival { state, .. }) => {
+                rows.push_arrival(&self.batch, system, (end, &state), None);
             }
         }
     }
 
     pub(super) fn counter(&self, motions: &Range<usize>) -> Counter<'_, 'a> {
-        Counter::new(self.asked.reporter.as_ref(), motions.len())
+        Counter::new(self.batch.reporter.as_ref(), motions.len())
     }
 }
 
@@ -155,15 +157,15 @@ where
     /// Computes all motions and keeps their ends.
     ///
     /// # Errors
-    /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
+    /// If a setting makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
     /// among the [`failures`](Ends::failures), and the others go on.
     pub fn run(self) -> Result<Ends<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }
 
     pub(super) fn run_in(&self, engine: &Engine) -> Result<Ends<M>, EnsembleError> {
-        let motions = self.asked.motions()?;
-        self.asked.refuse_too_many(motions.len())?;
+        let motions = self.batch.motions();
+        self.batch.refuse_too_many(motions.len())?;
         let counter = self.counter(&motions);
         let Rows { table, failures, .. } = self.rows(engine, &counter, motions.clone())?;
         counter.finish()?;

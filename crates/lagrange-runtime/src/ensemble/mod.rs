@@ -49,7 +49,7 @@
 //!
 //! This needs the feature `ensemble`.
 
-mod asked;
+mod batch;
 mod builder;
 mod ends;
 mod engine;
@@ -63,6 +63,7 @@ mod maps;
 mod moments;
 mod motion;
 mod pack;
+mod plan;
 mod progress;
 mod quantiles;
 mod random;
@@ -81,7 +82,6 @@ mod tests;
 #[cfg(not(all(feature = "parquet", feature = "plot")))]
 mod without_features;
 
-pub use self::asked::SharedSystem;
 pub use self::builder::{Ensemble, Keep, KeepEnds, KeepSamples, Motions};
 pub use self::ends::Ends;
 pub use self::error::EnsembleError;
@@ -93,6 +93,7 @@ pub use self::maps::Map;
 pub use self::moments::Moments;
 pub use self::motion::Motion;
 pub use self::pack::Pack;
+pub use self::plan::SharedSystem;
 pub use self::progress::Done;
 pub use self::random::{OfNoise, OfParameters, OfStart, Purpose, Random};
 pub use self::reduce::Reduce;

@@ -1,37 +1,34 @@
 //! One motion of an ensemble.
 
-use core::cell::OnceCell;
 use core::fmt::{Debug, Formatter};
-use core::ops::Range;
+use core::ops::{Deref, Range};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use super::asked::{SharedSystem, Unasked};
 use super::builder::Ensemble;
 use super::error::{EnsembleError, panic_message};
+use super::plan::SharedSystem;
 use super::progress::Counter;
-use crate::integrate::Method;
-use crate::simulate::{Drive, SimulationError, Trajectory};
-use crate::system::{MechanicalSystem, NamedSystem, StepFailure};
+use crate::integrate::{Method, Work};
+use crate::simulate::{Drive, Sampling, Simulation, SimulationError, Trajectory};
+use crate::system::{MechanicalSystem, NamedSystem};
 
 /// A motion of an ensemble, as those who reduce it see it.
 pub struct Motion<'m, M: MechanicalSystem> {
     index: usize,
     system: &'m M,
     end: (M::Scalar, M::State),
-    kept: Memory<'m, M>,
-}
-
-/// The recorded data of a motion.
-#[derive(Clone, Copy)]
-pub(super) enum Memory<'m, M: MechanicalSystem> {
-    Trajectory(&'m Trajectory<M>),
-    /// A place for a trajectory, which is made when it is asked for.
-    Unmade(&'m OnceCell<Trajectory<M>>, &'m dyn Fn() -> Trajectory<M>),
+    /// It may be computed on demand.
+    trajectory: &'m dyn Deref<Target = Trajectory<M>>,
 }
 
 impl<'m, M: MechanicalSystem> Motion<'m, M> {
-    pub(super) fn new(index: usize, system: &'m M, end: (M::Scalar, M::State), kept: Memory<'m, M>) -> Self {
-        Motion { index, system, end, kept }
+    pub(super) fn new(
+        index: usize,
+        system: &'m M,
+        end: (M::Scalar, M::State),
+        trajectory: &'m dyn Deref<Target = Trajectory<M>>,
+    ) -> Self {
+        Motion { index, system, end, trajectory }
     }
 
     /// Its place in the ensemble, counted from zero.
@@ -60,10 +57,7 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
     /// All that was kept of it: samples if they were asked for, events, columns that were observed. Of a motion that was computed
     /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples at least.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
-        match self.kept {
-            Memory::Trajectory(trajectory) => trajectory,
-            Memory::Unmade(place, make) => place.get_or_init(make),
-        }
+        self.trajectory
     }
 }
 
@@ -73,8 +67,8 @@ impl<M: MechanicalSystem> Debug for Motion<'_, M> {
     }
 }
 
-/// The outcome of a motion.
-pub(super) type Ran<M> = Result<Trajectory<M>, SimulationError<M>>;
+/// The result of a motion that was a run.
+pub(super) type RunResult<M> = Result<Trajectory<M>, SimulationError<M>>;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
@@ -105,43 +99,52 @@ where
     /// ```
     ///
     /// # Errors
-    /// If there is no such motion, what was asked for makes no sense, or a closure panics.
-    pub fn motion(&self, index: usize) -> Result<Ran<M>, EnsembleError> {
-        self.asked.parts()?;
-        if index >= self.asked.number {
-            let number = self.asked.number;
+    /// If there is no such motion, a setting makes no sense, or a closure panics.
+    pub fn motion(&self, index: usize) -> Result<RunResult<M>, EnsembleError> {
+        self.check()?;
+        if index >= self.batch.number {
+            let number = self.batch.number;
             return Err(EnsembleError::Setting(std::format!(
                 "there is no motion {index} in an ensemble of {number}: they are counted from zero"
             )));
         }
-        self.ran_with(index, Unasked::EveryStep, |_, ran| ran)
+        self.run_then(index, Sampling::EveryStep, |_, result| result)
     }
 
-    /// Runs a motion of which no samples are kept unless they were asked for, and makes something of what came of it.
+    /// Checks the settings of the ensemble and of its runs.
     ///
     /// # Errors
-    /// If a closure that was given panics, or a setting makes no sense.
-    pub(super) fn ran<R>(
-        &self,
-        index: usize,
-        then: impl FnOnce(&M, Ran<M>) -> R,
-    ) -> Result<R, EnsembleError> {
-        self.ran_with(index, Unasked::EndsOnly, then)
+    /// If one makes no sense.
+    pub(super) fn check(&self) -> Result<(), EnsembleError> {
+        self.batch.check()?;
+        let settings = &self.batch.plan.settings;
+        let checked = settings.check::<D::Closed, K>(self.method.clone());
+        checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain::<M>(error)))
     }
 
-    fn ran_with<R>(
+    /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the result.
+    ///
+    /// # Errors
+    /// If a closure that was given panics.
+    pub(super) fn run_alone<R>(
         &self,
         index: usize,
-        unasked: Unasked,
-        then: impl FnOnce(&M, Ran<M>) -> R,
+        then: impl FnOnce(&M, RunResult<M>) -> R,
+    ) -> Result<R, EnsembleError> {
+        self.run_then(index, Sampling::Ends, then)
+    }
+
+    fn run_then<R>(
+        &self,
+        index: usize,
+        sampling: Sampling<M::Scalar>,
+        then: impl FnOnce(&M, RunResult<M>) -> R,
     ) -> Result<R, EnsembleError> {
         caught(index, || {
-            let (varied, state) = self.asked.origin(index);
-            let system = varied.as_ref().unwrap_or(self.asked.system);
-            let ran = self.run_over(index, (system, state), [self.asked.from, self.asked.end], unasked);
-            refuse_settings(index, &ran)?;
-            Ok(then(system, ran))
-        })?
+            let (varied, state) = self.batch.origin(index);
+            let system = varied.as_ref().unwrap_or(self.batch.system);
+            then(system, self.run_of(index, (system, state), sampling).run())
+        })
     }
 
     /// Runs motions one after the other, until the ensemble is cancelled.
@@ -149,40 +152,38 @@ where
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
-        mut then: impl FnMut(usize, &M, Ran<M>),
+        mut then: impl FnMut(usize, &M, RunResult<M>),
     ) -> Result<(), EnsembleError> {
         for index in motions {
             if counter.is_cancelled() {
                 break;
             }
-            self.ran(index, |system, ran| then(index, system, ran))?;
+            self.run_alone(index, |system, result| then(index, system, result))?;
             counter.count(1);
         }
         Ok(())
     }
 
-    /// Returns the record of a single instant of a motion.
-    pub(super) fn instant(&self, index: usize, system: &M, (time, state): (M::Scalar, M::State)) -> Ran<M> {
-        self.run_over(index, (system, state), [time, time], Unasked::EndsOnly)
-    }
-
-    /// Returns the record of a motion that ends after a number of steps.
-    #[cfg(feature = "parquet")]
-    pub(super) fn first_steps(&self, index: usize, origin: (&M, M::State), steps: u64) -> Ran<M> {
-        let span = [self.asked.from, self.asked.end];
-        let run = self.asked.plain(index, origin, span, Unasked::EveryStep).max_steps(steps);
-        run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run()
-    }
-
-    fn run_over(
-        &self,
+    /// Returns the run of a motion, with these samples unless an interval gives others.
+    pub(super) fn run_of<'s>(
+        &'s self,
         index: usize,
-        origin: (&M, M::State),
-        span: [M::Scalar; 2],
-        unasked: Unasked,
-    ) -> Ran<M> {
-        let run = self.asked.plain(index, origin, span, unasked);
-        run.exchange(|_, _| (self.method.clone(), self.drive.clone())).run()
+        (system, state): (&'s M, M::State),
+        sampling: Sampling<M::Scalar>,
+    ) -> Simulation<'s, M, K, D> {
+        let mut plan = self.batch.plan.of_motion(index);
+        if plan.settings.interval().is_none() {
+            plan.settings.sampling = sampling;
+        }
+        Simulation::new(system, state, plan, (self.method.clone(), self.drive.clone()))
+    }
+
+    /// Returns the columns of a motion at a time and state.
+    pub(super) fn instant(&self, index: usize, system: &M, end: (M::Scalar, M::State)) -> Trajectory<M> {
+        let mut plan = self.batch.plan.of_motion(index);
+        plan.settings.span = [end.0; 2];
+        let run = Simulation::new(system, end.1, plan, (self.method.clone(), self.drive.clone()));
+        run.assemble([], Work::default())
     }
 }
 
@@ -194,26 +195,4 @@ pub(super) fn caught<R>(motion: usize, compute: impl FnOnce() -> R) -> Result<R,
     // What a panic leaves behind is not looked at again: the ensemble ends with it.
     catch_unwind(AssertUnwindSafe(compute))
         .map_err(|panic| EnsembleError::Panicked { motion, message: panic_message(&*panic) })
-}
-
-/// # Errors
-/// If what failed was not the motion but what was asked of all.
-pub(super) fn refuse_settings<M: MechanicalSystem>(index: usize, ran: &Ran<M>) -> Result<(), EnsembleError> {
-    match ran {
-        Err(error) if is_setting(error.cause) => {
-            Err(EnsembleError::Setting(std::format!("motion {index}: {error}")))
-        }
-        _ => Ok(()),
-    }
-}
-
-/// True if what failed was not the motion but what was asked of all.
-fn is_setting<S: Copy>(cause: StepFailure<S>) -> bool {
-    matches!(
-        cause,
-        StepFailure::Setting(_)
-            | StepFailure::RepeatedColumn
-            | StepFailure::UnknownOutput { .. }
-            | StepFailure::TooManySamples { .. }
-    )
 }

@@ -1,18 +1,17 @@
 //! Ensembles of which only a sum is kept.
 
-use core::cell::OnceCell;
+use core::cell::LazyCell;
 use core::fmt::{Debug, Formatter};
 use core::ops::{Deref, Range};
 use std::vec::Vec;
 
-use super::asked::SharedSystem;
 use super::builder::{Ensemble, Keep};
 use super::engine::BLOCK;
 use super::error::EnsembleError;
 use super::failure::Failure;
-use super::lanes::Came;
-use super::motion::{Memory, Motion};
-
+use super::lanes::MotionOutcome;
+use super::motion::Motion;
+use super::plan::SharedSystem;
 use super::reduce::Reduce;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -115,7 +114,7 @@ where
     /// ```
     ///
     /// # Errors
-    /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels.
+    /// If a setting makes no sense, a closure that was given panics, or the progress callback cancels.
     pub fn reduce<R: Reduce>(
         self,
         identity: R,
@@ -137,34 +136,33 @@ where
         add: impl Fn(&mut R, &Motion<'_, M>) + Sync,
         mut then: impl FnMut(Reduced<M, R>),
     ) -> Result<(), EnsembleError> {
-        self.asked.refuse_too_many_at_once(1)?;
-        let counter = self.counter(&self.asked.motions()?);
         let engine = self.engine()?;
+        self.batch.refuse_too_many_at_once(1)?;
+        let counter = self.counter(&self.batch.motions());
         let compute = |chunk: Range<usize>| {
             let blocks = chunk.len().div_ceil(BLOCK);
             let mut blocks: Vec<_> = (0..blocks).map(|_| Reduced::new(identity.clone())).collect();
             let first = chunk.start;
-            self.each(chunk, &counter, |index, system, came| {
+            self.each(chunk, &counter, |index, system, outcome| {
                 let block = &mut blocks[(index - first) / BLOCK];
-                match came {
-                    Came::Ran(Err(error)) => block.fail(1, [Failure::new(index, error)]),
-                    Came::Ran(Ok(trajectory)) => {
+                match outcome {
+                    MotionOutcome::Run(Err(error)) => block.fail(1, [Failure::new(index, error)]),
+                    MotionOutcome::Run(Ok(trajectory)) => {
                         let end = (trajectory.end_time(), trajectory.last());
-                        let kept = Memory::Trajectory(&trajectory);
-                        add(&mut block.value, &Motion::new(index, system, end, kept));
+                        add(&mut block.value, &Motion::new(index, system, end, &&trajectory));
                     }
-                    Came::Arrived(end) => {
-                        let (place, make) = (OnceCell::new(), || self.trajectory_of(index, system, &end));
-                        let kept = Memory::Unmade(&place, &make);
-                        add(&mut block.value, &Motion::new(index, system, (self.asked.end, end.state), kept));
+                    MotionOutcome::Arrival(arrival) => {
+                        let trajectory = LazyCell::new(|| self.trajectory_of(index, system, &arrival));
+                        let end = (self.batch.span()[1], arrival.state);
+                        add(&mut block.value, &Motion::new(index, system, end, &trajectory));
                     }
                 }
             })?;
             Ok(blocks)
         };
-        for part in self.asked.parts()? {
+        for part in self.batch.parts() {
             let mut whole = Reduced::new(identity.clone());
-            engine.chunks(self.asked.part(part), &counter, compute, |blocks| {
+            engine.chunks(self.batch.part(part), &counter, compute, |blocks| {
                 blocks.into_iter().for_each(|block| whole.merge(block));
                 Ok(())
             })?;

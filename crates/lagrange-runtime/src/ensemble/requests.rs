@@ -1,12 +1,10 @@
 //! The settings of an ensemble's runs, which are those of a single run.
 
-use std::format;
-use std::sync::Arc;
-use std::vec::Vec;
+use std::boxed::Box;
 
-use super::asked::SharedSystem;
 use super::builder::Ensemble;
-use crate::simulate::{Drive, Event};
+use super::plan::SharedSystem;
+use crate::simulate::{Drive, ENERGY, Event, columns_of, energy, held, inputs};
 use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputSystem};
 
 impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
@@ -17,11 +15,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         name: &str,
         value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
     ) -> Self {
-        let (name, value) = (Arc::<str>::from(name), Arc::new(value));
-        self.asked.request_columns(format!("observe {name}"), move |_, _, run| {
-            let value = Arc::clone(&value);
-            run.observe(&name, move |system, t, y| value(system, t, y))
-        });
+        self.batch.plan.observe([name], Box::new(move |system, t, y, row| row.push(value(system, t, y))));
         self
     }
 
@@ -30,7 +24,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     where
         M: EnergyFunction,
     {
-        self.asked.request_columns("energy", |_, _, run| run.energy());
+        self.batch.plan.observe([ENERGY], Box::new(columns_of(energy::<M>)));
         self
     }
 
@@ -39,7 +33,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
     where
         M: OutputSystem,
     {
-        self.asked.request_columns("outputs", |_, _, run| run.outputs());
+        self.batch.plan.observe(M::OUTPUTS, Box::new(columns_of(M::outputs)));
         self
     }
 
@@ -62,12 +56,7 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         value: impl Fn(&M, M::Scalar, &M::State) -> M::Scalar + Send + Sync + 'a,
         react: impl Fn(&M, &Event<M::Scalar, M::State>) -> Action<M::State> + Send + Sync + 'a,
     ) -> Self {
-        let (name, value, react) = (Arc::<str>::from(name), Arc::new(value), Arc::new(react));
-        self.asked.request(format!("event {name} {direction:?}"), move |_, _, run| {
-            let (value, react) = (Arc::clone(&value), Arc::clone(&react));
-            let value = move |system: &M, t, y: &M::State| value(system, t, y);
-            run.event_with(&name, direction, value, move |system, event| react(system, event))
-        });
+        self.batch.plan.watch(name, direction, (Box::new(value), Box::new(react)));
         self
     }
 
@@ -78,34 +67,26 @@ impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
         M: ControlledSystem,
         C: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
     {
-        self.asked.request(format!("sampled every {period:?}"), move |_, index, run| {
-            run.sampled(period, controller(index))
-        });
+        self.batch.plan.control(period, Box::new(move |index| held(controller(index))));
+        self.batch.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
         self
     }
 
     /// Gives a motion up as failed after this many steps, rejected ones included.
     pub fn max_steps(mut self, limit: u64) -> Self {
-        self.asked.most_steps = Some(limit);
-        self.asked.request_anyhow(format!("at most {limit} steps"), move |_, _, run| run.max_steps(limit));
+        self.batch.plan.settings.max_steps = Some(limit);
         self
     }
 
     /// Takes no step longer than this, as [in a single run](crate::simulate::Simulation::longest_step).
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
-        self.asked.longest_step = Some(longest);
-        self.asked.request_anyhow(format!("no step longer than {longest:?}"), move |_, _, run| {
-            run.longest_step(longest)
-        });
+        self.batch.plan.settings.longest_step = Some(longest);
         self
     }
 
     /// Ends a step of every motion at each of these times and starts another one there, for a force that jumps or has a kink.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
-        let times: Vec<_> = times.into_iter().collect();
-        self.asked.request(format!("restarts at {times:?}"), move |_, _, run| {
-            run.restart_at(times.iter().copied())
-        });
+        self.batch.plan.settings.restarts.extend(times);
         self
     }
 }

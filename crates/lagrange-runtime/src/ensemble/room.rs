@@ -4,13 +4,13 @@ use core::hint::black_box;
 use std::format;
 use std::vec::Vec;
 
-use super::asked::{Asked, SharedSystem};
+use super::batch::Batch;
 use super::error::EnsembleError;
+use super::plan::SharedSystem;
 use crate::scalar::Number;
-use crate::simulate::Grid;
 use crate::system::StateVector;
 
-impl<M: SharedSystem> Asked<'_, M> {
+impl<M: SharedSystem> Batch<'_, M> {
     /// # Errors
     /// If what is kept of so many motions cannot lie in memory, as far as the operating system tells beforehand.
     pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
@@ -32,7 +32,7 @@ impl<M: SharedSystem> Asked<'_, M> {
         if has_room(bytes as usize) {
             return Ok(());
         }
-        let what = if self.interval.is_some() { "samples" } else { "ends" };
+        let what = if self.plan.settings.interval().is_some() { "samples" } else { "ends" };
         Err(EnsembleError::Setting(format!(
             "the {what} of {motions} motions take {:.1} GB of memory at least, which cannot be had: {instead}",
             bytes / 1e9
@@ -42,7 +42,7 @@ impl<M: SharedSystem> Asked<'_, M> {
     /// The size of times, states and parameters.
     fn least_bytes(&self, motions: usize) -> f64 {
         let parameters = match self.variation {
-            Some(_) if self.interval.is_none() => {
+            Some(_) if self.plan.settings.interval().is_none() => {
                 (0..).map_while(|index| self.system.parameter(index)).count()
             }
             _ => 0,
@@ -51,14 +51,14 @@ impl<M: SharedSystem> Asked<'_, M> {
         motions as f64 * self.least_samples() * (numbers * size_of::<M::Scalar>()) as f64
     }
 
-    /// The largest power of two that is not more than the samples of a motion, if nothing may stop it before its end. What is wrong with
-    /// them a run tells.
+    /// The largest power of two that is not more than the samples of a motion, if nothing may stop it before its end.
     fn least_samples(&self) -> f64 {
-        let may_stop = self.is_one_by_one || self.most_steps.is_some() || !M::EVENTS.is_empty();
-        let Some(interval) = self.interval.filter(|_| !may_stop) else { return 1.0 };
-        let grid = Grid::new(self.from, self.end, interval).and_then(Grid::that_can_be_kept);
-        let (span, mut samples) = ((self.end - self.from).abs(), 1.0);
-        while grid.is_ok() && M::Scalar::from_f64(2.0 * samples) * interval <= span {
+        let settings = &self.plan.settings;
+        let may_stop = self.needs_runs() || settings.max_steps.is_some() || !M::EVENTS.is_empty();
+        let Some(interval) = settings.interval().filter(|_| !may_stop) else { return 1.0 };
+        let [from, end] = self.span();
+        let mut samples = 1.0;
+        while M::Scalar::from_f64(2.0 * samples) * interval <= (end - from).abs() {
             samples *= 2.0;
         }
         samples

@@ -2,9 +2,10 @@
 
 use std::vec::Vec;
 
-use super::asked::{Asked, SharedSystem};
+use super::batch::Batch;
 use super::failure::Failure;
-use super::motion::Ran;
+use super::motion::RunResult;
+use super::plan::SharedSystem;
 use crate::scalar::Number;
 use crate::simulate::{Table, state_names};
 use crate::system::MechanicalSystem;
@@ -24,28 +25,28 @@ impl<M: SharedSystem> Rows<M> {
     }
 
     /// Adds the end of a motion; not a number where it failed.
-    pub(super) fn push_end(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
-        let (samples, is_good) = samples(&ran);
-        let parameters = asked.parameters(system, samples.names());
+    pub(super) fn push_end(&mut self, batch: &Batch<'_, M>, index: usize, system: &M, result: RunResult<M>) {
+        let (samples, is_good) = samples(&result);
+        let parameters = batch.parameters(system, samples.names());
         let end = |values: &[M::Scalar]| if is_good { values.last().copied() } else { Some(M::Scalar::NAN) };
         let time = end(samples.times()).unwrap_or(M::Scalar::NAN);
         let row = samples.columns().filter_map(end).chain(parameters.iter().map(|(_, value)| *value));
         let row: Vec<_> = row.collect();
         self.table(samples, &parameters).push(time, &row);
-        self.fail(index, ran);
+        self.fail(index, result);
     }
 
     /// Adds the end of a motion that was no run, with the columns that would be kept of it if there are others than those of the state.
     pub(super) fn push_arrival(
         &mut self,
-        asked: &Asked<'_, M>,
+        batch: &Batch<'_, M>,
         system: &M,
         (time, state): (M::Scalar, &M::State),
         columns: Option<&Table<M::Scalar>>,
     ) {
-        let unnamed = Table::new(if columns.is_none() { state_names::<M>() } else { Vec::new() });
+        let unnamed = Table::new(if columns.is_none() { state_names::<M>().collect() } else { Vec::new() });
         let samples = columns.unwrap_or(&unnamed);
-        let parameters = asked.parameters(system, samples.names());
+        let parameters = batch.parameters(system, samples.names());
         let mut row: Vec<_> = match columns {
             Some(columns) => columns.columns().filter_map(|values| values.last().copied()).collect(),
             None => state.as_ref().to_vec(),
@@ -56,11 +57,17 @@ impl<M: SharedSystem> Rows<M> {
 
     /// Adds all samples of a motion, of a failed one those until it failed.
     #[cfg(feature = "parquet")]
-    pub(super) fn push_samples(&mut self, asked: &Asked<'_, M>, index: usize, system: &M, ran: Ran<M>) {
-        let (samples, _) = samples(&ran);
-        let parameters = asked.parameters(system, samples.names());
+    pub(super) fn push_samples(
+        &mut self,
+        batch: &Batch<'_, M>,
+        index: usize,
+        system: &M,
+        result: RunResult<M>,
+    ) {
+        let (samples, _) = samples(&result);
+        let parameters = batch.parameters(system, samples.names());
         self.table(samples, &parameters).extend(samples, parameters.iter().map(|(_, value)| *value));
-        self.fail(index, ran);
+        self.fail(index, result);
     }
 
     /// Adds the motions that follow.
@@ -87,14 +94,14 @@ impl<M: SharedSystem> Rows<M> {
     }
 
     /// Keeps why a motion failed if it did.
-    fn fail(&mut self, index: usize, ran: Ran<M>) {
-        self.failures.extend(ran.err().map(|error| Failure::new(index, error)));
+    fn fail(&mut self, index: usize, result: RunResult<M>) {
+        self.failures.extend(result.err().map(|error| Failure::new(index, error)));
     }
 }
 
 /// Returns the samples of a motion, and true if it reached its end.
-pub(super) fn samples<M: MechanicalSystem>(ran: &Ran<M>) -> (&Table<M::Scalar>, bool) {
-    match ran {
+pub(super) fn samples<M: MechanicalSystem>(result: &RunResult<M>) -> (&Table<M::Scalar>, bool) {
+    match result {
         Ok(trajectory) => (trajectory.table(), true),
         Err(error) => (error.trajectory.table(), false),
     }

@@ -3,11 +3,11 @@
 use core::ops::Range;
 use std::vec::Vec;
 
-use super::asked::SharedSystem;
 use super::builder::{Ensemble, KeepSamples};
 use super::engine::Engine;
 use super::error::EnsembleError;
-use super::motion::Ran;
+use super::motion::RunResult;
+use super::plan::SharedSystem;
 use crate::integrate::Method;
 use crate::simulate::{Drive, SimulationError, Table, Trajectory};
 use crate::system::MechanicalSystem;
@@ -16,14 +16,14 @@ use crate::system::MechanicalSystem;
 #[derive(Debug)]
 pub struct Samples<M: MechanicalSystem> {
     motions: Range<usize>,
-    ran: Vec<Ran<M>>,
+    results: Vec<RunResult<M>>,
 }
 
 impl<M: MechanicalSystem> Samples<M> {
     /// Returns the number of motions, including failed ones; at least one.
     #[expect(clippy::len_without_is_empty, reason = "there is at least one motion")]
     pub fn len(&self) -> usize {
-        self.ran.len()
+        self.results.len()
     }
 
     /// Returns the range of motions: all, or those of a shard.
@@ -33,17 +33,17 @@ impl<M: MechanicalSystem> Samples<M> {
 
     /// The motion with this index; `None` if it is not among these.
     pub fn motion(&self, index: usize) -> Option<Result<&Trajectory<M>, &SimulationError<M>>> {
-        self.ran.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
+        self.results.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
     }
 
     /// The motions that did not fail, by their index.
     pub fn iter(&self) -> impl Iterator<Item = (usize, &Trajectory<M>)> {
-        self.motions().zip(&self.ran).filter_map(|(index, ran)| Some((index, ran.as_ref().ok()?)))
+        self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().ok()?)))
     }
 
     /// The motions that failed, by their index.
     pub fn failures(&self) -> impl Iterator<Item = (usize, &SimulationError<M>)> {
-        self.motions().zip(&self.ran).filter_map(|(index, ran)| Some((index, ran.as_ref().err()?)))
+        self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().err()?)))
     }
 }
 
@@ -57,27 +57,29 @@ where
     /// Computes all motions and keeps their samples.
     ///
     /// # Errors
-    /// If what was asked for makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
+    /// If a setting makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
     /// among the [`failures`](Samples::failures), and the others go on.
     pub fn run(self) -> Result<Samples<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }
 
     pub(super) fn run_in(&self, engine: &Engine) -> Result<Samples<M>, EnsembleError> {
-        let motions = self.asked.motions()?;
-        self.asked.refuse_too_many(motions.len())?;
+        let motions = self.batch.motions();
+        self.batch.refuse_too_many(motions.len())?;
         let counter = self.counter(&motions);
         let mut all = Vec::new();
         let compute = |chunk: Range<usize>| {
-            let mut ran = Vec::with_capacity(chunk.len());
-            self.each(chunk, &counter, |index, system, came| ran.push(self.samples_of(index, system, came)))?;
-            Ok(ran)
+            let mut results = Vec::with_capacity(chunk.len());
+            self.each(chunk, &counter, |index, system, outcome| {
+                results.push(self.samples_of(index, system, outcome));
+            })?;
+            Ok(results)
         };
         engine.chunks(motions.clone(), &counter, compute, |chunk| {
             all.extend(chunk);
             Ok(())
         })?;
         counter.finish()?;
-        Ok(Samples { motions, ran: all })
+        Ok(Samples { motions, results: all })
     }
 }

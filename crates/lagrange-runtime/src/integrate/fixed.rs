@@ -7,7 +7,7 @@ use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected, is_same};
 use crate::integrate::method::{Stepper, Work};
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, StepFailure};
+use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub(super) use self::lanes::FixedLanes;
 
@@ -92,6 +92,58 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     ) -> M::State;
 }
 
+/// Writes what [`Method`](super::Method) needs of a method whose steps have the length of its field `step`: its name, its order, its formula
+/// and an expression that makes one, and `lanes` if it can take several motions side by side.
+macro_rules! fixed_steps {
+    ($name:expr, $order:expr, $Formula:ty = $formula:expr $(, $lanes:ident)?) => {
+        type Stepper = $crate::integrate::FixedStepper<M, $Formula>;
+
+        fn name(&self) -> &'static str {
+            $name
+        }
+
+        fn order(&self) -> u32 {
+            $order
+        }
+
+        fn check(&self) -> Result<(), $crate::system::SettingError<M::Scalar>> {
+            $crate::integrate::fixed::check_length(self.step)
+        }
+
+        fn start(
+            &self,
+            system: &M,
+            t: M::Scalar,
+            y: &M::State,
+            end: M::Scalar,
+        ) -> Result<Self::Stepper, $crate::system::StepFailure<M::Scalar>> {
+            $crate::integrate::FixedStepper::start($formula, self.step, system, t, y, end)
+        }
+
+        $($crate::integrate::fixed::fixed_steps! { $lanes })?
+    };
+    (lanes) => {
+        fn in_lanes<V: $crate::integrate::LanesMethodVisitor<M::Scalar>>(
+            &self,
+            visitor: V,
+        ) -> Result<V::Output, V> {
+            Ok(visitor.visit(*self))
+        }
+    };
+}
+pub(super) use fixed_steps;
+
+/// Checks the length of steps.
+///
+/// # Errors
+/// If it is not positive and finite.
+pub(super) fn check_length<S: Scalar>(step: S) -> Result<(), SettingError<S>> {
+    if step > S::ZERO && step.is_finite() {
+        return Ok(());
+    }
+    Err(SettingError::Invalid("the length of steps must be positive and finite"))
+}
+
 /// An integration in steps of equal length; only one that reaches its limit may be shorter.
 #[derive(Clone, Debug)]
 pub struct FixedStepper<M: OdeSystem + ?Sized, F> {
@@ -117,9 +169,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         y: &M::State,
         end: M::Scalar,
     ) -> Result<Self, StepFailure<M::Scalar>> {
-        if !(h > M::Scalar::ZERO && h.is_finite()) {
-            return Err(StepFailure::Setting("the length of steps must be positive and finite"));
-        }
+        check_length(h)?;
         check_finite(end, y)?;
         check_step(h, t, end)?;
         let state = admitted(system, t, y)?;

@@ -9,7 +9,7 @@
 //! up, which is then to be told by a run of its own.
 
 use crate::scalar::Scalar;
-use crate::system::{Equations, OdeSystem, SideBySide, StateVector, StepFailure};
+use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
 
 /// A method of integration with its settings.
 pub trait Method<M: OdeSystem + ?Sized> {
@@ -21,6 +21,14 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
     /// The power of the step with which the global error falls.
     fn order(&self) -> u32;
+
+    /// Checks the settings.
+    ///
+    /// # Errors
+    /// If a setting makes no sense whatever the system and its state.
+    fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        Ok(())
+    }
 
     /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     ///
@@ -34,15 +42,15 @@ pub trait Method<M: OdeSystem + ?Sized> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>>;
 
-    /// Returns the method with a maximum step length.
+    /// Returns the method with a maximum step length, which [`check`](Method::check) has yet to check.
     ///
     /// # Errors
     /// If the lengths of its steps are a setting already.
-    fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, StepFailure<M::Scalar>>
+    fn with_longest_step(self, _longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>>
     where
         Self: Sized,
     {
-        Err(StepFailure::Setting(
+        Err(SettingError::Invalid(
             "all steps of this method have the length that it was given: shorten that one",
         ))
     }

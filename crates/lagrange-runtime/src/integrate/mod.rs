@@ -38,4 +38,4 @@ pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, Storme
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerLanes, VernerLastStep, VernerStepper};
-pub use crate::system::{EventSource, StepFailure};
+pub use crate::system::{EventSource, SettingError, StepFailure};

@@ -16,9 +16,9 @@ mod lanes;
 
 pub use self::lanes::{RungeKuttaLanes, RungeKuttaLastStep};
 
-use crate::integrate::fixed::{FixedStepper, Formula};
+use crate::integrate::fixed::{Formula, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
-use crate::integrate::method::{LanesMethodVisitor, Method, SuspectStep, Work};
+use crate::integrate::method::{Method, SuspectStep, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
@@ -50,29 +50,7 @@ pub struct RungeKutta4<S> {
 }
 
 impl<M: OdeSystem + ?Sized> Method<M> for RungeKutta4<M::Scalar> {
-    type Stepper = FixedStepper<M, Classical<M::State>>;
-
-    fn name(&self) -> &'static str {
-        "Runge–Kutta 4"
-    }
-
-    fn order(&self) -> u32 {
-        4
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Classical::new(), self.step, system, t, y, end)
-    }
-
-    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
-        Ok(visitor.visit(*self))
-    }
+    fixed_steps! { "Runge–Kutta 4", 4, Classical<M::State> = Classical::new(), lanes }
 }
 
 /// The formula of [`RungeKutta4`]; Y is the state.

@@ -1,6 +1,6 @@
 //! The system of a run as it is at present.
 
-use crate::system::{MOST_LOCATED, OdeSystem, StepFailure};
+use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
 /// A system that was given, or what contacts, friction, switches or inputs have made of it since.
 pub struct Current<'a, M> {
@@ -61,12 +61,12 @@ impl<'a, M: OdeSystem> Current<'a, M> {
 ///
 /// # Errors
 /// If it may not, or if there are more events than can be looked for.
-fn check_direction<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+pub fn check_direction<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), SettingError<M::Scalar>> {
     if M::EVENTS.len() > MOST_LOCATED {
-        return Err(StepFailure::Setting("the system declares more events than can be looked for"));
+        return Err(SettingError::Invalid("the system declares more events than can be looked for"));
     }
     if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
-        return Err(StepFailure::Setting("contacts and dry friction run forwards in time only"));
+        return Err(SettingError::Invalid("contacts and dry friction run forwards in time only"));
     }
     Ok(())
 }

@@ -17,7 +17,7 @@ mod steps;
 mod tests;
 mod with_events;
 
-pub use self::current::Current;
+pub use self::current::{Current, check_direction};
 pub use self::declared::DeclaredEvents;
 pub use self::events::{AllEvents, Events, Found, Next, NoEvents, Origin};
 pub use self::integrate::integrate;

@@ -9,8 +9,8 @@ use crate::scalar::{Number, Scalar};
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
-    CanonicalSystem, ConstraintValues, ControlledSystem, MechanicalSystem, OdeSystem, StateMatrix,
-    StateVector, StepFailure, VelocityMatrix, Wrapper, join,
+    CanonicalSystem, ConstraintValues, ControlledSystem, MechanicalSystem, ScalarOf, SettingError, State,
+    StateMatrix, StateVector, StepFailure, VelocityMatrix, Wrapper, join,
 };
 use crate::tolerance::SAME_INSTANT;
 
@@ -234,7 +234,7 @@ where
 }
 
 /// The columns that hold inputs, and how a system gets these from a sample.
-pub(super) struct InputColumns<M: MechanicalSystem> {
+pub(crate) struct InputColumns<M: MechanicalSystem> {
     first: usize,
     set: fn(&M, &[M::Scalar]) -> M,
 }
@@ -268,28 +268,15 @@ impl<M: MechanicalSystem> InputColumns<M> {
     }
 }
 
-/// The system with the inputs that a controller gives it.
-type Act<'a, M> = Box<
-    dyn FnMut(
-            &M,
-            <M as OdeSystem>::Scalar,
-            &<M as OdeSystem>::State,
-        ) -> Result<M, StepFailure<<M as OdeSystem>::Scalar>>
-        + 'a,
->;
+/// A controller: returns the system with the inputs that it gives it.
+pub(crate) type Act<'a, M> =
+    Box<dyn FnMut(&M, ScalarOf<M>, &State<M>) -> Result<M, StepFailure<ScalarOf<M>>> + 'a>;
 
 /// A controller that acts every so often and holds its inputs in between.
-pub(super) struct Controller<'a, M: MechanicalSystem> {
-    period: M::Scalar,
+struct Controller<'a, M: MechanicalSystem> {
     act: Act<'a, M>,
-    /// Its instants after the start, once the run has begun.
-    instants: Option<Grid<M::Scalar>>,
-}
-
-impl<'a, M: MechanicalSystem> Controller<'a, M> {
-    pub(super) fn new(period: M::Scalar, act: Act<'a, M>) -> Self {
-        Controller { period, act, instants: None }
-    }
+    /// Its instants after the start.
+    instants: Grid<M::Scalar>,
 }
 
 /// The controllers of a run.
@@ -299,14 +286,26 @@ pub(super) struct Controllers<'a, M: MechanicalSystem> {
 }
 
 impl<'a, M: MechanicalSystem> Controllers<'a, M> {
-    /// Returns the controllers of a run to this end.
-    pub(super) fn new(controllers: Vec<Controller<'a, M>>, end: M::Scalar) -> Self {
-        Controllers { controllers, end }
+    /// Returns the controllers with these periods of a run over this span.
+    ///
+    /// # Errors
+    /// If a period makes no sense.
+    pub(super) fn new(
+        span: [M::Scalar; 2],
+        periods: &[M::Scalar],
+        acts: Vec<Act<'a, M>>,
+    ) -> Result<Self, SettingError<M::Scalar>> {
+        let with_instants = |(period, act): (&M::Scalar, Act<'a, M>)| {
+            Ok(Controller { act, instants: Grid::new(span, *period)? })
+        };
+        let controllers = periods.iter().zip(acts).map(with_instants).collect::<Result<_, _>>()?;
+        Ok(Controllers { controllers, end: span[1] })
     }
 
     /// The next instant at which one acts.
     pub(super) fn next(&self) -> Option<M::Scalar> {
-        let instants = self.controllers.iter().filter_map(|controller| controller.instants?.up_to(self.end));
+        let instants = self.controllers.iter().map(|controller| controller.instants);
+        let instants = instants.filter_map(|mut instants| instants.up_to(self.end));
         let since = |time: M::Scalar| (self.end - time).abs();
         instants.reduce(|one, other| if since(other) > since(one) { other } else { one })
     }
@@ -314,12 +313,9 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
     /// All act at the start.
     ///
     /// # Errors
-    /// If a period makes no sense, or an input is not finite.
-    pub(super) fn begin(&mut self, system: &M, (t, y): (M::Scalar, &M::State)) -> Acted<M> {
-        for controller in &mut self.controllers {
-            controller.instants = Some(Grid::new(t, self.end, controller.period)?);
-        }
-        self.ask(|_| true, system, (t, y))
+    /// If an input is not finite.
+    pub(super) fn begin(&mut self, system: &M, start: (M::Scalar, &M::State)) -> Acted<M> {
+        self.ask(|_| true, system, start)
     }
 
     /// Runs the controllers whose instants have been reached; instants that differ by rounding are
@@ -347,7 +343,7 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
     ) -> Acted<M> {
         let mut acted = None;
         for controller in &mut self.controllers {
-            if controller.instants.as_mut().is_some_and(&mut is_due) {
+            if is_due(&mut controller.instants) {
                 acted = Some((controller.act)(acted.as_ref().unwrap_or(system), t, y)?);
             }
         }
@@ -356,4 +352,4 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
 }
 
 /// The system with the inputs that controllers gave it, if one did.
-type Acted<M> = Result<Option<M>, StepFailure<<M as OdeSystem>::Scalar>>;
+type Acted<M> = Result<Option<M>, StepFailure<ScalarOf<M>>>;

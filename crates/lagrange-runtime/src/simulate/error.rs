@@ -1,19 +1,13 @@
 //! Why a run stopped early, and what it had found until then.
 
 use std::boxed::Box;
-use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{Debug, Display, Formatter, Result};
 use std::string::{String, ToString};
 
+use crate::simulate::table::repeated;
 use crate::simulate::trajectory::Trajectory;
-use crate::system::{EventName, EventSource, MechanicalSystem, StepFailure, explain};
-
-/// The first name that stands twice in a list.
-pub(super) fn repeated(names: &[String]) -> Option<String> {
-    let mut seen = BTreeSet::new();
-    names.iter().find(|name| !seen.insert(*name)).cloned()
-}
+use crate::system::{EventName, EventSource, MechanicalSystem, SettingError, StepFailure, explain};
 
 /// A run stopped before its end.
 ///
@@ -32,7 +26,7 @@ impl<M: MechanicalSystem> SimulationError<M> {
     /// An error of a run to which events with these names were `given`.
     pub(super) fn new(cause: StepFailure<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
         let name = match (cause, cause.event()) {
-            (StepFailure::RepeatedColumn, _) => repeated(trajectory.names()),
+            (StepFailure::Setting(SettingError::RepeatedColumn), _) => repeated(trajectory.names()),
             (_, Some(EventSource::Declared(name))) => Some(name.to_string()),
             (_, Some(EventSource::Given(index))) => given.get(index).cloned(),
             (_, None) => None,
@@ -75,7 +69,9 @@ pub(crate) fn explain_run<S: Copy + Debug + PartialEq>(
     f: &mut Formatter<'_>,
 ) -> Result {
     match name {
-        Some(name) if *cause == StepFailure::RepeatedColumn => write!(f, "two columns are called `{name}`")?,
+        Some(name) if *cause == StepFailure::Setting(SettingError::RepeatedColumn) => {
+            write!(f, "two columns are called `{name}`")?;
+        }
         Some(name) => explain(cause, &EventName(name), f)?,
         None => write!(f, "{cause}")?,
     }

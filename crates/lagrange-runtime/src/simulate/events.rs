@@ -10,7 +10,7 @@ use crate::run::{Events, Found, Next, Origin, Pending};
 use crate::scalar::Number;
 use crate::simulate::control::ClosedLoop;
 use crate::system::{
-    Action, Direction, EventKind, EventSource, MechanicalSystem, OdeSystem, Reacted, Response,
+    Action, Direction, EventKind, EventSource, MechanicalSystem, Reacted, Response, ScalarOf, State,
 };
 
 /// Something that happened during a run.
@@ -27,52 +27,53 @@ pub struct Event<S, Y> {
     pub kind: EventKind<S>,
 }
 
-/// A function of time and state.
-type Value<'a, M> =
-    Box<dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State) -> <M as OdeSystem>::Scalar + 'a>;
+/// An event of the system M, as a reaction sees it.
+pub(crate) type EventOf<M> = Event<ScalarOf<M>, State<M>>;
 
-/// An event as those are told who asked for it.
-type Told<M> = Event<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
+/// A function of time and state.
+pub(crate) type Value<'a, M> = Box<dyn FnMut(&M, ScalarOf<M>, &State<M>) -> ScalarOf<M> + 'a>;
 
 /// The response to an event.
-type React<'a, M> = Box<dyn FnMut(&M, &Told<M>) -> Action<<M as OdeSystem>::State> + 'a>;
+pub(crate) type React<'a, M> = Box<dyn FnMut(&M, &EventOf<M>) -> Action<State<M>> + 'a>;
 
-/// A function whose zeros are looked for.
-pub(super) struct Watcher<'a, M: MechanicalSystem> {
-    pub(super) name: String,
-    pub(super) direction: Direction,
-    pub(super) value: Value<'a, M>,
-    pub(super) react: React<'a, M>,
-}
+/// A function whose zeros are looked for, and the response to them.
+pub(crate) type Watch<'a, M> = (Value<'a, M>, React<'a, M>);
 
-impl<M: MechanicalSystem> Watcher<'_, M> {
-    fn value(&mut self, system: &impl ClosedLoop<M>, t: M::Scalar, y: &M::State) -> M::Scalar {
-        system.ask(t, y, |plant| (self.value)(plant, t, y))
-    }
-}
-
-/// A watcher with what its function has ahead.
-struct Ahead<'a, M: MechanicalSystem> {
-    watcher: Watcher<'a, M>,
+/// An event of a run and its next occurrence.
+struct Watcher<'a, M: MechanicalSystem> {
+    name: String,
+    value: Value<'a, M>,
+    react: React<'a, M>,
     pending: Pending<M::Scalar, M::State, 1>,
 }
 
-/// The events that watchers look for.
-pub(super) struct Watchers<'a, M: MechanicalSystem>(Vec<Ahead<'a, M>>);
+/// The events that a run looks for.
+pub(super) struct Watchers<'a, M: MechanicalSystem>(Vec<Watcher<'a, M>>);
 
 impl<'a, M: MechanicalSystem> Watchers<'a, M> {
-    /// Starts to watch at a time and state.
-    pub(super) fn new(
-        watchers: Vec<Watcher<'a, M>>,
-        system: &impl ClosedLoop<M>,
+    /// Starts to watch at a time and state for events with these names and directions.
+    pub(super) fn new<C: ClosedLoop<M>>(
+        events: &[(String, Direction)],
+        watches: Vec<Watch<'a, M>>,
+        system: &C,
         (t, y): (M::Scalar, &M::State),
     ) -> Self {
-        let start = |mut watcher: Watcher<'a, M>| {
-            let detector = Detector::new([watcher.direction], t, [watcher.value(system, t, y)]);
-            Ahead { watcher, pending: Pending::new(detector) }
+        let start = |((name, direction), (mut value, react)): (&(String, _), Watch<'a, M>)| {
+            let detector = Detector::new([*direction], t, [ask(&mut value, system, t, y)]);
+            Watcher { name: name.clone(), value, react, pending: Pending::new(detector) }
         };
-        Watchers(watchers.into_iter().map(start).collect())
+        Watchers(events.iter().zip(watches).map(start).collect())
     }
+}
+
+/// Returns the value of a function for the system as it is at this time and state.
+fn ask<M: MechanicalSystem, C: ClosedLoop<M>>(
+    value: &mut Value<'_, M>,
+    system: &C,
+    t: M::Scalar,
+    y: &M::State,
+) -> M::Scalar {
+    system.ask(t, y, |plant| value(plant, t, y))
 }
 
 impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
@@ -84,8 +85,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
         let from = stepper.last_time();
         let since = |time: M::Scalar| (time - from).abs();
         let mut earliest: Option<(Origin, M::Scalar)> = None;
-        for (index, Ahead { watcher, pending }) in self.0.iter_mut().enumerate() {
-            let found = pending.look(system, stepper, end, |t, y| [watcher.value(system, t, y)]);
+        for (index, Watcher { value, pending, .. }) in self.0.iter_mut().enumerate() {
+            let found = pending.look(system, stepper, end, |t, y| [ask(value, system, t, y)]);
             let found = found.map_err(|cause| cause.of_event(|_| EventSource::Given(index)))?;
             let Some(time) = found else { continue };
             if earliest.is_none_or(|(_, other)| since(time) < since(other)) {
@@ -102,7 +103,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
 
     fn react(&mut self, system: &C, origin: Origin, found: &Found<C>) -> Reacted<C> {
         let Origin::Given(index) = origin else { return Ok(Response::new(Action::Continue)) };
-        let watcher = &mut self.0[index].watcher;
+        let watcher = &mut self.0[index];
         let Occurrence { time, state, .. } = *found;
         let event = Event { name: watcher.name.clone(), time, state, kind: EventKind::Zero };
         let action = system.ask(time, &state, |plant| (watcher.react)(plant, &event));
@@ -110,14 +111,14 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
     }
 
     fn restart(&mut self, system: &C, t: M::Scalar, y: &M::State) {
-        for Ahead { watcher, pending } in &mut self.0 {
-            pending.restart(t, [watcher.value(system, t, y)]);
+        for Watcher { value, pending, .. } in &mut self.0 {
+            pending.restart(t, [ask(value, system, t, y)]);
         }
     }
 
     fn jump(&mut self, system: &C, t: M::Scalar, y: &M::State) {
-        for Ahead { watcher, pending } in &mut self.0 {
-            pending.jump([watcher.value(system, t, y)]);
+        for Watcher { value, pending, .. } in &mut self.0 {
+            pending.jump([ask(value, system, t, y)]);
         }
     }
 }

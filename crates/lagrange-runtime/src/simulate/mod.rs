@@ -18,8 +18,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A run is asked for in words: [`simulate`](Simulate::simulate) a start, [`until`](Start::until) an end, and then as
-//! much of [`Simulation`] as is wanted. What comes back is a [`Trajectory`], or a [`SimulationError`] that holds the
+//! A run is requested in words: [`simulate`](Simulate::simulate) a start, [`until`](Simulation::until) an end, and other
+//! settings of [`Simulation`], in any order. The result is a [`Trajectory`], or a [`SimulationError`] that holds the
 //! trajectory up to the last good state.
 //!
 //! | to | say |
@@ -49,6 +49,7 @@ mod events;
 mod observer;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod plan;
 #[cfg(feature = "plot")]
 mod plots;
 mod ports;
@@ -59,31 +60,41 @@ mod sampling;
 mod start;
 mod table;
 mod trajectory;
-mod unended;
 mod units;
 #[cfg(not(all(feature = "plot", feature = "parquet")))]
 mod without_features;
 
 #[cfg(doc)]
 use crate::integrate::Verner98;
-use crate::scalar::Number;
 use crate::system::MechanicalSystem;
 
-pub use self::builder::{Simulation, Start};
+#[cfg(feature = "ensemble")]
+pub(crate) use self::builder::{ENERGY, default_method};
+pub use self::builder::{Ended, Simulation, Start, Unended};
+#[cfg(feature = "ensemble")]
+pub(crate) use self::control::Act;
 pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
-pub(crate) use self::observer::state_names;
+pub(crate) use self::events::EventOf;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::observer::{columns_of, energy, inputs, state_names};
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
+#[cfg(all(feature = "ensemble", feature = "parquet"))]
+pub(crate) use self::plan::RunSettings;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::plan::{Plan, RunPlan};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::plots::time_axis;
+#[cfg(feature = "ensemble")]
+pub(crate) use self::ports::held;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
-pub(crate) use self::sampling::Grid;
+pub(crate) use self::sampling::{Grid, Sampling};
 pub use self::start::InitialState;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::table::TIME;
@@ -118,7 +129,7 @@ pub trait Simulate: MechanicalSystem + Sized {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     fn simulate(&self, start: impl InitialState<Self::State>) -> Start<'_, Self> {
-        Start::of(self, Self::Scalar::ZERO, start.into_state())
+        Start::of(self, start.into_state())
     }
 }
 

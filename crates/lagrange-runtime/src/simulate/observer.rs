@@ -4,23 +4,44 @@ use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::system::{MechanicalSystem, OdeSystem, WithSuffix};
-
-/// Columns that are computed from time and state.
-pub(super) struct Observer<'a, M: MechanicalSystem> {
-    pub(super) names: Vec<String>,
-    pub(super) extend: Extend<'a, M>,
-}
+use crate::system::{ControlledSystem, EnergyFunction, MechanicalSystem, ScalarOf, State, WithSuffix, split};
 
 /// Adds one value for each column of an observer to a row.
-pub(super) type Extend<'a, M> = Box<
-    dyn FnMut(&M, <M as OdeSystem>::Scalar, &<M as OdeSystem>::State, &mut Vec<<M as OdeSystem>::Scalar>)
-        + 'a,
->;
+pub(crate) type Extend<'a, M> = Box<dyn FnMut(&M, ScalarOf<M>, &State<M>, &mut Vec<ScalarOf<M>>) + 'a>;
 
-/// The names of the state: positions, then velocities.
-pub(crate) fn state_names<M: MechanicalSystem>() -> Vec<String> {
-    M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>()).collect()
+/// Returns a function that adds values at positions and velocities to a row.
+pub(crate) fn columns_of<M: MechanicalSystem, T: AsRef<[ScalarOf<M>]>>(
+    values: impl Fn(&M, ScalarOf<M>, &M::Coordinates, &M::Velocities) -> T,
+) -> impl Fn(&M, ScalarOf<M>, &State<M>, &mut Vec<ScalarOf<M>>) {
+    move |system, t, y, row| {
+        let (q, v) = split::<M>(y);
+        row.extend_from_slice(values(system, t, &q, &v).as_ref());
+    }
+}
+
+/// Returns the energy as a column.
+pub(crate) fn energy<M: EnergyFunction>(
+    system: &M,
+    t: ScalarOf<M>,
+    q: &M::Coordinates,
+    v: &M::Velocities,
+) -> [ScalarOf<M>; 1] {
+    [system.energy(t, q, v)]
+}
+
+/// Returns the inputs as columns.
+pub(crate) fn inputs<M: ControlledSystem>(
+    system: &M,
+    _t: ScalarOf<M>,
+    _q: &M::Coordinates,
+    _v: &M::Velocities,
+) -> M::InputVector {
+    system.inputs().into()
+}
+
+/// Returns the names of the state: positions, then velocities.
+pub(crate) fn state_names<M: MechanicalSystem>() -> impl Iterator<Item = String> {
+    M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>())
 }
 
 /// The names of the velocities.

@@ -1,18 +1,18 @@
 //! Settings of a run for inputs and outputs.
 
 use std::boxed::Box;
-use std::string::ToString;
 use std::vec::Vec;
 
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
-use crate::simulate::control::{Controller, Drive, InputColumns, Law, Undriven};
+use crate::simulate::control::{Act, Drive, Law, Undriven};
+use crate::simulate::observer::{columns_of, inputs};
 use crate::system::{
-    ControlledSystem, MechanicalSystem, OutputSystem, StateVector, StepFailure, Undefined, split,
+    ControlledSystem, MechanicalSystem, OutputSystem, SettingError, StepFailure, Undefined, split,
 };
 
 // What is asked of a system stands at each method, so that the compiler says what is missing in its own words.
-impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K, Undriven> {
+impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
     ///
     /// The law is part of the equations: methods evaluate it at trial states in any order, so that it cannot have a memory. It is
@@ -42,16 +42,18 @@ impl<'a, M: MechanicalSystem, K> Simulation<'a, M, K, Undriven> {
     /// assert_eq!(motion.column("u").unwrap()[0], -4.0);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn drive<F>(self, law: F) -> Simulation<'a, M, K, Law<F>>
+    pub fn drive<F>(mut self, law: F) -> Simulation<'a, M, K, Law<F>, E>
     where
         M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
     {
-        self.recording_inputs().exchange(|method, Undriven| (method, Law::new(law)))
+        self.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        let Simulation { system, state, plan, reporter, method, end, .. } = self;
+        Simulation { system, state, plan, reporter, method, drive: Law::new(law), end }
     }
 }
 
-impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
+impl<'a, M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'a, M, K, D, E> {
     /// Sets the inputs by a controller that is asked at the start and then every `period`, and holds them in between (a zero-order
     /// hold).
     ///
@@ -83,46 +85,38 @@ impl<'a, M: MechanicalSystem, K, D: Drive<M>> Simulation<'a, M, K, D> {
     /// assert!((motion.last()[1] - 6.0).abs() < 1e-12);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn sampled<F>(self, period: M::Scalar, mut control: F) -> Self
+    pub fn sampled<F>(mut self, period: M::Scalar, control: F) -> Self
     where
         M: ControlledSystem,
         F: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
     {
-        let act = move |system: &M, t, y: &M::State| {
-            let inputs = control(system, t, M::NamedState::from(*y));
-            check_finite::<M>(t, inputs)?;
-            Ok(system.with_inputs(inputs))
-        };
-        let mut simulation = self.recording_inputs();
-        simulation.controllers.push(Controller::new(period, Box::new(act)));
-        simulation
-    }
-
-    /// Adds a column for each input, if there is none yet.
-    pub(crate) fn recording_inputs(mut self) -> Self
-    where
-        M: ControlledSystem,
-    {
-        if self.inputs.is_some() {
-            return self;
-        }
-        let before = self.observers.iter().map(|observer| observer.names.len()).sum::<usize>();
-        self.inputs = Some(InputColumns::from(M::State::ZERO.as_ref().len() + before));
-        let names = M::INPUTS.iter().map(ToString::to_string).collect();
-        let extend = |system: &M, _, _: &M::State, row: &mut Vec<_>| {
-            row.extend_from_slice(system.inputs().into().as_ref());
-        };
-        self.with(names, Box::new(extend))
+        self.plan.control(period, held(control));
+        self.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        self
     }
 }
 
-impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
+/// Returns a controller as a function that gives a system its inputs, if they are finite.
+pub(crate) fn held<'a, M, F>(mut control: F) -> Act<'a, M>
+where
+    M: ControlledSystem,
+    F: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
+{
+    Box::new(move |system, t, y| {
+        let inputs = control(system, t, M::NamedState::from(*y));
+        check_finite::<M>(t, inputs)?;
+        Ok(system.with_inputs(inputs))
+    })
+}
+
+impl<M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'_, M, K, D, E> {
     /// Adds a column for each component of each output, such as `height`, `tip.x` and `tip.y`.
-    pub fn outputs(self) -> Self
+    pub fn outputs(mut self) -> Self
     where
         M: OutputSystem,
     {
-        self.recording_outputs((0..M::OUTPUTS.len()).collect())
+        self.plan.observe(M::OUTPUTS, Box::new(columns_of(M::outputs)));
+        self
     }
 
     /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An output that is not declared is an
@@ -136,23 +130,17 @@ impl<M: MechanicalSystem, K, D: Drive<M>> Simulation<'_, M, K, D> {
         };
         let chosen = (0..M::OUTPUTS.len()).filter(|&index| belongs(M::OUTPUTS[index])).collect::<Vec<_>>();
         if chosen.is_empty() {
-            self.fault = self.fault.or(Some(StepFailure::UnknownOutput { name: output, known: M::OUTPUTS }));
+            self.plan.settings.refuse(SettingError::UnknownOutput { name: output, known: M::OUTPUTS });
             return self;
         }
-        self.recording_outputs(chosen)
-    }
-
-    fn recording_outputs(self, chosen: Vec<usize>) -> Self
-    where
-        M: OutputSystem,
-    {
-        let names = chosen.iter().map(|&index| M::OUTPUTS[index].to_string()).collect();
+        let names: Vec<_> = chosen.iter().map(|&index| M::OUTPUTS[index]).collect();
         let extend = move |system: &M, t, y: &M::State, row: &mut Vec<_>| {
             let (q, v) = split::<M>(y);
             let outputs = system.outputs(t, &q, &v);
             row.extend(chosen.iter().map(|&index| outputs.as_ref()[index]));
         };
-        self.with(names, Box::new(extend))
+        self.plan.observe(names, Box::new(extend));
+        self
     }
 }
 

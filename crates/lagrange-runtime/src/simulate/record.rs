@@ -1,20 +1,22 @@
 //! The record of a run in progress.
 
-use std::string::String;
+use std::string::{String, ToString};
 use std::sync::Arc;
 use std::vec::Vec;
 
 use crate::integrate::{Stepper, Work};
-use crate::run::Current;
+use crate::run::{Current, Found, Origin, Sink};
 use crate::scalar::Number;
 use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
-use crate::simulate::observer::{Observer, state_names};
+use crate::simulate::observer::Extend;
+use crate::simulate::plan::RunSettings;
+use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::{MechanicalSystem, StepFailure};
+use crate::system::{EventKind, MechanicalSystem};
 use crate::tolerance::SAME_INSTANT;
 
 /// The record of a run in progress.
@@ -22,14 +24,18 @@ pub(super) struct Record<'a, M: MechanicalSystem, C> {
     /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
     table: Table<M::Scalar>,
-    observers: Vec<Observer<'a, M>>,
+    columns: Vec<Extend<'a, M>>,
     /// Room for the columns of one sample.
     row: Vec<M::Scalar>,
     dense: Option<Dense<M::Scalar, M::State>>,
     samples: Samples<M::Scalar>,
+    /// Names of the events that the run was given.
+    given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
-    pub(super) first: (M::Scalar, M::State),
+    reporter: Option<Reporter<'a, M::Scalar>>,
+    first: (M::Scalar, M::State),
     last: (M::Scalar, M::State),
+    end: M::Scalar,
     pub(super) work: Work,
 }
 
@@ -44,24 +50,38 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     /// Starts with the initial state as the first sample; the system may be another one there than that which was given.
     pub(super) fn new(
         current: &Current<'_, C>,
-        observers: Vec<Observer<'a, M>>,
-        dense: Option<Dense<M::Scalar, M::State>>,
+        settings: &RunSettings<M::Scalar>,
+        columns: Vec<Extend<'a, M>>,
+        reporter: Option<Reporter<'a, M::Scalar>>,
         start: (M::Scalar, M::State),
     ) -> Self {
+        let samples = match (settings.sampling, settings.grid()) {
+            (Sampling::EveryStep, _) => Samples::EveryStep,
+            (Sampling::Every(_), Ok(Some(grid))) => Samples::Grid(grid),
+            _ => Samples::None,
+        };
         let mut record = Record {
             freed: current.switched().and_then(C::freed),
-            table: Table::new(names(&observers)),
-            observers,
+            table: Table::new(settings.names::<M>()),
+            columns,
             row: Vec::new(),
-            dense,
-            samples: Samples::None,
+            dense: None,
+            samples,
+            given: settings.events.iter().map(|(name, _)| name.clone()).collect(),
             events: Vec::new(),
+            reporter,
             first: start,
             last: start,
+            end: settings.span[1],
             work: Work::default(),
         };
-        record.sample(current.system(), start.0, &start.1);
+        record.sample(current.system(), start);
         record
+    }
+
+    /// Keeps all steps of a method of this order.
+    pub(super) fn keep_steps(&mut self, order: u32) {
+        self.dense = Some(Dense::new(order));
     }
 
     /// The last good state, with its time.
@@ -74,34 +94,51 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.freed.as_ref().unwrap_or(system)
     }
 
-    /// Goes on with this system.
-    pub(super) fn switch(&mut self, system: &C) {
-        self.freed = system.freed();
+    /// Adds a sample that was computed elsewhere.
+    #[cfg(feature = "ensemble")]
+    pub(super) fn push(&mut self, system: &C, reached: (M::Scalar, M::State)) {
+        self.sample(system, reached);
+        self.last = reached;
     }
 
-    /// The names of the columns.
-    pub(super) fn names(&self) -> &[String] {
-        self.table.names()
+    /// Reports progress; true to continue.
+    pub(super) fn report(&mut self, time: M::Scalar, steps: u64) -> bool {
+        let progress = Progress { start: self.first.0, time, end: self.end, steps };
+        self.reporter.as_mut().is_none_or(|reporter| reporter.step(progress))
     }
 
-    /// Chooses the samples up to this end.
-    pub(super) fn choose(
-        &mut self,
-        sampling: Sampling<M::Scalar>,
-        end: M::Scalar,
-    ) -> Result<(), StepFailure<M::Scalar>> {
-        self.samples = match sampling {
-            Sampling::EveryStep => Samples::EveryStep,
-            Sampling::Every(interval) => {
-                Samples::Grid(Grid::new(self.first.0, end, interval)?.that_can_be_kept()?)
-            }
-            Sampling::Ends => Samples::None,
-        };
-        Ok(())
+    /// Adds a sample at this time and state.
+    fn sample(&mut self, system: &C, (time, state): (M::Scalar, M::State)) {
+        self.row.clear();
+        self.row.extend_from_slice(state.as_ref());
+        let system = self.freed.as_ref().unwrap_or(system);
+        let (columns, row) = (&mut self.columns, &mut self.row);
+        system.ask(time, &state, |plant| {
+            columns.iter_mut().for_each(|extend| extend(plant, time, &state, row));
+        });
+        self.table.push(time, &self.row);
     }
 
-    /// True if states before `to` that lie within the step to it will be kept.
-    pub(super) fn looks_before(&self, to: M::Scalar) -> bool {
+    /// Returns the names of the given events, and the trajectory with the last good state as its last sample.
+    pub(super) fn close(
+        mut self,
+        current: Current<'_, C>,
+        ending: Ending,
+        method: &'static str,
+    ) -> (Vec<String>, Trajectory<M>) {
+        if self.last.0 != self.first.0 && self.table.times().last() != Some(&self.last.0) {
+            self.sample(current.system(), self.last);
+        }
+        let Record { table, dense, given, events, first, last, work, freed, .. } = self;
+        let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
+        let columns = table.into();
+        let inputs = None;
+        (given, Trajectory { columns, dense, events, work, ending, first, last, method, inputs, system })
+    }
+}
+
+impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
+    fn looks_before(&self, to: M::Scalar) -> bool {
         let is_sampled = match self.samples {
             Samples::Grid(mut grid) => grid.up_to(to).is_some_and(|time| time != to),
             Samples::EveryStep | Samples::None => false,
@@ -109,24 +146,31 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         is_sampled || self.dense.is_some()
     }
 
-    /// Keeps what is asked for of the last step up to `to`, where this is the state.
-    ///
-    /// After each sample within the step `goes_on` is asked. The result is whether the run does: otherwise it ends at the last sample.
-    pub(super) fn keep(
-        &mut self,
-        system: &C,
-        stepper: &mut impl Stepper<C>,
-        (to, state): (M::Scalar, &M::State),
-        mut goes_on: impl FnMut(M::Scalar) -> bool,
-    ) -> bool {
+    fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
+        let name = match origin {
+            Origin::Declared => C::EVENTS[event.event].name.to_string(),
+            Origin::Given(index) => self.given[index].clone(),
+        };
+        self.events.push(Event { name, time: event.time, state: event.state, kind });
+    }
+
+    fn reach_end(&mut self, system: &C, stepper: &mut impl Stepper<C>, time: M::Scalar) -> bool {
+        let state = *stepper.state();
+        self.reach(system, stepper, (time, &state))
+    }
+
+    /// Keeps what is wanted of the last step, and reports after each sample within it. If the run is cancelled there, it ends at that sample.
+    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &M::State)) -> bool {
+        let (to, state) = reached;
+        let steps = stepper.work().steps;
         let mut reached = (to, *state);
         match self.samples {
-            Samples::EveryStep => self.sample(system, to, state),
+            Samples::EveryStep => self.sample(system, reached),
             Samples::Grid(mut grid) => {
                 while let Some(time) = grid.up_to(to) {
                     let state = if time == to { *state } else { stepper.interpolate(system, time) };
-                    self.sample(system, time, &state);
-                    if time != to && !goes_on(time) {
+                    self.sample(system, (time, state));
+                    if time != to && !self.report(time, steps) {
                         reached = (time, state);
                         break;
                     }
@@ -135,78 +179,35 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             }
             Samples::None => {}
         }
-        let has_gone_on = reached.0 == to;
-        let to = reached.0;
         if let Some(dense) = &mut self.dense {
-            dense.push((stepper.last_time(), to), |t| stepper.interpolate(system, t));
+            dense.push((stepper.last_time(), reached.0), |t| stepper.interpolate(system, t));
         }
         self.last = reached;
-        has_gone_on
+        reached.0 == to
     }
 
-    /// Goes on from another state at the time that was reached.
-    pub(super) fn jump(&mut self, system: &C, state: &M::State) {
+    fn switch(&mut self, system: &C) {
+        self.freed = system.freed();
+    }
+
+    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &M::State), is_silent: bool) {
+        if is_silent {
+            return;
+        }
         self.last.1 = *state;
         if let Samples::EveryStep = self.samples {
-            self.sample(system, self.last.0, state);
+            self.sample(system, self.last);
         }
     }
 
-    /// Goes on from this time and state with other inputs: a sample that was kept there has these.
-    pub(super) fn act(&mut self, system: &C, time: M::Scalar, state: &M::State) {
+    /// Replaces a sample that was kept at this time: it has the new inputs.
+    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &M::State)) {
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding
         {
             self.table.pop();
-            self.sample(system, last, state);
+            self.sample(system, (last, *state));
         }
     }
-
-    pub(super) fn event(&mut self, event: Event<M::Scalar, M::State>) {
-        self.events.push(event);
-    }
-
-    /// Adds a sample that was reached.
-    #[cfg(feature = "ensemble")]
-    pub(super) fn reach(&mut self, system: &C, (time, state): (M::Scalar, M::State)) {
-        self.sample(system, time, &state);
-        self.last = (time, state);
-    }
-
-    /// Adds a sample.
-    fn sample(&mut self, system: &C, time: M::Scalar, state: &M::State) {
-        self.row.clear();
-        self.row.extend_from_slice(state.as_ref());
-        let system = self.freed.as_ref().unwrap_or(system);
-        let (observers, row) = (&mut self.observers, &mut self.row);
-        system.ask(time, state, |plant| {
-            observers.iter_mut().for_each(|observer| (observer.extend)(plant, time, state, row));
-        });
-        self.table.push(time, &self.row);
-    }
-
-    /// Returns the trajectory, with the last good state as its last sample.
-    pub(super) fn close(
-        mut self,
-        current: Current<'_, C>,
-        ending: Ending,
-        method: &'static str,
-    ) -> Trajectory<M> {
-        let (time, state) = self.last;
-        if time != self.first.0 && self.table.times().last() != Some(&time) {
-            self.sample(current.system(), time, &state);
-        }
-        let Record { table, dense, events, first, last, work, freed, .. } = self;
-        let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
-        let columns = table.into();
-        Trajectory { columns, dense, events, work, ending, first, last, method, inputs: None, system }
-    }
-}
-
-/// The names of all columns: coordinates, velocities, and what observers add.
-fn names<M: MechanicalSystem>(observers: &[Observer<'_, M>]) -> Vec<String> {
-    let mut names = state_names::<M>();
-    names.extend(observers.iter().flat_map(|observer| observer.names.iter().cloned()));
-    names
 }

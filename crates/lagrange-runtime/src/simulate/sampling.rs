@@ -1,12 +1,12 @@
 //! The sampling times of a run.
 
 use crate::scalar::Scalar;
-use crate::system::{StepFailure, Undefined};
+use crate::system::SettingError;
 use crate::tolerance::SAME_INSTANT;
 
 /// The sampling times of a run, beside its start and its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Sampling<S> {
+pub(crate) enum Sampling<S> {
     /// The end of every step.
     EveryStep,
     /// The start plus multiples of this interval.
@@ -31,30 +31,34 @@ const MOST_SAMPLES: f64 = 1e8;
 const SNAP: f64 = 1e-9;
 
 impl<S: Scalar> Grid<S> {
-    pub(crate) fn new(start: S, end: S, interval: S) -> Result<Self, StepFailure<S>> {
+    /// Returns the times of a run over this span.
+    ///
+    /// # Errors
+    /// If the interval makes no sense. Methods report a span that is not finite.
+    pub(crate) fn new([start, end]: [S; 2], interval: S) -> Result<Self, SettingError<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
-            return Err(StepFailure::Setting("the interval of sampling must be positive and finite"));
-        }
-        let interval = if end < start { -interval } else { interval };
-        if !end.is_finite() {
-            return Err(StepFailure::Undefined(Undefined::EndTime { value: end }));
+            return Err(SettingError::Invalid("the interval of sampling must be positive and finite"));
         }
         // Otherwise instants next to each other would be the same, or taken to be.
         let rounding = SAME_INSTANT.times(2).part::<S>() * start.abs().max(end.abs());
-        if interval.abs() <= rounding {
-            return Err(StepFailure::Setting("the interval of sampling is lost in the rounding of time"));
+        if rounding.is_finite() && interval <= rounding {
+            return Err(SettingError::Invalid("the interval of sampling is lost in the rounding of time"));
         }
-        Ok(Grid { start, interval, end, index: 1 })
+        Ok(Grid { start, interval: if end < start { -interval } else { interval }, end, index: 1 })
     }
 
-    /// Returns the sampling if its times fit into memory.
-    pub(crate) fn that_can_be_kept(self) -> Result<Self, StepFailure<S>> {
+    /// Returns these times if as many samples fit into memory.
+    ///
+    /// # Errors
+    /// If they do not.
+    pub(crate) fn checked(self) -> Result<Self, SettingError<S>> {
         let samples = (self.end - self.start) / self.interval;
         let most = S::from_f64(MOST_SAMPLES);
-        if samples.is_finite() && samples <= most {
+        let is_finite = self.start.is_finite() && self.end.is_finite();
+        if !is_finite || samples <= most {
             return Ok(self);
         }
-        Err(StepFailure::TooManySamples { samples, most })
+        Err(SettingError::TooManySamples { samples, most })
     }
 
     /// True if time runs backwards.

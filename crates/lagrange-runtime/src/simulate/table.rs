@@ -1,5 +1,6 @@
 //! Columns of numbers with names.
 
+use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
 
@@ -87,6 +88,12 @@ impl<S: Copy> Table<S> {
         let index = self.names.iter().position(|known| known == name)?;
         self.columns.get(index).map(Vec::as_slice)
     }
+}
+
+/// Returns the first name that stands twice in a list.
+pub(super) fn repeated(names: &[String]) -> Option<String> {
+    let mut seen = BTreeSet::new();
+    names.iter().find(|name| !seen.insert(*name)).cloned()
 }
 
 /// Access by index, for the named columns that are emitted with a system.

@@ -42,9 +42,8 @@ pub(crate) fn explain<S: Debug>(
     f: &mut Formatter<'_>,
 ) -> Result {
     match cause {
-        StepFailure::Setting(what) | StepFailure::Stuck(what) | StepFailure::Adapted(what) => {
-            f.write_str(what)
-        }
+        StepFailure::Setting(error) => write!(f, "{error}"),
+        StepFailure::Stuck(what) | StepFailure::Adapted(what) => f.write_str(what),
         StepFailure::Violated(violation) => write!(f, "{violation}"),
         StepFailure::Restitution { contact, value } => write!(
             f,
@@ -55,7 +54,6 @@ pub(crate) fn explain<S: Debug>(
             "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which acts against the slip \
              velocity by itself"
         ),
-        StepFailure::RepeatedColumn => f.write_str("two columns have the same name"),
         StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
         StepFailure::Undefined(what) => write!(f, "{what}"),
         StepFailure::NoFirstStep { relative, absolute } => write!(
@@ -76,15 +74,6 @@ pub(crate) fn explain<S: Debug>(
              start"
         ),
         StepFailure::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
-        StepFailure::TooManySamples { samples, most } => write!(
-            f,
-            "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
-        ),
-        StepFailure::UnknownOutput { name, known } => {
-            write!(f, "there is no output `{name}`; there are")?;
-            let mut known = known.iter().enumerate();
-            known.try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
-        }
         StepFailure::Stiff { limit } => write!(
             f,
             "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"

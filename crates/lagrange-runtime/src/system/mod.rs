@@ -14,6 +14,7 @@ mod ports;
 mod positions;
 pub mod quaternion;
 mod rate_name;
+mod setting_error;
 mod step_failure;
 mod undefined;
 mod violation;
@@ -35,6 +36,7 @@ pub(crate) use self::positions::{displaced, reach};
 pub use self::positions::{join, normalise, split};
 #[cfg(feature = "std")]
 pub(crate) use self::rate_name::WithSuffix;
+pub use self::setting_error::SettingError;
 pub use self::step_failure::{EventSource, StepFailure};
 pub use self::undefined::{Component, Undefined};
 pub use self::violation::{Violated, Violation};

@@ -1,6 +1,7 @@
 //! Why a step could not be taken.
 
 use super::event::DeclaredEvent;
+use super::setting_error::SettingError;
 use super::undefined::Undefined;
 use super::violation::Violation;
 
@@ -8,10 +9,8 @@ use super::violation::Violation;
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum StepFailure<S> {
-    /// A setting that makes no sense, in words.
-    Setting(&'static str),
-    /// Two columns that a run is to keep have the same name.
-    RepeatedColumn,
+    /// No step was tried, because a setting makes no sense.
+    Setting(SettingError<S>),
     /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say it by name where it can be
     /// told, as [`Undefined`](StepFailure::Undefined).
     NotFinite,
@@ -41,20 +40,6 @@ pub enum StepFailure<S> {
     TooManySteps {
         /// Maximum number of steps.
         limit: u64,
-    },
-    /// More samples were asked for than can be kept.
-    TooManySamples {
-        /// Number of samples.
-        samples: S,
-        /// Maximum number of samples.
-        most: S,
-    },
-    /// An output was asked for that the system does not declare.
-    UnknownOutput {
-        /// Requested name.
-        name: &'static str,
-        /// The outputs that there are, or their components.
-        known: &'static [&'static str],
     },
     /// An explicit method whose steps are limited by stability and not by accuracy.
     Stiff {
@@ -140,6 +125,12 @@ pub enum EventSource {
     Declared(&'static str),
     /// The run, to which it was given beside others, counted from zero. The front door knows it by name.
     Given(usize),
+}
+
+impl<S> From<SettingError<S>> for StepFailure<S> {
+    fn from(error: SettingError<S>) -> Self {
+        StepFailure::Setting(error)
+    }
 }
 
 impl<S> StepFailure<S> {

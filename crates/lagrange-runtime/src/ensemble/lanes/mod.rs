@@ -16,16 +16,16 @@ use std::vec::Vec;
 #[cfg(any(feature = "parquet", test))]
 pub(super) use self::dispatch::is_fused;
 pub(super) use self::refill::Arrival;
-use self::refill::{ArrivalOf, Beginning, EndsOf, Queue, Refill};
-use super::asked::{Asked, SharedSystem, Unasked};
+use self::refill::{ArrivalOf, EndsOf, MotionStart, Queue, Refill};
 use super::builder::{Ensemble, Keep};
 use super::engine::Engine;
 use super::error::EnsembleError;
-use super::motion::{Ran, caught, refuse_settings};
+use super::motion::{RunResult, caught};
+use super::plan::SharedSystem;
 use super::progress::Counter;
 use crate::integrate::{LanesMethod, LanesMethodVisitor, Method};
 use crate::scalar::{Number, Scalar};
-use crate::simulate::{Drive, Grid, Trajectory};
+use crate::simulate::{Drive, Grid, Sampling, Trajectory};
 use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
 
 /// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond that
@@ -35,12 +35,12 @@ const LEAST_TOGETHER: usize = 16;
 /// and never more than these if there are samples of them.
 const MOST_TOGETHER: usize = 256;
 
-/// The outcome of a motion in lanes.
-pub(super) enum Came<M: MechanicalSystem> {
+/// The outcome of a motion.
+pub(super) enum MotionOutcome<M: MechanicalSystem> {
     /// It was a run by itself.
-    Ran(Ran<M>),
-    /// It went in a lane to the end that was asked for.
-    Arrived(ArrivalOf<M>),
+    Run(RunResult<M>),
+    /// It reached its end in a lane.
+    Arrival(ArrivalOf<M>),
 }
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
@@ -63,14 +63,17 @@ where
     /// sums; and it is that of a single run only to within what the tolerance leaves open. [`one_by_one`](Self::one_by_one) gives the bits of
     /// single runs.
     pub fn is_in_lanes(&self) -> bool {
-        let asked = &self.asked;
-        let is_plain = !asked.is_one_by_one && !M::IS_CONSTRAINED && M::EVENTS.is_empty();
+        let is_plain = !self.batch.needs_runs() && !M::IS_CONSTRAINED && M::EVENTS.is_empty();
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()
     }
 
-    /// Threads, and chunks for them.
+    /// Checks the settings, and returns threads and chunks for them.
+    ///
+    /// # Errors
+    /// If a setting makes no sense, or threads cannot be started.
     pub(super) fn engine(&self) -> Result<Engine, EnsembleError> {
-        let (engine, motions) = (Engine::new(self.asked.threads)?, self.asked.motions()?.len());
+        self.check()?;
+        let (engine, motions) = (Engine::new(self.batch.threads)?, self.batch.motions().len());
         Ok(match (self.is_in_lanes(), P::SAMPLES) {
             (false, _) => engine,
             (true, false) => engine.with_wide_chunks(motions),
@@ -83,11 +86,12 @@ where
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
-        mut then: impl FnMut(usize, &M, Came<M>),
+        mut then: impl FnMut(usize, &M, MotionOutcome<M>),
     ) -> Result<(), EnsembleError> {
         if !self.is_in_lanes() {
-            return self
-                .each_alone(motions, counter, |index, system, ran| then(index, system, Came::Ran(ran)));
+            return self.each_alone(motions, counter, |index, system, result| {
+                then(index, system, MotionOutcome::Run(result));
+            });
         }
         let together = self.together();
         for first in motions.clone().step_by(together) {
@@ -99,8 +103,9 @@ where
     /// Returns the number of motions computed together: all of them, or fewer if their samples
     /// would be too many.
     fn together(&self) -> usize {
-        let Some(interval) = self.asked.interval else { return usize::MAX };
-        let samples = ((self.asked.end - self.asked.from) / interval).abs();
+        let Some(interval) = self.batch.plan.settings.interval() else { return usize::MAX };
+        let [from, end] = self.batch.span();
+        let samples = ((end - from) / interval).abs();
         let is_too_many = |motions: usize| {
             M::Scalar::from_f64(MOST_SAMPLES) < M::Scalar::from_f64(motions as f64) * samples
         };
@@ -115,27 +120,21 @@ where
         &self,
         motions: Range<usize>,
         counter: &Counter<'_, '_>,
-        then: &mut impl FnMut(usize, &M, Came<M>),
+        then: &mut impl FnMut(usize, &M, MotionOutcome<M>),
     ) -> Result<(), EnsembleError> {
-        let beginnings: Vec<_> =
-            motions.clone().map(|index| self.beginning(index)).collect::<Result<_, _>>()?;
-        if let Some(first) = beginnings.first() {
-            let (index, system) = (motions.start, first.system(self.asked.system));
-            let instant = caught(index, || self.instant(index, system, (self.asked.from, first.state)))?;
-            refuse_settings(index, &instant)?;
-        }
-        let ends = caught(motions.start, || self.in_lanes(&beginnings, counter))?;
-        for ((index, beginning), end) in motions.zip(beginnings).zip(ends) {
+        let starts: Vec<_> = motions.clone().map(|index| self.start_of(index)).collect::<Result<_, _>>()?;
+        let ends = caught(motions.start, || self.in_lanes(&starts, counter))?;
+        for ((index, start), end) in motions.zip(starts).zip(ends) {
             if counter.is_cancelled() {
                 break;
             }
             let Some(end) = end else {
-                self.ran(index, |system, ran| then(index, system, Came::Ran(ran)))?;
+                self.run_alone(index, |system, result| then(index, system, MotionOutcome::Run(result)))?;
                 counter.count(1);
                 continue;
             };
-            let system = beginning.system(self.asked.system);
-            caught(index, || then(index, system, Came::Arrived(end)))?;
+            let system = start.system(self.batch.system);
+            caught(index, || then(index, system, MotionOutcome::Arrival(end)))?;
         }
         Ok(())
     }
@@ -143,67 +142,64 @@ where
     /// Returns the start of a motion.
     ///
     /// # Errors
-    /// If a closure panics, or what was asked for makes no sense.
-    fn beginning(&self, index: usize) -> Result<Beginning<M>, EnsembleError> {
+    /// If a closure panics.
+    fn start_of(&self, index: usize) -> Result<MotionStart<M>, EnsembleError> {
         caught(index, || {
-            let (system, state) = self.asked.origin(index);
-            Beginning { system, state }
+            let (system, state) = self.batch.origin(index);
+            MotionStart { system, state }
         })
     }
 
     /// Computes the final states of motions with these starts.
-    fn in_lanes(&self, beginnings: &[Beginning<M>], counter: &Counter<'_, '_>) -> EndsOf<M> {
-        let asked = &self.asked;
+    fn in_lanes(&self, starts: &[MotionStart<M>], counter: &Counter<'_, '_>) -> EndsOf<M> {
+        let [from, end] = self.batch.span();
         let is_plain = |motion: &usize| {
-            let (system, state) = (beginnings[*motion].system(asked.system), &beginnings[*motion].state);
-            let is_smooth = system.next_restart(asked.from, asked.end).is_none();
-            is_smooth && matches!(system.begin(asked.from, state), Ok(None))
+            let (system, state) = (starts[*motion].system(self.batch.system), &starts[*motion].state);
+            system.next_restart(from, end).is_none() && matches!(system.begin(from, state), Ok(None))
         };
-        let has_length = (asked.end - asked.from).is_finite() && asked.end != asked.from;
-        let grid =
-            asked.interval.map(|interval| Grid::new(asked.from, asked.end, interval)?.that_can_be_kept());
-        // What is wrong with the times of samples a run tells.
-        let Ok(grid) = grid.transpose() else { return beginnings.iter().map(|_| None).collect() };
-        let motions: Vec<_> = (0..beginnings.len()).filter(|motion| has_length && is_plain(motion)).collect();
+        let has_length = (end - from).is_finite() && end != from;
+        let motions: Vec<_> = (0..starts.len()).filter(|motion| has_length && is_plain(motion)).collect();
         if P::SAMPLES {
-            self.arrivals::<true>(beginnings, &motions, grid, counter)
+            let grid = self.batch.plan.settings.grid().ok().flatten();
+            self.arrivals::<true>(starts, &motions, grid, counter)
         } else {
-            self.arrivals::<false>(beginnings, &motions, None, counter)
+            self.arrivals::<false>(starts, &motions, None, counter)
         }
     }
 
     /// Computes the final states of these motions, given by their indices in the list of starts.
     fn arrivals<const SAMPLED: bool>(
         &self,
-        beginnings: &[Beginning<M>],
+        starts: &[MotionStart<M>],
         motions: &[usize],
         grid: Option<Grid<M::Scalar>>,
         counter: &Counter<'_, '_>,
     ) -> EndsOf<M> {
-        let &Asked { system, from, end, most_steps, longest_step, .. } = &self.asked;
-        let queue = Queue::<M, SAMPLED> { system, beginnings, motions, from, end, grid, most_steps, counter };
-        let method = match longest_step {
+        let (system, settings, [from, end]) =
+            (self.batch.system, &self.batch.plan.settings, self.batch.span());
+        let max_steps = settings.max_steps;
+        let queue = Queue::<M, SAMPLED> { system, starts, motions, from, end, grid, max_steps, counter };
+        let method = match settings.longest_step {
             Some(longest) => self.method.clone().with_longest_step(longest).ok(),
             None => Some(self.method.clone()),
         };
         let ends = method.and_then(|method| method.in_lanes(queue).ok().flatten());
-        ends.unwrap_or_else(|| beginnings.iter().map(|_| None).collect())
+        ends.unwrap_or_else(|| starts.iter().map(|_| None).collect())
     }
 
     /// The trajectory of a motion that went in a lane: its start, its samples and its end, with all columns.
     pub(super) fn trajectory_of(&self, index: usize, system: &M, arrival: &ArrivalOf<M>) -> Trajectory<M> {
-        let (asked, Arrival { state, samples, work }) = (&self.asked, arrival);
-        let (_, start) = asked.origin(index);
-        let run = asked.plain(index, (system, start), [asked.from, asked.end], Unasked::EndsOnly);
-        let run = run.exchange(|_, _| (self.method.clone(), self.drive.clone()));
-        run.told(samples.iter().copied().chain([(asked.end, *state)]), *work)
+        let ((_, start), Arrival { state, samples, work }) = (self.batch.origin(index), arrival);
+        let end = (self.batch.span()[1], *state);
+        let run = self.run_of(index, (system, start), Sampling::Ends);
+        run.assemble(samples.iter().copied().chain([end]), *work)
     }
 
     /// The samples of a motion, however it was computed.
-    pub(super) fn samples_of(&self, index: usize, system: &M, came: Came<M>) -> Ran<M> {
-        match came {
-            Came::Ran(ran) => ran,
-            Came::Arrived(arrival) => Ok(self.trajectory_of(index, system, &arrival)),
+    pub(super) fn samples_of(&self, index: usize, system: &M, outcome: MotionOutcome<M>) -> RunResult<M> {
+        match outcome {
+            MotionOutcome::Run(result) => result,
+            MotionOutcome::Arrival(arrival) => Ok(self.trajectory_of(index, system, &arrival)),
         }
     }
 }

@@ -22,13 +22,13 @@ const LANES_APART: usize = 2;
 const FREE: usize = usize::MAX;
 
 /// The start of a motion.
-pub(in crate::ensemble) struct Beginning<M: MechanicalSystem> {
+pub(in crate::ensemble) struct MotionStart<M: MechanicalSystem> {
     /// Its system, if that is not the one of all.
     pub(in crate::ensemble) system: Option<M>,
     pub(in crate::ensemble) state: M::State,
 }
 
-impl<M: MechanicalSystem> Beginning<M> {
+impl<M: MechanicalSystem> MotionStart<M> {
     /// Its system, which may be the one of all.
     pub(in crate::ensemble) fn system<'s>(&'s self, all: &'s M) -> &'s M {
         self.system.as_ref().unwrap_or(all)
@@ -52,14 +52,14 @@ pub(in crate::ensemble) type EndsOf<M> = Vec<Option<ArrivalOf<M>>>;
 /// Motions that are to be computed, with samples if they are `SAMPLED`.
 pub(super) struct Queue<'q, 'a, M: MechanicalSystem, const SAMPLED: bool> {
     pub(super) system: &'q M,
-    pub(super) beginnings: &'q [Beginning<M>],
+    pub(super) starts: &'q [MotionStart<M>],
     /// The places of those that are to be computed.
     pub(super) motions: &'q [usize],
     pub(super) from: M::Scalar,
     pub(super) end: M::Scalar,
     /// The times of samples.
     pub(super) grid: Option<Grid<M::Scalar>>,
-    pub(super) most_steps: Option<u64>,
+    pub(super) max_steps: Option<u64>,
     pub(super) counter: &'q Counter<'q, 'a>,
 }
 
@@ -116,7 +116,7 @@ impl<E, T> LanesGroup<E, T> {
 impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     /// The system of a motion.
     fn system(&self, motion: usize) -> &M {
-        self.beginnings[motion].system(self.system)
+        self.starts[motion].system(self.system)
     }
 
     /// A motion that was started in a lane of its own.
@@ -129,7 +129,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
     {
         let equations = self.system(motion).lanes(O::splat);
         let mut state = <M::Lanes<O> as Equations<O>>::State::ZERO;
-        for (component, value) in state.as_mut().iter_mut().zip(self.beginnings[motion].state.as_ref()) {
+        for (component, value) in state.as_mut().iter_mut().zip(self.starts[motion].state.as_ref()) {
             *component = O::splat(*value);
         }
         method.start(&equations, self.from, &state, self.end)
@@ -144,7 +144,7 @@ impl<M: MechanicalSystem, const SAMPLED: bool> Queue<'_, '_, M, SAMPLED> {
         S: SideBySide<Element = ScalarOf<M>>,
     {
         let mut stepper = method.empty_lanes::<S, M::Lanes<S>>(self.from, self.end);
-        if let Some(most) = self.most_steps {
+        if let Some(most) = self.max_steps {
             stepper.limit_steps(most);
         }
         LanesGroup { equations: self.system.lanes(S::splat), stepper, motions: [FREE; MOST_LANES] }
@@ -164,22 +164,22 @@ where
 {
     let mut running = queue.lanes::<L, S>(method);
     let sampler = queue.grid.filter(|_| SAMPLED).map(|grid| Sampler::new(grid, running.stepper.last_step()));
-    let mut filling = Filling { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
-    filling.ends.resize_with(queue.beginnings.len(), || None);
+    let mut progress = QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
+    progress.ends.resize_with(queue.starts.len(), || None);
     loop {
         // One place of call each for starts, steps and samples, so that the right-hand side is inlined no more often.
-        if filling.busy < S::LANES && filling.has_more() {
-            filling.refill(&mut running);
+        if progress.busy < S::LANES && progress.has_more() {
+            progress.refill(&mut running);
         }
-        if filling.busy == 0 {
+        if progress.busy == 0 {
             break;
         }
-        filling.step(&mut running);
+        progress.step(&mut running);
         if is_settled(running.stepper.time(), queue.end).any() || running.stepper.suspicion().any() {
-            filling.settle(&mut running);
+            progress.settle(&mut running);
         }
     }
-    filling.ends
+    progress.ends
 }
 
 /// True if motions at these times have ended or were given up.
@@ -191,7 +191,7 @@ fn is_settled<S: SideBySide>(time: S, end: S::Element) -> S::Mask {
 }
 
 /// The progress of a queue.
-struct Filling<'p, 'q, 'a, M, L, S, const SAMPLED: bool>
+struct QueueProgress<'p, 'q, 'a, M, L, S, const SAMPLED: bool>
 where
     M: MechanicalSystem + LanesSystem,
     L: LanesMethod<ScalarOf<M>>,
@@ -208,7 +208,7 @@ where
     sampler: Option<SamplerOf<M, L, S>>,
 }
 
-impl<M, L, S, const SAMPLED: bool> Filling<'_, '_, '_, M, L, S, SAMPLED>
+impl<M, L, S, const SAMPLED: bool> QueueProgress<'_, '_, '_, M, L, S, SAMPLED>
 where
     M: MechanicalSystem + LanesSystem,
     L: LanesMethod<ScalarOf<M>>,

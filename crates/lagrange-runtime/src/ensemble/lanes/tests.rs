@@ -7,7 +7,7 @@ use std::vec::Vec;
 mod bits;
 mod samples;
 
-use super::refill::{Beginning, EndsOf, Queue, refilled};
+use super::refill::{EndsOf, MotionStart, Queue, refilled};
 use crate::ensemble::progress::Counter;
 use crate::ensemble::{Ends, Ensemble, Ensembles, Moments};
 use crate::integrate::{
@@ -133,17 +133,20 @@ fn servo<S: Number>(system: &Servo<S>, t: S, [x, v]: &[S; 2]) -> [S; 2] {
 }
 
 /// Starts and parameters of double pendulums.
-fn beginnings(number: usize) -> Vec<Beginning<DoublePendulum<f64>>> {
-    let beginning = |index: usize| {
+fn starts(number: usize) -> Vec<MotionStart<DoublePendulum<f64>>> {
+    let start = |index: usize| {
         let system = DoublePendulum { ratio: 0.3 + 0.4 * index as f64 / number as f64, gravity: 9.81 };
-        Beginning { system: Some(system), state: [2.0 - 0.02 * index as f64, 1.0, 0.0, 0.01 * index as f64] }
+        MotionStart {
+            system: Some(system),
+            state: [2.0 - 0.02 * index as f64, 1.0, 0.0, 0.01 * index as f64],
+        }
     };
-    (0..number).map(beginning).collect()
+    (0..number).map(start).collect()
 }
 
 /// Motions in lanes of the type S.
 fn arrivals<M, S, const SAMPLED: bool>(
-    beginnings: &[Beginning<M>],
+    starts: &[MotionStart<M>],
     method: impl LanesMethod<M::Scalar>,
     end: M::Scalar,
     grid: Option<Grid<M::Scalar>>,
@@ -152,11 +155,10 @@ where
     M: MechanicalSystem + LanesSystem + Default,
     S: SideBySide<Element = <M as OdeSystem>::Scalar>,
 {
-    let (counter, motions) =
-        (Counter::new(None, beginnings.len()), (0..beginnings.len()).collect::<Vec<_>>());
+    let (counter, motions) = (Counter::new(None, starts.len()), (0..starts.len()).collect::<Vec<_>>());
     let (system, motions, counter) = (&M::default(), &motions[..], &counter);
-    let (from, most_steps) = (M::Scalar::ZERO, None);
-    let queue = Queue::<M, SAMPLED> { system, beginnings, motions, from, end, grid, most_steps, counter };
+    let (from, max_steps) = (M::Scalar::ZERO, None);
+    let queue = Queue::<M, SAMPLED> { system, starts, motions, from, end, grid, max_steps, counter };
     refilled::<M, _, S, SAMPLED>(&queue, &method)
 }
 
@@ -165,12 +167,12 @@ fn largest_difference<K>(method: K, end: f64) -> f64
 where
     K: Method<DoublePendulum<f64>> + LanesMethod<f64> + Sync,
 {
-    let beginnings = beginnings(8);
-    let found = arrivals::<_, Lanes<f64, 8>, false>(&beginnings, method, end, None);
+    let starts = starts(8);
+    let found = arrivals::<_, Lanes<f64, 8>, false>(&starts, method, end, None);
     let mut largest = 0.0_f64;
-    for (beginning, found) in beginnings.iter().zip(found) {
-        let system = beginning.system.expect("has one");
-        let run = crate::run::integrate(&system, 0.0, beginning.state, end, &method, |_, _| {});
+    for (start, found) in starts.iter().zip(found) {
+        let system = start.system.expect("has one");
+        let run = crate::run::integrate(&system, 0.0, start.state, end, &method, |_, _| {});
         let state = found.expect("ends").state;
         for (one, other) in state.iter().zip(run.expect("runs")) {
             largest = largest.max((one - other).abs());
@@ -379,10 +381,10 @@ fn settings_without_sense_are_errors() {
     ];
     let messages = messages.map(|result| result.expect_err("no sense").to_string());
     let expected = [
-        "motion 0: tolerances must be finite and not negative, and not both zero (at time 0.0)",
-        "motion 0: two columns are called `a` (at time 0.0)",
-        "motion 0: the length of steps must be positive and finite (at time 0.0)",
-        "motion 0: all steps of this method have the length that it was given: shorten that one (at time 0.0)",
+        "tolerances must be finite and not negative, and not both zero",
+        "two columns are called `a`",
+        "the length of steps must be positive and finite",
+        "all steps of this method have the length that it was given: shorten that one",
     ];
     assert_eq!(messages, expected);
 }

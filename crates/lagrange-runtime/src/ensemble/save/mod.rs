@@ -19,10 +19,10 @@ use self::folder::Folder;
 use self::part::{Label, PartFile};
 use self::sheet::Sheet;
 pub use self::verify::{Verified, verify};
-use super::asked::SharedSystem;
 use super::builder::{Ensemble, Keep};
 use super::engine::{BLOCK, Engine};
 use super::error::EnsembleError;
+use super::plan::SharedSystem;
 use super::progress::Counter;
 use crate::integrate::Method;
 use crate::simulate::Drive;
@@ -80,15 +80,16 @@ where
     /// As of [`run`](Self::run); if a file cannot be written, as on a full disk; if the folder holds parts that are damaged, of another
     /// ensemble, or none; if another process writes the same. What is finished is kept.
     pub fn save_parquet(self, folder: impl AsRef<Path>) -> Result<Saved, EnsembleError> {
-        let parts = self.asked.parts()?;
-        self.asked.refuse_too_many_at_once(self.asked.motions()?.len().min(BLOCK))?;
+        self.check()?;
+        let parts = self.batch.parts();
+        self.batch.refuse_too_many_at_once(self.batch.motions().len().min(BLOCK))?;
         let settings = self.settings()?;
         let mut folder = Folder::open(folder.as_ref());
-        let label = Label { settings, part: parts.start, number: self.asked.number_of_parts() };
+        let label = Label { settings, part: parts.start, number: self.batch.number_of_parts() };
         let mut found = folder.find(&parts, &label)?;
         let is_whole = found.range(parts.clone()).count() == parts.len();
         // A folder of which nothing is missing is only read.
-        let lock = if is_whole { None } else { Some(folder.lock(self.asked.shard, &parts)?) };
+        let lock = if is_whole { None } else { Some(folder.lock(self.batch.shard, &parts)?) };
         if lock.is_some() {
             found = folder.find(&parts, &label)?;
         }
@@ -105,12 +106,12 @@ where
         parts: &Range<usize>,
         label: &Label,
     ) -> Result<Saved, EnsembleError> {
-        let (engine, counter) = (self.engine()?, self.counter(&self.asked.motions()?));
+        let (engine, counter) = (self.engine()?, self.counter(&self.batch.motions()));
         let of_shard = found.range(parts.clone());
         let mut saved = Saved { written: 0, found: of_shard.clone().count(), missing: 0, failed: 0 };
-        of_shard.for_each(|part| counter.count(self.asked.part(*part).len()));
+        of_shard.for_each(|part| counter.count(self.batch.part(*part).len()));
         for part in parts.clone().filter(|part| !found.contains(part)) {
-            let (motions, label) = (self.asked.part(part), Label { part, ..label.clone() });
+            let (motions, label) = (self.batch.part(part), Label { part, ..label.clone() });
             let failed = folder.write(part, |file, wrong| {
                 let mut part = PartFile::new(file, &label);
                 self.sheets(&engine, &counter, motions, |sheet| part.add(sheet).map_err(wrong))?;
@@ -133,12 +134,17 @@ where
     ) -> Result<(), EnsembleError> {
         let compute = |chunk: Range<usize>| {
             let mut sheet = Sheet::new();
-            self.each(chunk, counter, |index, system, came| {
+            self.each(chunk, counter, |index, system, outcome| {
                 sheet.push(index, |rows| {
                     if P::SAMPLES {
-                        rows.push_samples(&self.asked, index, system, self.samples_of(index, system, came));
+                        rows.push_samples(
+                            &self.batch,
+                            index,
+                            system,
+                            self.samples_of(index, system, outcome),
+                        );
                     } else {
-                        self.push_end(rows, index, system, came);
+                        self.push_end(rows, index, system, outcome);
                     }
                 });
             })?;

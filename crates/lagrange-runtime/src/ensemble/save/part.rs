@@ -20,8 +20,8 @@ use parquet::schema::types::{ColumnPath, Type, TypePtr};
 
 use super::seal::{KEY, UNSEALED, is_intact, seal};
 use super::sheet::Sheet;
-use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::error::EnsembleError;
+use crate::ensemble::plan::SharedSystem;
 use crate::simulate::units;
 
 /// Name of the schema.

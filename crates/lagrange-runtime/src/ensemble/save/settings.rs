@@ -7,18 +7,19 @@ use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::ensemble::asked::SharedSystem;
 use crate::ensemble::builder::{Ensemble, Keep};
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::lanes::is_fused;
 use crate::ensemble::motion::caught;
+use crate::ensemble::plan::SharedSystem;
 use crate::ensemble::rows::samples;
 use crate::integrate::Method;
-use crate::simulate::Drive;
+use crate::scalar::Scalar;
+use crate::simulate::{Drive, RunSettings, Sampling};
 use crate::system::OdeSystem;
 
 /// The number of what follows, to be raised when it changes.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 impl<M, K, D, P> Ensemble<'_, M, K, D, P>
 where
@@ -33,23 +34,23 @@ where
     /// # Errors
     /// If a closure that was given panics.
     pub(super) fn settings(&self) -> Result<String, EnsembleError> {
-        let asked = &self.asked;
+        let (batch, [from, until]) = (&self.batch, self.batch.span());
         let mut lines = Vec::from([
             format!("ensemble of lagrange {}, format {FORMAT}", env!("CARGO_PKG_VERSION")),
             format!("system {}", type_name::<M>()),
             format!("equations, constants, events and tables with the fingerprint {:016x}", M::FINGERPRINT),
-            format!("motions {}", asked.number),
-            format!("motions per part {}", asked.motions_per_part),
-            format!("seed {}", asked.seed),
-            format!("from {:?} until {:?}", asked.from, asked.end),
+            format!("motions {}", batch.number),
+            format!("motions per part {}", batch.motions_per_part),
+            format!("seed {}", batch.seed),
+            format!("from {from:?} until {until:?}"),
             format!("method {} {:?}", self.method.name(), self.method),
         ]);
         // Bits of runs are another matter than bits of lanes, and these depend on the processor.
         if self.is_in_lanes() {
             lines.push(format!("in lanes, products {}", if is_fused() { "fused" } else { "rounded" }));
         }
-        lines.extend(asked.words.iter().map(|words| format!("run {}", words.escape_debug())));
-        for index in [0, asked.number / 2, asked.number - 1] {
+        lines.extend(words(&batch.plan.settings).into_iter().map(|words| format!("run {words}")));
+        for index in [0, batch.number / 2, batch.number - 1] {
             lines.extend(caught(index, || [self.probe(index), self.outset(index)])?);
         }
         Ok(lines.join("\n"))
@@ -57,9 +58,9 @@ where
 
     /// The bits of state, rates and parameters with which a motion starts.
     fn probe(&self, index: usize) -> String {
-        let (varied, state) = self.asked.origin(index);
-        let system = varied.as_ref().unwrap_or(self.asked.system);
-        let rates = self.drive.close(system, |closed| closed.rhs(self.asked.from, &state));
+        let (varied, state) = self.batch.origin(index);
+        let system = varied.as_ref().unwrap_or(self.batch.system);
+        let rates = self.drive.close(system, |closed| closed.rhs(self.batch.span()[0], &state));
         let parameters: Vec<_> =
             (0..).map_while(|index| system.parameter(index)).map(|(_, value)| value).collect();
         let [start, rates, parameters] = [state.as_ref(), rates.as_ref(), &parameters].map(bits);
@@ -68,14 +69,30 @@ where
 
     /// The bits of the last time and columns of a motion that was given up after its first steps.
     fn outset(&self, index: usize) -> String {
-        let (varied, state) = self.asked.origin(index);
-        let system = varied.as_ref().unwrap_or(self.asked.system);
-        let ran = self.first_steps(index, (system, state), STEPS);
-        let (table, _) = samples(&ran);
+        let (varied, state) = self.batch.origin(index);
+        let system = varied.as_ref().unwrap_or(self.batch.system);
+        let run = self.run_of(index, (system, state), Sampling::EveryStep).max_steps(STEPS).run();
+        let (table, _) = samples(&run);
         let row = [table.times()].into_iter().chain(table.columns()).filter_map(<[_]>::last).copied();
         let row: Vec<_> = row.collect();
         format!("motion {index} comes to {} in its first steps", bits(&row))
     }
+}
+
+/// Returns the settings of runs in words.
+fn words<S: Scalar>(settings: &RunSettings<S>) -> Vec<String> {
+    let RunSettings { max_steps, longest_step, restarts, columns, events, periods, .. } = settings;
+    let mut words = Vec::new();
+    words.extend(settings.interval().map(|interval| format!("every {interval:?}")));
+    words.extend(max_steps.map(|limit| format!("at most {limit} steps")));
+    words.extend(longest_step.as_ref().map(|longest| format!("no step longer than {longest:?}")));
+    words.extend(columns.iter().map(|name| format!("column {}", name.escape_debug())));
+    words.extend(
+        events.iter().map(|(name, direction)| format!("event {} {direction:?}", name.escape_debug())),
+    );
+    words.extend(periods.iter().map(|period| format!("sampled every {period:?}")));
+    words.extend((!restarts.is_empty()).then(|| format!("restarts at {restarts:?}")));
+    words
 }
 
 /// Numbers by their bits.

@@ -4,7 +4,7 @@ use std::string::{String, ToString};
 use std::vec;
 use std::vec::Vec;
 
-use crate::ensemble::asked::SharedSystem;
+use crate::ensemble::plan::SharedSystem;
 use crate::ensemble::rows::Rows;
 use crate::simulate::Table;
 

@@ -129,8 +129,8 @@ fn samples_beyond_a_row_group_begin_another() {
 fn samples_that_cannot_lie_in_memory_together_are_refused() {
     let pendulum = Pendulum { g: 1.0 };
     let ensemble = pendulum.ensemble(1).start(|_, _| [1.0, 0.0]).until(1e6).every(0.125);
-    assert!(ensemble.asked.refuse_too_many_at_once(1).is_ok());
-    let error = ensemble.asked.refuse_too_many_at_once(1 << 40).expect_err("has no room").to_string();
+    assert!(ensemble.batch.refuse_too_many_at_once(1).is_ok());
+    let error = ensemble.batch.refuse_too_many_at_once(1 << 40).expect_err("has no room").to_string();
     let words = ["the samples of 1099511627776 motions take", "say a longer interval"];
     assert!(words.iter().all(|words| error.contains(words)), "{error}");
 }

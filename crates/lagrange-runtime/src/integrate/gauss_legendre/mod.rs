@@ -10,12 +10,12 @@ mod linearised;
 mod plain;
 mod tableau;
 
-use crate::integrate::fixed::FixedStepper;
+use crate::integrate::fixed::fixed_steps;
 use crate::integrate::gauss_legendre::canonical::Canonical;
 use crate::integrate::gauss_legendre::plain::Plain;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
 use crate::integrate::method::Method;
-use crate::system::{CanonicalSystem, OdeSystem, StepFailure};
+use crate::system::{CanonicalSystem, OdeSystem};
 
 /// The implicit midpoint rule, the Gauss method of order two. See [`GaussLegendre`].
 pub type ImplicitMidpoint<S> = GaussLegendre<S, 1>;
@@ -50,25 +50,7 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Method<M> for GaussLegendre<M:
 where
     Tableau<M::Scalar, K>: Coefficients,
 {
-    type Stepper = FixedStepper<M, Canonical<M, K>>;
-
-    fn name(&self) -> &'static str {
-        name::<K>()
-    }
-
-    fn order(&self) -> u32 {
-        2 * K as u32
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Canonical::new(), self.step, system, t, y, end)
-    }
+    fixed_steps! { name::<K>(), 2 * K as u32, Canonical<M, K> = Canonical::new() }
 }
 
 impl<S, const K: usize> GaussLegendre<S, K> {
@@ -122,25 +104,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Method<M> for PlainGaussLegendre<M::
 where
     Tableau<M::Scalar, K>: Coefficients,
 {
-    type Stepper = FixedStepper<M, Plain<M, K>>;
-
-    fn name(&self) -> &'static str {
-        name::<K>()
-    }
-
-    fn order(&self) -> u32 {
-        2 * K as u32
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Plain::new(), self.step, system, t, y, end)
-    }
+    fixed_steps! { name::<K>(), 2 * K as u32, Plain<M, K> = Plain::new() }
 }
 
 fn name<const K: usize>() -> &'static str {

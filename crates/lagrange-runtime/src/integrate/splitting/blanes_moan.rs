@@ -8,10 +8,10 @@
 //! Computational and Applied Mathematics 142 (2002), 313–330, table 3, the method of order four with six stages that
 //! begins with a kick.
 
-use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::{LanesMethodVisitor, Method};
+use crate::integrate::fixed::fixed_steps;
+use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::{SeparableSystem, StepFailure};
+use crate::system::SeparableSystem;
 
 /// The optimised composition of order four by Blanes and Moan in equal steps.
 ///
@@ -46,27 +46,5 @@ pub(super) const COMPOSITION: Composition<6> = Composition {
 };
 
 impl<M: SeparableSystem + ?Sized> Method<M> for BlanesMoan4<M::Scalar> {
-    type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 6>>;
-
-    fn name(&self) -> &'static str {
-        "Blanes–Moan 4"
-    }
-
-    fn order(&self) -> u32 {
-        4
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
-    }
-
-    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
-        Ok(visitor.visit(*self))
-    }
+    fixed_steps! { "Blanes–Moan 4", 4, Splitting<M::Scalar, M::Coordinates, 6> = Splitting::new(COMPOSITION), lanes }
 }

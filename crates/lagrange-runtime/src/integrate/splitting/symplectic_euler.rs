@@ -2,10 +2,10 @@
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem VI.3.3.
 
-use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::{LanesMethodVisitor, Method};
+use crate::integrate::fixed::fixed_steps;
+use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::{LeapfrogSystem, StepFailure};
+use crate::system::LeapfrogSystem;
 
 /// The symplectic Euler method in equal steps: velocities first, then coordinates with the new velocities.
 ///
@@ -21,27 +21,5 @@ pub struct SymplecticEuler<S> {
 pub(super) const COMPOSITION: Composition<1> = Composition { first: 1.0, rest: [(1.0, 0.0)], stable: 2.0 };
 
 impl<M: LeapfrogSystem + ?Sized> Method<M> for SymplecticEuler<M::Scalar> {
-    type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
-
-    fn name(&self) -> &'static str {
-        "symplectic Euler"
-    }
-
-    fn order(&self) -> u32 {
-        1
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
-    }
-
-    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
-        Ok(visitor.visit(*self))
-    }
+    fixed_steps! { "symplectic Euler", 1, Splitting<M::Scalar, M::Coordinates, 1> = Splitting::new(COMPOSITION), lanes }
 }

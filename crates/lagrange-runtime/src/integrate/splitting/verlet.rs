@@ -3,10 +3,10 @@
 //! Source: Hairer, Lubich, Wanner, *Geometric numerical integration illustrated by the Störmer–Verlet method*, Acta
 //! Numerica 12 (2003), 399–450.
 
-use crate::integrate::fixed::FixedStepper;
-use crate::integrate::method::{LanesMethodVisitor, Method};
+use crate::integrate::fixed::fixed_steps;
+use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
-use crate::system::{LeapfrogSystem, StepFailure};
+use crate::system::LeapfrogSystem;
 
 /// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
 ///
@@ -45,27 +45,5 @@ pub struct StormerVerlet<S> {
 pub(super) const COMPOSITION: Composition<1> = Composition { first: 0.5, rest: [(1.0, 0.5)], stable: 2.0 };
 
 impl<M: LeapfrogSystem + ?Sized> Method<M> for StormerVerlet<M::Scalar> {
-    type Stepper = FixedStepper<M, Splitting<M::Scalar, M::Coordinates, 1>>;
-
-    fn name(&self) -> &'static str {
-        "Störmer–Verlet"
-    }
-
-    fn order(&self) -> u32 {
-        2
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Splitting::new(COMPOSITION), self.step, system, t, y, end)
-    }
-
-    fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {
-        Ok(visitor.visit(*self))
-    }
+    fixed_steps! { "Störmer–Verlet", 2, Splitting<M::Scalar, M::Coordinates, 1> = Splitting::new(COMPOSITION), lanes }
 }

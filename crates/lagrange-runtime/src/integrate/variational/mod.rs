@@ -25,7 +25,7 @@ mod coupled;
 mod linearised;
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
-use crate::integrate::fixed::{FixedStepper, Formula};
+use crate::integrate::fixed::{Formula, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
@@ -62,25 +62,7 @@ pub struct Variational<S> {
 }
 
 impl<M: CanonicalSystem + ?Sized> Method<M> for Variational<M::Scalar> {
-    type Stepper = FixedStepper<M, Discrete<M>>;
-
-    fn name(&self) -> &'static str {
-        "variational 4"
-    }
-
-    fn order(&self) -> u32 {
-        4
-    }
-
-    fn start(
-        &self,
-        system: &M,
-        t: M::Scalar,
-        y: &M::State,
-        end: M::Scalar,
-    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        FixedStepper::start(Discrete::new(), self.step, system, t, y, end)
-    }
+    fixed_steps! { "variational 4", 4, Discrete<M> = Discrete::new() }
 }
 
 /// The formula of [`Variational`].

@@ -21,8 +21,8 @@ mod tableau;
 mod tolerance;
 
 use crate::integrate::method::{LanesMethodVisitor, Method};
-use crate::scalar::Scalar;
-use crate::system::{OdeSystem, StepFailure};
+use crate::scalar::{Number, Scalar};
+use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub use self::lanes::VernerLanes;
 pub use self::lanes_dense::VernerLastStep;
@@ -63,23 +63,6 @@ impl<S: Scalar> Verner98<S> {
             refuses_stiff: true,
         }
     }
-
-    fn check(&self) -> Result<(), StepFailure<S>> {
-        let is_length = |step: Option<S>| step.is_none_or(|step| step > S::ZERO && step.is_finite());
-        let is_tolerance = |part: S| part >= S::ZERO && part.is_finite();
-        if !is_tolerance(self.relative)
-            || !is_tolerance(self.absolute)
-            || self.relative + self.absolute == S::ZERO
-        {
-            return Err(StepFailure::Setting(
-                "tolerances must be finite and not negative, and not both zero",
-            ));
-        }
-        if is_length(self.first_step) && is_length(self.longest_step) {
-            return Ok(());
-        }
-        Err(StepFailure::Setting("lengths of steps must be positive and finite"))
-    }
 }
 
 /// No step is longer than this part of the way, unless that is a setting,
@@ -100,6 +83,24 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
         9
     }
 
+    fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        let is_length =
+            |step: Option<M::Scalar>| step.is_none_or(|step| step > M::Scalar::ZERO && step.is_finite());
+        let is_tolerance = |part: M::Scalar| part >= M::Scalar::ZERO && part.is_finite();
+        if !is_tolerance(self.relative)
+            || !is_tolerance(self.absolute)
+            || self.relative + self.absolute == M::Scalar::ZERO
+        {
+            return Err(SettingError::Invalid(
+                "tolerances must be finite and not negative, and not both zero",
+            ));
+        }
+        if is_length(self.first_step) && is_length(self.longest_step) {
+            return Ok(());
+        }
+        Err(SettingError::Invalid("lengths of steps must be positive and finite"))
+    }
+
     fn start(
         &self,
         system: &M,
@@ -107,13 +108,12 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
         y: &M::State,
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
-        self.check()?;
+        Method::<M>::check(self)?;
         VernerStepper::start(*self, system, t, y, end)
     }
 
-    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, StepFailure<M::Scalar>> {
-        let method = Verner98 { longest_step: Some(longest), ..self };
-        method.check().map(|()| method)
+    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {
+        Ok(Verner98 { longest_step: Some(longest), ..self })
     }
 
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V> {

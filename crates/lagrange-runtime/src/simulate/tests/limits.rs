@@ -8,7 +8,7 @@ use std::vec::Vec;
 use super::{Broken, Oscillator, START, assert_exact};
 use crate::integrate::RungeKutta4;
 use crate::simulate::{Ending, Progress, Simulate};
-use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, Unnamed};
+use crate::system::{Component, MechanicalSystem, OdeSystem, SettingError, StepFailure, Undefined, Unnamed};
 
 #[test]
 fn a_failure_keeps_the_samples_so_far() {
@@ -53,6 +53,28 @@ fn an_initial_state_that_is_not_finite_is_refused_and_shown() {
         let error = Oscillator.simulate(START).from(end).until(1.0).run().expect_err("refused");
         assert!(error.to_string().starts_with(&std::format!("the time of the start is {end:?}")), "{error}");
     }
+}
+
+/// Also where samples are wanted, or controllers would act, at times that cannot be counted.
+#[test]
+fn a_span_that_is_not_finite_is_named_before_its_samples() {
+    for time in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let error = Oscillator.simulate(START).until(time).every(0.1).run().expect_err("refused");
+        assert_eq!(error.to_string(), std::format!("the time of the end is {time:?} (at time 0.0)"));
+        let error = Oscillator.simulate(START).from(time).until(1.0).every(0.1).run().expect_err("refused");
+        assert!(error.to_string().starts_with(&std::format!("the time of the start is {time:?}")), "{error}");
+    }
+    let wide = Oscillator.simulate(START).from(-1e308).until(1e308).every(1e300).run().expect_err("refused");
+    assert!(wide.to_string().contains("samples would be kept"), "{wide}");
+}
+
+#[test]
+fn settings_come_in_any_order() {
+    let one = Oscillator.simulate(START).tolerance(1e-7).every(0.5).energy().max_steps(1000);
+    let one = one.method(RungeKutta4 { step: 0.1 }).from(1.0).lasting(2.0).run().expect("runs");
+    let other = Oscillator.simulate(START).from(1.0).until(3.0).method(RungeKutta4 { step: 0.1 });
+    let other = other.every(0.5).energy().run().expect("runs");
+    assert_eq!(one.table(), other.table());
 }
 
 #[test]
@@ -160,7 +182,10 @@ fn the_longest_step_is_limited_where_steps_have_no_length_of_their_own() {
     }
     let fixed = Oscillator.simulate(START).until(1.0).method(RungeKutta4 { step: 0.1 });
     let cause = refused(fixed.longest_step(0.5).run());
-    assert!(matches!(cause, StepFailure::Setting(what) if what.contains("shorten")), "{cause}");
+    assert!(
+        matches!(cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("shorten")),
+        "{cause}"
+    );
 }
 
 /// ẍ = 0, or NaN after the start: every step is rejected.

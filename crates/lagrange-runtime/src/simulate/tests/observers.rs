@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use super::{Oscillator, START};
 use crate::simulate::Simulate;
-use crate::system::{CanonicalSystem, OdeSystem, StepFailure};
+use crate::system::{CanonicalSystem, OdeSystem, SettingError, StepFailure};
 
 impl CanonicalSystem for Oscillator {
     fn momenta(&self, _t: f64, _q: &[f64; 1], v: &[f64; 1]) -> [f64; 1] {
@@ -58,7 +58,7 @@ fn every_observer_has_a_column_at_every_sample() {
 #[test]
 fn two_columns_of_one_name_are_refused() {
     let error = Oscillator.simulate(START).until(1.0).energy().energy().run().expect_err("refused");
-    assert_eq!(error.cause, StepFailure::RepeatedColumn);
+    assert_eq!(error.cause, StepFailure::Setting(SettingError::RepeatedColumn));
     assert_eq!(error.to_string(), "two columns are called `energy` (at time 0.0)");
     let error = Oscillator.simulate(START).until(1.0).observe("x", |_, t, _| t).run().expect_err("refused");
     assert_eq!(error.to_string(), "two columns are called `x` (at time 0.0)");
@@ -76,5 +76,7 @@ fn no_columns_and_columns_without_names_are_refused() {
 #[test]
 fn a_column_of_the_name_of_time_is_refused() {
     let error = Oscillator.simulate(START).until(1.0).observe("t", |_, t, _| t).run().expect_err("refused");
-    assert!(matches!(error.cause, StepFailure::Setting(what) if what.contains("time")));
+    assert!(
+        matches!(error.cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("time"))
+    );
 }

@@ -5,7 +5,7 @@ use std::vec::Vec;
 use super::START;
 use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
-use crate::system::{MechanicalSystem, OdeSystem, StepFailure, Unnamed};
+use crate::system::{MechanicalSystem, OdeSystem, SettingError, StepFailure, Unnamed};
 
 /// ẍ = 6 t until one second, −2 from then on.
 struct Switched;
@@ -72,7 +72,7 @@ fn times_of_restart_that_are_not_finite_are_refused() {
     for time in [f64::NAN, f64::INFINITY] {
         let refused = Switched.simulate(START).until(2.0).restart_at([1.0, time]).run();
         assert!(
-            matches!(refused.expect_err("no time").cause, StepFailure::Setting(what) if what.contains("restart"))
+            matches!(refused.expect_err("no time").cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("restart"))
         );
     }
 }

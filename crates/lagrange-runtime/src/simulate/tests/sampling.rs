@@ -6,7 +6,7 @@ use std::vec::Vec;
 use super::{Oscillator, START, assert_exact};
 use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
-use crate::system::StepFailure;
+use crate::system::{SettingError, StepFailure};
 
 fn sampled(from: f64, until: f64, every: f64) -> Vec<f64> {
     let run = Oscillator.simulate(START).from(from).until(until).every(every).tolerance(1e-10).run();
@@ -108,14 +108,19 @@ fn intervals_that_make_no_sense_are_refused() {
         assert_eq!(error.trajectory.times(), vec![1.0]);
     }
     let late = Oscillator.simulate(START).from(1e15).until(1e15 + 9.0).every(0.3).run().expect_err("refused");
-    assert!(matches!(late.cause, StepFailure::Setting(what) if what.contains("rounding of time")), "{late}");
+    assert!(
+        matches!(late.cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("rounding of time")),
+        "{late}"
+    );
 }
 
 #[test]
 fn more_samples_than_can_be_kept_are_refused_with_their_number() {
     for (until, interval, samples) in [(2.0, 1e-9, 2e9), (1e15, 100.0, 1e13), (-1e15, 100.0, 1e13)] {
         let error = Oscillator.simulate(START).until(until).every(interval).run().expect_err("too many");
-        let StepFailure::TooManySamples { samples: found, .. } = error.cause else { panic!("{error}") };
+        let StepFailure::Setting(SettingError::TooManySamples { samples: found, .. }) = error.cause else {
+            panic!("{error}")
+        };
         assert!((found / samples - 1.0).abs() < 1e-9, "{found}");
         assert!(std::format!("{error}").contains(".ends_only()"), "{error}");
         assert_eq!(error.trajectory.work().steps, 0);

@@ -4,7 +4,7 @@ use std::vec::Vec;
 
 use super::{DoublePendulum, Spring, arrivals};
 use crate::ensemble::engine::Engine;
-use crate::ensemble::lanes::refill::{Beginning, EndsOf};
+use crate::ensemble::lanes::refill::{EndsOf, MotionStart};
 use crate::ensemble::lanes::{ArrivalOf, is_fused};
 use crate::ensemble::{Ends, Ensemble, Ensembles, KeepSamples, Samples, Shard, SharedSystem};
 use crate::integrate::{
@@ -53,15 +53,15 @@ fn bits_of_samples<M: Subject>(samples: &Samples<M>) -> Vec<Bits> {
 fn in_lanes<M: Subject, K: Goes<M>, S: SideBySide<Element = f64>, const SAMPLED: bool>(
     ensemble: &Ensemble<'_, M, K>,
 ) -> Vec<Bits> {
-    let beginnings: Vec<_> = (0..MOTIONS).map(|index| ensemble.beginning(index).expect("starts")).collect();
-    let grid = SAMPLED.then(|| Grid::new(0.0, UNTIL, INTERVAL).expect("has sense"));
-    let ends: EndsOf<M> = arrivals::<M, S, SAMPLED>(&beginnings, ensemble.method, UNTIL, grid);
-    let rows = |(beginning, end): (&Beginning<M>, Option<ArrivalOf<M>>)| {
+    let starts: Vec<_> = (0..MOTIONS).map(|index| ensemble.start_of(index).expect("starts")).collect();
+    let grid = SAMPLED.then(|| Grid::new([0.0, UNTIL], INTERVAL).expect("has sense"));
+    let ends: EndsOf<M> = arrivals::<M, S, SAMPLED>(&starts, ensemble.method, UNTIL, grid);
+    let rows = |(start, end): (&MotionStart<M>, Option<ArrivalOf<M>>)| {
         let end = end.expect("ended");
-        let start = SAMPLED.then_some((0.0, beginning.state));
+        let start = SAMPLED.then_some((0.0, start.state));
         bits(start.into_iter().chain(end.samples).chain([(UNTIL, end.state)]))
     };
-    beginnings.iter().zip(ends).map(rows).collect()
+    starts.iter().zip(ends).map(rows).collect()
 }
 
 /// Ends or samples in four, eight and sixteen lanes.

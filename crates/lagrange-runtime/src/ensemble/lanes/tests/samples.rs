@@ -115,8 +115,8 @@ fn times_of_samples_without_sense_are_errors() {
     let message = |ensemble: Sampled<'_, DoublePendulum<f64>, _>| {
         ensemble.run().map(|_| ()).expect_err("no sense").to_string()
     };
-    let positive = "motion 0: the interval of sampling must be positive and finite (at time 0.0)";
+    let positive = "the interval of sampling must be positive and finite";
     assert_eq!(message(pendulums(&PENDULUM, 3).every(-0.1)), positive);
     let many = message(pendulums(&PENDULUM, 3).every(1e-10));
-    assert!(many.starts_with("motion 0: "), "{many}");
+    assert!(many.contains("samples would be kept"), "{many}");
 }
