@@ -5,7 +5,7 @@ use quote::ToTokens;
 use syn::{Expr, File, ImplItem, Item, ItemImpl, Stmt};
 
 /// Writes a line such as `OdeSystem::derivative: 12 statements, 9 +, 4 -, 20 *, 1 /, 3 calls` for each method.
-pub fn summary(file: &File) -> String {
+pub(crate) fn summary(file: &File) -> String {
     let mut lines = String::new();
     file.items.iter().for_each(|item| summarise(item, &mut lines));
     lines

@@ -5,7 +5,6 @@
 
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 
 /// Removes `let`s of these names that neither statements nor anything beside them mention.

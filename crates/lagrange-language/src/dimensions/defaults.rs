@@ -7,7 +7,6 @@ use crate::syntax::ast::{
     AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource, acceleration_name,
 };
 use crate::syntax::print;
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::number::Number;

@@ -9,7 +9,6 @@ use super::messages;
 use super::solver::{Contradiction, Grounds};
 use crate::syntax::ast::{AstId, BinaryOperator, Expression, Expressions};
 use crate::syntax::print;
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::number::Number;

@@ -6,7 +6,6 @@ use super::counting::{IndexFault, Reason};
 use super::messages;
 use super::scopes::{ScopeId, Scopes};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, nearest};
 

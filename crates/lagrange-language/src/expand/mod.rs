@@ -30,7 +30,6 @@ use crate::syntax::ast::{
 use complaints::Complaints;
 use copies::Copier;
 use elements::ElementNames;
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 use scopes::Scopes;

@@ -11,7 +11,6 @@ use crate::emit::base::shape::local;
 use crate::model::{DrawnItem, OutlinedPart, Scene};
 use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
-use lagrange_language::bodies::JointForm;
 use lagrange_language::bodies::LoadOrigin;
 use lagrange_language::bodies::SpatialJointForm;
 use lagrange_language::syntax::ast::ConnectorKind;

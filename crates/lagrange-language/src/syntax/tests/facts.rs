@@ -3,7 +3,6 @@ use super::{errors, parse_text, read};
 use crate::syntax::ast::Declaration;
 use crate::syntax::keywords::{self, STATEMENTS};
 use crate::syntax::{messages, print};
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 
