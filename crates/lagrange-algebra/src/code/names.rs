@@ -24,7 +24,7 @@ pub struct Names {
 impl Names {
     /// Nothing given out yet; `reserved` never will be.
     pub fn new<'a>(reserved: impl IntoIterator<Item = &'a str>) -> Names {
-        let taken = reserved.into_iter().map(|name| name.to_owned()).collect();
+        let taken = reserved.into_iter().map(ToOwned::to_owned).collect();
         Names { taken, ..Names::default() }
     }
 

@@ -77,33 +77,19 @@ struct UnitWriter<'a> {
 impl UnitWriter<'_> {
     fn statement(&mut self, kind: &mut StatementKind) {
         match kind {
-            StatementKind::Parameters(list)
-            | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => {
-                for definition in list {
-                    let default = definition.value;
-                    definition.value = self.definition(&definition.name, default);
-                }
-            }
-            StatementKind::Coordinates(names)
-            | StatementKind::States(names)
-            | StatementKind::LetTuple(names, _) => {
-                names.iter().for_each(|name| self.value(name));
-            }
-            StatementKind::Velocity(name, _) => self.value(name),
-            StatementKind::Let(name, value) | StatementKind::Output(name, value) => {
-                *value = self.definition(name, Some(*value)).unwrap_or(*value);
-            }
-            StatementKind::Solve(unknown) => {
-                let start = unknown.start;
-                unknown.start = self.definition(&unknown.name, start);
-            }
             StatementKind::Scene(scene) => self.measured.labels.extend(label(scene, self.expressions)),
             StatementKind::External(function) => {
                 function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));
             }
             StatementKind::Table(table) => self.table(table),
-            _ => {}
+            kind => {
+                for (name, value) in kind.declarations_mut() {
+                    match value {
+                        Some(value) => *value = self.definition(name, *value),
+                        None => self.value(name),
+                    }
+                }
+            }
         }
     }
 
@@ -134,15 +120,12 @@ impl UnitWriter<'_> {
     }
 
     /// The value of a definition in coherent units.
-    fn definition(&mut self, name: &Name, value: Option<AstId>) -> Option<AstId> {
-        let (Some(unit), Some(value)) = (&name.unit, value) else {
-            self.value(name);
-            return value;
-        };
+    fn definition(&mut self, name: &Name, value: AstId) -> AstId {
+        let Some(unit) = &name.unit else { return value };
         let is_scaled = !unit.is_coherent() && is_of_numbers(self.expressions, value);
         let default = is_scaled.then(|| format!("{} {unit}", print::expression(self.expressions, value)));
         self.name(name, default);
-        Some(self.number(name, value))
+        self.number(name, value)
     }
 
     /// A number in the unit of a name, with that unit behind it.

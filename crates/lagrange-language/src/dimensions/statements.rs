@@ -20,21 +20,35 @@ fn form(exponents: [i8; 7]) -> Exponents {
     Exponents::from(Dimension::of(exponents))
 }
 
+/// The passes over plain statements, in this order. Between the last two, labels are required to have their dimensions.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum DimensionPass {
+    /// Names whose dimensions are declared, or determined by their use.
+    Declare,
+    /// Names that stand for expressions, and forces that statements name.
+    Abbreviate,
+    /// Conditions that statements impose on expressions.
+    Require,
+}
+
 /// Goes through a declaration in plain statements: first names, then what stands at labels, then what statements say.
 pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels: &[Label]) {
-    for statement in &declaration.statements {
-        define(checker, &statement.kind);
-    }
     // What bodies say in energies and once more in accelerations has units in the energies.
-    let is_computed = |statement: &&Statement| match &statement.kind {
-        StatementKind::Let(_, value) | StatementKind::Gibbs { function: value, .. } => {
-            declaration.expressions.is_computed(*value)
-        }
-        _ => false,
+    let is_computed = |statement: &Statement| {
+        let (StatementKind::Let(_, value) | StatementKind::Gibbs { function: value, .. }) = &statement.kind
+        else {
+            return false;
+        };
+        declaration.expressions.is_computed(*value)
     };
-    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
-        abbreviate(checker, &statement.kind);
-    }
+    let go_through = |checker: &mut Checker<'_>, pass| {
+        let statements = declaration.statements.iter();
+        let statements =
+            statements.filter(|statement| pass == DimensionPass::Declare || !is_computed(statement));
+        statements.for_each(|statement| visit(checker, statement, pass));
+    };
+    go_through(checker, DimensionPass::Declare);
+    go_through(checker, DimensionPass::Abbreviate);
     for label in labels {
         let expected = Some(Exponents::from(label.unit.dimension.clone()));
         let expected = Measure { components: vec![expected; 3], is_vector: false, has_rates: false };
@@ -42,28 +56,29 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
             Grounds { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
         checker.require(label.value, &expected, &reason);
     }
-    for statement in declaration.statements.iter().filter(|statement| !is_computed(statement)) {
-        demand(checker, statement);
-    }
+    go_through(checker, DimensionPass::Require);
 }
 
-/// Names whose dimensions are declared, or asked for by what is made of them.
-fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
-    match kind {
-        StatementKind::Parameters(list) | StatementKind::Inputs(list) | StatementKind::Constants(list) => {
+/// Does what a pass does for a statement.
+fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) {
+    let place = Origin::from(statement.origin.start);
+    let said = |words: &str| Grounds { words: words.to_owned(), place };
+    match (&statement.kind, pass) {
+        (StatementKind::Parameters(list) | StatementKind::Inputs(list), DimensionPass::Declare) => {
             list.iter().for_each(|definition| define_value(checker, definition));
-            if let StatementKind::Constants(list) = kind {
-                let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
-                values.for_each(|(name, value)| checker.define_constant(&name.text, value));
-            }
         }
-        StatementKind::Coordinates(names) | StatementKind::States(names) => {
+        (StatementKind::Constants(list), DimensionPass::Declare) => {
+            list.iter().for_each(|definition| define_value(checker, definition));
+            let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
+            values.for_each(|(name, value)| checker.define_constant(&name.text, value));
+        }
+        (StatementKind::Coordinates(names) | StatementKind::States(names), DimensionPass::Declare) => {
             for name in names {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
             }
         }
-        StatementKind::Quaternion(quaternion) => {
+        (StatementKind::Quaternion(quaternion), DimensionPass::Declare) => {
             for name in &quaternion.positions {
                 checker.scope.insert(name.text.clone(), Measure::known(Exponents::plain()));
             }
@@ -71,13 +86,158 @@ fn define(checker: &mut Checker<'_>, kind: &StatementKind) {
                 checker.scope.insert(name.text.clone(), Measure::known(form(FREQUENCY)).with_rates(true));
             }
         }
-        StatementKind::External(function) => {
+        (StatementKind::External(function), DimensionPass::Declare) => {
             let columns = function.parameters.iter().chain([&function.name]);
             let columns = columns.map(|name| declared(checker, name)).collect();
             checker.callables.insert(function.name.text.clone(), columns);
         }
-        StatementKind::Table(table) => define_table(checker, table),
-        _ => {}
+        (StatementKind::Table(table), DimensionPass::Declare) => define_table(checker, table),
+        (
+            StatementKind::Let(name, value) | StatementKind::Velocity(name, value),
+            DimensionPass::Abbreviate,
+        ) => {
+            let value = named_value(checker, name, *value);
+            checker.scope.insert(name.text.clone(), value);
+        }
+        (StatementKind::Solve(unknown), DimensionPass::Abbreviate) => {
+            let form = Measure::known(declared(checker, &unknown.name));
+            checker.scope.insert(unknown.name.text.clone(), form.clone());
+            checker.value(unknown.residual);
+            if let Some(start) = unknown.start.filter(|start| !is_of_numbers(checker.expressions, *start)) {
+                checker.require(start, &form, &value_of(&unknown.name));
+            }
+        }
+        (StatementKind::LetTuple(names, value), DimensionPass::Abbreviate) => {
+            let parts = match checker.expressions.get(*value) {
+                Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),
+                _ => vec![None; names.len()],
+            };
+            let whole = checker.value(*value);
+            for (i, (name, part)) in names.iter().zip(parts).enumerate() {
+                let component = Measure::scalar(whole.components.get(i).cloned().flatten());
+                let value = match part {
+                    Some(part) => named_value(checker, name, part),
+                    None => named_component(checker, name, *value, component),
+                };
+                checker.scope.insert(name.text.clone(), value.with_rates(whole.has_rates));
+            }
+        }
+        (StatementKind::Constraint(name, value), DimensionPass::Abbreviate) => {
+            let value = checker.value(*value);
+            name_force(checker, name, &value);
+        }
+        (
+            StatementKind::Event(Event { name, value, action: Action::Impact(_), .. }),
+            DimensionPass::Abbreviate,
+        ) => {
+            let gap = checker.value(*value);
+            name_force(checker, name, &gap);
+        }
+        (StatementKind::Friction(Friction { name, slip, .. }), DimensionPass::Abbreviate) => {
+            let slip = checker.value(*slip).with_rates(true);
+            name_force(checker, name, &slip);
+        }
+        (StatementKind::Kinetic(value), DimensionPass::Require) => {
+            energy(checker, *value, &said(messages::KINETIC));
+        }
+        (StatementKind::Potential(value), DimensionPass::Require) => {
+            energy(checker, *value, &said(messages::POTENTIAL));
+        }
+        (StatementKind::Lagrangian(value), DimensionPass::Require) => {
+            energy(checker, *value, &said(messages::LAGRANGIAN));
+        }
+        (StatementKind::Gibbs { function, stated }, DimensionPass::Require) => {
+            checker.require_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
+            energy(checker, *stated, &said(messages::LAGRANGIAN));
+        }
+        (StatementKind::Dissipation(value), DimensionPass::Require) => {
+            checker.require_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
+        }
+        (StatementKind::StateRate(name, value), DimensionPass::Require) => {
+            let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+            checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
+        }
+        (StatementKind::Stabilise(rate), DimensionPass::Require) => {
+            checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
+        }
+        (StatementKind::ForceOn(name, force), DimensionPass::Require) => {
+            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+            work(checker, *force, &along, &said(&messages::force_on(&name.text)));
+        }
+        (StatementKind::ForceAt { force, point }, DimensionPass::Require) => {
+            let each = |exponents| Measure {
+                components: vec![Some(form(exponents)); 3],
+                is_vector: true,
+                has_rates: false,
+            };
+            checker.require(*point, &each(LENGTH), &said(messages::POINT));
+            checker.require(*force, &each(FORCE), &said(messages::FORCE));
+        }
+        (StatementKind::ForceAlong { force, velocity }, DimensionPass::Require) => {
+            let along = checker.value(*velocity).with_rates(true);
+            work(checker, *force, &along, &said(messages::FORCE_ALONG));
+        }
+        (StatementKind::Torque { moment, angle }, DimensionPass::Require) => {
+            let along = checker.value(*angle);
+            work(checker, *moment, &along, &said(messages::TORQUE));
+        }
+        (StatementKind::Event(event), DimensionPass::Require) => demand_of_event(checker, event, place),
+        (StatementKind::Friction(friction), DimensionPass::Require) => {
+            demand_of_friction(checker, friction, place)
+        }
+        (StatementKind::Output(name, value), DimensionPass::Require) => {
+            let value = named_value(checker, name, *value);
+            checker.scope.insert(output_key(&name.text), value);
+        }
+        (StatementKind::Reduce(reduction), DimensionPass::Require) => {
+            demand_of_reduction(checker, reduction, place)
+        }
+        // Only other passes concern these, or none: later phases see no loops, bodies or functions with a formula.
+        (
+            StatementKind::Parameters(_)
+            | StatementKind::Inputs(_)
+            | StatementKind::Constants(_)
+            | StatementKind::Coordinates(_)
+            | StatementKind::States(_)
+            | StatementKind::Quaternion(_)
+            | StatementKind::External(_)
+            | StatementKind::Table(_),
+            DimensionPass::Abbreviate | DimensionPass::Require,
+        )
+        | (
+            StatementKind::Let(..)
+            | StatementKind::Velocity(..)
+            | StatementKind::Solve(_)
+            | StatementKind::LetTuple(..)
+            | StatementKind::Constraint(..),
+            DimensionPass::Declare | DimensionPass::Require,
+        )
+        | (
+            StatementKind::Kinetic(_)
+            | StatementKind::Potential(_)
+            | StatementKind::Lagrangian(_)
+            | StatementKind::Gibbs { .. }
+            | StatementKind::Dissipation(_)
+            | StatementKind::StateRate(..)
+            | StatementKind::Stabilise(_)
+            | StatementKind::ForceOn(..)
+            | StatementKind::ForceAt { .. }
+            | StatementKind::ForceAlong { .. }
+            | StatementKind::Torque { .. }
+            | StatementKind::Event(_)
+            | StatementKind::Output(..)
+            | StatementKind::Reduce(_),
+            DimensionPass::Declare | DimensionPass::Abbreviate,
+        )
+        | (StatementKind::Friction(_), DimensionPass::Declare)
+        | (
+            StatementKind::Function(_)
+            | StatementKind::Repeat(_)
+            | StatementKind::Select(_)
+            | StatementKind::Scene(_)
+            | StatementKind::Emit(_),
+            _,
+        ) => {}
     }
 }
 
@@ -128,52 +288,6 @@ fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
     checker.callables.insert(table.name.text.clone(), forms);
 }
 
-/// Names that stand for expressions, and forces that statements name.
-fn abbreviate(checker: &mut Checker<'_>, kind: &StatementKind) {
-    match kind {
-        StatementKind::Let(name, value) | StatementKind::Velocity(name, value) => {
-            let value = named_value(checker, name, *value);
-            checker.scope.insert(name.text.clone(), value);
-        }
-        StatementKind::Solve(unknown) => {
-            let form = Measure::known(declared(checker, &unknown.name));
-            checker.scope.insert(unknown.name.text.clone(), form.clone());
-            checker.value(unknown.residual);
-            if let Some(start) = unknown.start.filter(|start| !is_of_numbers(checker.expressions, *start)) {
-                checker.require(start, &form, &value_of(&unknown.name));
-            }
-        }
-        StatementKind::LetTuple(names, value) => {
-            let parts = match checker.expressions.get(*value) {
-                Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),
-                _ => vec![None; names.len()],
-            };
-            let whole = checker.value(*value);
-            for (i, (name, part)) in names.iter().zip(parts).enumerate() {
-                let component = Measure::scalar(whole.components.get(i).cloned().flatten());
-                let value = match part {
-                    Some(part) => named_value(checker, name, part),
-                    None => named_component(checker, name, *value, component),
-                };
-                checker.scope.insert(name.text.clone(), value.with_rates(whole.has_rates));
-            }
-        }
-        StatementKind::Constraint(name, value) => {
-            let value = checker.value(*value);
-            name_force(checker, name, &value);
-        }
-        StatementKind::Event(Event { name, value, action: Action::Impact(_), .. }) => {
-            let gap = checker.value(*value);
-            name_force(checker, name, &gap);
-        }
-        StatementKind::Friction(Friction { name, slip, .. }) => {
-            let slip = checker.value(*slip).with_rates(true);
-            name_force(checker, name, &slip);
-        }
-        _ => {}
-    }
-}
-
 /// Returns the dimension of an expression after a name; a number adopts the dimension required of
 /// the name.
 fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
@@ -217,60 +331,6 @@ fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let force = along.form().map(|form| work.over(&form));
     checker.scope.insert(name.text.clone(), Measure::scalar(force));
-}
-
-/// Applies the conditions that a statement imposes on expressions.
-fn demand(checker: &mut Checker<'_>, statement: &Statement) {
-    let place = Origin::from(statement.origin.start);
-    let said = |words: &str| Grounds { words: words.to_owned(), place };
-    match &statement.kind {
-        StatementKind::Kinetic(value) => energy(checker, *value, &said(messages::KINETIC)),
-        StatementKind::Potential(value) => energy(checker, *value, &said(messages::POTENTIAL)),
-        StatementKind::Lagrangian(value) => energy(checker, *value, &said(messages::LAGRANGIAN)),
-        StatementKind::Gibbs { function, stated } => {
-            checker.require_dimension(*function, &Dimension::of(GIBBS), &said(messages::GIBBS));
-            energy(checker, *stated, &said(messages::LAGRANGIAN));
-        }
-        StatementKind::Dissipation(value) => {
-            checker.require_dimension(*value, &Dimension::of(POWER), &said(messages::DISSIPATION));
-        }
-        StatementKind::StateRate(name, value) => {
-            let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-            checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
-        }
-        StatementKind::Stabilise(rate) => {
-            checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
-        }
-        StatementKind::ForceOn(name, force) => {
-            let along = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
-            work(checker, *force, &along, &said(&messages::force_on(&name.text)));
-        }
-        StatementKind::ForceAt { force, point } => {
-            let each = |exponents| Measure {
-                components: vec![Some(form(exponents)); 3],
-                is_vector: true,
-                has_rates: false,
-            };
-            checker.require(*point, &each(LENGTH), &said(messages::POINT));
-            checker.require(*force, &each(FORCE), &said(messages::FORCE));
-        }
-        StatementKind::ForceAlong { force, velocity } => {
-            let along = checker.value(*velocity).with_rates(true);
-            work(checker, *force, &along, &said(messages::FORCE_ALONG));
-        }
-        StatementKind::Torque { moment, angle } => {
-            let along = checker.value(*angle);
-            work(checker, *moment, &along, &said(messages::TORQUE));
-        }
-        StatementKind::Event(event) => demand_of_event(checker, event, place),
-        StatementKind::Friction(friction) => demand_of_friction(checker, friction, place),
-        StatementKind::Output(name, value) => {
-            let value = named_value(checker, name, *value);
-            checker.scope.insert(output_key(&name.text), value);
-        }
-        StatementKind::Reduce(reduction) => demand_of_reduction(checker, reduction, place),
-        _ => {}
-    }
 }
 
 /// Outputs have names of their own.

@@ -84,14 +84,7 @@ fn names_of(statements: &[Statement]) -> BTreeSet<String> {
         for Statement { kind, .. } in statements {
             let written = kind.written_names().into_iter();
             names.extend(written.map(|(name, suffix)| format!("{}{suffix}", name.text)));
-            match kind {
-                StatementKind::Repeat(repetition) => pending.push(&repetition.body),
-                StatementKind::Select(selection) => {
-                    pending.extend(selection.branches.iter().map(|(_, body)| &body[..]));
-                    pending.push(&selection.otherwise);
-                }
-                _ => {}
-            }
+            pending.extend(kind.blocks());
         }
     }
     names

@@ -105,7 +105,33 @@ impl<'a> Shape<'a> {
                 StatementKind::Output(name, value) => {
                     shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
                 }
-                _ => {}
+                // Part of the state, of the equations or of other types, or gone once the declaration is plain.
+                StatementKind::Coordinates(_)
+                | StatementKind::States(_)
+                | StatementKind::Quaternion(_)
+                | StatementKind::Velocity(..)
+                | StatementKind::Constants(_)
+                | StatementKind::Let(..)
+                | StatementKind::LetTuple(..)
+                | StatementKind::Function(_)
+                | StatementKind::External(_)
+                | StatementKind::Table(_)
+                | StatementKind::Solve(_)
+                | StatementKind::StateRate(..)
+                | StatementKind::Kinetic(_)
+                | StatementKind::Potential(_)
+                | StatementKind::Lagrangian(_)
+                | StatementKind::Gibbs { .. }
+                | StatementKind::Dissipation(_)
+                | StatementKind::ForceOn(..)
+                | StatementKind::ForceAt { .. }
+                | StatementKind::ForceAlong { .. }
+                | StatementKind::Torque { .. }
+                | StatementKind::Emit(_)
+                | StatementKind::Reduce(_)
+                | StatementKind::Repeat(_)
+                | StatementKind::Select(_)
+                | StatementKind::Scene(_) => {}
             }
         }
         shape.fields.extend(inputs);

@@ -344,6 +344,32 @@ impl StatementKind {
         }
     }
 
+    /// The names that a statement declares, each with the expression for its value or where its value starts.
+    pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
+        match self {
+            StatementKind::Parameters(list)
+            | StatementKind::Inputs(list)
+            | StatementKind::Constants(list) => {
+                list.iter_mut().map(|definition| (&definition.name, definition.value.as_mut())).collect()
+            }
+            StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
+            StatementKind::Solve(unknown) => vec![(&unknown.name, unknown.start.as_mut())],
+            kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
+        }
+    }
+
+    /// The blocks of statements within a loop or a choice.
+    pub fn blocks(&self) -> Vec<&[Statement]> {
+        match self {
+            StatementKind::Repeat(repetition) => vec![&repetition.body],
+            StatementKind::Select(selection) => {
+                let branches = selection.branches.iter().map(|(_, body)| &body[..]);
+                branches.chain([&selection.otherwise[..]]).collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
     /// The names that expressions behind the statement may mention.
     pub fn declared_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Expressions, Reach::Both])
