@@ -2,8 +2,8 @@
 
 use super::quantities::{is_of_numbers, with_unit};
 use crate::syntax::ast::{
-    AstId, Body, Connector, ConnectorKind, Expression, Expressions, Joint, JointKind, Line, Mobilizer,
-    MobilizerKind, Name, Part, SceneStatement, Shape,
+    AstId, Body, Connector, ConnectorKind, ElementaryMotion, Expression, Expressions, Joint, JointKind, Line,
+    Mobilizer, Name, Part, SceneStatement, Shape,
 };
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::Unit;
@@ -63,14 +63,11 @@ fn measured(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
 }
 
 fn name_coordinates(joint: &mut Mobilizer) {
-    let units: &[Powers] = match joint.kind {
-        MobilizerKind::Revolute | MobilizerKind::Screw | MobilizerKind::Universal => &[ANGLE, ANGLE],
-        MobilizerKind::Prismatic => &[LENGTH],
-        MobilizerKind::Cylindrical => &[ANGLE, LENGTH],
-        MobilizerKind::Planar => &[LENGTH, LENGTH, ANGLE],
-        MobilizerKind::Free => &[LENGTH, LENGTH, LENGTH],
-        MobilizerKind::Ball | MobilizerKind::Weld => &[],
-    };
+    let units = joint.kind.motions().iter().filter_map(|motion| match motion {
+        ElementaryMotion::Turn(_) => Some(ANGLE),
+        ElementaryMotion::Slide(_) => Some(LENGTH),
+        ElementaryMotion::Advance | ElementaryMotion::Orientation => None,
+    });
     for (name, powers) in joint.coordinates.iter_mut().zip(units) {
         give_unit(name, powers);
     }
@@ -163,8 +160,8 @@ fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {
 
 fn of_mobilizer(joint: &mut Mobilizer) -> Vec<LabelRow<'_>> {
     let Mobilizer { kind, at, turned, pitch, damping, .. } = joint;
-    let resistance = match kind {
-        MobilizerKind::Prismatic => DAMPING,
+    let resistance = match kind.motions() {
+        [ElementaryMotion::Slide(_)] => DAMPING,
         _ => TORSION_DAMPING,
     };
     let rows = [

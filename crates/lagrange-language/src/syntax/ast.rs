@@ -30,7 +30,10 @@ pub use keywords::{Keyword, Soft};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::units::Unit;
-pub use mobilizers::{Mobilizer, MobilizerKind};
+pub use mobilizers::ElementaryMotion;
+pub use mobilizers::JointLine;
+pub use mobilizers::Mobilizer;
+pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
     Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,

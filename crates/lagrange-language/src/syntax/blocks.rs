@@ -15,13 +15,13 @@ use lagrange_expr::diagnostics::{Origin, nearest};
 pub(super) struct BlockLabels {
     /// Object that is described, with its article.
     owner: &'static str,
-    known: &'static [&'static str],
+    known: Vec<&'static str>,
     given: Vec<(&'static str, Origin)>,
 }
 
 impl BlockLabels {
-    pub(super) fn new(owner: &'static str, known: &'static [&'static str]) -> BlockLabels {
-        BlockLabels { owner, known, given: Vec::new() }
+    pub(super) fn new(owner: &'static str, known: &[&'static str]) -> BlockLabels {
+        BlockLabels { owner, known: known.to_vec(), given: Vec::new() }
     }
 
     fn place(&self, label: &str) -> Option<Origin> {
@@ -59,6 +59,22 @@ impl Parser<'_> {
         let is_brace = |cursor: &Cursor| cursor.group(Delimiter::Brace).is_some();
         cursor.skip_to(|cursor| cursor.at(';') || cursor.at_statement() || is_brace(cursor));
         cursor.eat_group(Delimiter::Brace);
+    }
+
+    /// Reads lines `label: e;` between braces into the places for their values; says whether all could be read.
+    pub(super) fn values<T>(
+        &mut self,
+        group: &Group,
+        mut labels: BlockLabels,
+        object: &mut T,
+        place: for<'a> fn(&'a mut T, &'static str) -> &'a mut Option<AstId>,
+    ) -> bool {
+        self.lines(group, |parser, cursor| {
+            let label = parser.label_of(&mut labels, cursor)?;
+            parser.colon(label, cursor)?;
+            *place(object, label) = Some(parser.line_value(cursor));
+            Ok(())
+        })
     }
 
     /// Reads lines between braces, each up to its semicolon; says whether all could be read.
@@ -117,7 +133,7 @@ impl Parser<'_> {
         let (here, found) = (cursor.here(), cursor.peek().cloned());
         let Some(word) = cursor.eat_ident().map(|word| word.to_string()) else {
             let message = messages::expected(&scenes::label(labels.owner), found.as_ref());
-            let help = scenes::labels_are(labels.owner, labels.known);
+            let help = scenes::labels_are(labels.owner, &labels.known);
             return Err(self.fail_with_help(here, message, help));
         };
         let label = match labels.known.iter().find(|known| **known == word) {
@@ -139,7 +155,7 @@ impl Parser<'_> {
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
         let help = match meant {
             Some(label) => messages::meant(label),
-            None => scenes::labels_are(labels.owner, labels.known),
+            None => scenes::labels_are(labels.owner, &labels.known),
         };
         let reported = self.fail_with_help(here, scenes::unknown_label(word, labels.owner), help);
         let meant = labels.known.iter().copied().find(|label| Some(*label) == meant);

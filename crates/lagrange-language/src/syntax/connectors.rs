@@ -1,6 +1,6 @@
 //! Statements that declare lines, springs and dampers.
 
-use super::ast::{Connector, ConnectorKind, Line};
+use super::ast::{AstId, Connector, ConnectorKind, Line};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages::forms::form;
@@ -44,9 +44,8 @@ impl Parser<'_> {
         let group = self.braces(help, cursor)?;
         let mut connector =
             Connector { kind, name, from: None, to: None, stiffness: None, rest: None, damping: None };
-        let mut labels = BlockLabels::new(owner(kind), labels(kind));
-        let complete =
-            self.lines(&group, |parser, cursor| parser.connector_line(&mut connector, &mut labels, cursor));
+        let labels = BlockLabels::new(owner(kind), labels(kind));
+        let complete = self.values(&group, labels, &mut connector, value_at);
         if !complete {
             let origin = connector.name.as_ref().map_or(start, |name| name.span.into());
             let Connector { from, to, stiffness, damping, .. } = &mut connector;
@@ -55,24 +54,16 @@ impl Parser<'_> {
         }
         Ok(connector)
     }
+}
 
-    fn connector_line(
-        &mut self,
-        connector: &mut Connector,
-        labels: &mut BlockLabels,
-        cursor: &mut Cursor,
-    ) -> Parsed<()> {
-        let label = self.label_of(labels, cursor)?;
-        self.colon(label, cursor)?;
-        let value = Some(self.line_value(cursor));
-        match label {
-            "from" => connector.from = value,
-            "to" => connector.to = value,
-            "stiffness" => connector.stiffness = value,
-            "rest" => connector.rest = value,
-            _ => connector.damping = value,
-        }
-        Ok(())
+/// The place for the value of a label.
+fn value_at<'a>(connector: &'a mut Connector, label: &'static str) -> &'a mut Option<AstId> {
+    match label {
+        "from" => &mut connector.from,
+        "to" => &mut connector.to,
+        "stiffness" => &mut connector.stiffness,
+        "rest" => &mut connector.rest,
+        _ => &mut connector.damping,
     }
 }
 

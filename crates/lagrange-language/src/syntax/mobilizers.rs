@@ -2,24 +2,12 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{Mobilizer, MobilizerKind, Name, Quaternion};
+use super::ast::{AstId, ElementaryMotion, Mobilizer, MobilizerKind, Name, Quaternion};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser};
-
-/// Labels in the description of a joint.
-fn labels(kind: MobilizerKind) -> &'static [&'static str] {
-    match kind {
-        MobilizerKind::Revolute | MobilizerKind::Prismatic => &["at", "turned", "axis", "damping"],
-        MobilizerKind::Screw => &["at", "turned", "axis", "pitch", "damping"],
-        MobilizerKind::Cylindrical => &["at", "turned", "axis"],
-        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Weld => &["at", "turned"],
-        MobilizerKind::Ball => &["at", "turned", "damping"],
-        MobilizerKind::Free => &[],
-    }
-}
 
 impl Parser<'_> {
     /// `q = a to b { at: e; … }`, `(a, b) = c to d;`; of a weld `a to b`.
@@ -28,7 +16,7 @@ impl Parser<'_> {
         if kind == MobilizerKind::Free {
             return self.free_body(&help, cursor);
         }
-        let names = match kind {
+        let mut names = match kind {
             MobilizerKind::Weld => Vec::new(),
             _ => self.made_coordinates(kind, &help, cursor)?,
         };
@@ -36,16 +24,15 @@ impl Parser<'_> {
         self.joining("to", &help, cursor)?;
         let outboard = self.mentioned(&help, cursor)?;
         let mut joint = Mobilizer::between(kind, inboard, outboard);
-        match (kind, names) {
-            (MobilizerKind::Ball, mut names) => joint.quaternion = names.pop().map(Quaternion::named),
-            (_, names) => joint.coordinates = names,
+        match kind.motions() {
+            [ElementaryMotion::Orientation] => joint.quaternion = names.pop().map(Quaternion::named),
+            _ => joint.coordinates = names,
         }
         match cursor.eat_group(Delimiter::Brace) {
             Some(group) => {
-                let mut known = BlockLabels::new("a joint", labels(kind));
-                let complete = self
-                    .lines(&group, |parser, cursor| parser.mobilizer_line(&mut joint, &mut known, cursor));
-                if !complete && kind == MobilizerKind::Screw {
+                let labels = BlockLabels::new("a joint", &kind.labels());
+                let complete = self.values(&group, labels, &mut joint, value_at);
+                if !complete && kind.motions().contains(&ElementaryMotion::Advance) {
                     self.missing(&mut joint.pitch, joint.outboard.span.into());
                 }
             }
@@ -62,25 +49,6 @@ impl Parser<'_> {
             return Err(self.misplaced("`;`", help, cursor));
         }
         Ok(Mobilizer::free(body))
-    }
-
-    fn mobilizer_line(
-        &mut self,
-        joint: &mut Mobilizer,
-        labels: &mut BlockLabels,
-        cursor: &mut Cursor,
-    ) -> Parsed<()> {
-        let label = self.label_of(labels, cursor)?;
-        self.colon(label, cursor)?;
-        let value = Some(self.line_value(cursor));
-        match label {
-            "at" => joint.at = value,
-            "turned" => joint.turned = value,
-            "axis" => joint.axis = value,
-            "pitch" => joint.pitch = value,
-            _ => joint.damping = value,
-        }
-        Ok(())
     }
 
     /// The coordinates that a joint makes, with the `=` behind them.
@@ -115,5 +83,16 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, help));
         }
         Ok(names)
+    }
+}
+
+/// The place for the value of a label.
+fn value_at<'a>(joint: &'a mut Mobilizer, label: &'static str) -> &'a mut Option<AstId> {
+    match label {
+        "at" => &mut joint.at,
+        "turned" => &mut joint.turned,
+        "axis" => &mut joint.axis,
+        "pitch" => &mut joint.pitch,
+        _ => &mut joint.damping,
     }
 }

@@ -1,9 +1,12 @@
 //! Detection of plane and spatial scenes.
 
 use super::solids;
-use crate::syntax::ast::{
-    AstId, Declaration, Expression, Expressions, MobilizerKind, SceneStatement, StatementKind,
-};
+use crate::syntax::ast::AstId;
+use crate::syntax::ast::Declaration;
+use crate::syntax::ast::Expression;
+use crate::syntax::ast::Expressions;
+use crate::syntax::ast::SceneStatement;
+use crate::syntax::ast::StatementKind;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 
@@ -35,15 +38,12 @@ pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
 }
 
 fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
-    use MobilizerKind::{Ball, Cylindrical, Free, Screw, Universal};
     match statement {
         SceneStatement::Body(body) => {
             let shapes = body.shape.iter().chain(body.parts.iter().map(|part| &part.shape));
             body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
         }
-        SceneStatement::Mobilizer(joint) => {
-            matches!(joint.kind, Ball | Cylindrical | Free | Screw | Universal)
-        }
+        SceneStatement::Mobilizer(joint) => joint.kind.leads_out_of_the_plane(),
         _ => false,
     }
 }

@@ -6,7 +6,7 @@ use super::motors::draw_loads_on_coordinates;
 use super::vectors::{transposed, unit, zero_triple};
 use crate::bodies::plain::{Drawn, DrawnKind, SpatialJointForm};
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{AstId, Mobilizer, MobilizerKind};
+use crate::syntax::ast::{AstId, ElementaryMotion, JointLine, Mobilizer};
 
 /// Bodies and frames in the order of their declaration, and loads on coordinates in their places among the others; nothing unless
 /// somebody asks for it.
@@ -59,7 +59,7 @@ pub(super) fn draw_mobilizer(
         }
         !step.is_fixed()
     });
-    let has_axis = !matches!(joint.kind, MobilizerKind::Planar | MobilizerKind::Free);
+    let has_axis = !matches!(joint.kind.motions(), [ElementaryMotion::Slide(JointLine::Frame(_)), ..]);
     let axis = match moves {
         Some((FrameStep::Turn(axis, _) | FrameStep::Slide(axis, _), _)) if has_axis => *axis,
         _ => JointAxis::positive(2),

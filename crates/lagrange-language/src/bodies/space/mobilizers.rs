@@ -20,7 +20,9 @@ use crate::bodies::messages::{self, mobilizers as joints};
 use crate::bodies::object::Object;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
-use crate::syntax::ast::{AstId, Mobilizer, MobilizerKind, Name, Statement, StatementKind};
+use crate::syntax::ast::{
+    AstId, ElementaryMotion, JointLine, Mobilizer, MobilizerKind, Name, Statement, StatementKind,
+};
 
 /// A turn about the z-axis of the joint's frame, or a move along it, unless an axis says otherwise.
 const Z: usize = 2;
@@ -207,7 +209,7 @@ fn steps_of(
     let mut steps = Vec::new();
     if let Some(at) = joint.at {
         steps.push(FrameStep::Shift(fixed_triple(translation, at, &joints::at_of(kind))));
-    } else if joint.kind == MobilizerKind::Ball {
+    } else if joint.kind.motions() == [ElementaryMotion::Orientation] {
         // The frame that does not turn with the body.
         steps.push(FrameStep::Shift(zero_triple(&mut translation.terms())));
     }
@@ -224,23 +226,32 @@ fn motions_of(
     joint: &Mobilizer,
     coordinates: &[AstId],
 ) -> Option<Vec<FrameStep>> {
-    use FrameStep::{Slide, Turn};
-    let along = |axis: usize| JointAxis::positive(axis);
-    let motions = match (joint.kind, coordinates) {
-        (MobilizerKind::Universal, &[first, second]) => vec![Turn(along(0), first), Turn(along(1), second)],
-        (MobilizerKind::Planar, &[x, y, angle]) => {
-            vec![Slide(along(0), x), Slide(along(1), y), Turn(along(Z), angle)]
-        }
-        (MobilizerKind::Ball, _) => vec![turning(translation, joint)?],
-        (MobilizerKind::Free, &[x, y, z]) => {
-            let slides =
-                [x, y, z].into_iter().enumerate().map(|(axis, distance)| Slide(along(axis), distance));
-            slides.chain([turning(translation, joint)?]).collect()
-        }
-        (MobilizerKind::Weld, _) => Vec::new(),
-        _ => return along_axis(translation, joint, coordinates),
+    let motions = joint.kind.motions();
+    let (own, aligned) = match joint.kind.labels().contains(&"axis") {
+        true => axis_of(translation, joint)?,
+        false => (JointAxis::positive(Z), None),
     };
-    Some(motions)
+    let along = |line| match line {
+        JointLine::Own => own,
+        JointLine::Frame(axis) => JointAxis::positive(axis),
+    };
+    let mut rest = coordinates.iter().copied();
+    let mut steps = Vec::with_capacity(motions.len());
+    for motion in motions {
+        steps.push(match motion {
+            ElementaryMotion::Turn(line) => FrameStep::Turn(along(*line), rest.next()?),
+            ElementaryMotion::Slide(line) => FrameStep::Slide(along(*line), rest.next()?),
+            ElementaryMotion::Advance => {
+                FrameStep::Slide(own, advance(translation, joint, *coordinates.first()?)?)
+            }
+            ElementaryMotion::Orientation => turning(translation, joint)?,
+        });
+    }
+    if let Some(aligned) = aligned {
+        steps.insert(0, FrameStep::Reorientation(aligned));
+        steps.push(FrameStep::Reorientation(transposed(aligned)));
+    }
+    Some(steps)
 }
 
 /// Axes turned by the quaternion of a joint.
@@ -275,31 +286,6 @@ fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
         }
         entries
     })
-}
-
-/// Motions about and along the axis of a joint.
-fn along_axis(
-    translation: &mut Translation<'_>,
-    joint: &Mobilizer,
-    coordinates: &[AstId],
-) -> Option<Vec<FrameStep>> {
-    use FrameStep::{Slide, Turn};
-    let (axis, aligned) = axis_of(translation, joint)?;
-    let mut motions = match (joint.kind, coordinates) {
-        (MobilizerKind::Revolute, &[angle]) => vec![Turn(axis, angle)],
-        (MobilizerKind::Prismatic, &[distance]) => vec![Slide(axis, distance)],
-        (MobilizerKind::Cylindrical, &[angle, distance]) => vec![Turn(axis, angle), Slide(axis, distance)],
-        (MobilizerKind::Screw, &[angle]) => {
-            let distance = advance(translation, joint, angle)?;
-            vec![Turn(axis, angle), Slide(axis, distance)]
-        }
-        _ => return None,
-    };
-    if let Some(aligned) = aligned {
-        motions.insert(0, FrameStep::Reorientation(aligned));
-        motions.push(FrameStep::Reorientation(transposed(aligned)));
-    }
-    Some(motions)
 }
 
 /// The axis of a joint in its frame or, if it is oblique and made of numbers, z in one that is turned to it.

@@ -1,7 +1,7 @@
 //! Words that begin statements.
 
 /// A word that begins a statement.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Keyword {
     /// The word.
     pub word: &'static str,

@@ -1,26 +1,101 @@
 //! Joints with coordinates of their own, as written.
 
+use ElementaryMotion::{Advance, Orientation, Slide, Turn};
+use JointLine::{Frame, Own};
+
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name};
 
-/// Words that begin statements about joints with coordinates of their own.
-pub const KEYWORDS: [Keyword; 9] = [
-    Keyword::new("revolute", "write `revolute q = ground to arm { at: p; axis: u; }`")
-        .before(Soft::Coordinates),
-    Keyword::new("prismatic", "write `prismatic s = ground to slider { at: p; axis: u; }`")
-        .before(Soft::Coordinates),
-    Keyword::new("screw", "write `screw q = ground to nut { axis: u; pitch: e; }`").before(Soft::Coordinates),
-    Keyword::new("cylindrical", "write `cylindrical (q, s) = ground to piston { axis: u; }`")
-        .before(Soft::Coordinates),
-    Keyword::new("universal", "write `universal (a, b) = shaft to fork { at: p; }`")
-        .before(Soft::Coordinates),
-    Keyword::new("planar", "write `planar (x, y, phi) = ground to puck;`").before(Soft::Coordinates),
-    Keyword::new("ball", "write `ball hip = trunk to leg { at: p; }`").before(Soft::Coordinates),
-    Keyword::new("free", "write `free trunk;`, with the name of a body").before(Soft::Alone),
-    Keyword::new("weld", "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`")
-        .before(Soft::Joint),
-];
+/// An elementary motion of a joint.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ElementaryMotion {
+    /// Turns about an axis by a coordinate.
+    Turn(JointLine),
+    /// Moves along an axis by a coordinate.
+    Slide(JointLine),
+    /// Moves along the joint's own axis in proportion to the turn before it.
+    Advance,
+    /// Turns in any direction by a quaternion.
+    Orientation,
+}
+
+/// The line about or along which a joint moves.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum JointLine {
+    /// The axis that the statement states, or z.
+    Own,
+    /// An axis of the joint's frame.
+    Frame(usize),
+}
+
+/// Makes the kinds of joints and their properties from rows: kind, word, coordinates as they are written, motions,
+/// tokens that must follow the word, and form of the statement.
+macro_rules! joints {
+    ($(
+        #[doc = $doc:literal]
+        $kind:ident $word:literal $coordinates:literal [$($motion:expr),*] $soft:ident: $form:literal;
+    )*) => {
+        /// Kind of a joint that makes coordinates.
+        #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+        pub enum MobilizerKind {
+            $(#[doc = $doc] $kind,)*
+        }
+
+        /// Words that begin statements about joints with coordinates of their own.
+        pub const KEYWORDS: [Keyword; MobilizerKind::ALL.len()] =
+            [$(Keyword::new($word, $form).before(Soft::$soft)),*];
+
+        impl MobilizerKind {
+            /// Every kind.
+            pub const ALL: [MobilizerKind; [$($word),*].len()] = [$(MobilizerKind::$kind),*];
+
+            /// The coordinates as they are written.
+            pub fn written_coordinates(self) -> &'static str {
+                match self {
+                    $(MobilizerKind::$kind => $coordinates,)*
+                }
+            }
+
+            /// The motions of the body behind the joint, each in the frame behind those before it.
+            pub fn motions(self) -> &'static [ElementaryMotion] {
+                match self {
+                    $(MobilizerKind::$kind => &[$($motion),*],)*
+                }
+            }
+        }
+    };
+}
+
+joints! {
+    /// `revolute q`: turns about an axis.
+    Revolute "revolute" "q" [Turn(Own)] Coordinates:
+        "write `revolute q = ground to arm { at: p; axis: u; }`";
+    /// `prismatic s`: moves along an axis.
+    Prismatic "prismatic" "s" [Slide(Own)] Coordinates:
+        "write `prismatic s = ground to slider { at: p; axis: u; }`";
+    /// `screw q`: turns about an axis and advances along it in proportion.
+    Screw "screw" "q" [Turn(Own), Advance] Coordinates:
+        "write `screw q = ground to nut { axis: u; pitch: e; }`";
+    /// `cylindrical (q, s)`: turns about an axis and moves along it.
+    Cylindrical "cylindrical" "(q, s)" [Turn(Own), Slide(Own)] Coordinates:
+        "write `cylindrical (q, s) = ground to piston { axis: u; }`";
+    /// `universal (a, b)`: turns about x, then about the y that is turned with it.
+    Universal "universal" "(a, b)" [Turn(Frame(0)), Turn(Frame(1))] Coordinates:
+        "write `universal (a, b) = shaft to fork { at: p; }`";
+    /// `planar (x, y, phi)`: moves along x and y and turns about z.
+    Planar "planar" "(x, y, phi)" [Slide(Frame(0)), Slide(Frame(1)), Turn(Frame(2))] Coordinates:
+        "write `planar (x, y, phi) = ground to puck;`";
+    /// `ball hip`: turns about any axis.
+    Ball "ball" "hip" [Orientation] Coordinates:
+        "write `ball hip = trunk to leg { at: p; }`";
+    /// `free trunk`: moves and turns in any direction, without a carrier.
+    Free "free" "" [Slide(Frame(0)), Slide(Frame(1)), Slide(Frame(2)), Orientation] Alone:
+        "write `free trunk;`, with the name of a body";
+    /// `weld`: does not move.
+    Weld "weld" "" [] Joint:
+        "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`";
+}
 
 /// A joint that makes coordinates and places a body by them, which is what Simbody and Drake call a mobilizer.
 ///
@@ -55,29 +130,6 @@ pub struct Mobilizer {
     pub pitch: Option<AstId>,
     /// `damping: c;`
     pub damping: Option<AstId>,
-}
-
-/// Kind of a joint that makes coordinates.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum MobilizerKind {
-    /// `revolute q`: turns about an axis.
-    Revolute,
-    /// `prismatic s`: moves along an axis.
-    Prismatic,
-    /// `screw q`: turns about an axis and advances along it in proportion.
-    Screw,
-    /// `cylindrical (q, s)`: turns about an axis and moves along it.
-    Cylindrical,
-    /// `universal (a, b)`: turns about x, then about the y that is turned with it.
-    Universal,
-    /// `planar (x, y, phi)`: moves along x and y and turns about z.
-    Planar,
-    /// `ball hip`: turns about any axis.
-    Ball,
-    /// `free trunk`: moves and turns in any direction, without a carrier.
-    Free,
-    /// `weld`: does not move.
-    Weld,
 }
 
 impl Mobilizer {
@@ -130,32 +182,14 @@ impl Mobilizer {
 }
 
 impl MobilizerKind {
-    /// Every kind.
-    pub const ALL: [MobilizerKind; 9] = [
-        MobilizerKind::Revolute,
-        MobilizerKind::Prismatic,
-        MobilizerKind::Screw,
-        MobilizerKind::Cylindrical,
-        MobilizerKind::Universal,
-        MobilizerKind::Planar,
-        MobilizerKind::Ball,
-        MobilizerKind::Free,
-        MobilizerKind::Weld,
-    ];
+    /// The statement that declares one.
+    pub fn keyword(self) -> &'static Keyword {
+        &KEYWORDS[self as usize]
+    }
 
     /// The word that declares one.
     pub fn name(self) -> &'static str {
-        match self {
-            MobilizerKind::Revolute => "revolute",
-            MobilizerKind::Prismatic => "prismatic",
-            MobilizerKind::Screw => "screw",
-            MobilizerKind::Cylindrical => "cylindrical",
-            MobilizerKind::Universal => "universal",
-            MobilizerKind::Planar => "planar",
-            MobilizerKind::Ball => "ball",
-            MobilizerKind::Free => "free",
-            MobilizerKind::Weld => "weld",
-        }
+        self.keyword().word
     }
 
     /// The kind that a word declares.
@@ -163,29 +197,33 @@ impl MobilizerKind {
         MobilizerKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
 
-    /// The coordinates as they are written.
-    pub fn written_coordinates(self) -> &'static str {
-        match self {
-            MobilizerKind::Revolute | MobilizerKind::Screw => "q",
-            MobilizerKind::Prismatic => "s",
-            MobilizerKind::Cylindrical => "(q, s)",
-            MobilizerKind::Universal => "(a, b)",
-            MobilizerKind::Planar => "(x, y, phi)",
-            MobilizerKind::Ball => "hip",
-            MobilizerKind::Free | MobilizerKind::Weld => "",
-        }
-    }
-
     /// Number of names in front of `=`.
     pub fn name_count(self) -> usize {
-        match self {
-            MobilizerKind::Weld | MobilizerKind::Free => 0,
-            MobilizerKind::Revolute
-            | MobilizerKind::Prismatic
-            | MobilizerKind::Screw
-            | MobilizerKind::Ball => 1,
-            MobilizerKind::Cylindrical | MobilizerKind::Universal => 2,
-            MobilizerKind::Planar => 3,
-        }
+        let is_named = |motion: &&ElementaryMotion| self != MobilizerKind::Free && **motion != Advance;
+        self.motions().iter().filter(is_named).count()
+    }
+
+    /// Labels in the description of a joint.
+    pub fn labels(self) -> Vec<&'static str> {
+        let motions = self.motions();
+        let has_axis = motions.iter().any(|motion| matches!(motion, Turn(Own) | Slide(Own)));
+        let labels = [
+            ("at", true),
+            ("turned", true),
+            ("axis", has_axis),
+            ("pitch", motions.contains(&Advance)),
+            ("damping", self.name_count() == 1),
+        ];
+        let labels = labels.into_iter().filter(|(_, is_known)| *is_known && self != MobilizerKind::Free);
+        labels.map(|(label, _)| label).collect()
+    }
+
+    /// True if a body behind such a joint can leave the plane.
+    pub fn leads_out_of_the_plane(self) -> bool {
+        let motions = self.motions();
+        let is_plane =
+            |motion: &ElementaryMotion| matches!(motion, Turn(Own | Frame(2)) | Slide(Own | Frame(0 | 1)));
+        // One that also moves along the axis about which it turns leaves the plane.
+        !motions.iter().all(is_plane) || motions.starts_with(&[Turn(Own), Slide(Own)])
     }
 }

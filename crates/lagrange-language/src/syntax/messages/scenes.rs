@@ -43,15 +43,12 @@ pub(in crate::syntax) fn labelled(label: &str) -> String {
 
 /// The form of a statement that declares a joint with coordinates.
 pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
-    let labels = match kind {
-        MobilizerKind::Screw => "{ at: p; axis: u; pitch: e; }",
-        MobilizerKind::Universal | MobilizerKind::Planar | MobilizerKind::Ball | MobilizerKind::Weld => {
-            "{ at: p; }"
-        }
-        _ => "{ at: p; axis: u; }",
-    };
+    let forms = [("at", "at: p; "), ("axis", "axis: u; "), ("pitch", "pitch: e; ")];
+    let known = kind.labels();
+    let forms = forms.into_iter().filter(|(label, _)| known.contains(label)).map(|(_, form)| form);
+    let labels = format!("{{ {}}}", forms.collect::<String>());
     match kind {
-        MobilizerKind::Free => "write `free trunk;`, with the name of a body".to_owned(),
+        MobilizerKind::Free => kind.keyword().form.to_owned(),
         MobilizerKind::Weld => format!("write `weld ground to stand {labels}`"),
         kind => format!("write `{} {} = ground to link {labels}`", kind.name(), kind.written_coordinates()),
     }
