@@ -211,6 +211,36 @@ fn forces_of_redundant_constraints_are_shared_evenly() {
     assert!((first + second - third).abs() < 1e-14);
 }
 
+lagrange::system! {
+    /// A body on an inclined axle that is held in place, beside another one.
+    struct HeldOnAxle;
+
+    param c = 0.5;
+    gravity = (0, 0, -9.81);
+    body a { mass: 1; inertia: (1, 1, 1); }
+    cylindrical (q, s) = ground to a { turned: (0.3, 0.4, c); }
+    body b { mass: 1; inertia: (1, 1, 1); }
+    free b;
+    pin a.center to (0, 0, 0);
+}
+
+#[test]
+fn forces_of_constraints_that_always_depend_on_each_other_are_along_the_axle() {
+    for c in [0.5, -0.5, 0.0, 1.2] {
+        let system = HeldOnAxle { c, ..HeldOnAxle::default() };
+        let (mut q, v) = ([0.0; 9], [0.0; 8]);
+        q[5] = 1.0;
+        let accelerations = system.acceleration(0.0, &q, &v);
+        for (k, found) in accelerations.into_iter().enumerate() {
+            assert!((found + if k == 4 { 9.81 } else { 0.0 }).abs() < 1e-12, "{c}: {accelerations:?}");
+        }
+        // Of all forces that hold 9.81 n_z along the axle n, the smallest is parallel to it.
+        let forces = system.multipliers(0.0, &q, &v);
+        let square = forces.iter().map(|force| force * force).sum::<f64>();
+        assert!((square - 9.81 * forces[2].abs()).abs() < 1e-11 && square > 1.0, "{c}: {forces:?}");
+    }
+}
+
 #[test]
 fn where_the_motion_is_undefined_nothing_is_plausible() {
     let rod = Rod::default();

@@ -62,6 +62,13 @@ macro_rules! comes_to_rest {
 }
 
 #[test]
+fn plates_come_to_rest_on_any_number_of_points() {
+    comes_to_rest!(OnTwo, 2.0, f64, [1e-4, 1e-8, 1e-11]);
+    comes_to_rest!(OnThree, 3.0, f64, [1e-4, 1e-8, 1e-11]);
+    comes_to_rest!(OnFour, 4.0, f64, [1e-4, 1e-8, 1e-11]);
+}
+
+#[test]
 fn plates_come_to_rest_in_single_precision() {
     comes_to_rest!(OnTwo, 2.0, f32, [1e-4, 1e-5]);
     comes_to_rest!(OnThree, 3.0, f32, [1e-4, 1e-5]);

@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::reaction_forces::{Balance, reactions};
+use super::reaction_forces::{Balance, Rule};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
 use crate::scalar::{Number, Scalar};
@@ -21,8 +21,9 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
 ) -> [S; K] {
-    let reactions = reactions(terms, modes);
-    let balance = Balance::of_forces(terms);
+    let rules = terms.rules(modes);
+    let balance = Balance::of_active(terms, &rules.unwrap_or([Rule::Absent; K]));
+    let reactions = rules.map_or([S::NAN; K], |rules| balance.reactions(&rules));
     let rounding = |k: usize| match balance.response(k) {
         response if response > S::ZERO => BOUND.part::<S>() * balance.size(k, &reactions) / response,
         _ => S::ZERO,

@@ -74,10 +74,27 @@ impl Rule {
 impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// Builds the problem for forces and the rates of rates.
     pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
+        Balance { matrix: terms.matrix(), ..Self::without_responses(terms) }
+    }
+
+    /// Builds the problem for forces under known rules: rates of absent reactions, and what these would change, are left out.
+    pub(super) fn of_active(terms: &'a Terms<S, N, K>, rules: &[Rule; K]) -> Self {
+        let mut balance = Self::without_responses(terms);
+        let acts = |k: &usize| rules[*k] != Rule::Absent;
+        for k in (0..K).filter(acts) {
+            for j in (0..K).filter(acts) {
+                balance.matrix[k][j] = dot(&terms.rows[k], &terms.responses[j]);
+            }
+        }
+        balance
+    }
+
+    fn without_responses(terms: &'a Terms<S, N, K>) -> Self {
         let offset = |k: usize| dot(&terms.rows[k], &terms.free) + terms.drifts[k];
         let size = |k: usize| terms.size_of(k, &terms.free) + terms.drifts[k].abs();
         let (offsets, sizes) = (array::from_fn(offset), array::from_fn(size));
-        Balance { terms, matrix: terms.matrix(), offsets, sizes, presence: S::ONE, is_exact: true }
+        let matrix = [[S::ZERO; K]; K];
+        Balance { terms, matrix, offsets, sizes, presence: S::ONE, is_exact: true }
     }
 
     /// Builds the problem for impulses and the post-impact values rate⁺ + e rate⁻, which are zero
@@ -198,8 +215,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             let mut is_consistent = true;
             for k in 0..K {
                 let is_limited = matches!(rules[k], Rule::Forwards | Rule::Backwards | Rule::Smooth);
-                let is_negative = self.kinetic(k, &reactions) * signs[k] < S::ZERO;
-                if is_limited && is_negative && !self.is_beyond(k, rules, &reactions) {
+                let is_negative = || self.kinetic(k, &reactions) * signs[k] < S::ZERO;
+                if is_limited && is_negative() && !self.is_beyond(k, rules, &reactions) {
                     signs[k] = -signs[k];
                     is_consistent = false;
                 }
@@ -235,27 +252,38 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             if rules[k] == Rule::Backwards { -factor } else { factor }
         };
         // What is absent takes no part: rounding of nothing would have a sign, by which limits are judged.
-        let is_absent = |k: usize| rules[k] == Rule::Absent;
-        let entry = |k: usize, j: usize| {
-            let own = if j == k { S::ONE } else { S::ZERO };
-            match rules[k] {
-                _ if is_absent(k) || is_absent(j) => own,
-                Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
-                _ => own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j],
+        let (mut active, mut count) = ([0; K], 0);
+        for k in (0..K).filter(|k| rules[*k] != Rule::Absent) {
+            active[count] = k;
+            count += 1;
+        }
+        let entry = |k: usize, j: usize| match rules[k] {
+            Rule::Holds => self.matrix[k][j] / (units[k] * units[j]),
+            _ => {
+                let own = if j == k { S::ONE } else { S::ZERO };
+                own + factor(k) * self.terms.kinetic_slopes[k][j] * units[k] / units[j]
             }
         };
         let right = |k: usize| match rules[k] {
-            Rule::Absent => S::ZERO,
             Rule::Holds => -self.offsets[k] / units[k],
             _ => -(factor(k) * self.presence * self.terms.kinetic[k] * units[k]),
         };
-        let matrix: [[S; K]; K] = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
-        let right = array::from_fn(right);
-        let reactions = match self.is_exact {
-            true => solve(&matrix, &right, self.held_limits(rules, &units)),
-            false => nearest(&matrix, &right),
+        let (mut matrix, mut rights) = ([[S::ZERO; K]; K], [S::ZERO; K]);
+        for (row, &k) in active[..count].iter().enumerate() {
+            rights[row] = right(k);
+            for (place, &j) in matrix[row].iter_mut().zip(&active[..count]) {
+                *place = entry(k, j);
+            }
+        }
+        let found = match self.is_exact {
+            true => solve(&matrix, &rights, count, self.held_limits(rules, &units)),
+            false => nearest(&matrix, &rights, count),
         };
-        array::from_fn(|k| if is_absent(k) { S::ZERO } else { reactions[k] / units[k] })
+        let mut reactions = [S::ZERO; K];
+        for (found, &k) in found.iter().zip(&active[..count]) {
+            reactions[k] = *found / units[k];
+        }
+        reactions
     }
 }
 
@@ -263,6 +291,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// G: in row k how rate k changes with each reaction.
     fn matrix(&self) -> [[S; K]; K] {
         array::from_fn(|k| array::from_fn(|j| dot(&self.rows[k], &self.responses[j])))
+    }
+
+    /// The rules of these modes, unless a rate is not finite.
+    pub(super) fn rules(&self, modes: &[Mode; K]) -> Option<[Rule; K]> {
+        let is_finite = self.rates.iter().all(|rate| rate.is_finite());
+        is_finite.then(|| array::from_fn(|k| Rule::of(modes[k], self.rates[k])))
     }
 
     /// Returns the size of the terms of d_k·x.
@@ -280,12 +314,9 @@ pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
 ) -> [S; K] {
-    if terms.rates.iter().any(|rate| !rate.is_finite()) {
-        return [S::NAN; K];
-    }
-    let rules: [Rule; K] = array::from_fn(|k| Rule::of(modes[k], terms.rates[k]));
+    let Some(rules) = terms.rules(modes) else { return [S::NAN; K] };
     if rules.iter().all(|rule| *rule == Rule::Absent) {
         return [S::ZERO; K];
     }
-    Balance::of_forces(terms).reactions(&rules)
+    Balance::of_active(terms, &rules).reactions(&rules)
 }

@@ -4,6 +4,8 @@
 //! The rank is the number of columns of which more than rounding is left. Source: Golub, Van Loan, *Matrix Computations*,
 //! 4th ed., §5.2, §5.4.
 
+use core::ops::Range;
+
 use crate::scalar::Scalar;
 
 /// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
@@ -17,29 +19,40 @@ pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> 
     /// Index of the column taken k-th.
     order: [usize; COLUMNS],
     rank: usize,
+    /// Number of rows that are not zero.
+    rows: usize,
 }
 
 impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, ROWS, COLUMNS> {
     /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of the largest one depend on
     /// those before.
-    pub(crate) fn new(mut columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
+    pub(crate) fn new(columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
+        Self::leading(columns, [ROWS, COLUMNS], tolerance)
+    }
+
+    /// The factors of so many first rows and columns; all other entries are zero.
+    pub(crate) fn leading(
+        mut columns: [[S; ROWS]; COLUMNS],
+        [rows, count]: [usize; 2],
+        tolerance: S,
+    ) -> Self {
         let mut diagonal = [S::ZERO; COLUMNS];
         let mut order = core::array::from_fn(|k| k);
         let mut rank = 0;
         let mut first = S::ZERO;
-        while rank < ROWS.min(COLUMNS) {
+        while rank < rows.min(count) {
             let k = rank;
-            let (pivot, left) = largest(&columns, k);
+            let (pivot, left) = largest(&columns[..count], k..rows);
             first = first.max(left);
             if left <= tolerance * first {
                 break;
             }
             columns.swap(k, pivot);
             order.swap(k, pivot);
-            diagonal[k] = reflect(&mut columns[k..], k, left);
+            diagonal[k] = reflect(&mut columns[k..count], k..rows, left);
             rank += 1;
         }
-        OrthogonalFactors { columns, diagonal, order, rank }
+        OrthogonalFactors { columns, diagonal, order, rank, rows }
     }
 
     /// Returns the number of independent columns.
@@ -60,7 +73,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     /// Qᵀx
     pub(crate) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in 0..self.rank {
-            apply(&self.columns[k], k, &mut x);
+            apply(&self.columns[k], k..self.rows, &mut x);
         }
         x
     }
@@ -68,7 +81,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     /// Q x
     pub(crate) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in (0..self.rank).rev() {
-            apply(&self.columns[k], k, &mut x);
+            apply(&self.columns[k], k..self.rows, &mut x);
         }
         x
     }
@@ -117,11 +130,11 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
 /// rank must not flicker near where it changes.
 const PRECEDENCE: f64 = 0.125;
 
-/// The column, from the k-th on, of which most is left from row k on or nearly so, and how much.
-fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], k: usize) -> (usize, S) {
-    let mut most = (k, S::ZERO);
-    for (index, column) in columns.iter().enumerate().skip(k) {
-        let length = euclidean_norm(&column[k..]);
+/// The column, from that of the first row on, of which most is left in these rows or nearly so, and how much.
+fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usize>) -> (usize, S) {
+    let mut most = (rows.start, S::ZERO);
+    for (index, column) in columns.iter().enumerate().skip(rows.start) {
+        let length = euclidean_norm(&column[rows.clone()]);
         if length - S::from_f64(PRECEDENCE) * length > most.1 {
             most = (index, length);
         }
@@ -129,27 +142,29 @@ fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], k: usize) -> (us
     most
 }
 
-/// Reflects what is left of the first column, of this length, onto row k, and the other columns with it. The reflection takes
+/// Reflects what is left of the first column in these rows, of this length, onto the first of them, and the other columns with it. The reflection takes
 /// the place of what is left; returns the entry on the diagonal.
-fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], k: usize, length: S) -> S {
+fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<usize>, length: S) -> S {
+    let k = rows.start;
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
     let diagonal = if column[k] > S::ZERO { -length } else { length };
     // With this u the half of its square is length (length + |x|), which makes I − u uᵀ a reflection once u is divided by its root.
     let root = (length * (length + column[k].abs())).sqrt();
     column[k] = column[k] - diagonal;
-    for entry in &mut column[k..] {
+    for entry in &mut column[rows.clone()] {
         *entry = *entry / root;
     }
     for other in others {
-        apply(column, k, other);
+        apply(column, rows.clone(), other);
     }
     diagonal
 }
 
-/// x − u (uᵀx) from row k on.
-fn apply<S: Scalar, const ROWS: usize>(u: &[S; ROWS], k: usize, x: &mut [S; ROWS]) {
-    let product = u[k..].iter().zip(&x[k..]).fold(S::ZERO, |sum, (u, x)| u.multiply_add(*x, sum));
-    for (x, u) in x[k..].iter_mut().zip(&u[k..]) {
+/// x − u (uᵀx) in these rows.
+fn apply<S: Scalar, const ROWS: usize>(u: &[S; ROWS], rows: Range<usize>, x: &mut [S; ROWS]) {
+    let (u, x) = (&u[rows.clone()], &mut x[rows]);
+    let product = u.iter().zip(&*x).fold(S::ZERO, |sum, (u, x)| u.multiply_add(*x, sum));
+    for (x, u) in x.iter_mut().zip(u) {
         *x = (-product).multiply_add(*u, *x);
     }
 }

@@ -110,12 +110,6 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
         Some(Factors { factors: matrix, exchanged })
     }
 
-    /// The size of the smallest pivot.
-    pub(crate) fn smallest_pivot(&self) -> S {
-        let reciprocals = (0..self.factors.rows()).map(|row| self.factors[(row, row)].abs());
-        S::ONE / reciprocals.fold(S::ZERO, S::max)
-    }
-
     /// The solution for a right-hand side.
     #[inline]
     pub(crate) fn solve(&self, right: &Y) -> Y {

@@ -2,28 +2,57 @@
 //!
 //! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal factors of its rows.
 
-use crate::linalg::orthogonal;
-use crate::linalg::pivoted::{Factors, Matrix};
+use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
 /// Returns the shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of
-/// about one. Equations that contradict each other count as rounded where they do so by little beside their terms or `scale`.
-pub(crate) fn solve<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], scale: S) -> [S; K] {
-    let x = nearest(a, b);
-    let size = size(a, b, &x) + scale;
-    if residual(a, b, &x) <= size * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
+/// about one. Equations that contradict each other count as rounded where they do so by little beside their terms or `scale`. Only the
+/// first `count` rows and columns are not zero.
+pub(crate) fn solve<S: Scalar, const K: usize>(
+    a: &[[S; K]; K],
+    b: &[S; K],
+    count: usize,
+    scale: S,
+) -> [S; K] {
+    let x = nearest(a, b, count);
+    let size = size(a, b, &x, count) + scale;
+    if residual(a, b, &x, count) <= size * negligible::<S>().sqrt() { x } else { [S::NAN; K] }
 }
 
 /// Solves without checking A x = b: rows that depend on others are omitted, and may contradict
 /// these.
-pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
-    let negligible = negligible::<S>();
-    let factors = Factors::<S, [S; K]>::new(Matrix(*a));
-    match factors.filter(|factors| factors.smallest_pivot() > negligible) {
-        Some(factors) => factors.solve(b),
-        None => orthogonal::OrthogonalFactors::new(*a, negligible).shortest(b),
+pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> [S; K] {
+    eliminated(a, b, count)
+        .unwrap_or_else(|| OrthogonalFactors::leading(*a, [count, count], negligible()).shortest(b))
+}
+
+/// The solution of so many first equations by elimination with partial pivoting, unless a pivot is negligible.
+fn eliminated<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> Option<[S; K]> {
+    let (mut a, mut x) = (*a, *b);
+    for k in 0..count {
+        let pivot =
+            (k..count).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
+        a.swap(k, pivot);
+        x.swap(k, pivot);
+        if !(a[k][k].abs() > negligible() && a[k][k].is_finite()) {
+            return None;
+        }
+        let (pivot_row, reciprocal) = (a[k], S::ONE / a[k][k]);
+        for row in k + 1..count {
+            let multiple = -(a[row][k] * reciprocal);
+            for column in k + 1..count {
+                a[row][column] = multiple.multiply_add(pivot_row[column], a[row][column]);
+            }
+            x[row] = multiple.multiply_add(x[k], x[row]);
+        }
     }
+    for row in (0..count).rev() {
+        let known =
+            (row + 1..count).fold(x[row], |sum, column| (-a[row][column]).multiply_add(x[column], sum));
+        x[row] = known / a[row][row];
+    }
+    Some(x)
 }
 
 /// Returns the rounding level relative to one: slightly below three quarters of all digits.
@@ -32,15 +61,15 @@ pub(crate) fn negligible<S: Scalar>() -> S {
     root * root.sqrt()
 }
 
-fn residual<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S {
-    let rows = a.iter().zip(b);
+fn residual<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K], count: usize) -> S {
+    let rows = a.iter().zip(b).take(count);
     rows.fold(S::ZERO, |sum, (row, b)| sum + (dot(row, x) - *b).abs())
 }
 
 /// Returns the size of the terms whose difference is the residual.
-fn size<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K]) -> S {
+fn size<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], x: &[S; K], count: usize) -> S {
     let terms = |row: &[S; K]| row.iter().zip(x).fold(S::ZERO, |sum, (a, x)| sum + (*a * *x).abs());
-    a.iter().zip(b).fold(S::ZERO, |sum, (row, b)| sum + terms(row) + b.abs())
+    a.iter().zip(b).take(count).fold(S::ZERO, |sum, (row, b)| sum + terms(row) + b.abs())
 }
 
 #[cfg(test)]

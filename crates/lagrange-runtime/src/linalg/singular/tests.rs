@@ -4,7 +4,7 @@ use crate::linalg::singular::solve;
 
 #[test]
 fn regular_systems_are_solved() {
-    let x: [f64; 3] = solve(&[[2.0, 1.0, 0.0], [1.0, 3.0, -1.0], [0.0, 1.0, 1.0]], &[4.0, 4.0, 5.0], 0.0);
+    let x: [f64; 3] = solve(&[[2.0, 1.0, 0.0], [1.0, 3.0, -1.0], [0.0, 1.0, 1.0]], &[4.0, 4.0, 5.0], 3, 0.0);
     for (x, wanted) in x.iter().zip([1.0, 2.0, 3.0]) {
         assert!((x - wanted).abs() < 1e-14, "{x}");
     }
@@ -12,7 +12,7 @@ fn regular_systems_are_solved() {
 
 #[test]
 fn of_many_solutions_the_shortest_is_taken() {
-    let x: [f64; 3] = solve(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 2.0]], &[3.0, 3.0, 4.0], 0.0);
+    let x: [f64; 3] = solve(&[[1.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, 0.0, 2.0]], &[3.0, 3.0, 4.0], 3, 0.0);
     for (x, wanted) in x.iter().zip([1.5, 1.5, 2.0]) {
         assert!((x - wanted).abs() < 1e-14, "{x}");
     }
@@ -21,7 +21,7 @@ fn of_many_solutions_the_shortest_is_taken() {
     let g = |i: usize, j: usize| 1.0 + place[i][0] * place[j][0] + place[i][1] * place[j][1];
     let matrix = core::array::from_fn(|i| core::array::from_fn(|j| g(i, j)));
     let right = core::array::from_fn(|i| 2.0 + 0.4 * place[i][0] - 0.8 * place[i][1]);
-    let x: [f64; 4] = solve(&matrix, &right, 0.0);
+    let x: [f64; 4] = solve(&matrix, &right, 4, 0.0);
     for (i, x) in x.iter().enumerate() {
         let wanted = 0.5 + 0.1 * place[i][0] - 0.2 * place[i][1];
         assert!((x - wanted).abs() < 1e-14, "{x} for {wanted}");
@@ -30,10 +30,21 @@ fn of_many_solutions_the_shortest_is_taken() {
 
 #[test]
 fn what_cannot_be_solved_is_not_a_number() {
-    let impossible: [f64; 2] = solve(&[[1.0, 1.0], [1.0, 1.0]], &[1.0, 2.0], 0.0);
+    let impossible: [f64; 2] = solve(&[[1.0, 1.0], [1.0, 1.0]], &[1.0, 2.0], 2, 0.0);
     assert!(impossible.iter().all(|x| x.is_nan()));
-    let broken: [f64; 2] = solve(&[[1.0, f64::NAN], [1.0, 1.0]], &[1.0, 2.0], 0.0);
+    let broken: [f64; 2] = solve(&[[1.0, f64::NAN], [1.0, 1.0]], &[1.0, 2.0], 2, 0.0);
     assert!(broken.iter().all(|x| x.is_nan()));
-    let zero: [f64; 2] = solve(&[[0.0; 2]; 2], &[0.0; 2], 0.0);
+    let zero: [f64; 2] = solve(&[[0.0; 2]; 2], &[0.0; 2], 2, 0.0);
     assert_eq!(zero, [0.0; 2]);
+}
+
+/// Rows and columns of zeros behind those that count change nothing, neither for regular nor for singular equations.
+#[test]
+fn only_the_first_equations_count() {
+    for last in [2.0, 1.0] {
+        let (small, large) = ([[1.0, 1.0], [1.0, last]], [[1.0, 1.0, 0.0], [1.0, last, 0.0], [0.0; 3]]);
+        let [x, y] = solve(&small, &[3.0, 3.0], 2, 0.0);
+        assert_eq!(solve(&large, &[3.0, 3.0, 0.0], 2, 0.0), [x, y, 0.0]);
+    }
+    assert_eq!(solve(&[[0.0; 2]; 2], &[0.0; 2], 0, 0.0), [0.0; 2]);
 }
