@@ -1,10 +1,7 @@
 //! Systems without projection.
 
 use super::ConstrainedSystem;
-use crate::system::{
-    CanonicalSystem, DeclaredEvent, EnergyFunction, MechanicalSystem, OdeSystem, Reacted, Response,
-    SeparableSystem, StateMatrix, StepFailure, Undefined, VelocityMatrix,
-};
+use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem, StateMatrix, VelocityMatrix, Wrapper};
 
 /// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
 ///
@@ -16,110 +13,29 @@ pub struct Unprojected<M>(
     pub M,
 );
 
-impl<M: OdeSystem> OdeSystem for Unprojected<M> {
-    type Scalar = M::Scalar;
+impl<M: OdeSystem> Wrapper for Unprojected<M> {
+    type Inner = M;
     type State = M::State;
 
+    const IS_PROJECTED: bool = false;
+
     #[inline]
-    fn rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
+    fn inner(&self) -> &M {
+        &self.0
+    }
+
+    fn around(&self, inner: M) -> Self {
+        Unprojected(inner)
+    }
+
+    #[inline]
+    fn outer_rhs(&self, t: M::Scalar, y: &M::State) -> M::State {
         self.0.rhs(t, y)
     }
 
-    fn undefined(&self, t: M::Scalar, y: &M::State, rates: &M::State) -> Option<Undefined<M::Scalar>> {
-        self.0.undefined(t, y, rates)
-    }
-
     #[inline]
-    fn jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
+    fn outer_jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
         self.0.jacobian(t, y)
-    }
-
-    #[inline]
-    fn next_restart(&self, t: M::Scalar, end: M::Scalar) -> Option<M::Scalar> {
-        self.0.next_restart(t, end)
-    }
-
-    fn beyond(&self, t: M::Scalar, end: M::Scalar) -> Option<Self> {
-        self.0.beyond(t, end).map(Unprojected)
-    }
-
-    #[inline]
-    fn admit(&self, t: M::Scalar, y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
-        self.0.admit(t, y)
-    }
-
-    #[inline]
-    fn restore(&self, t: M::Scalar, y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
-        self.0.restore(t, y)
-    }
-
-    const EVENTS: &'static [DeclaredEvent] = M::EVENTS;
-
-    #[inline]
-    fn event_values(&self, t: M::Scalar, y: &M::State, values: &mut [M::Scalar]) {
-        self.0.event_values(t, y, values);
-    }
-
-    fn react(&self, event: usize, t: M::Scalar, elapsed: M::Scalar, y: &M::State) -> Reacted<Self> {
-        let Response { action, system, kind } = self.0.react(event, t, elapsed, y)?;
-        Ok(Response { action, system: system.map(Unprojected), kind })
-    }
-
-    fn begin(&self, t: M::Scalar, y: &M::State) -> Result<Option<Self>, StepFailure<M::Scalar>> {
-        Ok(self.0.begin(t, y)?.map(Unprojected))
-    }
-
-    fn on_sides(&self, t: M::Scalar, y: &M::State) -> Option<Self> {
-        self.0.on_sides(t, y).map(Unprojected)
-    }
-
-    fn freed(&self) -> Option<Self> {
-        self.0.freed().map(Unprojected)
-    }
-}
-
-impl<M: MechanicalSystem> MechanicalSystem for Unprojected<M> {
-    type Coordinates = M::Coordinates;
-    type Velocities = M::Velocities;
-    type Columns<C> = M::Columns<C>;
-
-    const COORDINATES: &'static [&'static str] = M::COORDINATES;
-    const VELOCITIES: &'static [&'static str] = M::VELOCITIES;
-
-    #[inline]
-    fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Velocities {
-        self.0.acceleration(t, q, v)
-    }
-
-    #[inline]
-    fn position_rates(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
-        self.0.position_rates(t, q, v)
-    }
-
-    #[inline]
-    fn position_change(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Coordinates {
-        self.0.position_change(t, q, v)
-    }
-
-    #[inline]
-    fn normalise(q: &mut M::Coordinates) {
-        M::normalise(q);
-    }
-
-    #[inline]
-    fn displacement(&self, t: M::Scalar, from: &M::Coordinates, to: &M::Coordinates) -> M::Velocities {
-        self.0.displacement(t, from, to)
-    }
-
-    fn parameter(&self, index: usize) -> Option<(&'static str, M::Scalar)> {
-        self.0.parameter(index)
-    }
-}
-
-impl<M: EnergyFunction> EnergyFunction for Unprojected<M> {
-    #[inline]
-    fn energy(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Scalar {
-        self.0.energy(t, q, v)
     }
 }
 

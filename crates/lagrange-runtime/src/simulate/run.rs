@@ -121,7 +121,7 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
     }
 }
 
-/// Follows a run to its end.
+/// Follows a run to its end. Controllers act between its turns, when their instants have been reached.
 fn follow<M, C, T, E>(
     mut run: Run<'_, '_, C, T, E>,
     record: &mut Record<'_, M, C>,
@@ -134,42 +134,28 @@ where
     T: Stepper<C>,
     E: Events<C>,
 {
-    let mut ending = Ok(None);
-    while let Ok(None) = ending
-        && !run.is_over()
-    {
-        ending = turn(&mut run, record, controllers, max_steps);
-    }
+    let mut turns = || {
+        while !run.is_over() {
+            let work = run.work();
+            if work.steps + work.rejections >= max_steps {
+                return Err(StepFailure::TooManySteps { limit: max_steps });
+            }
+            let plant = record.seen(run.system()).plant();
+            if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), run.state()))? {
+                run.exchange(record, run.system().with_plant(plant))?;
+            }
+            match run.next(record, controllers.next()).map_err(|error| error.cause)? {
+                Turn::Stopped(..) => return Ok(Ending::Stopped),
+                Turn::Cancelled => return Ok(Ending::Cancelled),
+                Turn::GoesOn => {}
+            }
+            if !record.report(run.step_end(), run.work().steps) && !run.is_over() {
+                return Ok(Ending::Cancelled);
+            }
+        }
+        Ok(Ending::Reached)
+    };
+    let ending = turns();
     record.work = run.work();
-    Ok(ending?.unwrap_or(Ending::Reached))
-}
-
-/// Lets controllers act whose instants have been reached, and takes a turn. Returns the ending of the run if this was its last turn.
-fn turn<M, C, T, E>(
-    run: &mut Run<'_, '_, C, T, E>,
-    record: &mut Record<'_, M, C>,
-    controllers: &mut Controllers<'_, M>,
-    max_steps: u64,
-) -> Result<Option<Ending>, StepFailure<M::Scalar>>
-where
-    M: MechanicalSystem,
-    C: ClosedLoop<M>,
-    T: Stepper<C>,
-    E: Events<C>,
-{
-    let work = run.work();
-    if work.steps + work.rejections >= max_steps {
-        return Err(StepFailure::TooManySteps { limit: max_steps });
-    }
-    let plant = record.seen(run.system()).plant();
-    if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), run.state()))? {
-        run.exchange(record, run.system().with_plant(plant))?;
-    }
-    match run.next(record, controllers.next()).map_err(|error| error.cause)? {
-        Turn::Stopped(..) => return Ok(Some(Ending::Stopped)),
-        Turn::Cancelled => return Ok(Some(Ending::Cancelled)),
-        Turn::GoesOn => {}
-    }
-    let is_cancelled = !record.report(run.step_end(), run.work().steps);
-    Ok((is_cancelled && !run.is_over()).then_some(Ending::Cancelled))
+    ending
 }

@@ -73,6 +73,9 @@ pub trait Wrapper: Sized {
     /// The state of the inner system, or a longer vector that begins with it.
     type State: StateVector<InnerNumber<Self>>;
 
+    /// True if states are brought back onto the constraints of the inner system after steps.
+    const IS_PROJECTED: bool = true;
+
     /// The system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
@@ -146,11 +149,11 @@ impl<W: Wrapper> OdeSystem for W {
         self.inner().beyond(t, end).map(|inner| self.around(inner))
     }
 
-    const IS_CONSTRAINED: bool = W::Inner::IS_CONSTRAINED;
+    const IS_CONSTRAINED: bool = W::IS_PROJECTED && W::Inner::IS_CONSTRAINED;
 
     #[inline]
     fn correct(&self, t: InnerNumber<W>, y: &mut W::State) -> Result<(), StepFailure<InnerNumber<W>>> {
-        change(self, t, y, |inner, part| inner.correct(t, part))
+        if W::IS_PROJECTED { change(self, t, y, |inner, part| inner.correct(t, part)) } else { Ok(()) }
     }
 
     #[inline]

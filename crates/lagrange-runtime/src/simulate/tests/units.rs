@@ -3,6 +3,7 @@
 use std::string::String;
 use std::vec::Vec;
 
+use crate::constraint::Unprojected;
 use crate::simulate::{Simulate, Trajectory};
 use crate::system::{EnergyFunction, MechanicalSystem, OdeSystem, Unnamed};
 
@@ -45,6 +46,16 @@ impl EnergyFunction for Free {
     fn energy(&self, _t: f64, _q: &[f64; 2], [u, w]: &[f64; 2]) -> f64 {
         0.5 * (u * u + w * w)
     }
+}
+
+#[test]
+fn a_system_without_projection_keeps_its_units() {
+    let run = Unprojected(Free).simulate([0.0, 0.0, 1.0, 2.0]).until(1.0).energy().run().expect("runs");
+    assert_eq!(
+        (run.unit("theta_dot"), run.unit("energy"), run.unit("t")),
+        (Some("rad/s"), Some("J"), Some("s"))
+    );
+    assert_eq!(run.last(), [1.0, 2.0, 1.0, 2.0]);
 }
 
 fn run() -> Trajectory<Free> {
