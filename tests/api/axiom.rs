@@ -3,7 +3,7 @@
 //! With ρ from P to the centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P for any point P of the body.
 
 use lagrange::body::Motion;
-use lagrange::scene::{Item, Scene};
+use lagrange::scene::{Item, Plane, Scene};
 
 /// How many random states and parameters each scene is tried with.
 const TRIALS: u64 = 60;
@@ -109,7 +109,7 @@ struct Load {
     size: f64,
 }
 
-fn loads<T: Scene<Scalar = f64>>(
+fn loads<T: Scene<Scalar = f64, Space = Plane>>(
     system: &T,
     (q, v): (&T::Coordinates, &T::Velocities),
     wanted: &str,
@@ -133,7 +133,7 @@ fn loads<T: Scene<Scalar = f64>>(
 }
 
 /// The bodies of a scene with how they move.
-fn bodies<T: Scene<Scalar = f64>>(
+fn bodies<T: Scene<Scalar = f64, Space = Plane>>(
     system: &T,
     q: &T::Coordinates,
     v: &T::Velocities,
@@ -148,7 +148,7 @@ fn bodies<T: Scene<Scalar = f64>>(
 }
 
 #[track_caller]
-fn assert_laws<T: Scene<Scalar = f64>>(
+fn assert_laws<T: Scene<Scalar = f64, Space = Plane>>(
     system: &T,
     q: &T::Coordinates,
     v: &T::Velocities,

@@ -259,6 +259,7 @@ const DRAW: &[Layer] = &[
         modules: &["heading", "labels"],
         purpose: "titles and notes; placement of labels without overlap",
     },
+    Layer { modules: &["paper"], purpose: "sheets with title, note and labels, which finish pictures" },
     Layer { modules: &["layout"], purpose: "the same marks in the same order for all moments of a film" },
     Layer { modules: &["drawing"], purpose: "the drawing of a system in the plane or in space" },
     Layer {

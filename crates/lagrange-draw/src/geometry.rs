@@ -1,23 +1,24 @@
-//! Vectors and curves of the plane.
+//! Vectors of the plane and of space; curves of the plane.
 
+use std::array::from_fn;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::picture::{Point, Segment};
 
-pub(super) fn add(a: Point, b: Point) -> Point {
-    [a[0] + b[0], a[1] + b[1]]
+pub(super) fn add<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
+    from_fn(|k| a[k] + b[k])
 }
 
-pub(super) fn subtract(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
+pub(super) fn subtract<const N: usize>(a: [f64; N], b: [f64; N]) -> [f64; N] {
+    from_fn(|k| a[k] - b[k])
 }
 
-pub(super) fn times(factor: f64, a: Point) -> Point {
-    [factor * a[0], factor * a[1]]
+pub(super) fn times<const N: usize>(factor: f64, a: [f64; N]) -> [f64; N] {
+    a.map(|component| factor * component)
 }
 
-pub(super) fn dot(a: Point, b: Point) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
+pub(super) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
+    a.into_iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// The third component of a × b.
@@ -30,8 +31,8 @@ pub(super) fn turned(a: Point) -> Point {
     [-a[1], a[0]]
 }
 
-pub(super) fn length(a: Point) -> f64 {
-    a[0].hypot(a[1])
+pub(super) fn length<const N: usize>(a: [f64; N]) -> f64 {
+    a.into_iter().fold(0.0, f64::hypot)
 }
 
 pub(super) fn direction(angle: f64) -> Point {
@@ -39,12 +40,12 @@ pub(super) fn direction(angle: f64) -> Point {
 }
 
 /// The direction of a vector, if it has one.
-pub(super) fn unit(a: Point) -> Option<Point> {
+pub(super) fn unit<const N: usize>(a: [f64; N]) -> Option<[f64; N]> {
     let length = length(a);
-    (length > 0.0).then(|| times(1.0 / length, a))
+    (length > 0.0 && length.is_finite()).then(|| times(1.0 / length, a))
 }
 
-pub(super) fn mix(a: Point, b: Point, part: f64) -> Point {
+pub(super) fn mix<const N: usize>(a: [f64; N], b: [f64; N], part: f64) -> [f64; N] {
     add(a, times(part, subtract(b, a)))
 }
 

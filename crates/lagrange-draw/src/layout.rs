@@ -4,24 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::element::{Element, Layer, Measure, Reach, Shape};
 use crate::error::DrawError;
-use crate::geometry::length;
-use crate::heading;
+use crate::geometry::{length, subtract};
 use crate::labels::{self, Sheet};
 use crate::marks;
+use crate::paper::Paper;
 use crate::picture::{Mark, Picture, Point};
 use crate::tag::{Tag, tag};
-use crate::view::{self, BORDER, MARGIN, View};
-
-/// The sheet of a drawing.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Paper<'a> {
-    pub(super) size: [f64; 2],
-    pub(super) title: &'a str,
-    /// Text below the drawing; may be empty.
-    pub(super) note: &'a str,
-    /// The longest arrow of each kind takes this part of the smaller side of what is within the margins.
-    pub(super) longest: f64,
-}
+use crate::view::{self, MARGIN, View};
 
 /// The identity of an element across pictures: its kind, its name, and its number among equals.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -36,36 +25,26 @@ struct Key {
 /// An element at one moment.
 type Drawn = (Vec<Mark>, Option<Tag>);
 
-/// Pictures of a film: at each moment the time and the elements.
+/// Pictures of a film: at each moment the time and the elements. The longest arrow of each kind takes this part of the smaller side of what is
+/// within the margins.
 pub(super) fn pictures(
     film: &[(f64, Vec<Element>)],
-    Paper { size, title, note, longest }: Paper<'_>,
+    paper: &Paper,
+    longest: f64,
 ) -> Result<Vec<Picture>, DrawError> {
     for (time, elements) in film {
         check(*time, elements)?;
     }
-    let title_lines = heading::lines(title, size);
-    let note_lines = heading::note(note, size);
-    let borders = [&title_lines, &note_lines].map(heading::height);
-    let view = common_view(film, size, borders, longest)?;
+    let view = common_view(film, paper.window(MARGIN)?, longest)?;
     let drawn: Vec<Vec<(Key, Drawn)>> = film.iter().map(|(_, elements)| draw(elements, &view)).collect();
     let keys = aligned(&drawn);
     let empty = patterns(&drawn);
-    let scenes: Vec<Vec<Drawn>> = drawn.into_iter().map(|moment| complete(moment, &keys, &empty)).collect();
-    let sheets: Vec<Sheet> = scenes.iter().map(|scene| sheet(scene, &keys)).collect();
-    // Labels may use the margins, but for those with the title and the note.
-    let [width, height] = size;
-    let below = if borders[1] > 0.0 { MARGIN + borders[1] } else { BORDER };
-    let room = [[BORDER, view.window[0][1]], [width - BORDER, height - below]];
-    let labels = labels::labels(&sheets, room);
-    let mut heading = heading::marks(&title_lines, size);
-    heading.extend(heading::marks_below(&note_lines, size));
-    let picture = |(scene, labels): (Vec<Drawn>, Vec<Mark>)| Picture {
-        size,
-        title: title.into(),
-        marks: scene.into_iter().flat_map(|(marks, _)| marks).chain(labels).chain(heading.clone()).collect(),
+    let scene = |moment| {
+        let scene = complete(moment, &keys, &empty);
+        let sheet = sheet(&scene, &keys);
+        (scene.into_iter().flat_map(|(marks, _)| marks).collect(), sheet)
     };
-    Ok(scenes.into_iter().zip(labels).map(picture).collect())
+    Ok(paper.finished(drawn.into_iter().map(scene).collect()))
 }
 
 fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
@@ -79,17 +58,8 @@ fn check(time: f64, elements: &[Element]) -> Result<(), DrawError> {
 }
 
 /// One window and one scale of arrows for all.
-fn common_view(
-    film: &[(f64, Vec<Element>)],
-    size: [f64; 2],
-    [above, below]: [f64; 2],
-    longest: f64,
-) -> Result<View, DrawError> {
-    let window = [[MARGIN, MARGIN + above], [size[0] - MARGIN, size[1] - MARGIN - below]];
-    let room = [window[1][0] - window[0][0], window[1][1] - window[0][1]];
-    if !(room[0] > 0.0 && room[1] > 0.0 && size.iter().all(|side| side.is_finite())) {
-        return Err(DrawError::Size(size));
-    }
+fn common_view(film: &[(f64, Vec<Element>)], window: [Point; 2], longest: f64) -> Result<View, DrawError> {
+    let room = subtract(window[1], window[0]);
     let elements = || film.iter().flat_map(|(_, elements)| elements);
     let scale = |measure: Measure| {
         let largest = elements().map(|element| magnitude(&element.shape, measure)).fold(0.0, f64::max);
@@ -196,14 +166,19 @@ fn sheet(scene: &[Drawn], keys: &[Key]) -> Sheet {
 #[cfg(test)]
 mod tests {
 
-    use super::{Paper, pictures};
+    use super::pictures as pictures_on;
     use crate::DrawError;
     use crate::colour::INK;
     use crate::element::{Element, Layer, Measure, Shape};
-    use crate::picture::Mark;
+    use crate::look::{Direction, Look};
+    use crate::paper::Paper;
+    use crate::picture::{Mark, Picture};
     use crate::svg;
 
-    const PAPER: Paper<'_> = Paper { size: [300.0, 200.0], title: "", note: "", longest: 0.25 };
+    fn pictures(film: &[(f64, Vec<Element>)]) -> Result<Vec<Picture>, DrawError> {
+        let look = Look { size: [300.0, 200.0], title: String::new(), direction: Direction::default() };
+        pictures_on(film, &Paper::new(&look, ""), 0.25)
+    }
 
     fn dot(name: &str, x: f64) -> Element {
         let shape = Shape::Dot { at: [x, 0.0] };
@@ -213,7 +188,7 @@ mod tests {
     #[test]
     fn what_is_missing_at_some_moments_leaves_empty_marks() {
         let film = [(0.0, vec![dot("A", 0.0), dot("C", 2.0)]), (1.0, vec![dot("A", 0.0), dot("B", 1.0)])];
-        let pictures = pictures(&film, PAPER).expect("draws");
+        let pictures = pictures(&film).expect("draws");
         let shown = |index: usize| pictures[index].marks.iter().filter(|mark| !svg::is_empty(mark)).count();
         assert_eq!((pictures[0].marks.len(), pictures[1].marks.len()), (6, 6), "three points, three labels");
         assert_eq!((shown(0), shown(1)), (4, 4));
@@ -227,7 +202,7 @@ mod tests {
         };
         let film =
             [(0.0, vec![arrow([1e9, 0.0]), dot("A", 1.0)]), (1.0, vec![arrow([5e8, 0.0]), dot("A", 1.0)])];
-        let pictures = pictures(&film, PAPER).expect("draws");
+        let pictures = pictures(&film).expect("draws");
         let longest = |index: usize| {
             let Mark::Path { segments, .. } = &pictures[index].marks[0] else { panic!("a path") };
             let points = crate::geometry::flattened(segments, 1);
@@ -240,7 +215,7 @@ mod tests {
     #[test]
     fn what_is_not_finite_is_refused_by_name() {
         let film = [(0.0, vec![dot("A", 0.0)]), (0.5, vec![dot("A", f64::NAN)])];
-        match pictures(&film, PAPER) {
+        match pictures(&film) {
             Err(DrawError::NotFinite { item, time, .. }) => assert_eq!((&*item, time), ("A", 0.5)),
             other => panic!("{other:?}"),
         }

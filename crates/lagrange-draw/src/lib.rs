@@ -55,6 +55,7 @@ mod look;
 mod marks;
 mod moment;
 mod outline;
+mod paper;
 mod parallel;
 mod picture;
 mod plane;

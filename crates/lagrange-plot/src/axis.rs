@@ -14,21 +14,24 @@ pub enum Scale {
 
 /// An axis from its lower to its upper end.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Axis {
+pub struct Axis {
     scale: Scale,
     /// On a logarithmic axis, decimal logarithms.
     from: f64,
     to: f64,
-    pub(crate) marks: Vec<Mark>,
+    /// Its marks, from the lower to the upper end.
+    pub marks: Vec<Mark>,
     /// Factor and offset common to all labels.
-    pub(crate) note: String,
+    pub note: String,
 }
 
 /// A label and where it belongs: 0 at the lower, 1 at the upper end.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Mark {
-    pub(crate) place: f64,
-    pub(crate) label: String,
+pub struct Mark {
+    /// Its position.
+    pub place: f64,
+    /// Its label.
+    pub label: String,
 }
 
 /// An axis spans at least this part of the values on it, so that their rounding does not fill it.
@@ -42,7 +45,7 @@ const DIGITS: f64 = 1e6;
 
 impl Axis {
     /// An axis for values of this range, with some room at both ends in terms of it, and about this many marks.
-    pub(crate) fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
+    pub fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
         match scale {
             Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
             Scale::Logarithmic => logarithmic(range.unwrap_or((0.1, 1.0)), marks),
@@ -50,20 +53,25 @@ impl Axis {
     }
 
     /// An axis for those of these values that are finite, on a logarithmic axis for those above zero.
-    pub(crate) fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
+    pub fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
         Axis::new(scale, range(scale, values), room, marks)
     }
 
     /// An axis that ends with the least and the largest of the finite values, on a logarithmic axis of those above zero.
-    pub(crate) fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
+    pub fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
         match (scale, range(scale, values)) {
             (Scale::Logarithmic, Some((low, high))) if low < high => exact_logarithmic((low, high)),
             (_, range) => Axis::new(scale, range, 0.0, marks),
         }
     }
 
+    /// Returns the values at both ends; on a logarithmic axis, their decimal logarithms.
+    pub fn ends(&self) -> [f64; 2] {
+        [self.from, self.to]
+    }
+
     /// Returns the position of a value; not finite if the value is not.
-    pub(crate) fn place(&self, value: f64) -> f64 {
+    pub fn place(&self, value: f64) -> f64 {
         match self.scale {
             Scale::Linear => (value - self.from) / (self.to - self.from),
             Scale::Logarithmic if value.is_nan() => value,

@@ -1,9 +1,10 @@
 //! The plot under the picture of a page: curves over time, and a cursor that the page's script moves.
 
-use std::ops::Range;
-
 use crate::timeline::Curve;
 use crate::timeline::Timeline;
+use lagrange_plot::axis::Axis;
+use lagrange_plot::axis::Mark;
+use lagrange_plot::axis::Scale;
 use lagrange_plot::characters::escaped;
 use lagrange_plot::characters::number;
 
@@ -13,11 +14,13 @@ const SIZE: [f64; 2] = [640.0, 300.0];
 const LEFT: f64 = 64.0;
 const RIGHT: f64 = 628.0;
 const TOP: f64 = 12.0;
+/// Room for what is common to the labels of values.
+const NOTE: f64 = 12.0;
 const BOTTOM: f64 = 256.0;
 /// Label of the time axis.
 const TIME: &str = "time t in s";
 /// About how many ticks an axis has.
-const TICKS: f64 = 6.0;
+const TICKS: u32 = 6;
 /// Number of colours for curves.
 const LOOKS: usize = 6;
 /// Curves whose values differ by a smaller part of them than this are shown as level, not as rounding.
@@ -26,7 +29,10 @@ const LEVEL: f64 = 1e-6;
 /// A plot of curves over time.
 pub(super) struct Chart<'a> {
     timeline: &'a Timeline,
-    values: Range<f64>,
+    time: Axis,
+    values: Axis,
+    /// Top edge of the curves.
+    top: f64,
 }
 
 impl Chart<'_> {
@@ -44,7 +50,14 @@ impl Chart<'_> {
         } else {
             1.0
         };
-        Some(Chart { timeline, values: low - margin..high + margin })
+        let axis = |low, high| Axis::new(Scale::Linear, Some((low, high)), 0.0, TICKS);
+        let (start, end) = (*timeline.times.first()?, *timeline.times.last()?);
+        let duration = if start == end { 1.0 } else { (end - start).abs() };
+        let first = start.min(end);
+        let time = axis(first, first + duration);
+        let values = axis(low - margin, high + margin);
+        let top = if values.note.is_empty() { TOP } else { TOP + NOTE };
+        Some(Chart { timeline, time, values, top })
     }
 
     pub(super) fn svg(&self) -> String {
@@ -63,39 +76,34 @@ impl Chart<'_> {
 
     /// Returns the data that the script needs to move the cursor.
     pub(super) fn json(&self) -> String {
-        let Range { start: low, end: high } = self.values;
+        let ([low, high], top) = (self.values.ends(), self.top);
         format!(
-            "{{\"left\":{LEFT},\"right\":{RIGHT},\"top\":{TOP},\"bottom\":{BOTTOM},\"low\":{low:e},\"high\":{high:e}}}"
+            "{{\"left\":{LEFT},\"right\":{RIGHT},\"top\":{top},\"bottom\":{BOTTOM},\"low\":{low:e},\"high\":{high:e}}}"
         )
     }
 
     fn value_axis(&self) -> String {
-        let tick = |(value, label): &(f64, String)| {
-            let (y, x) = (number(self.y(*value)), number(LEFT - 6.0));
+        let tick = |Mark { place, label }: &Mark| {
+            let (y, x) = (number(self.height(*place)), number(LEFT - 6.0));
             format!(
                 "<path class=\"grid\" d=\"M{LEFT} {y}H{RIGHT}\"/>\
                  <text x=\"{x}\" y=\"{y}\" dy=\".35em\" text-anchor=\"end\">{label}</text>"
             )
         };
-        ticks(&self.values).iter().map(tick).collect()
+        let ticks: String = self.values.marks.iter().map(tick).collect();
+        ticks + &text(LEFT, self.top - 6.0, "start", &self.values.note)
     }
 
     fn time_axis(&self) -> String {
-        let (start, end) = self.ends();
-        let tick = |(time, label): &(f64, String)| {
-            let x = number(self.x(*time));
-            format!(
-                "<path class=\"axis\" d=\"M{x} {BOTTOM}v4\"/>\
-                 <text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{label}</text>",
-                number(BOTTOM + 18.0)
-            )
+        let tick = |Mark { place, label }: &Mark| {
+            let at = x(if self.is_backwards() { 1.0 - place } else { *place });
+            let label = text(at, BOTTOM + 18.0, "middle", label);
+            format!("<path class=\"axis\" d=\"M{} {BOTTOM}v4\"/>{label}", number(at))
         };
-        let ticks: String = ticks(&(start.min(end)..start.max(end))).iter().map(tick).collect();
-        let (middle, below) = (number(0.5 * (LEFT + RIGHT)), number(BOTTOM + 38.0));
-        format!(
-            "<path class=\"axis\" d=\"M{LEFT} {TOP}V{BOTTOM}H{RIGHT}\"/>{ticks}\
-             <text x=\"{middle}\" y=\"{below}\" text-anchor=\"middle\">{TIME}</text>"
-        )
+        let ticks: String = self.time.marks.iter().map(tick).collect();
+        let name = text(x(0.5), BOTTOM + 38.0, "middle", TIME);
+        let note = text(RIGHT, BOTTOM + 38.0, "end", &self.time.note);
+        format!("<path class=\"axis\" d=\"M{LEFT} {}V{BOTTOM}H{RIGHT}\"/>{ticks}{name}{note}", self.top)
     }
 
     /// Neighbours that are finite are joined.
@@ -122,69 +130,45 @@ impl Chart<'_> {
         };
         let dots: String = self.timeline.curves.iter().enumerate().map(at).collect();
         format!(
-            "<g id=\"cursor\" transform=\"translate({LEFT} 0)\"><path d=\"M0 {TOP}V{BOTTOM}\"/>{dots}</g>"
+            "<g id=\"cursor\" transform=\"translate({LEFT} 0)\"><path d=\"M0 {}V{BOTTOM}\"/>{dots}</g>",
+            self.top
         )
     }
 
-    fn ends(&self) -> (f64, f64) {
-        let times = &self.timeline.times;
-        (times.first().copied().unwrap_or(0.0), times.last().copied().unwrap_or(0.0))
+    fn is_backwards(&self) -> bool {
+        self.timeline.times.first() > self.timeline.times.last()
     }
 
     /// Time always runs to the right.
     fn x(&self, time: f64) -> f64 {
-        let (start, end) = self.ends();
-        let part = if end == start { 0.0 } else { (time - start) / (end - start) };
-        LEFT + part * (RIGHT - LEFT)
+        let place = self.time.place(time);
+        x(if self.is_backwards() { 1.0 - place } else { place })
     }
 
     fn y(&self, value: f64) -> f64 {
-        let Range { start, end } = self.values;
-        BOTTOM - (value - start) / (end - start) * (BOTTOM - TOP)
+        self.height(self.values.place(value))
     }
+
+    /// The pixel of a place on the axis of values.
+    fn height(&self, place: f64) -> f64 {
+        BOTTOM - place * (BOTTOM - self.top)
+    }
+}
+
+/// The pixel of a place on the axis of time.
+fn x(place: f64) -> f64 {
+    LEFT + place * (RIGHT - LEFT)
+}
+
+/// A text with its start, middle or end at a place; nothing if it is empty.
+fn text(x: f64, y: f64, anchor: &str, text: &str) -> String {
+    if text.is_empty() {
+        return String::new();
+    }
+    format!("<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\">{text}</text>", number(x), number(y))
 }
 
 /// The class of a curve's colour and dashes, of which `page.css` has some.
 pub(super) fn look(index: usize) -> String {
     format!("curve-{}", index % LOOKS)
-}
-
-/// Round numbers in a range and how they are written: multiples of 1, 2 or 5 times a power of ten.
-fn ticks(range: &Range<f64>) -> Vec<(f64, String)> {
-    let rough = (range.end - range.start) / TICKS;
-    if !(rough > 0.0 && rough.is_finite()) {
-        return vec![(range.start, format!("{}", range.start))];
-    }
-    let exponent = rough.log10().floor() as i32;
-    let power = 10f64.powi(exponent);
-    let factor = [1.0, 2.0, 5.0].into_iter().find(|factor| factor * power >= rough).unwrap_or(10.0);
-    let step = factor * power;
-    let digits = usize::try_from(-step.log10().floor() as i32).unwrap_or(0);
-    let is_plain = (-3..6).contains(&exponent);
-    let label = |value: f64| {
-        if is_plain {
-            format!("{value:.digits$}")
-        } else if value == 0.0 {
-            "0".into()
-        } else {
-            format!("{value:.1e}")
-        }
-    };
-    let label = |value| label(value).replace('-', "−");
-    let (first, last) = ((range.start / step).ceil() as i64, (range.end / step).floor() as i64);
-    (first..=last).map(|index| index as f64 * step).map(|value| (value, label(value))).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::ticks;
-
-    #[test]
-    fn ticks_are_round_numbers_within_their_range() {
-        let labels = |range| ticks(&range).into_iter().map(|(_, label)| label).collect::<Vec<_>>();
-        assert_eq!(labels(0.0..6.0), ["0", "1", "2", "3", "4", "5", "6"]);
-        assert_eq!(labels(-0.12..0.11), ["−0.10", "−0.05", "0.00", "0.05", "0.10"]);
-        assert_eq!(labels(90.0..1100.0), ["200", "400", "600", "800", "1000"]);
-        assert_eq!(labels(0.0..3e-7), ["0", "5.0e−8", "1.0e−7", "1.5e−7", "2.0e−7", "2.5e−7", "3.0e−7"]);
-    }
 }

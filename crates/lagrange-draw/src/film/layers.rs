@@ -6,6 +6,7 @@
 use std::cmp::Ordering;
 
 use crate::film::motion::{Pose, rigid_motion};
+use crate::geometry::{length, mix, subtract};
 use crate::picture::{Mark, Picture, Point, Segment};
 use crate::svg;
 
@@ -107,14 +108,9 @@ fn drawn(line: &[Segment], all: &[Segment], lengths: &[f64]) -> Option<f64> {
         return (wanted == end).then_some(0.0);
     };
     let full = lengths[index] - lengths[index - 1];
-    let step = distance(*start, *wanted).min(full);
+    let step = length(subtract(*wanted, *start)).min(full);
     let part = if full > 0.0 { step / full } else { 0.0 };
-    let there = [start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])];
-    (distance(there, *wanted) <= TOLERANCE).then_some(lengths[index - 1] + step)
-}
-
-fn distance(a: Point, b: Point) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
+    (length(subtract(*wanted, mix(*start, *end, part))) <= TOLERANCE).then_some(lengths[index - 1] + step)
 }
 
 fn segments(mark: &Mark) -> &[Segment] {
@@ -130,14 +126,14 @@ fn is_line(segment: &Segment) -> bool {
 
 /// The length of an open line up to the end of each of its pieces.
 pub(super) fn lengths(line: &[Segment]) -> Vec<f64> {
-    let mut length = 0.0;
+    let mut total = 0.0;
     let mut last: Option<Point> = None;
     let until = |segment: &Segment| {
         if let Segment::Move(end) | Segment::Line(end) = *segment {
-            length += last.map_or(0.0, |start| distance(start, end));
+            total += last.map_or(0.0, |start| length(subtract(end, start)));
             last = Some(end);
         }
-        length
+        total
     };
     line.iter().map(until).collect()
 }

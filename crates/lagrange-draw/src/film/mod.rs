@@ -20,7 +20,7 @@ use crate::drawing::DrawnSpace;
 use crate::error::{DrawError, refusal};
 use crate::picture::{Mark, Picture, Segment};
 use crate::recorded::Recorded;
-use crate::timeline::Timeline;
+use crate::timeline::{Curve, Timeline};
 use lagrange_files::save_bytes;
 use lagrange_runtime::scene::Plane;
 
@@ -65,8 +65,13 @@ impl<D: DrawnSpace> Film<D> {
     ///
     /// # Errors
     /// If there is not one value for each picture.
-    pub fn with_values(self, name: &str, values: Vec<f64>) -> Result<Self, DrawError> {
-        Ok(Film { timeline: self.timeline.with_values(name, values)?, ..self })
+    pub fn with_values(mut self, name: &str, values: Vec<f64>) -> Result<Self, DrawError> {
+        if values.len() != self.times().len() {
+            let (values, pictures) = (values.len(), self.times().len());
+            return Err(refusal(&format!("`{name}` has {values} values for {pictures} pictures")));
+        }
+        self.timeline.curves.push(Curve { name: name.to_owned(), values });
+        Ok(self)
     }
 
     /// Returns the times at which its pictures are shown.

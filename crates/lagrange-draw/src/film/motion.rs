@@ -7,6 +7,7 @@
 use std::f64::consts::TAU;
 
 use crate::film::points;
+use crate::geometry::{cross, dot, length, moved, subtract};
 use crate::picture::{Point, Segment};
 
 /// The pose of a mark: its coordinates are rotated by the angle and then translated.
@@ -28,7 +29,7 @@ pub(super) fn rigid_motion(
     shapes: &[Option<&[Segment]>],
 ) -> Option<(Vec<Segment>, Vec<Option<Pose>>)> {
     let pivot = mean(&all_points(first))?;
-    let own: Vec<Segment> = first.iter().map(|segment| map(*segment, |point| minus(point, pivot))).collect();
+    let own = moved(first, |point| subtract(point, pivot));
     let corners = all_points(&own);
     let mut angle = 0.0;
     let mut poses = Vec::with_capacity(shapes.len());
@@ -49,9 +50,9 @@ fn fit(own: &[Point], points: &[Point], before: f64) -> Option<Pose> {
     let at = mean(points)?;
     let (mut along, mut across) = (0.0, 0.0);
     for (a, point) in own.iter().zip(points) {
-        let b = minus(*point, at);
-        along += a[0] * b[0] + a[1] * b[1];
-        across += a[0] * b[1] - a[1] * b[0];
+        let b = subtract(*point, at);
+        along += dot(*a, b);
+        across += cross(*a, b);
     }
     let angle = across.atan2(along);
     let angle = angle + TAU * ((before - angle) / TAU).round();
@@ -59,8 +60,7 @@ fn fit(own: &[Point], points: &[Point], before: f64) -> Option<Pose> {
     let (sin, cos) = angle.sin_cos();
     let is_there = |(a, point): (&Point, &Point)| {
         let there = [at[0] + cos * a[0] - sin * a[1], at[1] + sin * a[0] + cos * a[1]];
-        let [dx, dy] = minus(*point, there);
-        dx.hypot(dy) <= TOLERANCE
+        length(subtract(*point, there)) <= TOLERANCE
     };
     own.iter().zip(points).all(is_there).then_some(pose)
 }
@@ -73,17 +73,4 @@ fn mean(points: &[Point]) -> Option<Point> {
     let count = points.len() as f64;
     let sum = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
     (!points.is_empty()).then(|| [sum(0), sum(1)])
-}
-
-fn minus(a: Point, b: Point) -> Point {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn map(segment: Segment, f: impl Fn(Point) -> Point) -> Segment {
-    match segment {
-        Segment::Move(end) => Segment::Move(f(end)),
-        Segment::Line(end) => Segment::Line(f(end)),
-        Segment::Curve(first, second, end) => Segment::Curve(f(first), f(second), f(end)),
-        Segment::Close => Segment::Close,
-    }
 }

@@ -9,8 +9,9 @@ use crate::element::Element;
 use crate::error::DrawError;
 use crate::film::animation::animated;
 use crate::film::{check_pictures, page};
-use crate::layout::{self, Paper};
+use crate::layout;
 use crate::moment::Moment;
+use crate::paper::Paper;
 use crate::parallel::lanes;
 use crate::picture::{Picture, Point};
 use crate::recorded::Recorded;
@@ -38,12 +39,11 @@ impl DrawnSpace for Plane {
     where
         M::Scalar: Into<f64>,
     {
-        let past = drawing.past.iter().map(|instant| (*instant, None));
-        let past: Vec<Shot<M>> = past.collect();
+        let past: Vec<Shot<M>> = drawing.past.iter().map(|instant| (*instant, None)).collect();
         let shots: Vec<&Shot<M>> = past.iter().chain(shots).collect();
-        let snapshots = shots.iter().map(|shot| snapshot(drawing, shot));
+        let snapshots = shots.iter().map(|shot| drawing.shown(shot));
         let snapshots: Vec<Snapshot> = snapshots.collect::<Result<_, _>>()?;
-        let elsewhere = shots.first().map(|(first, _)| elsewhere(drawing.system(), first));
+        let elsewhere = shots.first().map(|(first, _)| drawing.elsewhere(first));
         let anchored = elsewhere.as_ref().map(|elsewhere| anchored(&snapshots, elsewhere));
         let fixed = Fixed {
             stretches: stretches(&snapshots),
@@ -59,14 +59,13 @@ impl DrawnSpace for Plane {
         let mut film = Vec::new();
         for (shot, snapshot) in shots.iter().zip(&snapshots) {
             let mut elements = stage::elements(snapshot, drawing.wanted, &fixed, fastest);
-            elements.extend(traced(drawing, shot, &mut paths));
-            elements.extend(sketched(drawing, shot, snapshot));
+            elements.extend(drawing.traced(shot, &mut paths));
+            elements.extend(drawing.sketched(shot, snapshot));
             film.push((shot.0.0.into(), elements));
         }
         let longest = if drawing.free_body.is_some() { LONGEST_FREE } else { LONGEST };
-        let (look, note) = (&drawing.look, drawing.note(&snapshots));
-        let paper = Paper { size: look.size, title: &look.title, note: &note, longest };
-        let mut pictures = layout::pictures(&film, paper)?;
+        let paper = Paper::new(&drawing.look, &drawing.note(&snapshots));
+        let mut pictures = layout::pictures(&film, &paper, longest)?;
         pictures.drain(..past.len());
         check_pictures(&pictures)?;
         Ok(pictures)
@@ -89,69 +88,53 @@ impl Recorded for Vec<Picture> {
     }
 }
 
-/// The scene of a shot without what is hidden, or what is left of it for a free body.
-fn snapshot<M: Scene<Space = Plane>>(drawing: &Drawing<'_, M>, shot: &Shot<M>) -> Result<Snapshot, DrawError>
+impl<M: Scene<Space = Plane>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    let snapshot = drawing.snapshot(shot)?;
-    let Some(name) = &drawing.free_body else { return Ok(snapshot.without(&drawing.hidden)) };
-    // Hidden forces have names; they are not missing.
-    let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
-    let snapshot = snapshot.without(&drawing.hidden);
-    if snapshot.body(name).is_none() {
-        return Err(DrawError::UnknownBody(name.clone()));
+    /// The scene of a shot without what is hidden, or what is left of it for a free body.
+    fn shown(&self, shot: &Shot<M>) -> Result<Snapshot, DrawError> {
+        let snapshot = self.snapshot(shot)?;
+        let Some(name) = &self.free_body else { return Ok(snapshot.without(&self.hidden)) };
+        // Hidden forces have names; they are not missing.
+        let remainder = snapshot.remainder_of(name, M::Scalar::epsilon().into());
+        let snapshot = snapshot.without(&self.hidden);
+        if snapshot.body(name).is_none() {
+            return Err(DrawError::UnknownBody(name.clone()));
+        }
+        Ok(Snapshot { remainder, ..snapshot.free_body(name) })
     }
-    Ok(Snapshot { remainder, ..snapshot.free_body(name) })
-}
 
-/// The scene in another configuration at another time: what is in the same place there does not move.
-fn elsewhere<M: Scene<Space = Plane>>(system: &M, (t, y): &Instant<M>) -> Snapshot
-where
-    M::Scalar: Into<f64>,
-{
-    let (mut q, v) = split::<M>(y);
-    // No period is a fraction of such steps.
-    for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
-        let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
-        *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
+    /// The scene in another configuration at another time: what is in the same place there does not move.
+    fn elsewhere(&self, (t, y): &Instant<M>) -> Snapshot {
+        let (mut q, v) = split::<M>(y);
+        // No period is a fraction of such steps.
+        for (index, coordinate) in q.as_mut().iter_mut().enumerate() {
+            let step = M::Scalar::from_f64(0.739 + 0.107 * index as f64);
+            *coordinate = M::Scalar::from_f64(1.31) * *coordinate + step;
+        }
+        M::normalise(&mut q);
+        Snapshot::of(self.system(), *t + M::Scalar::from_f64(0.577), &q, &v)
     }
-    M::normalise(&mut q);
-    Snapshot::of(system, *t + M::Scalar::from_f64(0.577), &q, &v)
-}
 
-/// Adds the present points to the paths.
-fn traced<M: Scene<Space = Plane>>(
-    drawing: &Drawing<'_, M>,
-    shot: &Shot<M>,
-    paths: &mut [Vec<Point>],
-) -> Vec<Element>
-where
-    M::Scalar: Into<f64>,
-{
-    let ((t, y), system) = (&shot.0, drawing.system_in(shot));
-    let mut elements = Vec::new();
-    for (index, ((label, point), path)) in drawing.traces.iter().zip(paths).enumerate() {
-        path.push(point(system, *t, y).map(Into::into));
-        elements.extend(stage::trace(label, path, colour::trace(index)));
+    /// Adds the present points to the paths.
+    fn traced(&self, shot: &Shot<M>, paths: &mut [Vec<Point>]) -> Vec<Element> {
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
+        let mut elements = Vec::new();
+        for (index, ((label, point), path)) in self.traces.iter().zip(paths).enumerate() {
+            path.push(point(system, *t, y).map(Into::into));
+            elements.extend(stage::trace(label, path, colour::trace(index)));
+        }
+        elements
     }
-    elements
-}
 
-fn sketched<M: Scene<Space = Plane>>(
-    drawing: &Drawing<'_, M>,
-    shot: &Shot<M>,
-    snapshot: &Snapshot,
-) -> Vec<Element>
-where
-    M::Scalar: Into<f64>,
-{
-    let ((t, y), system) = (&shot.0, drawing.system_in(shot));
-    let mut elements = Vec::new();
-    for draw in &drawing.sketches {
+    fn sketched(&self, shot: &Shot<M>, snapshot: &Snapshot) -> Vec<Element> {
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
         let mut sketch = Sketch::new();
-        draw(&mut sketch, &Moment::new(system, *t, *y, snapshot));
-        elements.extend(sketch.elements);
+        for draw in &self.sketches {
+            sketch.ink(0);
+            draw(&mut sketch, &Moment::new(system, *t, *y, snapshot));
+        }
+        sketch.elements
     }
-    elements
 }

@@ -61,7 +61,17 @@ impl<D: DrawnSpace> Film<D> {
     where
         M::Scalar: Into<f64>,
     {
-        Ok(Film { timeline: self.timeline.with_columns(trajectory, names)?, ..self })
+        let mut film = self;
+        for name in names {
+            let column = trajectory
+                .column(name)
+                .ok_or_else(|| refusal(&format!("the trajectory has no column `{name}`")))?;
+            let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
+            let values: Option<Vec<f64>> = film.times().iter().map(value).collect();
+            let values = values.ok_or_else(|| refusal("columns hold values at the times of samples only"))?;
+            film = film.with_values(name, values)?;
+        }
+        Ok(film)
     }
 
     /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the trajectory that the film was made of.
@@ -77,7 +87,16 @@ impl<D: DrawnSpace> Film<D> {
     where
         M::Scalar: Into<f64>,
     {
-        Ok(Film { timeline: self.timeline.with_energy(name, trajectory, energy)?, ..self })
+        let value = |time: &f64| {
+            let t = M::Scalar::from_f64(*time);
+            let state = match sample(trajectory, *time).and_then(|index| trajectory.state(index)) {
+                Some(state) => state,
+                None => trajectory.at(t).map_err(|error| refusal(&error.to_string()))?,
+            };
+            Ok(energy(t, &state).into())
+        };
+        let values = self.times().iter().map(value).collect::<Result<Vec<f64>, DrawError>>()?;
+        self.with_values(name, values)
     }
 }
 
@@ -129,4 +148,12 @@ where
         Ok(((t, y), trajectory.with_inputs_at(passed.saturating_sub(1), system)))
     };
     inner.chain([last]).map(shot).collect()
+}
+
+/// The last sample at a time.
+fn sample<M: MechanicalSystem>(trajectory: &Trajectory<M>, time: f64) -> Option<usize>
+where
+    M::Scalar: Into<f64>,
+{
+    trajectory.times().iter().rposition(|known| Into::<f64>::into(*known) == time)
 }

@@ -4,7 +4,8 @@
 //! elevation ε above the plane of x and y; z points upwards in the picture. In perspective what is nearer is larger by d/(d − z), with the
 //! distance d of the eye from the middle and the height z towards it.
 
-use super::vector::{Vector, add, cross, dot, subtract, times};
+use super::vector::{Vector, cross};
+use crate::geometry::{add, dot, subtract, times};
 use crate::look::Direction;
 use crate::picture::Point;
 

@@ -5,9 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use super::vector::{
-    Rotation, UPRIGHT, Vector, add, apply, axes_along, axes_near, cross, dot, length, subtract, times, unit,
-};
+use super::vector::{Rotation, UPRIGHT, Vector, apply, axes_along, axes_near, cross};
+use crate::geometry::{add, dot, length, subtract, times, unit};
 
 /// A corner in axes of its own.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -208,7 +207,7 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::Placement;
-    use crate::space::vector::{length, subtract};
+    use crate::geometry::{length, subtract};
 
     #[test]
     fn what_is_stretched_turns_about_itself_as_little_as_it_can() {

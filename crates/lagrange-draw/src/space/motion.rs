@@ -69,7 +69,8 @@ pub(super) fn quaternion(r: &Rotation) -> Quaternion {
 #[cfg(test)]
 mod tests {
     use super::{Quaternion, quaternion};
-    use crate::space::vector::{Rotation, axes_along, length, subtract};
+    use crate::geometry::{length, subtract};
+    use crate::space::vector::{Rotation, axes_along};
 
     /// R = 1 + 2 w [v]× + 2 [v]×².
     fn matrix([x, y, z, w]: Quaternion) -> Rotation {

@@ -4,16 +4,16 @@ use super::camera::Camera;
 use super::mesh::{Edges, normal};
 use super::recording::{Kind, Recording, Thing};
 use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
-use super::vector::{Vector, dot, length, subtract};
+use super::vector::Vector;
 use crate::colour::{INK, PALE, mixed};
 use crate::error::DrawError;
-use crate::geometry::{self, polyline};
-use crate::heading::{self, Heading};
+use crate::geometry::{self, dot, length, mix, polyline, subtract};
 use crate::labels::{self, Sheet};
 use crate::look::Look;
+use crate::paper::Paper;
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
-use crate::view::{BORDER, MARGIN};
+use crate::view::MARGIN;
 use lagrange_plot::notation::formula;
 
 /// Pictures of a motion, all from the same place and on the same scale.
@@ -23,7 +23,7 @@ pub struct Projector {
     pub(super) look: Look,
     camera: Camera,
     window: Window,
-    heading: [Heading; 2],
+    paper: Paper,
     /// Edges of each thing, and true if it is a convex body.
     meshes: Vec<(Edges, bool)>,
     /// Shorter lengths count as none.
@@ -60,33 +60,19 @@ impl Projector {
         }
         let (middle, radius) = recording.ball();
         let camera = Camera::new(look.direction, middle, radius);
-        let heading = [heading::lines(&look.title, look.size), heading::note(&recording.note, look.size)];
+        let paper = Paper::new(&look, &recording.note);
         let seen: Vec<Point> = recording.places().map(|place| camera.seen(place).0).collect();
-        let window = Window::new(&seen, look.size, [0, 1].map(|end| heading::height(&heading[end])))?;
+        let window = Window::new(&seen, paper.window(MARGIN + ROOM)?);
         let least = NOTHING * radius;
         let meshes =
             recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
         let meshes = meshes.collect();
-        Ok(Projector { recording, look, camera, window, heading, meshes, least })
+        Ok(Projector { recording, look, camera, window, paper, meshes, least })
     }
 
     /// The pictures of some moments; labels stay on their sides.
     pub(super) fn project(&self, moments: impl IntoIterator<Item = usize>) -> Vec<Picture> {
-        let scenes: Vec<(Vec<Mark>, Sheet)> = moments.into_iter().map(|moment| self.scene(moment)).collect();
-        let (marks, sheets): (Vec<_>, Vec<_>) = scenes.into_iter().unzip();
-        let [width, height] = self.look.size;
-        let above = MARGIN + heading::height(&self.heading[0]);
-        let below = heading::height(&self.heading[1]);
-        let below = if below > 0.0 { MARGIN + below } else { BORDER };
-        let labels = labels::labels(&sheets, [[BORDER, above], [width - BORDER, height - below]]);
-        let mut heading = heading::marks(&self.heading[0], self.look.size);
-        heading.extend(heading::marks_below(&self.heading[1], self.look.size));
-        let picture = |(marks, labels): (Vec<Mark>, Vec<Mark>)| Picture {
-            size: self.look.size,
-            title: self.look.title.clone(),
-            marks: marks.into_iter().chain(labels).chain(heading.clone()).collect(),
-        };
-        marks.into_iter().zip(labels).map(picture).collect()
+        self.paper.finished(moments.into_iter().map(|moment| self.scene(moment)).collect())
     }
 
     /// The marks of a moment, and what labels there are.
@@ -213,7 +199,7 @@ impl Projector {
             return None;
         }
         let at = placement.of(&label.at);
-        let along = geometry::subtract(self.point(at), self.point(placement.origin));
+        let along = subtract(self.point(at), self.point(placement.origin));
         // The tip of an arrow or axis.
         let is_tip = label.at.share == 1.0;
         let side = geometry::unit(along).filter(|_| is_tip).map_or(Side::Around, Side::Along);
@@ -227,7 +213,7 @@ impl Projector {
     fn reach(&self, thing: &Thing, moment: usize, place: Vector) -> f64 {
         let at = self.point(place);
         let corners = thing.mesh.corners.iter().map(|corner| self.point(thing.track[moment].of(corner)));
-        corners.map(|corner| geometry::length(geometry::subtract(corner, at))).fold(0.0, f64::max)
+        corners.map(|corner| length(subtract(corner, at))).fold(0.0, f64::max)
     }
 
     fn tag(&self, text: &str, at: Vector, side: Side, colour: Colour, may_hide: bool) -> Option<Tag> {
@@ -283,23 +269,18 @@ fn range(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 
 impl Window {
     /// The largest scale at which all that is seen lies within the margins, its middle in the middle.
-    fn new(seen: &[Point], size: [f64; 2], [above, below]: [f64; 2]) -> Result<Window, DrawError> {
-        let free = MARGIN + ROOM;
-        let window = [[free, free + above], [size[0] - free, size[1] - free - below]];
-        let room = geometry::subtract(window[1], window[0]);
-        if !(room.iter().all(|side| *side > 0.0) && size.iter().all(|side| side.is_finite())) {
-            return Err(DrawError::Size(size));
-        }
+    fn new(seen: &[Point], window: [Point; 2]) -> Window {
+        let room = subtract(window[1], window[0]);
         let spans = [0, 1].map(|axis| range(seen.iter().map(|point| point[axis])));
         let scale = [0, 1].map(|axis| room[axis] / (spans[axis][1] - spans[axis][0]));
         let scale = scale[0].min(scale[1]);
         let scale = if scale.is_finite() { scale } else { UNIT * room[0].min(room[1]) };
         let from = spans.map(|[low, high]| low + 0.5 * (high - low));
-        Ok(Window { scale, from, to: geometry::mix(window[0], window[1], 0.5) })
+        Window { scale, from, to: mix(window[0], window[1], 0.5) }
     }
 
     fn point(&self, seen: Point) -> Point {
-        let [right, up] = geometry::subtract(seen, self.from);
+        let [right, up] = subtract(seen, self.from);
         [self.to[0] + self.scale * right, self.to[1] - self.scale * up]
     }
 }

@@ -1,8 +1,9 @@
 //! A motion in space as things: what each looks like, and where it is at each moment.
 
 use super::mesh::{Corner, Mesh, Placement};
-use super::vector::{Vector, length, subtract};
+use super::vector::Vector;
 use crate::error::DrawError;
+use crate::geometry::{length, subtract};
 use crate::picture::Colour;
 
 /// All that is drawn of a motion. Pictures, pages and glTF files are made of it.

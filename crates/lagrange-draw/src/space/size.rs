@@ -2,7 +2,8 @@
 
 use super::snapshot::{Link, SolidPart};
 use super::solids::solid;
-use super::vector::{Vector, length, subtract};
+use super::vector::Vector;
+use crate::geometry::{length, subtract};
 use crate::snapshot::Snapshot;
 use lagrange_runtime::scene::Spatial;
 

@@ -4,7 +4,8 @@
 use super::mesh::Mesh;
 use super::snapshot::{Link, SolidPart};
 use super::solids::{ball, cylinder, solid};
-use super::vector::{NONE, UPRIGHT, Vector, axes_along, dot, length, subtract, times, unit};
+use super::vector::{NONE, UPRIGHT, Vector, axes_along};
+use crate::geometry::{dot, length, subtract, times, unit};
 use crate::snapshot::{Joint, Snapshot};
 use lagrange_runtime::scene::{Spatial, SpatialJointKind};
 

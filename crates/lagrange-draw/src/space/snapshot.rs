@@ -2,7 +2,8 @@
 
 use std::convert::Infallible;
 
-use super::vector::{Rotation, Vector, add, apply, apply_back, subtract};
+use super::vector::{Rotation, Vector, apply, apply_back};
+use crate::geometry::{add, subtract};
 use crate::snapshot::{Joint, Line, Named, Snapshot, Stored};
 use lagrange_runtime::body::SpatialMotion;
 use lagrange_runtime::scalar::Scalar;

@@ -208,8 +208,9 @@ mod tests {
     use std::collections::BTreeMap;
 
     use super::{arrow, ball, cuboid, damper, double_arrow, pin, solid, stick};
+    use crate::geometry::{dot, subtract};
     use crate::space::mesh::{Mesh, normal};
-    use crate::space::vector::{Vector, cross, dot, subtract};
+    use crate::space::vector::{Vector, cross};
     use lagrange_runtime::scene::Solid;
 
     const SOLIDS: [Solid<f64>; 10] = [

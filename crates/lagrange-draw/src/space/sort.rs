@@ -7,7 +7,8 @@
 //! Source: Fuchs, Kedem, Naylor, *On Visible Surface Generation by A Priori Tree Structures*, SIGGRAPH 1980.
 
 use super::camera::Camera;
-use super::vector::{Vector, add, dot, mix, subtract, times};
+use super::vector::Vector;
+use crate::geometry::{add, dot, mix, subtract, times};
 
 /// A face or a line in the world.
 #[derive(Clone, PartialEq, Debug)]
@@ -253,10 +254,11 @@ pub(super) fn is_convex(faces: &[(Vec<Vector>, Vector)], least: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Fragment, FragmentShape, back_to_front};
+    use crate::geometry::{dot, subtract};
     use crate::look::Direction;
     use crate::space::camera::Camera;
     use crate::space::mesh::normal;
-    use crate::space::vector::{Vector, cross, dot, subtract};
+    use crate::space::vector::{Vector, cross};
 
     fn face(corners: Vec<Vector>, thing: usize) -> Fragment {
         let drawn = vec![true; corners.len()];

@@ -3,7 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::mesh::{Edges, Mesh, Neighbour, normal};
-use super::vector::{Vector, add, cross, dot, length, subtract, times, unit};
+use super::vector::{Vector, cross};
+use crate::geometry::{add, dot, length, subtract, times, unit};
 
 /// The faces and edges of a mesh. Normals are right for any stretch: what takes part in one has sides along it.
 #[derive(Clone, PartialEq, Debug, Default)]
@@ -127,8 +128,8 @@ fn angle(mesh: &Mesh, face: &[usize], corner: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Surface;
+    use crate::geometry::{dot, length, unit};
     use crate::space::solids::{arrow, ball, cuboid, cylinder};
-    use crate::space::vector::{dot, length, unit};
 
     #[test]
     fn the_normals_of_a_ball_point_away_from_its_middle() {

@@ -1,4 +1,6 @@
-//! Vectors and rotations of space.
+//! Rotations of space.
+
+use crate::geometry::{dot, subtract, times, unit};
 
 /// A place or a direction.
 pub(crate) type Vector = [f64; 3];
@@ -8,38 +10,8 @@ pub(crate) type Rotation = [Vector; 3];
 pub(super) const NONE: Vector = [0.0; 3];
 pub(super) const UPRIGHT: Rotation = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-pub(super) fn add(a: Vector, b: Vector) -> Vector {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-pub(super) fn subtract(a: Vector, b: Vector) -> Vector {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-pub(super) fn times(factor: f64, a: Vector) -> Vector {
-    a.map(|component| factor * component)
-}
-
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
 pub(super) fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-pub(super) fn length(a: Vector) -> f64 {
-    a[0].hypot(a[1]).hypot(a[2])
-}
-
-/// The direction of a vector, if it has one.
-pub(super) fn unit(a: Vector) -> Option<Vector> {
-    let length = length(a);
-    (length > 0.0 && length.is_finite()).then(|| times(1.0 / length, a))
-}
-
-pub(super) fn mix(a: Vector, b: Vector, part: f64) -> Vector {
-    add(a, times(part, subtract(b, a)))
 }
 
 /// R a
@@ -74,7 +46,8 @@ pub(super) fn axes_near(first: Vector, along: Vector) -> Option<Rotation> {
 
 #[cfg(test)]
 mod tests {
-    use super::{apply, axes_along, cross, dot, length, subtract, transposed};
+    use super::{apply, axes_along, cross, transposed};
+    use crate::geometry::{dot, length, subtract};
 
     #[test]
     fn axes_along_a_direction_are_a_rotation_that_takes_z_there() {

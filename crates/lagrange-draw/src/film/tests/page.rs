@@ -94,6 +94,26 @@ fn shows_rounding_errors_of_an_energy_as_level() {
 }
 
 #[test]
+fn labels_of_tiny_values_have_a_power_of_ten_beside_the_axis() {
+    let html = with_curve(vec![0.0, 1e-9, 3e-9]).html();
+    assert!(html.contains(">×10⁻⁹</text>") && html.contains(">2</text>"), "{html}");
+    assert!(!with_curve(vec![0.0, 1.0, 3.0]).html().contains("×10"));
+}
+
+#[test]
+fn time_runs_to_the_right_in_films_that_ran_backwards() {
+    let film = pendulum_at(&[2.0, 1.0, 0.0]).with_values("energy", vec![5.0, 6.0, 7.0]).expect("fits");
+    let html = film.html();
+    let x = |label: &str| -> f64 {
+        let (before, _) =
+            html.split_once(&format!("text-anchor=\"middle\">{label}</text>")).expect("is a label");
+        let (_, place) = before.rsplit_once("<text x=\"").expect("has a place");
+        place.split('"').next().and_then(|number| number.parse().ok()).expect("is a number")
+    };
+    assert!(x("2.0") < x("1.0") && x("1.0") < x("0"), "{html}");
+}
+
+#[test]
 fn has_no_plot_without_curves() {
     let html = pendulum_at(&[0.0, 0.1]).html();
     assert!(film(&html)["chart"].is_null());

@@ -4,8 +4,9 @@ use serde_json::Value;
 
 use super::Crane;
 use super::page::{NAUGHTY, crane, walker};
+use crate::geometry::{length, subtract};
 use crate::space::surface::Surface;
-use crate::space::vector::{Vector, length, subtract};
+use crate::space::vector::Vector;
 use crate::{Drawing, Film};
 use lagrange_runtime::scene::Spatial;
 

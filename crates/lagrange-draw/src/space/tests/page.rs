@@ -7,7 +7,8 @@ use serde_json::Value;
 use super::Crane;
 use super::walker::{LEGS, Walker, leg};
 use crate::DrawError;
-use crate::space::vector::{Vector, length, subtract};
+use crate::geometry::{length, subtract};
+use crate::space::vector::Vector;
 use crate::{Drawing, Film};
 use lagrange_runtime::scene::Spatial;
 

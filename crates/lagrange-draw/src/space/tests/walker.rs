@@ -4,7 +4,8 @@ use lagrange_runtime::scene::{Item, Part, Scene, Solid, Spatial, SpatialJoint, S
 use lagrange_runtime::system::{MechanicalSystem, OdeSystem, Unnamed};
 
 use super::{UPRIGHT, motion};
-use crate::space::vector::{Rotation, Vector, add, apply};
+use crate::geometry::add;
+use crate::space::vector::{Rotation, Vector, apply};
 
 pub(super) struct Walker;
 
