@@ -8,13 +8,18 @@ use super::messages;
 use super::opaque::evaluate_callable;
 use super::operand::{Operand, cross, half_square, inner, norm};
 use super::scope::NameKind;
+use super::unknown_names::may_use_accelerations;
 use lagrange_expr::diagnostics::nearest;
 use lagrange_expr::elementary;
+use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::ExprId;
 use lagrange_expr::expr::evaluate;
-use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::functions;
-use lagrange_language::syntax::ast::{AstId, Expression, Name};
-use lagrange_language::syntax::{foreign, print};
+use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::Expression;
+use lagrange_language::syntax::ast::Name;
+use lagrange_language::syntax::foreign;
+use lagrange_language::syntax::print;
 
 pub(super) fn evaluate_call(
     evaluator: &mut Evaluator<'_>,
@@ -38,6 +43,7 @@ pub(super) fn evaluate_call(
     if arguments.len() != arity {
         let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
         let meant = meant_function(evaluator, &name.text, arguments);
+        let meant = meant.filter(|meant| is_accepted(evaluator, meant));
         let help = messages::names::write_call(&meant.unwrap_or_else(|| usage(&name.text, arity)));
         evaluator.report.error(evaluator.origin(call), message).help(help);
         return None;
@@ -129,6 +135,11 @@ fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) ->
     foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())
 }
 
+/// Returns false for an acceleration where there is none.
+fn is_accepted(evaluator: &Evaluator<'_>, meant: &str) -> bool {
+    !meant.starts_with("ddot(") || may_use_accelerations(evaluator)
+}
+
 fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId]) {
     if let Some(entry) = evaluator.scope.resolve(&name.text) {
         let message = messages::names::not_a_function(&name.text, entry.kind.describe());
@@ -145,6 +156,9 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
     }
     let nearest = nearest_function(evaluator, &name.text, arguments.len());
     let help = match (meant_function(evaluator, &name.text, arguments), nearest) {
+        (Some(meant), _) if !is_accepted(evaluator, &meant) => {
+            messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS.to_owned()
+        }
         (Some(meant), _) => messages::names::write_call(&meant),
         (None, Some(nearest)) => messages::names::did_you_mean(nearest),
         (None, None) => messages::names::declare_function(&name.text, arguments.len()),

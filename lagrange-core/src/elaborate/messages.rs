@@ -120,8 +120,7 @@ pub(super) const NO_VELOCITY_HELP: &str = "a force works along a velocity such a
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
     "put terms with velocities into `kinetic`, `lagrangian` or `dissipation`";
-pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str =
-    "only an `output` may use `ddot`, or the name of a constraint, contact or friction for its force";
+pub(super) const ONLY_OUTPUTS_HOLD_ACCELERATIONS: &str = "`ddot` is accepted in outputs, events and Gibbs functions; the force of a constraint, contact or friction, in outputs";
 
 pub(super) fn input_in_kinetic(name: &str) -> String {
     format!("the rate of input `{name}` is needed here but unknown: it multiplies a velocity")

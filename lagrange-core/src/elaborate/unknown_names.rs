@@ -73,14 +73,30 @@ pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, o
     true
 }
 
+/// Returns true in statements that accept accelerations.
+pub(super) fn may_use_accelerations(evaluator: &Evaluator<'_>) -> bool {
+    use StatementKind::{Event, Function, Gibbs, Let, LetTuple, Output};
+    let statement = evaluator.declaration.statements.get(evaluator.unresolved.statement);
+    statement.is_some_and(|statement| {
+        matches!(statement.kind, Event(_) | Function(_) | Gibbs { .. } | Let(..) | LetTuple(..) | Output(..))
+    })
+}
+
 /// Advice for a name without a meaning: how it is spelt here, or where it is to be declared.
 pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String {
     let moves = |name: &str| {
         let entry = evaluator.scope.find(name);
         entry.is_some_and(|entry| matches!(entry.kind, NameKind::Coordinate | NameKind::Abbreviation))
     };
-    if let Some(rate) = foreign::rate(name, moves) {
-        return messages::names::write_call(&rate.written());
+    match foreign::rate(name, moves) {
+        Some(rate) if rate.order == 1 || may_use_accelerations(evaluator) => {
+            return messages::names::write_call(&rate.written());
+        }
+        // One letter beside a name may be a slip of the pen.
+        Some(rate) if name.len() - rate.of.len() > 1 => {
+            return messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS.to_owned();
+        }
+        _ => {}
     }
     if let Some(meant) = foreign::letter(name).filter(|meant| evaluator.scope.find(meant).is_some()) {
         return messages::names::write_call(&meant);

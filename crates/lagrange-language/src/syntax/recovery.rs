@@ -197,7 +197,7 @@ impl Parser<'_> {
             }
             _ if at_equals_past(0, cursor) => {
                 let is_state = |name: &str| matches!(self.declared(name), Some(Declared::Other));
-                foreign::rate(word, is_state).map(foreign::Rate::written)
+                foreign::rate(word, is_state).filter(|rate| rate.order == 1).map(foreign::Rate::written)
             }
             _ => None,
         }
