@@ -139,9 +139,13 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
     }
 }
 
-impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
+impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Integrates by this method instead of the adaptive one.
-    pub fn method<N: Method<D::Closed>>(self, method: N) -> Ensemble<'a, M, N, D, P> {
+    pub fn method<N>(self, method: N) -> Ensemble<'a, M, N, D, P>
+    where
+        D: Drive<M>,
+        N: Method<D::Closed>,
+    {
         let Ensemble { batch, drive, kept, .. } = self;
         Ensemble { batch, method, drive, kept }
     }

@@ -4,10 +4,15 @@ use std::boxed::Box;
 
 use super::builder::Ensemble;
 use super::plan::SharedSystem;
-use crate::simulate::{Drive, ENERGY, Event, columns_of, energy, held, inputs};
+use crate::simulate::ENERGY;
+use crate::simulate::Event;
+use crate::simulate::columns_of;
+use crate::simulate::energy;
+use crate::simulate::held;
+use crate::simulate::inputs;
 use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputSystem};
 
-impl<'a, M: SharedSystem, K, D: Drive<M>, P> Ensemble<'a, M, K, D, P> {
+impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Adds a column: a value computed from time and state, at the end of each motion or for each sample. The function is given the
     /// system of the motion; its parameters are columns by themselves where motions have [their own](super::Motions::parameters).
     pub fn observe(

@@ -140,9 +140,13 @@ impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
     }
 }
 
-impl<'a, M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'a, M, K, D, E> {
+impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Integrates by this method instead of the adaptive one.
-    pub fn method<N: Method<D::Closed>>(self, method: N) -> Simulation<'a, M, N, D, E> {
+    pub fn method<N>(self, method: N) -> Simulation<'a, M, N, D, E>
+    where
+        D: Drive<M>,
+        N: Method<D::Closed>,
+    {
         let Simulation { system, state, plan, reporter, drive, end, .. } = self;
         Simulation { system, state, plan, reporter, method, drive, end }
     }

@@ -5,7 +5,7 @@ use std::vec::Vec;
 
 use crate::scalar::Scalar;
 use crate::simulate::builder::Simulation;
-use crate::simulate::control::{Act, Drive, Law, Undriven};
+use crate::simulate::control::{Act, Law, Undriven};
 use crate::simulate::observer::{columns_of, inputs};
 use crate::system::{
     ControlledSystem, MechanicalSystem, OutputSystem, SettingError, StepFailure, Undefined, split,
@@ -53,7 +53,7 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     }
 }
 
-impl<'a, M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'a, M, K, D, E> {
+impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Sets the inputs by a controller that is asked at the start and then every `period`, and holds them in between (a zero-order
     /// hold).
     ///
@@ -109,7 +109,7 @@ where
     })
 }
 
-impl<M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'_, M, K, D, E> {
+impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
     /// Adds a column for each component of each output, such as `height`, `tip.x` and `tip.y`.
     pub fn outputs(mut self) -> Self
     where

@@ -13,13 +13,14 @@ use crate::simulate::record::Record;
 use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{MechanicalSystem, OdeSystem, StepFailure};
 
-impl<M: MechanicalSystem, K, D: Drive<M>, E> Simulation<'_, M, K, D, E> {
+impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
     /// Integrates.
     ///
     /// # Errors
     /// What the method met, or a setting that makes no sense, with the trajectory so far.
     pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
     where
+        D: Drive<M>,
         K: Method<D::Closed>,
         E: KnowsItsEnd,
     {
