@@ -12,7 +12,10 @@ pub use space::{Plane, Space, Spatial};
 pub use spatial::{Frame, Solid, SpatialJoint, SpatialJointKind};
 
 use crate::scalar::Scalar;
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, OdeSystem};
+
+/// An item of a system.
+type ItemOf<'a, M> = Item<'a, <M as OdeSystem>::Scalar, <M as Scene>::Space>;
 
 /// A system of bodies that hands out what there is to draw of it.
 #[diagnostic::on_unimplemented(
@@ -31,7 +34,7 @@ pub trait Scene: MechanicalSystem {
         t: Self::Scalar,
         q: &Self::Coordinates,
         v: &Self::Velocities,
-        visit: &mut dyn FnMut(Item<'_, Self::Scalar, Self::Space>),
+        visit: &mut dyn FnMut(ItemOf<'_, Self>),
     );
 }
 
