@@ -191,7 +191,7 @@ fn events_are_named_as_they_were_declared_or_given() {
     let go_on = |_: &Occurrence<f64, [f64; 4]>| Action::Continue;
     let method = RungeKutta4 { step: 0.01 };
     let bare = integrate_with_events(&cart, (0.0, START), 1.5, &method, watch, go_on).expect_err("NaN");
-    let expected = "the function of the event at index 1 of those that were given is NaN or infinite";
+    let expected = "the function of the event at index 1 is NaN or infinite";
     assert!(bare.to_string().starts_with(expected), "{bare}");
 }
 

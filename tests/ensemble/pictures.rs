@@ -93,7 +93,7 @@ fn quantiles_are_drawn() {
     let labels = ["90 %", "50 %", "median", "time ", "t", " in s", "x"];
     assert!(has_labels(&svg, &labels), "{svg}");
     let unknown = samples.plot_quantiles("y", "y.svg").expect_err("no such column");
-    assert_eq!(unknown.to_string(), "there is no column `y`, but `x`, `x_dot`");
+    assert_eq!(unknown.to_string(), "there is no column `y`; the columns are `x`, `x_dot`");
 }
 
 #[cfg(feature = "plot")]
@@ -119,6 +119,6 @@ fn ends_are_a_map_over_the_grid_of_their_starts() {
     for range in [1.0..1.0, 1.0..-1.0, 0.0..f64::INFINITY, f64::NAN..1.0] {
         let grid = Grid::new(("x", 0.0..4.0, 4), ("y", range, 2));
         let refused = ends.map(&grid, "x").expect_err("no range");
-        assert_eq!(refused.to_string(), "`y` does not go from a number to a larger one, as an axis must");
+        assert_eq!(refused.to_string(), "the range of `y` must go from a finite number to a larger one");
     }
 }

@@ -116,9 +116,9 @@ impl Figure {
 pub enum PlotError {
     /// There is no column of this name.
     UnknownColumn {
-        /// The name that was asked for.
+        /// The unknown name.
         name: String,
-        /// The names that it has.
+        /// The names of all columns.
         known: Vec<String>,
     },
     /// No column was named.
@@ -132,7 +132,7 @@ pub enum PlotError {
         /// Number of cells.
         cells: usize,
     },
-    /// The quantity of this name does not go from a number to a larger one.
+    /// The range of the quantity of this name does not go from a finite number to a larger one.
     Range(String),
     /// The extension of the file is neither `svg` nor `png`.
     Extension(PathBuf),
@@ -151,7 +151,7 @@ impl Display for PlotError {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
             PlotError::UnknownColumn { name, known } => {
-                write!(f, "there is no column `{name}`, but `{}`", known.join("`, `"))
+                write!(f, "there is no column `{name}`; the columns are `{}`", known.join("`, `"))
             }
             PlotError::NoColumns => {
                 f.write_str("there is nothing to plot: name at least one column, such as a coordinate")
@@ -163,10 +163,10 @@ impl Display for PlotError {
                 write!(f, "a map of {cells} cells needs a value for each; there are {values}")
             }
             PlotError::Range(name) => {
-                write!(f, "`{name}` does not go from a number to a larger one, as an axis must")
+                write!(f, "the range of `{name}` must go from a finite number to a larger one")
             }
             PlotError::Extension(path) => {
-                write!(f, "`{}` ends neither in .svg nor in .png", path.display())
+                write!(f, "plots are saved as .svg or .png, and `{}` ends in neither", path.display())
             }
             PlotError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
             PlotError::Backend(error) => write!(f, "the plot could not be drawn: {error}"),

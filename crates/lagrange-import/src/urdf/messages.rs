@@ -46,15 +46,15 @@ pub(super) const FREE_BASE_HELP: &str =
 pub(super) const WITHOUT_INERTIA_HELP: &str = "give the link or one that is fixed to it an <inertial> with moments of inertia, or make its joint `fixed`";
 pub(super) const MASS_NOT_POSITIVE: &str = "the mass is negative";
 pub(super) const MIMICS_ITSELF: &str = "the joint mimics itself";
-pub(super) const MIMIC_CIRCLE: &str = "the joint mimics one that mimics it, be it by way of others";
+pub(super) const MIMIC_CIRCLE: &str = "the joint mimics one that mimics it, directly or through others";
 pub(super) const LIMITS_CROSSED: &str = "the lower limit is above the upper one";
 pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so that the motion would gain energy";
 pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is left out";
 pub(super) const NO_GEOMETRY: &str = "there is no <box>, <cylinder>, <sphere> or <mesh>";
 pub(super) const HELD: &str =
     "it moves no mass, so that nothing says how it moves: it is held where its coordinate is zero";
-pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate of its own, so that what it mimics is left out";
-pub(super) const MIMICS_NONE: &str = "the joint that it mimics has no coordinate of its own";
+pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate, so its <mimic> is left out";
+pub(super) const MIMICS_NONE: &str = "the joint that it mimics has no coordinate";
 pub(super) const MIMIC_HELP: &str = "revolute, continuous and prismatic joints that move a mass have one";
 
 pub(super) fn element(tag: &str, name: &str) -> String {

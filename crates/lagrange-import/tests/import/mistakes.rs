@@ -158,7 +158,9 @@ const EDITS: &[(&str, &str, &[&str])] = &[
         "<mimic joint=\"p\"/></joint><link name=\"leg\"><inertial><mass value=\"1\"/>\
          <inertia ixx=\"1\" iyy=\"1\" izz=\"1\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial></link>\
          <joint name=\"p\" type=\"continuous\"><parent link=\"arm\"/><child link=\"leg\"/><mimic joint=\"q\"/></joint>",
-        &["16:1: error: joint \"q\", <mimic>: the joint mimics one that mimics it, be it by way of others"],
+        &[
+            "16:1: error: joint \"q\", <mimic>: the joint mimics one that mimics it, directly or through others",
+        ],
     ),
     (
         "</robot>",

@@ -129,11 +129,11 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
             return wrong(fault);
         }
         if self.number == 0 {
-            return wrong("an ensemble of no motions was asked for");
+            return wrong("an ensemble needs at least one motion");
         }
         if self.start.is_none() {
             return wrong(
-                "motions do not know where they start: say `.start(|index, random| …)`, or give a list of starts",
+                "the motions have no start: add `.start(|index, random| …)`, or give a list of starts",
             );
         }
         let [from, end] = self.span();

@@ -17,8 +17,8 @@ impl Display for EventSource {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             EventSource::Declared(name) => write!(f, "{}", EventName(name)),
-            EventSource::Given(0) => f.write_str("the first of the events that were given"),
-            EventSource::Given(index) => write!(f, "the event at index {index} of those that were given"),
+            EventSource::Given(0) => f.write_str("the first event"),
+            EventSource::Given(index) => write!(f, "the event at index {index}"),
         }
     }
 }
@@ -73,15 +73,18 @@ pub(crate) fn explain<S: Debug>(
             "steps of {step:?} are lost in the rounding of the time {time:?}: take longer steps, or count time from nearer to the \
              start"
         ),
-        StepFailure::TooManySteps { limit } => write!(f, "all {limit} steps that are allowed were taken"),
+        StepFailure::TooManySteps { limit } => write!(
+            f,
+            "the limit of {limit} steps is reached; raise it, or take a larger tolerance or longer steps"
+        ),
         StepFailure::Stiff { limit } => write!(
             f,
             "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
         ),
         StepFailure::StepTooLong { step, limit } => write!(
             f,
-            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, as the fastest \
-             part of the motion tells, the largest eigenvalue of the linearised equations; take shorter steps, or an implicit method"
+            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, by the largest \
+             eigenvalue of the linearised equations; take shorter steps, or an implicit method"
         ),
         StepFailure::NotConverged { iterations } => write!(
             f,

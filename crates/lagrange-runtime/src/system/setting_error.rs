@@ -30,7 +30,7 @@ impl<S: Debug> Display for SettingError<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             SettingError::Invalid(what) => f.write_str(what),
-            SettingError::RepeatedColumn => f.write_str("two columns have the same name"),
+            SettingError::RepeatedColumn => f.write_str("two columns have the same name; rename one of them"),
             SettingError::TooManySamples { samples, most } => write!(
                 f,
                 "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"

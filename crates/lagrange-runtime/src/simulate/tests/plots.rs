@@ -176,7 +176,7 @@ fn a_plot_of_no_columns_is_refused() {
     }
     assert!(!std::path::Path::new("none.svg").exists());
     let unknown = trajectory.plot_columns(&["x", "velocity"], "none.svg").expect_err("no such column");
-    assert_eq!(std::format!("{unknown}"), "there is no column `velocity`, but `x`, `x_dot`");
+    assert_eq!(std::format!("{unknown}"), "there is no column `velocity`; the columns are `x`, `x_dot`");
     let lost = trajectory.plot_columns(&["x"], "/no/such/folder/x.svg").expect_err("no folder");
     assert!(std::format!("{lost}").starts_with("cannot write `/no/such/folder/x.svg`: "), "{lost}");
 }
