@@ -227,7 +227,7 @@ lagrange::system! {
 #[test]
 fn forces_of_constraints_that_always_depend_on_each_other_are_along_the_axle() {
     for c in [0.5, -0.5, 0.0, 1.2] {
-        let system = HeldOnAxle { c, ..HeldOnAxle::default() };
+        let system = HeldOnAxle { c };
         let (mut q, v) = ([0.0; 9], [0.0; 8]);
         q[5] = 1.0;
         let accelerations = system.acceleration(0.0, &q, &v);

@@ -45,7 +45,7 @@ fn a_state_that_is_not_a_number_is_refused_by_the_first_item_that_shows_it() {
 fn every_kind_of_item_is_checked() {
     let broken: [(&str, Items); 6] = [
         ("line", |x, visit| {
-            visit(Item::Line(Line { name: "line", body: None, through: [0.0, 0.0], angle: x }))
+            visit(Item::Line(Line { name: "line", body: None, through: [0.0, 0.0], angle: x }));
         }),
         ("spring", |x, visit| {
             let kind = Connector::Spring;

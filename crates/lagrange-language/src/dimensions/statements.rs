@@ -183,14 +183,14 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         }
         (StatementKind::Event(event), DimensionPass::Require) => demand_of_event(checker, event, place),
         (StatementKind::Friction(friction), DimensionPass::Require) => {
-            demand_of_friction(checker, friction, place)
+            demand_of_friction(checker, friction, place);
         }
         (StatementKind::Output(name, value), DimensionPass::Require) => {
             let value = named_value(checker, name, *value);
             checker.scope.insert(output_key(&name.text), value);
         }
         (StatementKind::Reduce(reduction), DimensionPass::Require) => {
-            demand_of_reduction(checker, reduction, place)
+            demand_of_reduction(checker, reduction, place);
         }
         // Only other passes concern these, or none: later phases see no loops, bodies or functions with a formula.
         (

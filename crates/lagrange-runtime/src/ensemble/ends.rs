@@ -117,7 +117,7 @@ where
         let compute = |chunk: Range<usize>| {
             let mut rows = Rows::new();
             self.each(chunk, counter, |index, system, outcome| {
-                self.push_end(&mut rows, index, system, outcome)
+                self.push_end(&mut rows, index, system, outcome);
             })?;
             Ok(rows)
         };

@@ -36,6 +36,7 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         work: Work,
     ) -> Trajectory<M>
     where
+        D: Drive<M>,
         K: Method<D::Closed>,
     {
         let Simulation { system, state, plan: Plan { settings, columns, .. }, method, drive, .. } = self;
