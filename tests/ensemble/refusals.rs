@@ -20,8 +20,8 @@ fn assert_says<T>(result: Result<T, EnsembleError>, text: &str) {
 fn settings_that_make_no_sense_are_errors() {
     let pendulum = DoublePendulum::default();
     let ensemble = |number| pendulum.ensemble(number).start(start).until(1.0);
-    assert_says(ensemble(0).run(), "no motions");
-    assert_says(pendulum.ensemble(Vec::<[f64; 4]>::new()).until(1.0).run(), "no motions");
+    assert_says(ensemble(0).run(), "at least one motion");
+    assert_says(pendulum.ensemble(Vec::<[f64; 4]>::new()).until(1.0).run(), "at least one motion");
     assert_says(pendulum.ensemble(10).until(1.0).run(), ".start(");
     assert_says(pendulum.ensemble([[0.0; 4]]).start(start).until(1.0).run(), "a list of starts and");
     assert_says(ensemble(10).threads(0).run(), "a thread at least");
