@@ -20,6 +20,36 @@ pub(crate) fn check(root: &Path) {
     }
 }
 
+/// Paths of the project begin with one of these.
+const FOLDERS: [&str; 7] = ["crates/", "docs/", "examples/", "lagrange-", "src/", "tests/", "tools/"];
+
+/// Finds the files and folders in backticks, in the documents of the project, that do not exist.
+pub(crate) fn missing_paths(root: &Path) -> Vec<String> {
+    let guides =
+        fs::read_dir(root.join("docs")).expect("a folder").map(|entry| entry.expect("a file").path());
+    let guides = guides.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
+    let others = ["ARCHITECTURE.md", "README.md", "tests/README.md"].map(|name| root.join(name));
+    let mut missing = Vec::new();
+    for document in others.into_iter().chain(guides) {
+        let text = fs::read_to_string(&document).expect("a document");
+        let quoted = paths(&text).filter(|path| !root.join(path).exists());
+        missing.extend(
+            quoted.map(|path| format!("{} names `{path}`, which does not exist", document.display())),
+        );
+    }
+    missing
+}
+
+/// The paths of the project that a text quotes in backticks.
+fn paths(text: &str) -> impl Iterator<Item = &str> {
+    let is_of_path = |sign: char| sign.is_ascii_alphanumeric() || "_./-".contains(sign);
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted.filter(move |word| {
+        let begins = FOLDERS.iter().any(|folder| word.starts_with(folder));
+        begins && word.contains('/') && word.chars().all(is_of_path)
+    })
+}
+
 /// The document with the tables between the comments.
 fn with_tables(text: &str) -> Option<String> {
     let (before, rest) = text.split_once(START)?;
@@ -43,7 +73,7 @@ fn table(library: &Library) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::architecture::{END, START, with_tables};
+    use crate::architecture::{END, START, paths, with_tables};
 
     #[test]
     fn tables_go_between_the_comments() {
@@ -54,5 +84,11 @@ mod tests {
         );
         assert_eq!(with_tables(&updated).as_ref(), Some(&updated));
         assert_eq!(with_tables("no comments"), None);
+    }
+
+    #[test]
+    fn paths_are_quoted_words_with_a_folder() {
+        let text = "See `src/lib.rs`, `tests/house`, `a / b`, `src/*.rs` and `lagrange-core`.";
+        assert_eq!(paths(text).collect::<Vec<_>>(), ["src/lib.rs", "tests/house"]);
     }
 }

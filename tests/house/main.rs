@@ -58,6 +58,11 @@ fn architecture_shows_the_layers() {
 }
 
 #[test]
+fn documents_name_files_that_exist() {
+    nothing_in(architecture::missing_paths(&workspace().root));
+}
+
+#[test]
 fn every_file_keeps_the_habits() {
     nothing_in(each_library(|krate, _| habits::lapses(krate)));
 }
