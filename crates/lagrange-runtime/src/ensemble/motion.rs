@@ -118,7 +118,7 @@ where
     pub(super) fn check(&self) -> Result<(), EnsembleError> {
         self.batch.check()?;
         let settings = &self.batch.plan.settings;
-        let checked = settings.check::<D::Closed, K>(self.method.clone());
+        let checked = settings.check::<D::Closed, K>(&settings.names::<M>(), self.method.clone());
         checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain::<M>(error)))
     }
 

@@ -101,11 +101,12 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
 }
 
 impl<S: Scalar> RunSettings<S> {
-    /// Checks all that can be checked before the run, and returns the method with its longest step.
+    /// Checks all that can be checked before the run, the names of its columns among it, and returns the method with its
+    /// longest step.
     ///
     /// # Errors
     /// If a setting makes no sense.
-    pub(crate) fn check<M, K>(&self, method: K) -> Result<K, SettingError<S>>
+    pub(crate) fn check<M, K>(&self, names: &[String], method: K) -> Result<K, SettingError<S>>
     where
         M: MechanicalSystem<Scalar = S>,
         K: Method<M>,
@@ -113,7 +114,7 @@ impl<S: Scalar> RunSettings<S> {
         let [start, end] = self.span;
         self.fault.map_or(Ok(()), Err)?;
         check_direction::<M>(start, end)?;
-        check_names(&self.names::<M>())?;
+        check_names(names)?;
         self.grid()?;
         self.periods.iter().try_for_each(|period| Grid::new(self.span, *period).map(drop))?;
         if !self.restarts.iter().all(|time| time.is_finite()) {

@@ -47,11 +47,11 @@ enum Samples<S> {
 }
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
-    /// Starts with the initial state as the first sample; the system may be another one there than that which was given.
+    /// Starts with the initial state as the first sample, and with functions of the columns after those of the state; the system may be another one there than that which was given.
     pub(super) fn new(
         current: &Current<'_, C>,
         settings: &RunSettings<M::Scalar>,
-        columns: Vec<Extend<'a, M>>,
+        (names, columns): (Vec<String>, Vec<Extend<'a, M>>),
         reporter: Option<Reporter<'a, M::Scalar>>,
         start: (M::Scalar, M::State),
     ) -> Self {
@@ -62,7 +62,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         };
         let mut record = Record {
             freed: current.switched().and_then(C::freed),
-            table: Table::new(settings.names::<M>()),
+            table: Table::new(names),
             columns,
             row: Vec::new(),
             dense: None,

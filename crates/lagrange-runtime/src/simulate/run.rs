@@ -42,7 +42,13 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         let Simulation { system, state, plan: Plan { settings, columns, .. }, method, drive, .. } = self;
         drive.close(system, |closed| {
             let current = Current::new(closed);
-            let mut record = Record::new(&current, &settings, columns, None, (settings.span[0], state));
+            let mut record = Record::new(
+                &current,
+                &settings,
+                (settings.names::<M>(), columns),
+                None,
+                (settings.span[0], state),
+            );
             samples.into_iter().for_each(|sample| record.push(closed, sample));
             record.work = work;
             record.close(current, Ending::Reached, method.name()).1
@@ -65,7 +71,8 @@ where
     let (order, name, [t, end]) = (method.order(), method.name(), settings.span);
     let start = admitted(system, (t, state));
     let mut current = Current::new(system);
-    let checked = settings.check::<D::Closed, K>(method).map_err(StepFailure::Setting);
+    let names = settings.names::<M>();
+    let checked = settings.check::<D::Closed, K>(&names, method).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
         current.begin((t, &start.1), end, |system| {
@@ -74,7 +81,7 @@ where
         })?;
         Ok((method, controllers))
     });
-    let mut record = Record::new(&current, &settings, columns, reporter, start);
+    let mut record = Record::new(&current, &settings, (names, columns), reporter, start);
     let result = begun.and_then(|(method, mut controllers)| {
         if settings.is_dense {
             record.keep_steps(order);
