@@ -76,7 +76,7 @@ const EXPR: &[Layer] = &[
 const ALGEBRA: &[Layer] = &[
     Layer {
         modules: &["calculus", "formula"],
-        purpose: "derivatives, expansion and substitution; output as text, LaTeX and Graphviz",
+        purpose: "derivatives, expansion and substitution; output as text and LaTeX",
     },
     Layer {
         modules: &["simplify"],

@@ -1,10 +1,9 @@
-//! Expressions as text, LaTeX and graphs.
+//! Expressions as text and LaTeX.
 
 mod layout;
 mod naming;
 mod numerals;
 
-pub mod graphviz;
 pub mod latex;
 pub mod text;
 

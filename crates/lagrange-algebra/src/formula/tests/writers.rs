@@ -1,5 +1,5 @@
 use super::polish;
-use crate::formula::{graphviz, latex, text};
+use crate::formula::{latex, text};
 use lagrange_expr::expr::Graph;
 
 /// A formula in reverse Polish notation, its text and its LaTeX.
@@ -87,36 +87,4 @@ fn parts_with_names_are_not_opened() {
     let names = |id| (id == sum).then_some("total");
     assert_eq!(text::write(&g, whole, &names), "l + total + total*x");
     assert_eq!(text::write(&g, sum, &names), "m1 + m2", "a definition is written out");
-}
-
-#[test]
-fn graphs_are_drawn_with_weights_at_their_edges() {
-    let mut g = Graph::new();
-    let root = polish(&mut g, "x 2 ^ 3 * theta sin - 5 +");
-    let expected = r#"digraph expressions {
-    node [shape=box];
-    n0 [label="x"];
-    n1 [label="*"];
-    n1 -> n0 [label="^2"];
-    n2 [label="theta"];
-    n3 [label="sin"];
-    n3 -> n2;
-    n4 [label="+"];
-    n4 -> n1 [label="3"];
-    n4 -> n3 [label="-1"];
-    n5 [label="5 +", peripheries=2];
-    n5 -> n4;
-}
-"#;
-    assert_eq!(graphviz::graph(&g, &[root]), expected);
-}
-
-#[test]
-fn numbers_of_nodes_do_not_depend_on_what_else_a_graph_holds() {
-    let mut plain = Graph::new();
-    let alone = polish(&mut plain, "x theta' * sin x 0 l g if<= +");
-    let mut crowded = Graph::new();
-    polish(&mut crowded, "m1 m2 + u t * +");
-    let beside = polish(&mut crowded, "x theta' * sin x 0 l g if<= +");
-    assert_eq!(graphviz::graph(&plain, &[alone]), graphviz::graph(&crowded, &[beside]));
 }

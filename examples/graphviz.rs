@@ -1,15 +1,60 @@
-//! The graph of expressions in the dot language of Graphviz.
+//! The graph of expressions behind an acceleration, in the dot language of Graphviz.
+//!
+//! Expressions are stored once, however often they are used. Look for shared operands, for coefficients and exponents at
+//! the edges, and for the double frame around the root.
+//!
+//! `cargo run --features symbolic --example graphviz -- FILE | dot -Tsvg` draws all accelerations of the declaration in a file.
 
+use std::collections::HashMap;
+use std::error::Error;
 use std::fmt::Write;
+use std::{env, fs};
 
-use lagrange_expr::collections::HashMap;
-use lagrange_expr::elementary::row;
-use lagrange_expr::expr::{ExprId, Graph, Node};
-use lagrange_expr::number::Number;
+use lagrange::symbolic::derive::StrategyChoice;
+use lagrange::symbolic::elementary::row;
+use lagrange::symbolic::expr::{ExprId, Graph, Node};
+use lagrange::symbolic::number::Number;
+use lagrange::symbolic::pipeline::parse;
 
-/// Graph of what the roots are made of, operands below; edges carry coefficients and exponents other than one.
+const PENDULUM: &str = "
+    pub struct Pendulum;
+    param l = 1.0, g = 9.81;
+    coord theta;
+    kinetic = 1/2 * (l * dot(theta))^2;
+    potential = -g * l * cos(theta);
+";
+
+/// θ̈ = −g/l sin θ.
+const EXPECTED: &str = r#"digraph expressions {
+    node [shape=box];
+    n0 [label="l"];
+    n1 [label="g"];
+    n2 [label="theta"];
+    n3 [label="sin"];
+    n3 -> n2;
+    n4 [label="*"];
+    n4 -> n0 [label="^-1"];
+    n4 -> n1;
+    n4 -> n3;
+    n5 [label="+", peripheries=2];
+    n5 -> n4 [label="-1"];
+}
+"#;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let file = env::args().nth(1);
+    let text = file.as_ref().map_or_else(|| Ok(PENDULUM.to_owned()), fs::read_to_string)?;
+    let derived = parse(&text)?.derive(StrategyChoice::Cheapest)?;
+    let graph = graph(&derived.model.graph, &derived.equations.accelerations);
+    print!("{graph}");
+    assert!(file.is_some() || graph == EXPECTED, "the graph of the pendulum has changed");
+    Ok(())
+}
+
+/// Writes the graph of the roots, operands below; edges carry coefficients and exponents other than one.
+///
 /// Nodes are numbered from the leaves, so that equal systems give equal text.
-pub fn graph(graph: &Graph, roots: &[ExprId]) -> String {
+fn graph(graph: &Graph, roots: &[ExprId]) -> String {
     let parts = graph.reachable(roots);
     let numbers = parts.iter().enumerate().map(|(number, &id)| (id, number)).collect::<HashMap<_, _>>();
     let number_of = |id: ExprId| numbers.get(&id).copied().unwrap_or_default();
@@ -41,7 +86,7 @@ fn label(graph: &Graph, node: &Node) -> String {
     }
 }
 
-/// Operands, each with what is written at its edge.
+/// Returns the operands of a node, each with the label of its edge.
 fn edges(node: &Node) -> Vec<(ExprId, String)> {
     let weighted = |operands: &[(ExprId, Number)], prefix: &str| {
         let mark = |w: &Number| if w.is_one() { String::new() } else { format!("{prefix}{w}") };
