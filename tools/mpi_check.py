@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs an ensemble over the processes of an MPI job and kills one of them: `tools/mpi_check.py [--motions 20000] [--parts 40]`
 
-The program `crates/lagrange-mpi/examples/pendulums.rs` saves double pendulums and sums them up, with 1, 2 and 4 processes. Then one of four
+The program `examples/mpi` saves double pendulums and sums them up, with 1, 2 and 4 processes. Then one of four
 processes is killed (SIGKILL) in the middle, which ends the others, and the job goes on with four, and another one with two. All files must have
 the SHA-256 of those of a single process, and all sums its bits. Before that an error in one process must end the others.
 
@@ -42,9 +42,11 @@ def install():
 def build():
     """The program, optimised; its path."""
     target = pathlib.Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target")) / "mpi"
-    command = ["cargo", "build", "--release", "--locked", "--example", "pendulums", "--target-dir", target]
-    subprocess.run(command, check=True, cwd=ROOT / "crates" / "lagrange-mpi")
-    return target / "release" / "examples" / "pendulums"
+    folder = ROOT / "examples" / "mpi"
+    for command in (["fmt", "--check"], ["clippy", "--release", "--locked", "--target-dir", target, "--", "-D", "warnings"]):
+        subprocess.run(["cargo", *command], check=True, cwd=folder)
+    subprocess.run(["cargo", "build", "--release", "--locked", "--target-dir", target], check=True, cwd=folder)
+    return target / "release" / "lagrange-example-mpi"
 
 
 class Job:
@@ -102,11 +104,11 @@ def kill_one(job, folder):
 def error_in_one(job, folder):
     """A process that fails must be an error of all."""
     folder.mkdir()
-    # Nothing can be renamed to the first part of rank 1 of 2.
-    (folder / f"part-{job.parts // 2:06}.parquet.unfinished").mkdir()
+    # A folder in the place of the lock of rank 1 of 2.
+    (folder / "shard-1-of-2.lock").mkdir()
     running = job.start(2, folder)
     _, errors = running.communicate(timeout=SECONDS)
-    if running.returncode == 0 or "rank: 1" not in errors:
+    if running.returncode == 0 or "rank 1 failed" not in errors:
         sys.exit(f"an error in one process was not told: {running.returncode}\n{errors}")
     print(f"an error in rank 1: both ended with {running.returncode}, {saved(folder)} parts are there")
 

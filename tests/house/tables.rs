@@ -13,7 +13,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 15] = [
+pub(crate) const LIBRARIES: [Library; 14] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-core", layers: CORE },
@@ -25,7 +25,6 @@ pub(crate) const LIBRARIES: [Library; 15] = [
     Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: MACRO },
     Library { name: "lagrange-math", layers: MATH },
-    Library { name: "lagrange-mpi", layers: MPI },
     Library { name: "lagrange-plot", layers: PLOT },
     Library { name: "lagrange-runtime", layers: RUNTIME },
     Library { name: "xtask", layers: XTASK },
@@ -38,8 +37,8 @@ const LAGRANGE: &[Layer] = &[
     },
     Layer {
         modules: &["adapt", "private", "trade"],
-        purpose: "adapters for `differential-equations` and `diffsol`; the names that emitted code \
-                  uses; comparison of methods, number types and variants of a system",
+        purpose: "backward differentiation by `diffsol`; the names that emitted code uses; \
+                  comparison of methods, number types and variants of a system",
     },
 ];
 
@@ -187,12 +186,6 @@ const DEVICE: &[Layer] = &[
         purpose: "the request for an ensemble, and the source text of integration methods",
     },
     Layer { modules: &["device"], purpose: "devices and their discovery" },
-];
-
-const MPI: &[Layer] = &[
-    Layer { modules: &["error", "sum"], purpose: "errors; reductions over all processes" },
-    Layer { modules: &["processes"], purpose: "the share of each process" },
-    Layer { modules: &["collect"], purpose: "parts of all processes, merged in order" },
 ];
 
 const PLOT: &[Layer] = &[

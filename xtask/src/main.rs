@@ -105,7 +105,7 @@ fn steps() -> Vec<Step> {
         // With the features of the step before, so that nothing is compiled again.
         Step::new(
             "documentation of adapters",
-            "test --package lagrange --no-default-features --features differential-equations,diffsol --doc adapt",
+            "test --package lagrange --no-default-features --features diffsol --doc adapt",
         ),
         Step::new(
             "messages about missing features",

@@ -42,7 +42,7 @@
 //! | see them | [`plot_quantiles`](Samples) over time, [`map`](Ends) over the two quantities of a [`Grid`], with the feature `plot` |
 //! | keep files | `save_parquet` with the feature `parquet`, which goes on where it was killed, and `verify` |
 //! | look at one motion | [`motion`](Ensemble::motion) |
-//! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); sums over processes by MPI: the crate `lagrange-mpi` |
+//! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); reductions over processes by MPI: `examples/mpi` |
 //!
 //! Every motion is a run of [`simulate`](mod@crate::simulate) by itself, and has the bits of one: they depend neither on threads nor on
 //! shards, restarts or the other motions. The sum of all is put together in an order that does not depend on threads either.

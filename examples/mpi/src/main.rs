@@ -3,14 +3,17 @@
 //! Ends are saved to the folder part by part, and then summed up without it; the first process prints the bits of the sums, which are
 //! the same for any number of processes. `tools/mpi_check.py` kills processes of this in the middle.
 
+mod processes;
+
 use std::env;
 use std::error::Error;
 
 use lagrange::Ensembles;
 use lagrange::ensemble::{Ensemble, Histogram, Moments};
 use lagrange::integrate::Verner98;
-use lagrange_mpi::{ReduceOver, all_ok, shard};
 use mpi::traits::Communicator;
+
+use processes::{all_ok, initialize, reduce_over, shard};
 
 lagrange::system! {
     /// Two point masses on massless rods.
@@ -47,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let motions = arguments.next().map_or(Ok(100_000), |text| text.parse())?;
     let parts = arguments.next().map_or(Ok(100), |text| text.parse())?;
 
-    let universe = lagrange_mpi::initialize()?;
+    let universe = initialize()?;
     let world = universe.world();
     let pendulum = DoublePendulum::default();
 
@@ -56,19 +59,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("rank {}: {} parts written, {} found", world.rank(), saved.written, saved.found);
 
     let identity = (Moments::new(), Histogram::new(64));
-    let sums =
-        ensemble(&pendulum, motions, parts).reduce_over(&world, identity, |(moments, angles), motion| {
+    let motions = ensemble(&pendulum, motions, parts);
+    let ((rates, angles), failed, failures) =
+        reduce_over(&world, motions, identity, |(moments, angles), motion| {
             moments.add(motion.end().theta1_dot);
             angles.add(motion.end().theta2);
         })?;
     if world.rank() == 0 {
-        let (rates, angles) = &*sums;
         let [mean, deviation] = [rates.mean(), rates.standard_deviation()];
-        println!("mean {mean} deviation {deviation} of {}, {} failed", rates.count(), sums.failed());
+        println!("mean {mean} deviation {deviation} of {}, {} failed", rates.count(), failed);
         println!("bits {:016x} {:016x}", mean.to_bits(), deviation.to_bits());
         let counts: Vec<_> = angles.bins().map(|(_, count)| count).collect();
         println!("counts {counts:?}");
-        println!("failures {:?}", sums.failures());
+        println!("failures {failures:?}");
     }
     Ok(())
 }
