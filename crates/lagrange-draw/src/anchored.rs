@@ -38,19 +38,15 @@ pub(super) fn anchored(film: &[Snapshot], elsewhere: &Snapshot) -> Anchored {
     anchored
 }
 
-fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
-    snapshot.connectors.iter().find(|other| other.name == name).map(|other| other.ends)
-}
-
 fn is_at_rest(name: &str, end: usize, at: Point, film: &[Snapshot], elsewhere: &Snapshot) -> bool {
-    film.iter().chain([elsewhere]).all(|snapshot| ends_of(name, snapshot).is_some_and(|ends| ends[end] == at))
+    film.iter().chain([elsewhere]).all(|snapshot| snapshot.ends(name).is_some_and(|ends| ends[end] == at))
 }
 
 /// True if the connector pulls on a body there at all times; where both ends meet that is not seen
 /// at one time.
 fn is_on_body(name: &str, end: usize, film: &[Snapshot], elsewhere: &Snapshot) -> bool {
     film.iter().chain([elsewhere]).all(|snapshot| {
-        let at = ends_of(name, snapshot).map(|ends| ends[end]);
+        let at = snapshot.ends(name).map(|ends| ends[end]);
         let mut loads =
             snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Connector && load.name == name);
         loads.any(|load| Some(load.at) == at)
@@ -66,10 +62,8 @@ fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
 
 /// The direction of a level or upright wall from which a connector leads away on the left, as the mean of the film has it.
 fn wall(name: &str, end: usize, film: &[Snapshot]) -> Option<f64> {
-    let away = film
-        .iter()
-        .filter_map(|snapshot| ends_of(name, snapshot))
-        .map(|ends| subtract(ends[1 - end], ends[end]));
+    let away =
+        film.iter().filter_map(|snapshot| snapshot.ends(name)).map(|ends| subtract(ends[1 - end], ends[end]));
     let [x, y] = away.fold([0.0, 0.0], add);
     // A connector that is not a number is refused later.
     unit([x, y])?;

@@ -49,6 +49,19 @@ pub(super) fn mix<const N: usize>(a: [f64; N], b: [f64; N], part: f64) -> [f64; 
     add(a, times(part, subtract(b, a)))
 }
 
+/// Returns the smallest and the largest coordinates of points along each axis; of no points, ∞ and −∞.
+pub(super) fn bounds<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> [[f64; N]; 2] {
+    points.into_iter().fold([[f64::INFINITY; N], [f64::NEG_INFINITY; N]], |[low, high], point| {
+        [from_fn(|k| low[k].min(point[k])), from_fn(|k| high[k].max(point[k]))]
+    })
+}
+
+/// Returns the largest extent of points along an axis; of no points, zero.
+pub(super) fn extent<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> f64 {
+    let [low, high] = bounds(points);
+    subtract(high, low).into_iter().fold(0.0, f64::max)
+}
+
 /// A rotation followed by a shift.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Place {

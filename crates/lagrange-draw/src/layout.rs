@@ -4,13 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::element::{Element, Layer, Measure, Reach, Shape};
 use crate::error::DrawError;
-use crate::geometry::{length, subtract};
+use crate::geometry::{bounds, extent, length, subtract};
 use crate::labels::{self, Sheet};
 use crate::marks;
 use crate::paper::Paper;
 use crate::picture::{Mark, Picture, Point};
 use crate::tag::{Tag, tag};
-use crate::view::{self, MARGIN, View};
+use crate::view::{MARGIN, View};
 
 /// The identity of an element across pictures: its kind, its name, and its number among equals.
 #[derive(Clone, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
@@ -83,9 +83,9 @@ fn common_view(film: &[(f64, Vec<Element>)], window: [Point; 2], longest: f64) -
 /// Ends of rays that are not far away compared to the size of all the rest.
 fn near<'a>(elements: impl Iterator<Item = &'a Element>, reaches: &[Reach]) -> Vec<Reach> {
     const FAR: f64 = 0.7;
-    let spans = [0, 1].map(|axis| view::range(reaches, axis, None));
-    let far = FAR * spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-    let is_near = |p: &Point| (0..2).all(|k| (spans[k][0] - far..=spans[k][1] + far).contains(&p[k]));
+    let places = || reaches.iter().map(|reach| reach.at);
+    let ([low, high], far) = (bounds(places()), FAR * extent(places()));
+    let is_near = |p: &Point| (0..2).all(|k| (low[k] - far..=high[k] + far).contains(&p[k]));
     let ends = elements.filter_map(|element| match element.shape {
         Shape::Ray { to, .. } => Some(to),
         _ => None,

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::geometry::{length, subtract};
+use crate::geometry::{extent, length, subtract};
 use crate::picture::Point;
 use crate::snapshot::{Snapshot, Span};
 use lagrange_runtime::scene::Connector;
@@ -27,7 +27,10 @@ struct Member {
 /// The places throughout a film, given also the scene in another configuration, `elsewhere`.
 pub(super) fn lanes(film: &[Snapshot], elsewhere: Option<&Snapshot>) -> Lanes {
     let moments: Vec<&Snapshot> = film.iter().chain(elsewhere).collect();
-    let close = TOUCHING * size(&moments);
+    // Connectors may have no length, at a moment or ever.
+    let ends = moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|connector| connector.ends);
+    let centers = moments.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center);
+    let close = TOUCHING * extent(ends.chain(centers));
     let mut groups: Vec<(bool, Vec<Member>)> = Vec::new();
     for Span { name, kind, .. } in film.first().into_iter().flat_map(|snapshot| &snapshot.connectors) {
         let turns = matches!(kind, Connector::TorsionSpring | Connector::TorsionDamper);
@@ -59,25 +62,11 @@ fn places(turns: bool, mut members: Vec<Member>) -> Vec<(String, f64)> {
     placed.filter(|(_, place)| *place != 0.0).collect()
 }
 
-/// The longest way in either direction of the plane between ends of connectors and bodies: connectors may have no length, at a moment or ever.
-fn size(moments: &[&Snapshot]) -> f64 {
-    let points = || {
-        let ends =
-            moments.iter().flat_map(|snapshot| &snapshot.connectors).flat_map(|connector| connector.ends);
-        ends.chain(moments.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center))
-    };
-    let span = |axis: usize| {
-        let along = || points().map(|point| point[axis]);
-        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-    };
-    span(0).max(span(1)).max(0.0)
-}
-
 /// Returns true if two connectors have the same ends at all moments, with true if their directions
 /// are opposite.
 fn meets([one, other]: [&str; 2], moments: &[&Snapshot], close: f64) -> Option<bool> {
     [false, true].into_iter().find(|is_reversed| {
-        moments.iter().all(|snapshot| match (ends_of(one, snapshot), ends_of(other, snapshot)) {
+        moments.iter().all(|snapshot| match (snapshot.ends(one), snapshot.ends(other)) {
             (Some(ends), Some([from, to])) => {
                 is_same(ends, if *is_reversed { [to, from] } else { [from, to] }, close)
             }
@@ -88,10 +77,6 @@ fn meets([one, other]: [&str; 2], moments: &[&Snapshot], close: f64) -> Option<b
 
 fn is_same(ends: [Point; 2], others: [Point; 2], close: f64) -> bool {
     ends.into_iter().zip(others).all(|(one, other)| length(subtract(one, other)) <= close)
-}
-
-fn ends_of(name: &str, snapshot: &Snapshot) -> Option<[Point; 2]> {
-    snapshot.connectors.iter().find(|other| other.name == name).map(|other| other.ends)
 }
 
 #[cfg(test)]

@@ -133,6 +133,11 @@ impl<D: Stored> Snapshot<D> {
         self.bodies.iter().find(|body| body.name() == name)
     }
 
+    /// Returns the ends of a connector.
+    pub(super) fn ends(&self, name: &str) -> Option<[D::Vector<f64>; 2]> {
+        self.connectors.iter().find(|connector| connector.name == name).map(|connector| connector.ends)
+    }
+
     /// The names of everything.
     pub(super) fn names(&self) -> impl Iterator<Item = &str> {
         let bodies = self.bodies.iter().map(Named::name).chain(self.lines.iter().map(|line| &*line.name));

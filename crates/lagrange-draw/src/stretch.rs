@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::geometry::{add, direction, dot, subtract, times, turned};
+use crate::geometry::{add, direction, dot, extent, subtract, times, turned};
 use crate::outline::Piece;
 use crate::picture::Point;
 use crate::snapshot::{Line, Snapshot};
@@ -23,7 +23,9 @@ const LONGER: f64 = 0.2;
 
 /// The stretches that are drawn of each line throughout a film.
 pub(super) fn stretches(film: &[Snapshot]) -> Stretches {
-    let close = TOUCHING * size(film);
+    let centers = film.iter().flat_map(|snapshot| &snapshot.bodies).map(|body| body.motion.center);
+    let joints = film.iter().flat_map(|snapshot| &snapshot.joints).map(|joint| joint.at);
+    let close = TOUCHING * extent(centers.chain(joints));
     let mut stretches = Stretches::new();
     for line in film.iter().flat_map(|snapshot| &snapshot.lines) {
         if !stretches.contains_key(&line.name) {
@@ -106,20 +108,6 @@ fn crossings(line: &Line, film: &[Snapshot]) -> Vec<f64> {
         (slope.abs() > PARALLEL).then(|| away / slope)
     };
     others.filter(|other| other.body.is_none() && other.name != line.name).filter_map(crossing).collect()
-}
-
-/// The larger side of the box around all bodies and joints.
-fn size(film: &[Snapshot]) -> f64 {
-    let places = film.iter().flat_map(|snapshot| {
-        let centers = snapshot.bodies.iter().map(|body| body.motion.center);
-        centers.chain(snapshot.joints.iter().map(|joint| joint.at))
-    });
-    let places: Vec<Point> = places.collect();
-    let span = |axis: usize| {
-        let values = || places.iter().map(|p| p[axis]);
-        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
-    };
-    if places.is_empty() { 0.0 } else { span(0).max(span(1)) }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use crate::element::{Measure, Reach};
 use crate::error::DrawError;
-use crate::geometry::{clipped, subtract, times};
+use crate::geometry::{bounds, clipped, mix, subtract, times};
 use crate::picture::Point;
 
 /// Free margin at the borders, and minimum distance of labels and titles from them.
@@ -36,19 +36,19 @@ impl View {
     /// The largest scale at which everything lies within the window, its middle in the middle.
     pub(super) fn new(window: [Point; 2], arrows: [f64; 3], reaches: &[Reach]) -> Result<Self, DrawError> {
         let size = subtract(window[1], window[0]);
-        let spans = [0, 1].map(|axis| range(reaches, axis, None));
-        let extent = spans.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-        let farthest = spans.as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
+        let [low, high] = bounds(reaches.iter().map(|reach| reach.at));
+        let extent = subtract(high, low).into_iter().fold(0.0, f64::max);
+        let farthest = [low, high].as_flattened().iter().map(|x| x.abs()).fold(0.0, f64::max);
         let [smaller, larger] = [size[0].min(size[1]), size[0].max(size[1])];
         let widest = if extent > 0.0 { larger / extent.max(TINY) } else { UNIT * smaller };
         let most = widest.min(larger / (NEIGHBOURS * f64::EPSILON * farthest).max(TINY));
-        let base = spans.map(|[low, high]| low + 0.5 * (high - low));
+        let base = mix(low, high, 0.5);
         let from_base = |reach: &Reach| Reach { at: subtract(reach.at, base), ..*reach };
         let reaches: Vec<Reach> = reaches.iter().map(from_base).collect();
         let reaches = &reaches[..];
         let fits = |scale: f64| {
             (0..2).all(|axis| {
-                let [low, high] = range(reaches, axis, Some(scale));
+                let [low, high] = range(reaches, axis, scale);
                 high - low <= size[axis]
             })
         };
@@ -57,7 +57,7 @@ impl View {
         }
         let scale = largest(most, fits).ok_or(DrawError::Size(size))?;
         let middle = |axis: usize| {
-            let [low, high] = range(reaches, axis, Some(scale));
+            let [low, high] = range(reaches, axis, scale);
             0.5 * (low + high)
         };
         let of_window = [0, 1].map(|axis| 0.5 * (window[0][axis] + window[1][axis]));
@@ -106,14 +106,11 @@ impl View {
     }
 }
 
-/// The range of an axis in pixels at a scale, or of points of the world without one.
-pub(super) fn range(reaches: &[Reach], axis: usize, scale: Option<f64>) -> [f64; 2] {
+/// The range of an axis in pixels at a scale.
+fn range(reaches: &[Reach], axis: usize, scale: f64) -> [f64; 2] {
     reaches.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], reach| {
-        let (at, room) = match scale {
-            Some(scale) => (scale * reach.at[axis] + reach.offset[axis], reach.room),
-            None => (reach.at[axis], 0.0),
-        };
-        [low.min(at - room), high.max(at + room)]
+        let at = scale * reach.at[axis] + reach.offset[axis];
+        [low.min(at - reach.room), high.max(at + reach.room)]
     })
 }
 

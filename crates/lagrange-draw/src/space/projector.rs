@@ -6,14 +6,15 @@ use super::recording::{Kind, Recording, Thing};
 use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
 use super::vector::Vector;
 use crate::colour::{INK, PALE, mixed};
+use crate::element::Reach;
 use crate::error::DrawError;
-use crate::geometry::{self, dot, length, mix, polyline, subtract};
+use crate::geometry::{self, dot, length, polyline, subtract};
 use crate::labels::{self, Sheet};
 use crate::look::Look;
 use crate::paper::Paper;
 use crate::picture::{Colour, Mark, Picture, Point, Segment, Style};
 use crate::tag::{Side, Tag, extent};
-use crate::view::MARGIN;
+use crate::view::{MARGIN, View};
 use lagrange_plot::notation::formula;
 
 /// Pictures of a motion, all from the same place and on the same scale.
@@ -22,20 +23,12 @@ pub struct Projector {
     pub(super) recording: Recording,
     pub(super) look: Look,
     camera: Camera,
-    window: Window,
+    view: View,
     paper: Paper,
     /// Edges of each thing, and true if it is a convex body.
     meshes: Vec<(Edges, bool)>,
     /// Shorter lengths count as none.
     least: f64,
-}
-
-/// From what the camera sees to pixels.
-#[derive(Clone, Copy, PartialEq, Debug)]
-struct Window {
-    scale: f64,
-    from: Point,
-    to: Point,
 }
 
 /// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the next one.
@@ -48,8 +41,6 @@ pub(super) const DARK: f64 = 0.65;
 const ROOM: f64 = 14.0;
 /// From a place to its label.
 const NEAR: f64 = 5.0;
-/// If all is in one place, this part of the smaller side stands for a unit of length.
-const UNIT: f64 = 0.25;
 const NOTHING: f64 = 1e-9;
 
 impl Projector {
@@ -61,13 +52,14 @@ impl Projector {
         let (middle, radius) = recording.ball();
         let camera = Camera::new(look.direction, middle, radius);
         let paper = Paper::new(&look, &recording.note);
-        let seen: Vec<Point> = recording.places().map(|place| camera.seen(place).0).collect();
-        let window = Window::new(&seen, paper.window(MARGIN + ROOM)?);
+        let seen = |place| Reach { at: camera.seen(place).0, offset: [0.0, 0.0], room: 0.0 };
+        let reaches: Vec<Reach> = recording.places().map(seen).collect();
+        let view = View::new(paper.window(MARGIN + ROOM)?, [0.0; 3], &reaches)?;
         let least = NOTHING * radius;
         let meshes =
             recording.things.iter().map(|thing| (Edges::of(&thing.mesh), is_convex_body(thing, least)));
         let meshes = meshes.collect();
-        Ok(Projector { recording, look, camera, window, paper, meshes, least })
+        Ok(Projector { recording, look, camera, view, paper, meshes, least })
     }
 
     /// The pictures of some moments; labels stay on their sides.
@@ -190,7 +182,7 @@ impl Projector {
     }
 
     fn point(&self, place: Vector) -> Point {
-        self.window.point(self.camera.seen(place).0)
+        self.view.point(self.camera.seen(place).0)
     }
 
     fn label(&self, thing: &Thing, moment: usize) -> Option<Tag> {
@@ -260,27 +252,4 @@ fn outline(points: &[Point], drawn: &[bool]) -> Vec<Segment> {
 fn path(segments: Vec<Segment>, stroke: Option<(Colour, f64)>, fill: Option<Colour>) -> Mark {
     let (stroke, width) = stroke.map_or((None, 0.0), |(colour, width)| (Some(colour), width));
     Mark::Path { segments, style: Style { stroke, width, dashes: &[], fill } }
-}
-
-fn range(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
-    numbers
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], number| [low.min(number), high.max(number)])
-}
-
-impl Window {
-    /// The largest scale at which all that is seen lies within the margins, its middle in the middle.
-    fn new(seen: &[Point], window: [Point; 2]) -> Window {
-        let room = subtract(window[1], window[0]);
-        let spans = [0, 1].map(|axis| range(seen.iter().map(|point| point[axis])));
-        let scale = [0, 1].map(|axis| room[axis] / (spans[axis][1] - spans[axis][0]));
-        let scale = scale[0].min(scale[1]);
-        let scale = if scale.is_finite() { scale } else { UNIT * room[0].min(room[1]) };
-        let from = spans.map(|[low, high]| low + 0.5 * (high - low));
-        Window { scale, from, to: mix(window[0], window[1], 0.5) }
-    }
-
-    fn point(&self, seen: Point) -> Point {
-        let [right, up] = subtract(seen, self.from);
-        [self.to[0] + self.scale * right, self.to[1] - self.scale * up]
-    }
 }

@@ -3,7 +3,7 @@
 use super::mesh::{Corner, Mesh, Placement};
 use super::vector::Vector;
 use crate::error::DrawError;
-use crate::geometry::{length, subtract};
+use crate::geometry::{bounds, length, mix, subtract};
 use crate::picture::Colour;
 
 /// All that is drawn of a motion. Pictures, pages and glTF files are made of it.
@@ -87,15 +87,9 @@ impl Recording {
 
     /// The middle of all that is ever seen, and how far it reaches from there; 1 if all is in one place.
     pub(super) fn ball(&self) -> (Vector, f64) {
-        let places: Vec<Vector> = self.places().collect();
-        let bounds = |axis: usize, extreme: fn(f64, f64) -> f64| {
-            places.iter().map(|place| place[axis]).reduce(extreme).unwrap_or(0.0)
-        };
-        let middle = [0, 1, 2].map(|axis| {
-            let (low, high) = (bounds(axis, f64::min), bounds(axis, f64::max));
-            low + 0.5 * (high - low)
-        });
-        let radius = places.iter().map(|place| length(subtract(*place, middle))).fold(0.0, f64::max);
+        let [low, high] = bounds(self.places());
+        let middle = mix(low, high, 0.5);
+        let radius = self.places().map(|place| length(subtract(place, middle))).fold(0.0, f64::max);
         (middle, if radius > 0.0 { radius } else { 1.0 })
     }
 

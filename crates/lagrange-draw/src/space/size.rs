@@ -3,7 +3,7 @@
 use super::snapshot::{Link, SolidPart};
 use super::solids::solid;
 use super::vector::Vector;
-use crate::geometry::{length, subtract};
+use crate::geometry::{bounds, length, subtract};
 use crate::snapshot::Snapshot;
 use lagrange_runtime::scene::Spatial;
 
@@ -19,14 +19,9 @@ const THIN: f64 = 0.006;
 
 impl Size {
     pub(super) fn of(snapshots: &[Snapshot<Spatial>]) -> Size {
-        let all = snapshots.iter().flat_map(Snapshot::places);
+        let places = snapshots.iter().flat_map(Snapshot::places);
         let [low, high] =
-            all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], (at, room)| {
-                [0, 1].map(|end| {
-                    [0, 1, 2]
-                        .map(|k| if end == 0 { low[k].min(at[k] - room) } else { high[k].max(at[k] + room) })
-                })
-            });
+            bounds(places.flat_map(|(at, room)| [at.map(|part| part - room), at.map(|part| part + room)]));
         if low[0] <= high[0] { Size { low, high } } else { Size { low: [0.0; 3], high: [0.0; 3] } }
     }
 
