@@ -7,18 +7,18 @@ use std::collections::HashMap;
 use super::messages;
 use crate::mistakes::Mistake;
 
-/// Everything that is wrong with a file so far.
-pub(super) struct Collector<'d> {
+/// A file that is read, and its mistakes so far.
+pub(super) struct Source<'d> {
     text: &'d str,
     /// Places at which lines begin.
     lines: Vec<usize>,
     found: Vec<(usize, Mistake)>,
 }
 
-impl<'d> Collector<'d> {
-    pub(super) fn new(text: &'d str) -> Collector<'d> {
+impl<'d> Source<'d> {
+    pub(super) fn new(text: &'d str) -> Source<'d> {
         let behind = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n').map(|(place, _)| place + 1);
-        Collector { text, lines: [0].into_iter().chain(behind).collect(), found: Vec::new() }
+        Source { text, lines: [0].into_iter().chain(behind).collect(), found: Vec::new() }
     }
 
     /// The line of a place, from one.
@@ -27,12 +27,16 @@ impl<'d> Collector<'d> {
         u32::try_from(before).unwrap_or(u32::MAX)
     }
 
-    pub(super) fn add(
-        &mut self,
-        (place, element): (usize, String),
-        message: String,
-        is_error: bool,
-    ) -> &mut Mistake {
+    /// Adds an error at a place, whose element is described in words.
+    pub(super) fn error_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
+        self.add(place, message.into(), true)
+    }
+
+    pub(super) fn warning_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
+        self.add(place, message.into(), false)
+    }
+
+    fn add(&mut self, (place, element): (usize, String), message: String, is_error: bool) -> &mut Mistake {
         // The column is found when all mistakes are known.
         let line = self.line(place);
         let mistake = Mistake { line, column: 1, element, message, help: None, is_error };

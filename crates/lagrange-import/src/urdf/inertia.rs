@@ -2,7 +2,7 @@
 
 use lagrange_core::diagnostics::{Report, Severity};
 
-use super::source::Source;
+use super::collector::Source;
 use super::{Options, messages};
 use crate::mistakes::Mistake;
 use crate::robot::{Link, Robot};

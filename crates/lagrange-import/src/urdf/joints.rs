@@ -3,8 +3,9 @@
 use lagrange_core::diagnostics::nearest;
 use roxmltree::Node;
 
+use super::collector::Source;
 use super::messages;
-use super::source::{Source, attribute_of};
+use super::source::attribute_of;
 use crate::decimal::Decimal;
 use crate::robot::{Kind, Limit};
 

@@ -3,8 +3,9 @@
 use lagrange_core::elaborate::is_physical;
 use roxmltree::Node;
 
+use super::collector::Source;
 use super::messages;
-use super::source::{Source, attribute_of, elements, tagged};
+use super::source::{attribute_of, elements, tagged};
 use crate::decimal::Decimal;
 use crate::robot::{Inertial, Link, Shape};
 use crate::rotation::{roll_pitch_yaw, turned_tensor};

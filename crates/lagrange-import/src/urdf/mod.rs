@@ -80,7 +80,8 @@ use crate::declaration::{Declared, Style, declaration};
 use crate::mistakes::Mistake;
 use crate::names::type_name;
 use crate::robot::Robot;
-use source::{Source, attribute_of, tagged};
+use collector::Source;
+use source::{attribute_of, tagged};
 
 pub use crate::declaration::Motion;
 

@@ -3,7 +3,7 @@
 use lagrange_core::diagnostics::nearest;
 use roxmltree::{Attribute, Node};
 
-use super::collector::Collector;
+use super::collector::Source;
 use super::messages;
 use crate::decimal::Decimal;
 use crate::mistakes::Mistake;
@@ -16,44 +16,13 @@ const MECHANICAL: [&str; 11] = [
 /// Elements whose attributes must all be known. Other programs add attributes to joints and their dynamics.
 const EXACT: [&str; 7] = ["origin", "mass", "inertia", "parent", "child", "axis", "mimic"];
 
-/// A file that is read, and what is wrong with it so far.
-pub(super) struct Source<'d> {
-    collector: Collector<'d>,
-}
-
 impl<'d> Source<'d> {
-    pub(super) fn new(text: &'d str) -> Source<'d> {
-        Source { collector: Collector::new(text) }
-    }
-
-    /// The line of a place.
-    pub(super) fn line(&self, place: usize) -> u32 {
-        self.collector.line(place)
-    }
-
-    pub(super) fn into_mistakes(self) -> Vec<Mistake> {
-        self.collector.into_mistakes()
-    }
-
-    pub(super) fn error_count(&self) -> usize {
-        self.collector.error_count()
-    }
-
     pub(super) fn error(&mut self, node: Node<'_, '_>, message: impl Into<String>) -> &mut Mistake {
         self.error_at((node.range().start, described(node)), message)
     }
 
     pub(super) fn warning(&mut self, node: Node<'_, '_>, message: impl Into<String>) -> &mut Mistake {
         self.warning_at((node.range().start, described(node)), message)
-    }
-
-    /// A mistake at a place of which the element is known in words.
-    pub(super) fn error_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
-        self.collector.add(place, message.into(), true)
-    }
-
-    pub(super) fn warning_at(&mut self, place: (usize, String), message: impl Into<String>) -> &mut Mistake {
-        self.collector.add(place, message.into(), false)
     }
 
     pub(super) fn error_in(&mut self, node: Node<'_, '_>, name: &str, message: String) -> &mut Mistake {

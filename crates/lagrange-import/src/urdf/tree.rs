@@ -4,9 +4,9 @@ use std::collections::HashMap;
 
 use lagrange_core::diagnostics::nearest;
 
+use super::collector::Source;
 use super::joints::{NameAt, NamedJoint};
 use super::messages;
-use super::source::Source;
 use crate::robot::{Joint, Kind, Link, Mimic, Robot};
 
 /// Puts joints in order from the base on. `None` after a mistake; `is_complete` if none has made a joint unreadable.
