@@ -20,7 +20,7 @@ impl Device {
     /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.
     pub fn open() -> Result<Device, DeviceError> {
         let mut all = Device::all()?;
-        let first = all.iter().position(|device| device.backend.is_graphics()).unwrap_or(0);
+        let first = all.iter().position(|device| device.backend.description().is_graphics).unwrap_or(0);
         Ok(all.swap_remove(first))
     }
 
@@ -38,12 +38,12 @@ impl Device {
 
     /// Returns the name from the driver, and the API that leads to the device.
     pub fn name(&self) -> &str {
-        self.backend.name()
+        &self.backend.description().name
     }
 
     /// True if it computes in `f64`.
     pub fn has_double_precision(&self) -> bool {
-        self.backend.has_doubles()
+        self.backend.description().has_doubles
     }
 
     #[cfg(test)]

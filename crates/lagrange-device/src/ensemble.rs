@@ -4,7 +4,7 @@ use lagrange_runtime::Number;
 use lagrange_runtime::integrate::RungeKutta4;
 use lagrange_runtime::system::KernelSystem;
 
-use crate::backend::{Backend, Method, Work};
+use crate::backend::{Backend, Description, Method, Run, Work};
 use crate::ends::Ends;
 use crate::error::DeviceError;
 use crate::number::{DeviceNumber, Precision};
@@ -100,16 +100,20 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         if self.is_single {
             return self.run_in::<f32>();
         }
-        if !backend.has_doubles() {
-            return Err(DeviceError::NoDoublePrecision { device: backend.name().to_owned() });
+        let Description { name, has_doubles, .. } = backend.description();
+        if !has_doubles {
+            return Err(DeviceError::NoDoublePrecision { device: name.clone() });
         }
         self.run_in::<f64>()
     }
 
-    fn run_in<T: Precision>(&self) -> Result<Ends<M>, DeviceError> {
+    fn run_in<T: Precision>(&self) -> Result<Ends<M>, DeviceError>
+    where
+        for<'b> dyn Backend + 'b: Run<T>,
+    {
         let mut work = self.work::<T>()?;
         let text = [T::text::<M>(), include_str!("methods.c")].concat();
-        T::run(self.motions.backend, &text, &mut work)?;
+        self.motions.backend.run(&text, &mut work)?;
         Ok(Ends::new(&work))
     }
 

@@ -3,9 +3,6 @@
 use lagrange_runtime::Scalar;
 use lagrange_runtime::system::KernelSystem;
 
-use crate::backend::{Backend, Work};
-use crate::error::DeviceError;
-
 /// A number of devices: `f64` or `f32`.
 pub trait DeviceNumber: Scalar + sealed::Sealed {
     /// Converts to double precision.
@@ -50,9 +47,6 @@ pub(crate) trait Precision: DeviceNumber {
 
     /// The equations of motion of a system.
     fn text<M: KernelSystem>() -> &'static str;
-
-    /// Computes all motions.
-    fn run(backend: &dyn Backend, text: &str, work: &mut Work<Self>) -> Result<(), DeviceError>;
 }
 
 impl Precision for f64 {
@@ -62,10 +56,6 @@ impl Precision for f64 {
     fn text<M: KernelSystem>() -> &'static str {
         M::KERNEL_F64
     }
-
-    fn run(backend: &dyn Backend, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError> {
-        backend.run_double(text, work)
-    }
 }
 
 impl Precision for f32 {
@@ -74,9 +64,5 @@ impl Precision for f32 {
 
     fn text<M: KernelSystem>() -> &'static str {
         M::KERNEL_F32
-    }
-
-    fn run(backend: &dyn Backend, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError> {
-        backend.run_single(text, work)
     }
 }

@@ -147,7 +147,8 @@ fn motions_do_not_depend_on_where_time_is_counted_from() -> Result<(), DeviceErr
     let Some(device) = device() else { return Ok(()) };
     let pendulums = Pendulums::default();
     let from = |start: f64| {
-        let asked = || device.ensemble(&pendulums, starts()).from(start).until(start + 2.0).single_precision();
+        let asked =
+            || device.ensemble(&pendulums, starts()).from(start).until(start + 2.0).single_precision();
         [asked().method(RungeKutta4 { step: 5e-3 }).run(), asked().tolerance(1e-5).run()]
     };
     for (near, far) in from(0.0).into_iter().zip(from(10_000.0)) {

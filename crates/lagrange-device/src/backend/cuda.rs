@@ -11,11 +11,11 @@ use cudarc::driver::{
 };
 use cudarc::nvrtc::{CompileError, CompileOptions, compile_ptx_with_opts};
 
-use super::{BUDGET, Backend, Found, GROUP, Status, Work};
+use super::{BUDGET, Backend, Description, Found, GROUP, Run, Status, Work};
 use crate::error::DeviceError;
 
 struct Cuda {
-    name: String,
+    description: Description,
     context: Arc<CudaContext>,
     stream: Arc<CudaStream>,
 }
@@ -43,31 +43,9 @@ pub(super) fn devices() -> Found {
 impl Cuda {
     fn open(index: usize) -> Result<Cuda, DriverError> {
         let context = CudaContext::new(index)?;
-        let (name, stream) = (format!("{} (CUDA)", context.name()?), context.default_stream());
-        Ok(Cuda { name, context, stream })
-    }
-
-    fn run<T: DeviceRepr + Copy>(&self, text: &str, work: &mut Work<T>) -> Result<(), DeviceError> {
-        let failed = |task| {
-            move |error: DriverError| DeviceError::Driver {
-                device: self.name.clone(),
-                task,
-                reason: error.to_string(),
-            }
-        };
-        let (major, minor) = self.context.compute_capability().map_err(failed("tell its version"))?;
-        let options = vec![format!("--gpu-architecture=compute_{major}{minor}")];
-        let options = CompileOptions { options, ..CompileOptions::default() };
-        let compiled = compile_ptx_with_opts(text, options).map_err(|error| {
-            let log = match error {
-                CompileError::CompileError { log, .. } => log.to_string_lossy().into_owned(),
-                other => other.to_string(),
-            };
-            DeviceError::Build { device: self.name.clone(), log }
-        })?;
-        let module = self.context.load_module(compiled).map_err(failed("load the kernel"))?;
-        let kernel = module.load_function(work.method.kernel()).map_err(failed("find the kernel"))?;
-        self.advance(&kernel, work).map_err(failed("compute motions"))
+        let name = format!("{} (CUDA)", context.name()?);
+        let description = Description { name, is_graphics: true, has_doubles: true };
+        Ok(Cuda { description, stream: context.default_stream(), context })
     }
 
     /// Calls the kernel until no motion has steps to go.
@@ -109,24 +87,33 @@ impl Cuda {
     }
 }
 
+impl<T: DeviceRepr + Copy> Run<T> for Cuda {
+    fn run(&self, text: &str, work: &mut Work<T>) -> Result<(), DeviceError> {
+        let failed = |task| {
+            move |error: DriverError| DeviceError::Driver {
+                device: self.description.name.clone(),
+                task,
+                reason: error.to_string(),
+            }
+        };
+        let (major, minor) = self.context.compute_capability().map_err(failed("tell its version"))?;
+        let options = vec![format!("--gpu-architecture=compute_{major}{minor}")];
+        let options = CompileOptions { options, ..CompileOptions::default() };
+        let compiled = compile_ptx_with_opts(text, options).map_err(|error| {
+            let log = match error {
+                CompileError::CompileError { log, .. } => log.to_string_lossy().into_owned(),
+                other => other.to_string(),
+            };
+            DeviceError::Build { device: self.description.name.clone(), log }
+        })?;
+        let module = self.context.load_module(compiled).map_err(failed("load the kernel"))?;
+        let kernel = module.load_function(work.method.kernel()).map_err(failed("find the kernel"))?;
+        self.advance(&kernel, work).map_err(failed("compute motions"))
+    }
+}
+
 impl Backend for Cuda {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn is_graphics(&self) -> bool {
-        true
-    }
-
-    fn has_doubles(&self) -> bool {
-        true
-    }
-
-    fn run_double(&self, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError> {
-        self.run(text, work)
-    }
-
-    fn run_single(&self, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError> {
-        self.run(text, work)
+    fn description(&self) -> &Description {
+        &self.description
     }
 }

@@ -11,17 +11,22 @@ pub(crate) use self::work::{Method, Status, Work};
 use crate::error::DeviceError;
 
 /// A device as one of the two ways leads to it.
-pub(crate) trait Backend {
-    fn name(&self) -> &str;
+pub(crate) trait Backend: Run<f64> + Run<f32> {
+    fn description(&self) -> &Description;
+}
 
+/// Computation of motions in numbers of a type.
+pub(crate) trait Run<T> {
+    /// Computes all motions by the kernel in a text.
+    fn run(&self, text: &str, work: &mut Work<T>) -> Result<(), DeviceError>;
+}
+
+/// The name and abilities of a device.
+pub(crate) struct Description {
+    pub(crate) name: String,
     /// True if it is a graphics processor, and not a processor that plays one.
-    fn is_graphics(&self) -> bool;
-
-    fn has_doubles(&self) -> bool;
-
-    fn run_double(&self, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError>;
-
-    fn run_single(&self, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError>;
+    pub(crate) is_graphics: bool,
+    pub(crate) has_doubles: bool,
 }
 
 /// The devices that one way leads to, or why it leads to none.

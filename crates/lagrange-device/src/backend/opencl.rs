@@ -14,15 +14,13 @@ use opencl3::platform::get_platforms;
 use opencl3::program::Program;
 use opencl3::types::{CL_BLOCKING, cl_device_id};
 
-use super::{BUDGET, Backend, Found, GROUP, Status, Work};
+use super::{BUDGET, Backend, Description, Found, GROUP, Run, Status, Work};
 use crate::error::DeviceError;
 
 const ADVICE: &str = "install the OpenCL driver of the device, or `pocl-opencl-icd` for processors";
 
 struct OpenCl {
-    name: String,
-    is_graphics: bool,
-    has_doubles: bool,
+    description: Description,
     context: Context,
     queue: CommandQueue,
 }
@@ -51,22 +49,12 @@ impl OpenCl {
         let context = Context::from_device(&device)?;
         // What came later is not there in OpenCL 1.2.
         let queue = CommandQueue::create_default(&context, 0)?;
-        Ok(OpenCl {
+        let description = Description {
             name: format!("{} (OpenCL)", device.name()?.trim()),
             is_graphics: device.dev_type()? & CL_DEVICE_TYPE_GPU != 0,
             has_doubles: device.extensions()?.split_whitespace().any(|extension| extension == "cl_khr_fp64"),
-            context,
-            queue,
-        })
-    }
-
-    fn run<T: Copy>(&self, text: &str, work: &mut Work<T>) -> Result<(), DeviceError> {
-        let refused = |log| DeviceError::Build { device: self.name.clone(), log };
-        let program =
-            Program::create_and_build_from_source(&self.context, text, "-cl-std=CL1.2").map_err(refused)?;
-        let kernel = Kernel::create(&program, work.method.kernel());
-        let kernel = kernel.map_err(|error| self.failed("find the kernel", &error))?;
-        self.advance(&kernel, work).map_err(|error| self.failed("compute motions", &error))
+        };
+        Ok(OpenCl { description, context, queue })
     }
 
     /// Calls the kernel until no motion has steps to go.
@@ -120,28 +108,23 @@ impl OpenCl {
     }
 
     fn failed(&self, task: &'static str, error: &ClError) -> DeviceError {
-        DeviceError::Driver { device: self.name.clone(), task, reason: error.to_string() }
+        DeviceError::Driver { device: self.description.name.clone(), task, reason: error.to_string() }
+    }
+}
+
+impl<T: Copy> Run<T> for OpenCl {
+    fn run(&self, text: &str, work: &mut Work<T>) -> Result<(), DeviceError> {
+        let refused = |log| DeviceError::Build { device: self.description.name.clone(), log };
+        let program =
+            Program::create_and_build_from_source(&self.context, text, "-cl-std=CL1.2").map_err(refused)?;
+        let kernel = Kernel::create(&program, work.method.kernel());
+        let kernel = kernel.map_err(|error| self.failed("find the kernel", &error))?;
+        self.advance(&kernel, work).map_err(|error| self.failed("compute motions", &error))
     }
 }
 
 impl Backend for OpenCl {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn is_graphics(&self) -> bool {
-        self.is_graphics
-    }
-
-    fn has_doubles(&self) -> bool {
-        self.has_doubles
-    }
-
-    fn run_double(&self, text: &str, work: &mut Work<f64>) -> Result<(), DeviceError> {
-        self.run(text, work)
-    }
-
-    fn run_single(&self, text: &str, work: &mut Work<f32>) -> Result<(), DeviceError> {
-        self.run(text, work)
+    fn description(&self) -> &Description {
+        &self.description
     }
 }

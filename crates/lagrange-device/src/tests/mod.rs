@@ -71,7 +71,7 @@ fn check<M: KernelSystem<Scalar = f64>>(name: &str, system: &M) {
         let mut work = work_at(system, state.t, &[state.q.as_slice(), &state.v].concat());
         let text = [M::KERNEL_F64, include_str!("../methods.c"), ACCELERATIONS].concat();
         let text = text.replacen("lagrange_runge_kutta_4(", "lagrange_unused(", 1);
-        device.backend().run_double(&text, &mut work).unwrap_or_else(|error| panic!("{name}: {error}"));
+        device.backend().run(&text, &mut work).unwrap_or_else(|error| panic!("{name}: {error}"));
         let found = &work.states[state.q.len()..];
         let expected = acceleration(system, state.t, &state.q, &state.v);
         let largest = expected.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
