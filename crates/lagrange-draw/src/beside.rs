@@ -32,15 +32,12 @@ fn columns(count: usize) -> usize {
 }
 
 fn shifted(mark: &Mark, by: Point) -> Mark {
-    match mark {
-        Mark::Path { segments, style } => {
-            Mark::Path { segments: moved(segments, |p| add(p, by)), style: style.clone() }
-        }
-        Mark::Text { at, text, size, anchor, colour } => {
-            let text: String = text.clone();
-            Mark::Text { at: add(*at, by), text, size: *size, anchor: *anchor, colour: *colour }
-        }
+    let mut mark = mark.clone();
+    match &mut mark {
+        Mark::Path { segments, .. } => *segments = moved(segments, |p| add(p, by)),
+        Mark::Text { at, .. } => *at = add(*at, by),
     }
+    mark
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 use crate::geometry::{Place, add};
 use crate::outline::Piece;
 use crate::picture::{Colour, Point};
+use lagrange_runtime::scene::Connector;
 
 /// Something in a picture.
 #[derive(Clone, PartialEq, Debug)]
@@ -36,14 +37,8 @@ pub(super) enum Shape {
     /// A line with hatching on its right, along these stretches from a point of it, whose ends may be infinite; these points of
     /// it are to be seen.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
-    /// A spring, so many places on the left of the line between its ends.
-    Coil { from: Point, to: Point, lane: f64 },
-    /// A damper, likewise.
-    Dashpot { from: Point, to: Point, lane: f64 },
-    /// A torsion spring, around so many others.
-    Spiral { at: Point, lane: f64 },
-    /// A torsion damper, likewise.
-    Drum { at: Point, lane: f64 },
+    /// A spring or damper, `lane` places on the left of the line between its ends; for torsion, around as many others.
+    Connector { kind: Connector, ends: [Point; 2], lane: f64 },
     /// Two bodies turn about it.
     Pin { at: Point },
     /// A body turns about it, and it is at rest.
@@ -136,14 +131,12 @@ impl Element {
             Shape::Body { place, center, pieces } => body(place, *center, pieces),
             Shape::Ground { seen, .. } => seen.iter().map(|at| point(*at, GROUND)).collect(),
             Shape::Through { .. } => Vec::new(),
-            Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
-                [*from, *to].map(|at| point(at, ROOM + LANE * lane.abs())).into()
+            Shape::Connector { kind: Connector::Spring | Connector::Damper, ends, lane } => {
+                ends.map(|at| point(at, ROOM + LANE * lane.abs())).into()
             }
+            Shape::Connector { ends, lane, .. } => vec![point(ends[0], ROUND * (1.0 + WIDER * lane))],
             Shape::Pin { at } | Shape::Dot { at } | Shape::Words { at } => vec![point(*at, ROOM)],
             Shape::Anchor { at } | Shape::Wall { at, .. } | Shape::Slider { at } => vec![point(*at, GROUND)],
-            Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
-                vec![point(*at, ROUND * (1.0 + WIDER * lane))]
-            }
             Shape::Angle { at, .. } => vec![point(*at, ROUND)],
             Shape::Turn { at, ring, .. } => vec![point(*at, ROUND + RING * *ring as f64)],
             Shape::Arrow { from, vector, measure: Measure::World, .. } => all(&[*from, add(*from, *vector)]),
@@ -168,9 +161,9 @@ impl Shape {
         match self {
             Shape::Body { .. } => "position or shape",
             Shape::Ground { .. } => "line",
-            Shape::Coil { .. } | Shape::Dashpot { .. } => "end",
+            Shape::Connector { kind: Connector::Spring | Connector::Damper, .. } => "end",
+            Shape::Connector { .. } => "place",
             Shape::Wall { .. } => "anchor",
-            Shape::Spiral { .. } | Shape::Drum { .. } => "place",
             Shape::Pin { .. } | Shape::Anchor { .. } | Shape::Slider { .. } => "position of the joint",
             Shape::Arrow { measure: Measure::Velocity, .. } => "velocity",
             Shape::Arrow { measure: Measure::Acceleration, .. } => "acceleration",

@@ -136,16 +136,7 @@ fn aligned(film: &[Vec<(Key, Drawn)>]) -> Vec<Key> {
 /// Returns placeholders for missing elements: their marks without visible content.
 fn patterns(film: &[Vec<(Key, Drawn)>]) -> BTreeMap<Key, Vec<Mark>> {
     let all = film.iter().flatten();
-    all.map(|(key, (marks, _))| (key.clone(), marks.iter().map(emptied).collect())).collect()
-}
-
-fn emptied(mark: &Mark) -> Mark {
-    match mark.clone() {
-        Mark::Path { style, .. } => Mark::Path { segments: Vec::new(), style },
-        Mark::Text { at, size, anchor, colour, .. } => {
-            Mark::Text { at, text: String::new(), size, anchor, colour }
-        }
-    }
+    all.map(|(key, (marks, _))| (key.clone(), marks.iter().cloned().map(Mark::emptied).collect())).collect()
 }
 
 fn complete(moment: Vec<(Key, Drawn)>, keys: &[Key], empty: &BTreeMap<Key, Vec<Mark>>) -> Vec<Drawn> {

@@ -41,6 +41,17 @@ pub(crate) enum Mark {
     },
 }
 
+impl Mark {
+    /// Returns the mark without anything to show.
+    pub(crate) fn emptied(mut self) -> Mark {
+        match &mut self {
+            Mark::Path { segments, .. } => segments.clear(),
+            Mark::Text { text, .. } => text.clear(),
+        }
+        self
+    }
+}
+
 /// A piece of a path.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Segment {

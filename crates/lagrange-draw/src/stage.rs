@@ -86,13 +86,8 @@ fn walls(snapshot: &Snapshot, anchored: &Anchored) -> Vec<Element> {
     ends.map(wall).collect()
 }
 
-fn connector(name: &str, kind: Connector, [from, to]: [Point; 2], lane: f64, wanted: Wanted) -> Element {
-    let shape = match kind {
-        Connector::Spring => Shape::Coil { from, to, lane },
-        Connector::Damper => Shape::Dashpot { from, to, lane },
-        Connector::TorsionSpring => Shape::Spiral { at: from, lane },
-        Connector::TorsionDamper => Shape::Drum { at: from, lane },
-    };
+fn connector(name: &str, kind: Connector, ends: [Point; 2], lane: f64, wanted: Wanted) -> Element {
+    let shape = Shape::Connector { kind, ends, lane };
     let label = if wanted.names && !is_made_up(name, kind) { formula(name) } else { String::new() };
     element(name, label, INK, Layer::Connector, shape)
 }

@@ -9,6 +9,7 @@ use crate::picture::{Colour, Point};
 use crate::view::View;
 use lagrange_plot::label::{Label, SUBSCRIPT};
 use lagrange_plot::lettering::LEEWAY;
+use lagrange_runtime::scene::Connector;
 
 /// A label and the place beside which it is written.
 #[derive(Clone, PartialEq, Debug)]
@@ -55,7 +56,10 @@ pub(super) fn tag(element: &Element, view: &View) -> Option<Tag> {
         return None;
     }
     let (at, side, gap) = anchor(&element.shape, view)?;
-    let is_thing = matches!(element.shape, Shape::Body { .. } | Shape::Coil { .. } | Shape::Dashpot { .. });
+    let is_thing = matches!(
+        element.shape,
+        Shape::Body { .. } | Shape::Connector { kind: Connector::Spring | Connector::Damper, .. }
+    );
     let colour = match element.shape {
         Shape::Body { .. } => INK,
         _ if element.colour == PALE => INK,
@@ -100,7 +104,7 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
     let around = |at: &Point| Some((view.point(*at), Side::Around, GAP));
     match shape {
         Shape::Body { center, .. } => Some((view.point(*center), Side::Within, WIDE_GAP)),
-        Shape::Coil { from, to, lane } | Shape::Dashpot { from, to, lane } => {
+        Shape::Connector { kind: Connector::Spring | Connector::Damper, ends: [from, to], lane } => {
             let (at, side) = middle(&[*from, *to]);
             let left = unit(subtract(view.point(*to), view.point(*from)))
                 .map(|along| times(-LANE * lane, turned(along)));
@@ -108,8 +112,8 @@ fn anchor(shape: &Shape, view: &View) -> Option<(Point, Side, f64)> {
             let outwards = aside.and_then(unit).map(Side::Along);
             Some((add(at, aside.unwrap_or_default()), outwards.unwrap_or(side), WIDE_GAP))
         }
-        Shape::Spiral { at, lane } | Shape::Drum { at, lane } => {
-            Some((view.point(*at), Side::Around, ANGLE * (1.0 + WIDER * lane)))
+        Shape::Connector { ends, lane, .. } => {
+            Some((view.point(ends[0]), Side::Around, ANGLE * (1.0 + WIDER * lane)))
         }
         // What does not turn has no label either.
         Shape::Turn { moment: 0.0, .. } => None,

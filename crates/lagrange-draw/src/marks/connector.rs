@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use crate::element::{LANE, WIDER};
 use crate::geometry::{add, arc, direction, length, moved, polyline, subtract, times, turned};
 use crate::picture::{Point, Segment};
+use lagrange_runtime::scene::Connector;
 
 /// Windings of a spring, and how far they reach to both sides.
 const WINDINGS: usize = 8;
@@ -30,8 +31,18 @@ fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
     (size, move |[x, y]: [f64; 2]| add(from, add(times(x, along), times(y, turned(along)))))
 }
 
+/// Returns the lines of a connector: `lane` places on the left between its ends or, about a point, around as many others.
+pub(super) fn segments(kind: Connector, ends: [Point; 2], lane: f64) -> Vec<Segment> {
+    match kind {
+        Connector::Spring => beside(ends, lane, coil),
+        Connector::Damper => beside(ends, lane, dashpot),
+        Connector::TorsionSpring => spiral(ends[0], lane),
+        Connector::TorsionDamper => drum(ends[0], lane),
+    }
+}
+
 /// A zigzag that stretches with the distance.
-pub(super) fn coil(from: Point, to: Point) -> Vec<Segment> {
+fn coil(from: Point, to: Point) -> Vec<Segment> {
     let (size, place) = frame(from, to);
     let straight = STRAIGHT.0.min(STRAIGHT.1 * size);
     let step = (size - 2.0 * straight) / (2 * WINDINGS) as f64;
@@ -43,7 +54,7 @@ pub(super) fn coil(from: Point, to: Point) -> Vec<Segment> {
 }
 
 /// A cylinder at the first end and a piston at the second.
-pub(super) fn dashpot(from: Point, to: Point) -> Vec<Segment> {
+fn dashpot(from: Point, to: Point) -> Vec<Segment> {
     let (size, place) = frame(from, to);
     let (cylinder, half) = CYLINDER;
     let cylinder = cylinder.min(0.6 * size);
@@ -60,7 +71,7 @@ pub(super) fn dashpot(from: Point, to: Point) -> Vec<Segment> {
 }
 
 /// A connector so many places on the left of the line between its ends, with which it is joined at both of them.
-pub(super) fn beside(
+fn beside(
     [from, to]: [Point; 2],
     lane: f64,
     connector: impl Fn(Point, Point) -> Vec<Segment>,
@@ -79,7 +90,7 @@ pub(super) fn beside(
 }
 
 /// A spiral about a point, around so many others.
-pub(super) fn spiral(at: Point, lane: f64) -> Vec<Segment> {
+fn spiral(at: Point, lane: f64) -> Vec<Segment> {
     let radius = SPIRAL * (1.0 + WIDER * lane);
     let point = |k: usize| {
         let part = k as f64 / POINTS as f64;
@@ -89,7 +100,7 @@ pub(super) fn spiral(at: Point, lane: f64) -> Vec<Segment> {
 }
 
 /// Two arcs about a point, one within the other, around so many others.
-pub(super) fn drum(at: Point, lane: f64) -> Vec<Segment> {
+fn drum(at: Point, lane: f64) -> Vec<Segment> {
     let mut segments = Vec::new();
     let wide = SPIRAL * (1.0 + WIDER * lane);
     for (radius, from, to) in [(wide, FRAC_PI_2, TAU), (0.7 * wide, -FRAC_PI_2, PI)] {

@@ -10,7 +10,7 @@ const CLOSE: f64 = 0.7;
 
 /// A dashed line to a point, and the point if it is in the window.
 pub(super) fn ray(from: Point, to: Point, colour: Colour, view: &View) -> Vec<Mark> {
-    let point = if view.holds(to) { dot(to, colour) } else { empty(dot(from, colour)) };
+    let point = if view.holds(to) { dot(to, colour) } else { dot(from, colour).emptied() };
     vec![dashed(view.clipped([from, to]), colour), point]
 }
 
@@ -26,13 +26,6 @@ pub(super) fn through([a, b]: [Point; 2], colour: Colour, view: &View) -> Mark {
 fn dashed(ends: Option<[Point; 2]>, colour: Colour) -> Mark {
     let segments = polyline(ends.into_iter().flatten(), false);
     path(segments, Style { dashes: DASHES, ..stroke(colour, THIN) })
-}
-
-fn empty(mark: Mark) -> Mark {
-    match mark {
-        Mark::Path { style, .. } => Mark::Path { segments: Vec::new(), style },
-        text => text,
-    }
 }
 
 /// A line without points that cannot be told apart; its last point stays.

@@ -27,17 +27,9 @@ pub(super) fn marks(element: &Element, view: &View) -> Vec<Mark> {
     match &element.shape {
         Shape::Body { place, center, pieces } => body::marks(place, *center, pieces, colour, view),
         Shape::Ground { place, stretches, .. } => ground::marks(*place, stretches, view),
-        Shape::Coil { from, to, lane } => {
-            vec![line(connector::beside([view.point(*from), view.point(*to)], *lane, connector::coil), INK)]
+        Shape::Connector { kind, ends, lane } => {
+            vec![line(connector::segments(*kind, ends.map(|p| view.point(p)), *lane), INK)]
         }
-        Shape::Dashpot { from, to, lane } => {
-            vec![line(
-                connector::beside([view.point(*from), view.point(*to)], *lane, connector::dashpot),
-                INK,
-            )]
-        }
-        Shape::Spiral { at, lane } => vec![line(connector::spiral(view.point(*at), *lane), INK)],
-        Shape::Drum { at, lane } => vec![line(connector::drum(view.point(*at), *lane), INK)],
         Shape::Pin { at } => vec![joint(view.point(*at))],
         Shape::Anchor { at } => ground::anchor(view.point(*at)),
         Shape::Wall { at, angle } => ground::wall(Place { at: *at, angle: *angle }, view),
