@@ -37,8 +37,11 @@ const MOST_RETURNS: u32 = 5;
 const NEAR: f64 = 4.0;
 
 impl<M: OdeSystem> DeclaredEvents<M> {
-    /// Starts to look at a time and state.
-    pub fn new(system: &M, t: M::Scalar, y: &M::State) -> Self {
+    /// Starts to look at a time and state, if there are any events.
+    pub fn new(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
+        if M::EVENTS.is_empty() {
+            return None;
+        }
         let mut directions = [Direction::Crossing; MOST_LOCATED];
         for (direction, event) in directions.iter_mut().zip(M::EVENTS) {
             *direction = event.direction;
@@ -46,7 +49,7 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         let margins = Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]);
         let detector = Detector::new(directions, t, margins.values(system, t, y)).with_switches(M::EVENTS);
         let together = [false; MOST_LOCATED];
-        DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together }
+        Some(DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together })
     }
 
     /// Counts how often a switch returns to its surface without having left it.
@@ -80,13 +83,10 @@ impl<M: OdeSystem> DeclaredEvents<M> {
 
 impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     fn is_empty(&self) -> bool {
-        M::EVENTS.is_empty()
+        false
     }
 
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M> {
-        if M::EVENTS.is_empty() {
-            return Ok(None);
-        }
         let is_new = self.pending.next.is_none();
         if self.margins.time != stepper.time() {
             let ranges = self.pending.ranges();
@@ -130,21 +130,17 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        if !M::EVENTS.is_empty() {
-            self.margins = Margins::new(system, t, y, &self.pending.ranges());
-            let values = self.margins.values(system, t, y);
-            if let Some(change) = &mut self.change {
-                change.value = values[change.event];
-            }
-            self.pending.restart(t, values);
+        self.margins = Margins::new(system, t, y, &self.pending.ranges());
+        let values = self.margins.values(system, t, y);
+        if let Some(change) = &mut self.change {
+            change.value = values[change.event];
         }
+        self.pending.restart(t, values);
     }
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        if !M::EVENTS.is_empty() {
-            self.margins = Margins::new(system, t, y, &self.pending.ranges());
-            self.pending.jump(self.margins.values(system, t, y));
-        }
+        self.margins = Margins::new(system, t, y, &self.pending.ranges());
+        self.pending.jump(self.margins.values(system, t, y));
     }
 }
 

@@ -96,6 +96,34 @@ impl<M: OdeSystem, D: Events<M>, G: Events<M>> Events<M> for AllEvents<D, G> {
     }
 }
 
+/// Events of a kind that a run may lack.
+impl<M: OdeSystem, E: Events<M>> Events<M> for Option<E> {
+    fn is_empty(&self) -> bool {
+        self.as_ref().is_none_or(E::is_empty)
+    }
+
+    fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M> {
+        self.as_mut().map_or(Ok(None), |events| events.look(system, stepper, end))
+    }
+
+    fn take(&mut self, origin: Origin) -> Option<Found<M>> {
+        self.as_mut()?.take(origin)
+    }
+
+    fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M> {
+        let nothing = || Ok(Response::new(Action::Continue));
+        self.as_mut().map_or_else(nothing, |events| events.react(system, origin, event))
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        self.iter_mut().for_each(|events| events.restart(system, t, y));
+    }
+
+    fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        self.iter_mut().for_each(|events| events.jump(system, t, y));
+    }
+}
+
 /// No events: not even memory for them.
 pub struct NoEvents;
 

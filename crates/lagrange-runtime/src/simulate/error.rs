@@ -26,7 +26,7 @@ impl<M: MechanicalSystem> SimulationError<M> {
     /// An error of a run to which events with these names were `given`.
     pub(super) fn new(cause: StepFailure<M::Scalar>, given: &[String], trajectory: Trajectory<M>) -> Self {
         let name = match (cause, cause.event()) {
-            (StepFailure::Setting(SettingError::RepeatedColumn), _) => repeated(trajectory.names()),
+            (StepFailure::Setting(SettingError::RepeatedColumn), _) => repeated(trajectory.names()).cloned(),
             (_, Some(EventSource::Declared(name))) => Some(name.to_string()),
             (_, Some(EventSource::Given(index))) => given.get(index).cloned(),
             (_, None) => None,

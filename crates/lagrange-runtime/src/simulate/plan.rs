@@ -130,7 +130,8 @@ impl<S: Scalar> RunSettings<S> {
     /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it is about.
     #[cfg(feature = "ensemble")]
     pub(crate) fn explain<M: MechanicalSystem>(&self, error: SettingError<S>) -> String {
-        let name = repeated(&self.names::<M>()).filter(|_| error == SettingError::RepeatedColumn);
+        let names = self.names::<M>();
+        let name = repeated(&names).filter(|_| error == SettingError::RepeatedColumn);
         name.map_or_else(|| error.to_string(), |name| std::format!("two columns are called `{name}`"))
     }
 

@@ -1,6 +1,5 @@
 //! Columns of numbers with names.
 
-use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
 
@@ -90,10 +89,11 @@ impl<S: Copy> Table<S> {
     }
 }
 
-/// Returns the first name that stands twice in a list.
-pub(super) fn repeated(names: &[String]) -> Option<String> {
-    let mut seen = BTreeSet::new();
-    names.iter().find(|name| !seen.insert(*name)).cloned()
+/// Returns a name that stands twice in a list, the first in alphabetical order.
+pub(super) fn repeated(names: &[String]) -> Option<&String> {
+    let mut sorted: Vec<_> = names.iter().collect();
+    sorted.sort_unstable();
+    sorted.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
 }
 
 /// Access by index, for the named columns that are emitted with a system.
