@@ -10,27 +10,27 @@
 //! | [`DEPENDENT_COLUMN`] | 32 | the largest column of a scaled symmetric matrix, for each row | what other columns leave of one that depends on them is rounding | × 1/4096: `units_of_the_rows_do_not_matter_to_the_rank` |
 //! | [`DEPENDENT_PIVOT`] | 1000 | one, the largest entries of a scaled matrix | what those before leave of a dependent pivot is the rounding of all of them | × 1/4096: `dependent_constraints_and_dead_points_do_not_matter` |
 //! | [`PULL`] | 8 | the largest coordinate | a pull is a difference of positions, each rounded, less what the constraints take of it | × 1/64: `corrections_that_overshoot_are_shortened` |
-//! | [`RESIDUAL`] | 16 | the largest scale of a residual | where a gradient vanishes its scale is rounding itself, and a proportion to it says nothing | — |
+//! | [`RESIDUAL`] | 16 | the largest scale of a residual | where a gradient vanishes its scale is rounding itself, and a proportion to it says nothing | × 1/64 and × 64: `residuals_without_a_scale_are_rounding_beside_the_largest` |
 //! | [`TOUCHING`] | 4096 | what gaps and rates would be if each coordinate were off by its size, or time by what has passed of a run | starts are computed by formulas of their own; a gap that is a coordinate has no other terms beside which it could be small | × 4096: `a_ball_comes_to_rest_where_its_bounces_accumulate` |
-//! | [`CLOSED_GAP`] | 64 | the terms that make the gap | a Newton correction leaves a few roundings of the terms | — |
-//! | [`SLIT`] | 16 | the terms that make the gap | bodies that touch without pressing are put so far apart: less than a closed gap, more than rounding | — |
-//! | [`HOP`] | 256 | the terms that make the gap | how long a hop takes that is lower would be rounding; more than a closed gap | — |
-//! | [`INSTANT`] | 8 | time | the time of an event is known to a few roundings, and gaps and rates there to what changes meanwhile | — |
-//! | [`HOP_TIME`] | 64 | time; what has passed of a run | hops that last less are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | — |
-//! | [`BALANCED`] | 16 | the terms of a rate or of a limit | a sum of a handful of terms | — |
-//! | [`BALANCED_BY_SEARCH`] | 2¹⁶ | the same | Lemke's method exchanges many variables, and each exchange rounds what the last one left | — |
-//! | [`HELD_TOGETHER`] | 2²⁰ | the same | the shortest of undetermined impulses leave out equations that depend on others but for rounding | — |
+//! | [`CLOSED_GAP`] | 64 | the terms that make the gap | a Newton correction leaves a few roundings of the terms | × 1/64 and × 64: `a_gap_is_closed_up_to_the_rounding_of_its_terms` |
+//! | [`SLIT`] | 16 | the terms that make the gap | bodies that touch without pressing are put so far apart: less than a closed gap, more than rounding | × 1/64 and × 64: `bodies_that_part_are_apart_by_more_than_rounding` |
+//! | [`HOP`] | 256 | the terms that make the gap | how long a hop takes that is lower would be rounding; more than a closed gap | × 1/64 and × 64: `hops_no_higher_than_rounding_are_not_resolved` |
+//! | [`INSTANT`] | 8 | time | the time of an event is known to a few roundings, and gaps and rates there to what changes meanwhile | × 1/64 and × 64: `gaps_are_known_as_well_as_the_time_of_an_event` |
+//! | [`HOP_TIME`] | 64 | time; what has passed of a run | hops that last less are not resolved, in numbers so coarse that 10⁻⁹ of the time is less | × 1/64 and × 64: `hops_no_longer_than_rounding_of_time_are_not_resolved` |
+//! | [`BALANCED`] | 16 | the terms of a rate or of a limit | a sum of a handful of terms | × 1/64 and × 64: `forces_that_are_rounding_do_not_press` |
+//! | [`BALANCED_BY_SEARCH`] | 2¹⁶ | the same | Lemke's method exchanges many variables, and each exchange rounds what the last one left | × 1/64 and × 64: `rules_found_by_search_hold_to_more_than_rounding` |
+//! | [`HELD_TOGETHER`] | 2²⁰ | the same | the shortest of undetermined impulses leave out equations that depend on others but for rounding | × 1/64 and × 64: `contacts_at_one_place_are_held_together_up_to_what_undetermined_impulses_leave` |
 //! | [`BOUND`] | 64 | the terms that make a force or slip velocity | more than what counts as balanced, so that a body exactly at a bound does not go back and forth | × 64: `a_block_at_rest_starts_when_the_drive_exceeds_the_static_limit` |
 //! | [`IMPACT_ENERGY`] | 256 | the energy that is exchanged | squares of velocities that are solved for | × 1/4096: `an_impact_conserves_momentum_and_an_elastic_one_energy`; × 64: `no_impact_creates_energy` |
 //! | [`BERNSTEIN_COEFFICIENT`] | 512 | the largest value | the sums of magnitudes in the change to Bernstein coefficients | × 1/4096: `what_only_touches_zero_does_not_change`; × 64: `zeros_next_to_each_other_are_found` |
 //! | [`SAME_EVENT`] | 64 | time; the change of a function with the state | a restart puts times and states beside each other by a few roundings | × 1/64: runs that do not end |
-//! | [`SURFACE`] | 32 | the largest component of the state | a switch is looked for so far beyond its surface, lest rounding on it pass it again and again | — |
+//! | [`SURFACE`] | 32 | the largest component of the state | a switch is looked for so far beyond its surface, lest rounding on it pass it again and again | × 1/64 and × 64: `a_switch_changes_its_side_a_few_roundings_beyond_its_surface` |
 //! | [`RESTART`] | 2 | time | steps end so far before a jump and start so far after it that no evaluation falls on it | × 1/64: `no_step_sees_a_jump`; × 64: `a_restart_that_fails_is_an_error_at_the_jump` |
-//! | [`SAME_INSTANT`] | 4 | time | instants are multiples of a period, rounded, on both sides of a restart | — |
-//! | [`DEFAULT_TOLERANCE`] | 10 | the state | no default asks for more than numbers give | — |
+//! | [`SAME_INSTANT`] | 4 | time | instants are multiples of a period, rounded, on both sides of a restart | × 1/64 and × 64: `instants_are_apart_by_more_than_the_rounding_of_time` |
+//! | [`DEFAULT_TOLERANCE`] | 10 | the state | no default asks for more than numbers give | × 1/64 and × 64: `the_default_tolerance_is_what_numbers_can_give` |
 //! | [`LEAST_TOLERANCE`] | 16 | the state | shorter steps would only round more | × 64: `a_pendulum_in_the_plane_moves_as_its_angle_does` |
-//! | [`DEFECT`] | 256 | the rates | the slope of an interpolant is a sum of 26 rates with weights of both signs | — |
-//! | [`SAME_STATE`] | 1000 | the state | the quotient of two differences means something if each has three digits | — |
+//! | [`DEFECT`] | 256 | the rates | the slope of an interpolant is a sum of 26 rates with weights of both signs | × 1/64 and × 64: `a_defect_that_is_rounding_of_the_rates_is_none` |
+//! | [`SAME_STATE`] | 1000 | the state | the quotient of two differences means something if each has three digits | × 1/64 and × 64: `states_that_differ_by_rounding_do_not_tell_of_stiffness` |
 
 use crate::scalar::Scalar;
 

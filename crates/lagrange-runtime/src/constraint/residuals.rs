@@ -133,3 +133,17 @@ pub(crate) fn sizes<S: Scalar, Q: StateVector<S>>(x: &Q) -> Q {
 pub(super) fn size<S: Scalar>(x: &[S]) -> S {
     x.iter().fold(S::from_f64(SMALLEST), |most, x| most.max(x.abs())).min(S::ONE)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Violated, Worst};
+
+    #[test]
+    fn residuals_without_a_scale_are_rounding_beside_the_largest() {
+        let part = |roundings: f64| {
+            let residual = roundings * f64::EPSILON;
+            Worst::new(&["vanishing", "other"], &[residual, 0.0], &[0.0, 1.0], Violated::Positions).part
+        };
+        assert_eq!([4.0, 128.0].map(part), [0.0, f64::INFINITY]);
+    }
+}

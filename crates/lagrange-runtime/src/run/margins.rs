@@ -76,3 +76,34 @@ fn rounded<S: Scalar, M: OdeSystem<Scalar = S>>(y: &M::State) -> M::State {
 fn largest<S: Scalar>(y: &[S]) -> S {
     y.iter().fold(S::ZERO, |size, entry| size.max(entry.abs()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Margins;
+    use crate::system::{DeclaredEvent, MOST_LOCATED, OdeSystem};
+
+    /// A system whose equations change at y = 1.
+    struct Surface;
+
+    impl OdeSystem for Surface {
+        type Scalar = f64;
+        type State = [f64; 1];
+
+        fn rhs(&self, _t: f64, _y: &[f64; 1]) -> [f64; 1] {
+            [1.0]
+        }
+
+        const EVENTS: &'static [DeclaredEvent] = &[DeclaredEvent::side("surface")];
+
+        fn event_values(&self, _t: f64, y: &[f64; 1], values: &mut [f64]) {
+            values[0] = y[0] - 1.0;
+        }
+    }
+
+    #[test]
+    fn a_switch_changes_its_side_a_few_roundings_beyond_its_surface() {
+        let margins = Margins::new(&Surface, 0.0, &[1.0], &[1.0; MOST_LOCATED]);
+        let margin = margins.values(&Surface, 0.0, &[1.0])[0] / f64::EPSILON;
+        assert!((4.0..400.0).contains(&margin), "{margin}");
+    }
+}

@@ -4,4 +4,5 @@ mod friction;
 mod impacts;
 mod lemke;
 mod motions;
+mod rounding;
 mod systems;

@@ -1,6 +1,7 @@
 //! The pair on hand-written systems whose solutions are known.
 
 mod pulses;
+mod rounding;
 
 use std::string::ToString;
 use std::vec::Vec;

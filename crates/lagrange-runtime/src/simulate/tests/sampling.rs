@@ -6,6 +6,8 @@ use std::vec::Vec;
 use super::{Oscillator, START, assert_exact};
 use crate::integrate::RungeKutta4;
 use crate::simulate::Simulate;
+use crate::simulate::builder::default_method;
+use crate::simulate::sampling::Grid;
 use crate::system::{SettingError, StepFailure};
 
 fn sampled(from: f64, until: f64, every: f64) -> Vec<f64> {
@@ -125,4 +127,18 @@ fn more_samples_than_can_be_kept_are_refused_with_their_number() {
         assert!(std::format!("{error}").contains(".ends_only()"), "{error}");
         assert_eq!(error.trajectory.work().steps, 0);
     }
+}
+
+#[test]
+fn instants_are_apart_by_more_than_the_rounding_of_time() {
+    let start = 1_048_576.0;
+    let is_accepted =
+        |roundings: f64| Grid::new([start, start + 1.0], roundings * f64::EPSILON * start).is_ok();
+    assert_eq!([2.0, 64.0].map(is_accepted), [false, true]);
+}
+
+#[test]
+fn the_default_tolerance_is_what_numbers_can_give() {
+    assert_eq!(default_method::<f64>().relative, 1e-9);
+    assert!((5e-7..3e-6).contains(&default_method::<f32>().relative));
 }
