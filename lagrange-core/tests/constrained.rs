@@ -116,27 +116,31 @@ fn chains_of_constrained_bodies_cost_in_proportion_to_their_length() {
 }
 
 /// Three constraints hold one direction, which depends on a parameter: in space along an axis, by one joint and by two, and as
-/// plain statements, with and without inertia. The motion is that of one constraint, and of all forces the smallest are taken.
+/// plain statements, with and without inertia, beside other bodies and alone, where constraints outnumber coordinates. The motion
+/// is that of one constraint, and of all forces the smallest are taken.
 #[test]
 fn constraints_that_always_depend_on_each_other_share_their_force() {
     const BODY: &str = "mass: 1; inertia: (1, 1, 1);";
-    let space = |joints: &str| {
-        format!(
-            "gravity = (0, 0, -9.81); param c = 0.5; body a {{ {BODY} }} body b {{ {BODY} }} body d {{ {BODY} }} {joints}"
-        )
+    let space = |(bodies, joints): (&str, &str)| {
+        let bodies = bodies.chars().map(|name| format!("body {name} {{ {BODY} }}")).collect::<String>();
+        format!("gravity = (0, 0, -9.81); param c = 0.5; {bodies} {joints}")
     };
     let plain = |kinetic: &str| {
+        let y = if kinetic.contains('y') { ", y" } else { "" };
         format!(
-            "param c = 0.5; coord s, x, y; kinetic = {kinetic}; potential = s + x;
+            "param c = 0.5; coord s, x{y}; kinetic = {kinetic}; potential = s + x;
             constraint first = (s + x) * cos(c);
             constraint second = (s + x) * sin(c);
             constraint third = (s + x) * (cos(0.3) + 0.7 * sin(c));"
         )
     };
-    let cylinder = "cylindrical (q, s) = ground to a { turned: (0.3, 0.4, c); } free b; free d; pin a.center to (0, 0, 0);";
-    let sliders =
-        "prismatic s = ground to a { axis: (c, c^2, sin(c)); } prismatic r = a to b { axis: (c, c^2, sin(c)); } free d;
+    let cylinder = "cylindrical (q, s) = ground to a { turned: (0.3, 0.4, c); } pin a.center to (0, 0, 0);";
+    let sliders = "prismatic s = ground to a { axis: (c, c^2, sin(c)); } prismatic r = a to b { axis: (c, c^2, sin(c)); }
         pin b.center to (0, 0, 0);";
+    let [cylinder_beside, sliders_beside] =
+        [format!("{cylinder} free b; free d;"), format!("{sliders} free d;")];
+    let spatial_cases =
+        [("abd", &*cylinder_beside), ("abd", &*sliders_beside), ("a", cylinder), ("ab", sliders)];
     // The squared force over its vertical part is the weight that it holds.
     let rows = [0.5_f64.cos(), 0.5_f64.sin(), 0.3_f64.cos() + 0.7 * 0.5_f64.sin()];
     let square = rows.iter().map(|row| row * row).sum::<f64>();
@@ -145,6 +149,8 @@ fn constraints_that_always_depend_on_each_other_share_their_force() {
         ("1/2 * (dot(s)^2 + dot(x)^2 + dot(y)^2)", 1.0),
         ("1/2 * (dot(s)^2 + dot(s + x)^2 + dot(y - x)^2 + dot(x)^2)", 1.0),
         ("1/2 * (dot(x)^2 + dot(y)^2)", 1.0),
+        ("1/2 * (dot(s)^2 + dot(x)^2)", 1.0),
+        ("1/2 * dot(x)^2", 1.0),
     ];
     for choice in [StrategyChoice::Always(Strategy::MassMatrix), StrategyChoice::Cheapest] {
         let solve = |text: &str| {
@@ -162,11 +168,11 @@ fn constraints_that_always_depend_on_each_other_share_their_force() {
             assert!((accelerations[0] + accelerations[1]).abs() < 1e-12, "{kinetic}: {accelerations:?}");
             assert_near(&multipliers, &shares(force), kinetic);
         }
-        for joints in [cylinder, sliders] {
-            let (accelerations, multipliers) = solve(&space(joints));
-            assert!(accelerations.iter().all(|entry| entry.is_finite()), "{joints}: {accelerations:?}");
+        for case in spatial_cases {
+            let (accelerations, multipliers) = solve(&space(case));
+            assert!(accelerations.iter().all(|entry| entry.is_finite()), "{case:?}: {accelerations:?}");
             let square = multipliers.iter().map(|force| force * force).sum::<f64>();
-            assert_near(&[square], &[9.81 * multipliers[2].abs()], joints);
+            assert_near(&[square], &[9.81 * multipliers[2].abs()], case.1);
         }
     }
 }

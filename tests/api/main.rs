@@ -25,6 +25,7 @@ mod lanes;
 mod long_rope;
 mod methods;
 mod orientations;
+mod overdetermined;
 mod pivots;
 mod plates;
 mod prepared;

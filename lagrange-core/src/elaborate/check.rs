@@ -1,6 +1,6 @@
 //! The checks that need the whole declaration, and the model they certify.
 
-use super::constraints::{check_constraint_count, check_reduced_constraints, is_constrained};
+use super::constraints::{check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::{check_event_count, check_reduced_events};
@@ -62,7 +62,6 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_products(elaborator);
     check_output_names(elaborator);
     check_names_of_bodies(elaborator);
-    check_constraint_count(elaborator);
     check_reduced_constraints(elaborator);
     check_stabilisation(elaborator);
     check_event_count(elaborator);

@@ -170,19 +170,6 @@ pub(super) fn check_reduced_constraints(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Nothing can move, and no multiplier is determined, under more constraints than coordinates.
-pub(super) fn check_constraint_count(elaborator: &mut Elaborator<'_>) {
-    if elaborator.evaluator.report.has_errors() {
-        // One constraint too many may be one that was reported.
-        return;
-    }
-    let (count, most) = (elaborator.constraints.len(), elaborator.speeds.len());
-    if let Some((_, span)) = elaborator.constraints.get(most).filter(|_| most > 0) {
-        let error = elaborator.evaluator.report.error(*span, messages::too_many_constraints(count, most));
-        error.help(messages::TOO_MANY_CONSTRAINTS_HELP);
-    }
-}
-
 /// True if a constraint holds this velocity.
 pub(super) fn is_constrained(elaborator: &Elaborator<'_>, velocity: ExprId) -> bool {
     let rates = elaborator.constraints.iter().map(|(constraint, _)| constraint.velocity).collect::<Vec<_>>();

@@ -314,14 +314,6 @@ pub(super) const CONTRADICTING_HELP: &str =
 pub(super) const REPEATED_CONSTRAINT_HELP: &str = "remove one of them";
 pub(super) const OTHER_CONSTRAINT_IS_HERE: &str = "the other one is here";
 
-pub(super) fn too_many_constraints(constraints: usize, coordinates: usize) -> String {
-    let plural = if coordinates == 1 { "" } else { "s" };
-    format!("{constraints} constraints are more than {coordinates} coordinate{plural} can fulfil")
-}
-
-pub(super) const TOO_MANY_CONSTRAINTS_HELP: &str =
-    "remove those that follow from the others, or add coordinates";
-
 pub(super) fn no_place(what: &str) -> String {
     format!("{what} must be made of coordinates and time")
 }

@@ -9,13 +9,4 @@ lagrange::system! {
     constraint shifted = x - r * phi + 1;
 }
 
-lagrange::system! {
-    struct Overdone;
-
-    coord x;
-    kinetic = 1/2 * dot(x)^2;
-    constraint left = x;
-    constraint right = x^2 - sin(x);
-}
-
 fn main() {}

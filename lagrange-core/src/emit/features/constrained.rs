@@ -233,13 +233,14 @@ fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// Members for methods that are symplectic for any mass matrix, about the constraints.
+/// Members for methods that are symplectic for any mass matrix, about the constraints. Of more constraints than coordinates, some
+/// depend on others: states are then corrected after steps.
 pub(in crate::emit) fn canonical_constraints(
     shape: &Shape<'_>,
     members: &Members,
     parameters: &TokenStream,
 ) -> TokenStream {
-    if members.constrained.is_empty() {
+    if members.constrained.is_empty() || shape.constraints.len() > shape.coordinates.len() {
         return TokenStream::new();
     }
     let (krate, scalar, n) = (shape.krate, shape.scalar(), length(shape.coordinates.len()));
