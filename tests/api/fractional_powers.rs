@@ -70,6 +70,38 @@ fn valleys_are_crossed_in_single_precision_too() {
     }
 }
 
+lagrange::system! {
+    /// The same valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle where n < 1.
+    #[derive(Clone, Debug)]
+    struct Pulled<S>;
+
+    param n = 0.5;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -x * abs(x)^(n - 1);
+}
+
+#[test]
+fn forces_with_a_power_below_one_are_crossed_in_their_period() {
+    for (p, period) in PERIODS {
+        let pulled = Pulled::<f64> { n: p - 1.0, ..Pulled::default() };
+        for tolerance in [1e-5, 1e-8, 1e-11] {
+            let run = pulled.simulate([1.0, 0.0]).until(period).tolerance(tolerance).run().unwrap();
+            let error = (run.last()[0] - 1.0).abs() + run.last()[1].abs();
+            assert!(error < 300.0 * tolerance, "{p}, {tolerance}: {error:e}");
+        }
+        let method = RungeKutta4 { step: period / 1000.0 };
+        let fixed = pulled.simulate([1.0, 0.0]).until(period).method(method).run().unwrap();
+        assert!((fixed.last()[0] - 1.0).abs() < 2e-3, "{p}: {:?}", fixed.last());
+        let single = Pulled::<f32> { n: p as f32 - 1.0, ..Pulled::default() };
+        let run = single.simulate([1.0, 0.0]).until(period as f32).tolerance(1e-5).run().unwrap();
+        assert!((run.last()[0] - 1.0).abs() < 3e-4, "{p}: {:?}", run.last());
+        // In the middle, where it starts.
+        let run = pulled.simulate([0.0, 1.0]).until(1.0).run().unwrap();
+        assert!(run.last().iter().all(|entry| entry.is_finite()), "{p}: {:?}", run.last());
+    }
+}
+
 /// Systems under conservative forces of one coordinate.
 macro_rules! conservative {
     ($($name:ident: $potential:expr;)*) => {

@@ -23,7 +23,7 @@ const SWITCHED: [&str; 10] = [
     "(if x > 0 { x } else { x^2/(1 + x^2) })",
     "max(-1, min(1, k*x))",
 ];
-const EXPONENTS: [&str; 8] = ["1/3", "1/2", "1.7", "3/2", "2", "3", "p", "(p + 1)"];
+const EXPONENTS: [&str; 9] = ["1/3", "1/2", "1.7", "3/2", "2", "3", "p", "(p + 1)", "(p - 1)"];
 /// Distances beyond a surface.
 const DISTANCES: [f64; 4] = [1e-15, 1e-13, 1e-6, 0.01];
 
@@ -37,7 +37,13 @@ struct Sided {
 
 impl Sided {
     fn new(force: &str) -> Sided {
-        let text = format!("param k = 2, p = 3/2; coord x; kinetic = 1/2*dot(x)^2; force x = {force};");
+        Sided::among("", force)
+    }
+
+    /// A force beside declarations of functions.
+    fn among(functions: &str, force: &str) -> Sided {
+        let text =
+            format!("{functions} param k = 2, p = 3/2; coord x; kinetic = 1/2*dot(x)^2; force x = {force};");
         let system = parse(&text).unwrap_or_else(|report| panic!("{force}: {report}"));
         let mut derived = system.derive(StrategyChoice::Cheapest).expect("it has inertia");
         let (declared, switches) = (derived.equations.accelerations[0], derived.equations.switches);
@@ -164,6 +170,8 @@ fn singular_powers_have_no_value_beyond_their_surface() {
         "x*abs(x)^(-3/2)",
         "abs(x)^(1 - k)*abs(x)^(-1/2)",
         "abs(x)^(-p)",
+        "x*abs(x)^(-p)",
+        "x*(k*abs(x))^(p - 3)",
     ] {
         let sided = Sided::new(form);
         for x in [1e-9, -1e-9] {
@@ -174,6 +182,55 @@ fn singular_powers_have_no_value_beyond_their_surface() {
         let removable = Sided::new(form);
         assert_eq!(removable.at(removable.sided, -0.25, &[1.0]), -0.5, "{form}");
         assert_eq!(removable.at(removable.sided, 0.0, &[1.0]), 0.0, "{form}");
+    }
+    // |x|^(1/2) in every case, with p = 3/2 and k = 2.
+    for (form, scale) in [
+        ("x*abs(x)^(p - 2)", 1.0),
+        ("x/abs(x)^(2 - p)", 1.0),
+        ("x*abs(x)^p/x^2", 1.0),
+        ("x^3*abs(x)^(p - 4)", 1.0),
+        ("x*(k*abs(x)/8)^(p - 2)", 2.0),
+        ("(4*x - 1)*abs(1/4 - x)^(p - 2)/4", 1.0),
+        ("sign(x)*abs(x)*abs(x)^(p - 2)", 1.0),
+    ] {
+        let removable = Sided::new(form);
+        let surface = if form.contains("1/4") { 0.25 } else { 0.0 };
+        let at = |distance: f64, side: f64| removable.at(removable.sided, surface + distance, &[side]);
+        let right = |distance: f64| removable.declared(surface + distance);
+        for side in [1.0, -1.0] {
+            assert!((at(0.25 * side, side) - right(0.25 * side)).abs() < 1e-15, "{form}");
+            assert!((at(0.25 * side, side).abs() - 0.5 * scale).abs() < 1e-15, "{form}");
+            assert!((at(-0.25 * side, side) - at(0.25 * side, side)).abs() < 1e-15, "{form} beyond");
+            assert_eq!(at(0.0, side), 0.0, "{form}");
+        }
+    }
+}
+
+#[test]
+fn arguments_of_tables_that_end_keep_their_domain() {
+    const TABLES: &str = "table f(d) = [(0, 0), (1/2, 1), (4, 9)], interpolation: linear, outside: error;
+        table g(d, e) = [(0, 0, 1), (0, 4, 2), (4, 0, 3), (4, 4, 5)], interpolation: linear, outside: error;";
+    for (force, surface) in [
+        ("f(abs(x)) + g(1, 1)", 0.0),
+        ("f(4 - abs(x)) + g(1, 1)", 0.0),
+        ("g(abs(x), 1) + f(1)", 0.0),
+        ("g(2, max(0, x)) + f(1)", 0.0),
+        ("f(min(4, 15/4 + x)) + g(1, 1)", 0.25),
+        ("if x > 0 { f(x^2 + x) } else { g(1, 1)*x }", 0.0),
+        ("if x > 1/4 { f(x - 1/4) } else { g(1/4 - x, 1) }", 0.25),
+    ] {
+        let sided = Sided::among(TABLES, force);
+        for side in [-1.0, 1.0] {
+            let at = surface + side * 1e-12;
+            let near = sided.declared(at);
+            for distance in [1e-9, 1e-6, 1e-3] {
+                let found = sided.at(sided.sided, surface - side * distance, &sided.sides(at));
+                let is_near = (found - near).abs() < 10.0 * distance;
+                assert!(is_near, "{force}, {distance} beyond {side}: {found}, not {near}");
+            }
+        }
+        // On its side what lies outside has no value.
+        assert!(sided.at(sided.sided, 9.0, &sided.sides(9.0)).is_nan() || force.contains("min"), "{force}");
     }
 }
 

@@ -8,10 +8,11 @@
 //! |---|---|
 //! | of fractional powers, roots and logarithms | its magnitude |
 //! | of `asin` and `acos` | the nearest number from −1 to 1 |
+//! | of tables with `outside: error` | the nearest number between their ends |
 //!
 //! On the sides themselves the values are those of the declaration, NaN included, and they are continuous across the surfaces.
 //! What is singular at its surface, as |x|^(−1/2) is, has no value beyond: no step leads across. x |x|^(−1/2) is
-//! not singular, as s |x|^(1/2) shows.
+//! not singular, as s |x|^(1/2) shows, nor is x |x|^(p − 1) for positive p.
 
 use super::Side;
 use lagrange_expr::collections::HashMap;
@@ -19,6 +20,7 @@ use lagrange_expr::elementary::{Domain, row};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node, Relation};
 use lagrange_expr::functions::{apply, is_restricted};
 use lagrange_expr::number::Number;
+use lagrange_expr::opaque::{Opaque, Outside};
 
 /// Surfaces beyond which arguments are brought back into domains.
 pub(super) struct Domains<'a> {
@@ -31,11 +33,11 @@ impl<'a> Domains<'a> {
     /// Finds the surfaces by which nodes are chosen. `sides` are those of the nodes that switch.
     pub(super) fn new(graph: &Graph, ids: &[ExprId], sides: &'a HashMap<ExprId, Side>) -> Self {
         let mut chosen_by: HashMap<ExprId, Vec<Side>> = HashMap::default();
-        if ids.iter().any(|&id| is_restricted(graph, id)) {
+        if ids.iter().any(|&id| has_domain(graph, id)) {
             for &id in ids {
                 let Some(&side) = sides.get(&id) else { continue };
                 let chosen = graph.reachable(&branches(graph, id));
-                for inner in chosen.into_iter().filter(|&inner| is_restricted(graph, inner)) {
+                for inner in chosen.into_iter().filter(|&inner| has_domain(graph, inner)) {
                     include(chosen_by.get_or_insert_with(inner, Vec::new), side);
                 }
             }
@@ -51,8 +53,8 @@ impl<'a> Domains<'a> {
         map: impl Fn(ExprId) -> ExprId,
     ) -> Option<ExprId> {
         match graph.node(id).clone() {
-            Node::Product(factors) if is_restricted(graph, id) => {
-                let factors = self.without_removable_poles(graph, &factors);
+            Node::Product(factors) if is_restricted(graph, id) || has_power(graph, &factors) => {
+                let factors = self.without_removable_poles(graph, &factors, &map);
                 let kept = factors.into_iter().map(|(base, exponent)| match is_root(&exponent) {
                     true => (self.kept(graph, id, base, Domain::FromZero, &map), exponent),
                     false => (map(base), exponent),
@@ -74,8 +76,33 @@ impl<'a> Domains<'a> {
                 };
                 Some(apply(graph, function, &mapped))
             }
+            Node::Opaque(function, arguments) => self.within_table(graph, id, (&function, &arguments), &map),
             _ => None,
         }
+    }
+
+    /// Rebuilds a call of a table that ends; `None` for other functions.
+    fn within_table(
+        &self,
+        graph: &mut Graph,
+        id: ExprId,
+        (function, arguments): (&Opaque, &[ExprId]),
+        map: &impl Fn(ExprId) -> ExprId,
+    ) -> Option<ExprId> {
+        let table = function.table().filter(|table| table.outside == Outside::Error)?;
+        let mut inside = Vec::with_capacity(arguments.len());
+        for (&argument, axis) in arguments.iter().zip(&table.axes) {
+            let (mapped, surfaces) = (map(argument), self.surfaces(graph, id, argument));
+            if surfaces.is_empty() {
+                inside.push(mapped);
+                continue;
+            }
+            let (first, last) = (exact(graph, *axis.knots.first()?)?, exact(graph, *axis.knots.last()?)?);
+            let bounded = graph.call(Function::Max, &[first, mapped]);
+            let bounded = graph.call(Function::Min, &[last, bounded]);
+            inside.push(surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, bounded, rest)));
+        }
+        Some(graph.opaque(function.clone(), &inside))
     }
 
     /// Returns an argument of a node on its sides, and beyond them within the domain.
@@ -103,11 +130,7 @@ impl<'a> Domains<'a> {
             return mapped;
         }
         let inside = within(graph, mapped, domain);
-        let zero = graph.number(0);
-        surfaces.into_iter().fold(mapped, |rest, side| {
-            let distance = graph.multiply(side.sign, side.value);
-            graph.choose(Relation::Less, distance, zero, inside, rest)
-        })
+        surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
     }
 
     /// Returns the surfaces that an argument of a node is made of, and those that choose the node.
@@ -155,24 +178,116 @@ impl<'a> Domains<'a> {
         &self,
         graph: &mut Graph,
         factors: &[(ExprId, Number)],
+        map: &impl Fn(ExprId) -> ExprId,
     ) -> Vec<(ExprId, Number)> {
         let mut factors = self.with_magnitudes_apart(graph, factors);
         for at in 0..factors.len() {
+            self.join_power(graph, &mut factors, at, map);
             let (base, power) = factors[at].clone();
             let Node::Call(Function::Abs, arguments) = graph.node(base) else { continue };
             let Some(&side) = self.sides.get(&base).filter(|_| power.is_negative()) else { continue };
-            let is_inner =
-                |(other, exponent): &(ExprId, Number)| *other == arguments[0] && exponent.is_integer();
-            let Some(inner) = factors.iter().position(is_inner) else { continue };
+            let argument = arguments[0];
+            let inner = factors.iter().enumerate().find_map(|(place, (other, exponent))| {
+                let ratio = multiple(graph, *other, argument).filter(|_| exponent.is_integer())?;
+                Some((place, ratio))
+            });
+            let Some((inner, ratio)) = inner else { continue };
             let whole = factors[inner].1.clone();
             let total = &power + &whole;
             if !total.is_integer() && !total.is_negative() {
                 factors[at].1 = total;
-                factors[inner] = (side.slope(graph), whole);
+                let slope = side.slope(graph);
+                factors[inner] = (graph.scale(ratio, slope), whole);
             }
         }
         factors
     }
+
+    /// Writes xᵐ |c x|ᵖ at this place as sᵐ c⁻ᵐ |c x|ᵐ⁺ᵖ, and |x|ᵐ |c x|ᵖ without the sign, where p is not a number.
+    fn join_power(
+        &self,
+        graph: &mut Graph,
+        factors: &mut [(ExprId, Number)],
+        at: usize,
+        map: &impl Fn(ExprId) -> ExprId,
+    ) {
+        let (call, times) = factors[at].clone();
+        let Node::Call(Function::Power, arguments) = graph.node(call).clone() else { return };
+        let [base, exponent] = arguments[..] else { return };
+        let (_, core) = graph.split_coefficient(base);
+        let parts = match graph.node(core).clone() {
+            Node::Product(parts) => parts.into_vec(),
+            _ => vec![(core, Number::ONE)],
+        };
+        for (magnitude, power) in parts {
+            let Node::Call(Function::Abs, inner) = graph.node(magnitude).clone() else { continue };
+            let Some(&side) = self.sides.get(&magnitude).filter(|_| power.is_one()) else { continue };
+            let joined =
+                factors.iter().enumerate().find_map(|(place, (other, power))| match *other == magnitude {
+                    true => Some((place, None)),
+                    false if power.is_integer() => Some((place, Some(multiple(graph, *other, inner[0])?))),
+                    false => None,
+                });
+            let Some((place, ratio)) = joined else { continue };
+            let power = factors[place].1.clone();
+            let sign = match ratio {
+                Some(ratio) => {
+                    let slope = side.slope(graph);
+                    graph.scale(ratio, slope)
+                }
+                None => graph.number(1),
+            };
+            let scale = graph.divide(magnitude, base);
+            let factor = graph.multiply(sign, scale);
+            let exponents = graph.scale(times.clone(), exponent);
+            let gain = graph.number(power.clone());
+            let total = graph.add(exponents, gain);
+            let (zero, mapped) = (graph.number(0), map(base));
+            // Negative powers are singular on the surface.
+            let kept = graph.choose(Relation::Less, zero, total, base, mapped);
+            factors[place] = (factor, power);
+            factors[at] = (apply(graph, Function::Power, &[kept, total]), Number::ONE);
+            return;
+        }
+    }
+}
+
+/// Returns the number r with e = r f; `None` if there is none.
+fn multiple(graph: &Graph, e: ExprId, f: ExprId) -> Option<Number> {
+    if e == f {
+        return Some(Number::ONE);
+    }
+    let (Node::Sum { constant: a, terms: e }, Node::Sum { constant: b, terms: f }) =
+        (graph.node(e), graph.node(f))
+    else {
+        return None;
+    };
+    let ratio = &e.first()?.1 * &f.first()?.1.reciprocal()?;
+    let is_multiple = |((e, a), (f, b)): (&(ExprId, Number), &(ExprId, Number))| e == f && *a == &ratio * b;
+    (e.len() == f.len() && *a == &ratio * b && e.iter().zip(f).all(is_multiple)).then_some(ratio)
+}
+
+/// True if a factor is a power whose exponent is not a number.
+fn has_power(graph: &Graph, factors: &[(ExprId, Number)]) -> bool {
+    factors.iter().any(|(base, _)| matches!(graph.node(*base), Node::Call(Function::Power, _)))
+}
+
+/// True if a node has an argument that must lie in a domain.
+fn has_domain(graph: &Graph, id: ExprId) -> bool {
+    is_restricted(graph, id)
+        || matches!(graph.node(id), Node::Opaque(function, _) if function.table().is_some())
+}
+
+/// Chooses `inside` beyond a surface.
+fn beyond(graph: &mut Graph, side: Side, inside: ExprId, rest: ExprId) -> ExprId {
+    let (zero, distance) = (graph.number(0), graph.multiply(side.sign, side.value));
+    graph.choose(Relation::Less, distance, zero, inside, rest)
+}
+
+/// Returns a finite number as an expression.
+fn exact(graph: &mut Graph, number: f64) -> Option<ExprId> {
+    let magnitude = Number::parse_decimal(&format!("{}", number.abs()))?;
+    Some(graph.number(if number < 0.0 { -&magnitude } else { magnitude }))
 }
 
 /// True if a power with this exponent is a root without a pole.
