@@ -114,7 +114,8 @@ fn an_acceleration_that_is_not_finite_is_named_with_its_time() {
     let beyond = said(&Cart::default(), [1.5, 0.0, 0.0, 0.0]);
     assert_eq!(
         beyond,
-        "the acceleration `x_ddot` comes to NaN at time 0.0, although the state is finite (at time 0.0)"
+        "the acceleration `x_ddot` comes to NaN at time 0.0, although the state is finite: a formula is undefined or singular there, as \
+         roots of negative numbers or negative powers of zero are (at time 0.0)"
     );
     // … and where the motion reaches it, whatever the method.
     let pushed = Cart { u: 5.0, ..Cart::default() };

@@ -513,3 +513,27 @@ fn surfaces_are_located_by_the_size_of_their_functions() {
         }
     }
 }
+
+lagrange::system! {
+    /// Forces by the signs of what stays at zero, starts there, and passes it.
+    #[derive(Clone, Debug)]
+    struct AtZero;
+
+    coord x, y, z;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+    force x = sign(x);
+    force y = 1 + sign(y);
+    force z = sign(z - t);
+}
+
+#[test]
+fn a_sign_is_zero_for_free_switches_and_one_in_runs_that_start_at_zero() {
+    let system = AtZero::default();
+    assert_eq!(system.acceleration(0.0, &[0.0; 3], &[0.0; 3]), [0.0, 1.0, 0.0]);
+    assert_eq!(system.acceleration(0.0, &[-0.0, 1e-300, 0.0], &[0.0; 3])[..2], [0.0, 2.0]);
+    // Each counts as positive: x = t²/2, y = t²; z − t falls at once.
+    let run = system.simulate([0.0; 6]).until(1.0).tolerance(1e-10).run().expect("signs are known");
+    let [x, y, z, ..] = run.last();
+    assert!((x - 0.5).abs() < 1e-9 && (y - 1.0).abs() < 1e-9, "{x}, {y}");
+    assert!((z + 0.5).abs() < 1e-6, "{z}");
+}

@@ -192,7 +192,11 @@ impl<S: Debug> Display for Undefined<S> {
                     Component::Coordinate(name) => write!(f, "the rate `{}`", WithSuffix::velocity(name))?,
                     velocity => write!(f, "{}", Acceleration(*velocity))?,
                 }
-                write!(f, " comes to {value:?} at time {time:?}, although the state is finite")
+                write!(
+                    f,
+                    " comes to {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, as \
+                     roots of negative numbers or negative powers of zero are"
+                )
             }
             Undefined::Unknown { name, time } => write!(
                 f,
