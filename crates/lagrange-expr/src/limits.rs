@@ -39,6 +39,9 @@ pub const MAX_LOCATED: usize = 64;
 /// Velocities: a list of all pairs of more takes minutes to walk through.
 pub const MAX_VELOCITIES: usize = 4_000;
 
+/// First-order states, each of which has an equation as velocities do.
+pub const MAX_STATES: usize = 4_000;
+
 /// Operations of emitted code: reading more takes minutes and as much memory as many machines have.
 pub const MAX_OPERATIONS: usize = 2_000_000;
 

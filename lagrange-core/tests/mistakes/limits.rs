@@ -7,7 +7,7 @@ use std::time::Duration;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
     MANY_OPERATIONS, MAX_DECIMAL_EXPONENT, MAX_EVENTS, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS,
-    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_OPERATIONS, MAX_POINTS, MAX_UNIT_EXPONENT,
+    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_OPERATIONS, MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT,
     MAX_VELOCITIES, MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::expand;
@@ -86,6 +86,7 @@ fn excesses() -> Vec<(u64, String)> {
             format!("{coordinate} for i in 0..{} {{ event e[i] = x - i, rising => stop; }}", MAX_EVENTS + 1),
         ),
         (MAX_VELOCITIES as u64, format!("coord x[{}];", MAX_VELOCITIES + 1)),
+        (MAX_STATES as u64, format!("{coordinate} state z[{}];", MAX_STATES + 1)),
         (MAX_OPERATIONS as u64, jacobian(MAX_OPERATIONS.isqrt() / 2 + 1)),
         (MANY_OPERATIONS as u64, format!("{coordinate} force x = sum(i in 1..{terms}, sin(i * x));")),
         (MAX_LOCATED as u64, format!("{coordinate} force x = sum(i in 0..{}, abs(x - i));", MAX_LOCATED + 1)),

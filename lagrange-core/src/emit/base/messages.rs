@@ -21,11 +21,11 @@ pub(in crate::emit) fn hopeless(limit: usize) -> String {
     )
 }
 
-pub(in crate::emit) fn too_many_velocities(given: usize, most: usize) -> String {
-    format!("this system has {given} velocities, and equations of more than {most} take minutes to derive")
+pub(in crate::emit) fn too_many(given: usize, kind: &str, most: usize) -> String {
+    format!("this system has {given} {kind}, and equations of more than {most} take minutes to derive")
 }
 
-pub(in crate::emit) fn fewer_velocities() -> &'static str {
+pub(in crate::emit) fn fewer_unknowns() -> &'static str {
     "declare a part of it, and compute forces between many such parts in a loop that hands them in as inputs"
 }
 

@@ -8,7 +8,7 @@ use crate::derive::most_coupled;
 use crate::model::{Model, Product};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
-use lagrange_expr::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_VELOCITIES};
+use lagrange_expr::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_STATES, MAX_VELOCITIES};
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 
 /// Seconds of an unoptimised `cargo check` for a unit of size.
@@ -44,17 +44,27 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
-/// Reports more velocities than can be derived, at the first one too many, before anything is found out about them.
-pub fn report_too_many_velocities(declaration: &Declaration, report: &mut Report) -> Option<()> {
-    let velocities = declaration.statements.iter().flat_map(|statement| match &statement.kind {
+/// Reports more velocities or first-order states than can be derived, at the first one too many, before anything is found out
+/// about them.
+pub fn report_too_many_unknowns(declaration: &Declaration, report: &mut Report) -> Option<()> {
+    let statements = declaration.statements.iter();
+    let velocities = statements.clone().flat_map(|statement| match &statement.kind {
         StatementKind::Coordinates(names) => names.iter().collect(),
         StatementKind::Quaternion(quaternion) => quaternion.velocities.iter().collect(),
         _ => Vec::new(),
     });
-    let velocities = velocities.collect::<Vec<_>>();
-    let Some(first) = velocities.get(MAX_VELOCITIES) else { return Some(()) };
-    let message = messages::too_many_velocities(velocities.len(), MAX_VELOCITIES);
-    report.error(first.span, message).help(messages::fewer_velocities());
+    let states = statements.flat_map(|statement| match &statement.kind {
+        StatementKind::States(names) => names.iter().collect(),
+        _ => Vec::new(),
+    });
+    let kinds = [
+        (velocities.collect::<Vec<_>>(), "velocities", MAX_VELOCITIES),
+        (states.collect(), "states", MAX_STATES),
+    ];
+    let excess = kinds.into_iter().find(|(names, _, most)| names.len() > *most);
+    let Some((names, kind, most)) = excess else { return Some(()) };
+    let message = messages::too_many(names.len(), kind, most);
+    report.error(names[most].span, message).help(messages::fewer_unknowns());
     None
 }
 
