@@ -91,19 +91,19 @@ mod defaults {
         let mistakes = [
             (
                 "param _l: mm; coord x;",
-                "error at 1:11: there is no number here for this unit to scale: values of `_l` are in units of the SI",
+                "error at 1:11: there is no number here for this unit to scale: values of `_l` are in SI units",
             ),
             (
                 "coord x: deg;",
-                "error at 1:10: there is no number here for this unit to scale: values of `x` are in units of the SI",
+                "error at 1:10: there is no number here for this unit to scale: values of `x` are in SI units",
             ),
             (
                 "coord x[2]: deg;",
-                "error at 1:13: there is no number here for this unit to scale: values of `x[0]` are in units of the SI",
+                "error at 1:13: there is no number here for this unit to scale: values of `x[0]` are in SI units",
             ),
             (
                 "const a = 2; param _l: mm = 3 * a; coord x;",
-                "error at 1:29: values made of names are in units of the SI, not in `mm`",
+                "error at 1:29: values computed from names are in SI units, not in `mm`",
             ),
         ];
         for (text, message) in mistakes {
@@ -198,7 +198,7 @@ mod inference {
         let expected = "error at 6:15: this is a length (m), but `dissipation` adds powers (W): a factor in N/s is missing
   note at 5:11: `c` is a length (m), since the force on `x` is a force (N)
   note at 3:13: `k` is a stiffness (N/m), since `potential` adds energies (J)
-  help: compare the units of what it is made of: `c` is in m
+  help: compare the units of its parts: `c` is in m
 ";
         assert_eq!(report, expected);
     }

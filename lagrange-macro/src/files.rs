@@ -20,9 +20,9 @@ pub(crate) fn read(folder: &Path, path: &str) -> Result<FileText, String> {
     }
     // Also what only looks like a file: those of the kernel have no length, and some are waited for.
     if !metadata.is_file() {
-        return Err("it is no file, but a device, a pipe or a socket".to_owned());
+        return Err("it is not a regular file, but a device, a pipe or a socket".to_owned());
     }
-    let too_large = || format!("it has more than {} MB, too much for a table", MAX_BYTES >> 20);
+    let too_large = || format!("it is larger than {} MB, too large for a table", MAX_BYTES >> 20);
     if metadata.len() > MAX_BYTES {
         return Err(too_large());
     }

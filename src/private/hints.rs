@@ -68,11 +68,11 @@ hints! {
     pub trait EmitsKineticEnergy {} for fn kinetic_energy in KineticEnergy:
         "the declaration of `{Self}` does not emit `kinetic_energy`",
         "take `no kinetic_energy` out of its `emit {{ … }}`",
-        "a system that is declared by `lagrangian = …;` has no kinetic energy of its own";
+        "a system declared by `lagrangian = …;` has no separate kinetic energy";
     pub trait EmitsPotentialEnergy {} for fn potential_energy in PotentialEnergy:
         "the declaration of `{Self}` does not emit `potential_energy`",
         "take `no potential_energy` out of its `emit {{ … }}`",
-        "a system that is declared by `lagrangian = …;` has no potential energy of its own";
+        "a system declared by `lagrangian = …;` has no separate potential energy";
     pub trait EmitsEnergy {} for fn energy in Energy:
         "the declaration of `{Self}` does not emit `energy`",
         "take `no energy` out of its `emit {{ … }}`";
@@ -81,7 +81,7 @@ hints! {
         "take `no inverse_dynamics` out of its `emit {{ … }}`";
     pub trait EmitsConstraints {} for fn constraints in Constraints:
         "the declaration of `{Self}` does not emit `constraints`",
-        "systems with constraints emit it, unless `emit {{ … }}` says `no constraints`";
+        "systems with constraints emit it, unless `emit {{ … }}` contains `no constraints`";
     pub trait EmitsConstraintVelocity {} for fn constraint_velocity in ConstraintVelocity:
         "the declaration of `{Self}` does not emit `constraint_velocity`",
         "systems with constraints emit it";
@@ -90,7 +90,7 @@ hints! {
         "systems with constraints emit it";
     pub trait EmitsConstraintForces {} for fn constraint_forces in ConstraintForces:
         "the declaration of `{Self}` does not emit `constraint_forces`",
-        "systems with constraints emit it, unless `emit {{ … }}` says `no constraint_forces`";
+        "systems with constraints emit it, unless `emit {{ … }}` contains `no constraint_forces`";
     pub trait EmitsStatements {} for const STATEMENTS in Statements:
         "the declaration of `{Self}` does not emit `STATEMENTS`",
         "add `emit {{ statements }}` to the declaration",
@@ -113,7 +113,7 @@ hints! {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no default value",
     label = "no default value",
-    note = "a declared system has one if each of its parameters does, as by `param m = 2.0;`",
+    note = "a declared system has one if each of its parameters has a default, such as `param m = 2.0;`",
     note = "or write it with all its fields, as `Name {{ m: 2.0, l: 1.0 }}`"
 )]
 pub trait HasDefault {}

@@ -416,7 +416,7 @@ fn what_a_control_does_wrong_is_named() {
         let error = cart.simulate(TILTED).until(1.0).sampled(period, balance).run().expect_err("no period");
         assert_eq!(
             error.cause,
-            SettingError::Invalid("the interval of sampling must be positive and finite").into()
+            SettingError::Invalid("the sampling interval must be positive and finite").into()
         );
     }
 }

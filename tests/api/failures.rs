@@ -114,8 +114,8 @@ fn an_acceleration_that_is_not_finite_is_named_with_its_time() {
     let beyond = said(&Cart::default(), [1.5, 0.0, 0.0, 0.0]);
     assert_eq!(
         beyond,
-        "the acceleration `x_ddot` comes to NaN at time 0.0, although the state is finite: a formula is undefined or singular there, as \
-         roots of negative numbers or negative powers of zero are (at time 0.0)"
+        "the acceleration `x_ddot` is NaN at time 0.0, although the state is finite: a formula is undefined or singular there, such as \
+         a root of a negative number or a negative power of zero (at time 0.0)"
     );
     // … and where the motion reaches it, whatever the method.
     let pushed = Cart { u: 5.0, ..Cart::default() };
@@ -123,7 +123,7 @@ fn an_acceleration_that_is_not_finite_is_named_with_its_time() {
     let fixed = pushed.simulate(START).until(5.0).method(RungeKutta4 { step: 1e-3 }).run().expect_err("too");
     for error in [adaptive, fixed] {
         let message = error.to_string();
-        assert!(message.starts_with("the acceleration `x_ddot` comes to NaN at time "), "{message}");
+        assert!(message.starts_with("the acceleration `x_ddot` is NaN at time "), "{message}");
         let time = message.split("at time ").nth(1).and_then(|rest| rest.split(',').next());
         let time: f64 = time.expect("a time").parse().expect("a number");
         assert!(time >= error.time() && time < error.time() + 2e-3, "{message}");
@@ -166,7 +166,7 @@ fn events_that_accumulate_are_named_as_they_were_given() {
     let error = run.event_with("ground", Direction::Falling, |_, _, [y, ..]| *y, lose).run();
     let error = error.expect_err("it comes to rest");
     assert_eq!(error.name.as_deref(), Some("ground"));
-    assert!(error.to_string().contains(" of event `ground` cannot be told apart in time"), "{error}");
+    assert!(error.to_string().contains(" of event `ground` cannot be distinguished in time"), "{error}");
 }
 
 #[test]
@@ -230,7 +230,7 @@ fn wrappers_name_what_is_inside() {
     let own = said(Cart::default(), [0.1, 0.2, 0.3, 0.4, f64::NAN]);
     assert_eq!(own, "the component at index 4 of the state is NaN");
     let rate = said(Cart::default(), [0.1, 0.2, 0.3, 0.4, 0.75]);
-    assert!(rate.starts_with("the rate of the component at index 4 comes to NaN at time 0.0"), "{rate}");
+    assert!(rate.starts_with("the rate of the component at index 4 is NaN at time 0.0"), "{rate}");
 }
 
 /// A number type of one's own is no reason not to know names.

@@ -78,7 +78,7 @@ fn a_start_off_the_constraints_is_refused_by_name_with_what_is_left_of_them() {
     assert_eq!(refused([0.0, -0.5, 0.0, 0.0]), StepFailure::Violated(wanted));
     assert_eq!(
         wanted.to_string(),
-        "the velocities violate the constraint `motor`, which comes to -1.0 instead of 0"
+        "the velocities violate the constraint `motor`, which is -1.0 instead of 0"
     );
 }
 

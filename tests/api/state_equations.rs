@@ -263,7 +263,7 @@ fn states_that_are_not_finite_are_named() {
             true => run.method(RungeKutta4 { step: 1e-2 }).run().expect_err("fails").to_string(),
             false => run.run().expect_err("fails").to_string(),
         };
-        assert!(error.starts_with("the rate `s_dot` comes to NaN at time 1.0"), "{error}");
+        assert!(error.starts_with("the rate `s_dot` is NaN at time 1.0"), "{error}");
     }
 }
 

@@ -113,5 +113,5 @@ fn energy_is_kept_on_a_road_from_a_file() {
 fn a_run_that_leaves_its_table_ends_with_an_error() {
     let run = Pulled.simulate([49.0, 2.0]).until(5.0).tolerance(1e-9).run();
     let error = run.expect_err("the road ends at 50 m");
-    assert!(error.to_string().contains("`x_ddot` comes to NaN"), "{error}");
+    assert!(error.to_string().contains("`x_ddot` is NaN"), "{error}");
 }

@@ -309,7 +309,7 @@ fn steps_that_times_so_far_from_zero_cannot_tell_are_refused() {
             run().every(0.1).run(),
         ] {
             let error = refused.err().unwrap_or_else(|| panic!("from {start}"));
-            assert!(error.to_string().contains("lost in the rounding of"), "{error}");
+            assert!(error.to_string().contains("below the rounding error of"), "{error}");
             assert_eq!(error.trajectory.last(), [1.0, 0.0]);
         }
     }

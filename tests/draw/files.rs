@@ -63,7 +63,7 @@ fn pictures_are_saved_by_extension() {
 fn what_cannot_be_written_is_refused_with_its_path() {
     let picture = Drawing::of(&LADDER).picture(0.0, &[0.9, -1.0]).expect("draws");
     let refused = picture.save("ladder.jpeg").expect_err("is no format that is known").to_string();
-    assert_eq!(refused, "`ladder.jpeg` does not end in the name of a format: one of svg, png");
+    assert_eq!(refused, "`ladder.jpeg` does not end in the name of a format, which is one of svg, png");
     for name in ["none/ladder.svg", "none/ladder.png"] {
         let error = picture.save(path(name)).expect_err("has no folder");
         assert!(matches!(error, DrawError::Io { .. }), "{error:?}");

@@ -289,7 +289,7 @@ fn a_lock_from_another_machine_is_explained() {
     fs::write(&lock, "process 4711 on elsewhere\n").expect("writes");
     let error = ensemble(&DoublePendulum::default()).save_parquet(&folder.0).expect_err("is locked");
     let text = error.to_string();
-    assert!(text.contains("process 4711 on elsewhere") && text.contains("delete that file"), "{text}");
+    assert!(text.contains("process 4711 on elsewhere") && text.contains("delete the file"), "{text}");
     assert!(lock.exists());
 }
 

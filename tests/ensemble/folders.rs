@@ -81,7 +81,7 @@ fn a_declaration_that_was_changed_does_not_go_on() {
     for result in changed {
         let error = result.expect_err("is another declaration").to_string();
         assert!(error.contains("equations, constants, events and tables with the fingerprint"), "{error}");
-        assert!(error.ends_with("; put back what was changed, or save into another folder"), "{error}");
+        assert!(error.ends_with("; undo the change, or save to another folder"), "{error}");
     }
     assert!(files(path) == before);
     // In other words it is the same.
@@ -180,7 +180,7 @@ fn parts_of_two_ensembles_are_not_verified() {
     fs::copy(other.0.join("part-000001.parquet"), folder.0.join("part-000001.parquet"))
         .expect("can be copied");
     let error = verify(&folder.0).expect_err("is of another").to_string();
-    assert!(error.contains("it says `seed 1`, here it is `seed 0`"), "{error}");
+    assert!(error.contains("its settings contain `seed 1` instead of `seed 0`"), "{error}");
 }
 
 /// The numbers of parts decide about no memory.
@@ -313,7 +313,7 @@ fn parts_of_another_ensemble_are_refused() {
     assert_refused(ensemble(&pendulum).max_steps(10).save_parquet(&folder.0), "10 steps");
     let error =
         ensemble(&pendulum).max_steps(10).save_parquet(&folder.0).expect_err("is another").to_string();
-    assert!(error.contains("it does not say `run at most 10 steps`, which is so here;"), "{error}");
+    assert!(error.contains("its settings lack `run at most 10 steps`;"), "{error}");
     let columns = |names: [&str; 2]| {
         let [one, other] = names;
         ensemble(&pendulum).observe(one, |_, t, _| t).observe(other, |_, t, _| t)
@@ -321,9 +321,9 @@ fn parts_of_another_ensemble_are_refused() {
     let two = Folder::new("columns");
     columns(["a", "b"]).shard(Shard::of(0, PARTS as u64)).save_parquet(&two.0).expect("saves");
     let error = columns(["b", "a"]).save_parquet(&two.0).expect_err("has another order").to_string();
-    assert!(error.contains("what was asked for had another order"), "{error}");
+    assert!(error.contains("its settings were specified in another order"), "{error}");
     let error = ensemble(&pendulum).save_parquet(&two.0).expect_err("has no columns").to_string();
-    assert!(error.contains("it says `run column a`, which is not so here;"), "{error}");
+    assert!(error.contains("its settings contain `run column a`, unlike those here;"), "{error}");
     assert_refused(ensemble(&lighter).save_parquet(&folder.0), "motion 0 starts at");
     let method = RungeKutta4 { step: 0.1 };
     assert_refused(ensemble(&pendulum).method(method).save_parquet(&folder.0), "RungeKutta4");

@@ -40,11 +40,11 @@ fn read_arguments(arguments: &[&str]) -> Result<(String, Options), String> {
             "--inputs" => options.has_inputs = true,
             "--trust-inertia" => options.trusts_inertia = true,
             "--name" => {
-                let name = arguments.next().ok_or("`--name` needs a name behind it")?;
+                let name = arguments.next().ok_or("`--name` needs a name after it")?;
                 options.name = Some((*name).to_owned());
             }
             _ if argument.starts_with("--") => {
-                return Err(format!("there is no option `{argument}`\nusage: {USAGE}"));
+                return Err(format!("unknown option `{argument}`\nusage: {USAGE}"));
             }
             _ if path.is_some() => return Err(format!("one file at a time\nusage: {USAGE}")),
             _ => path = Some(argument.to_owned()),

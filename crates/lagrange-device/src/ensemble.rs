@@ -13,7 +13,7 @@ use crate::number::{DeviceNumber, Precision};
 type Change<'a, M> = Box<dyn Fn(usize, &M) -> M + 'a>;
 
 /// Motions of one system. They want to know when they end.
-#[must_use = "say when the motions end: `.until(time)`"]
+#[must_use = "specify the end of the motions: `.until(time)`"]
 pub struct Motions<'a, M: KernelSystem> {
     backend: &'a dyn Backend,
     system: &'a M,
@@ -121,23 +121,23 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         let Motions { starts, from, .. } = &self.motions;
         let motions = u32::try_from(starts.len()).ok().filter(|motions| *motions < u32::MAX - 1024);
         let motions =
-            motions.ok_or(DeviceError::Setting("there may be four thousand million motions at most"))?;
+            motions.ok_or(DeviceError::Setting("an ensemble has at most 2^32 motions"))?;
         if motions == 0 {
-            return Err(DeviceError::Setting("an ensemble needs a motion at least"));
+            return Err(DeviceError::Setting("an ensemble needs at least one motion"));
         }
         if !(from.to_f64().is_finite() && self.end.to_f64().is_finite()) {
-            return Err(DeviceError::Setting("the times of start and end must be finite"));
+            return Err(DeviceError::Setting("the start and end times must be finite"));
         }
         let (method, step) = match self.step.map(DeviceNumber::to_f64) {
             Some(step) if step > 0.0 && step.is_finite() => (Method::RungeKutta4, step),
-            Some(_) => return Err(DeviceError::Setting("the length of steps must be positive and finite")),
+            Some(_) => return Err(DeviceError::Setting("the step size must be positive and finite")),
             // What is still to come, such as a push at a given time, does not show in the errors of a system at rest.
             None => (Method::DormandPrince, (self.end.to_f64() - from.to_f64()).abs() / 20.0),
         };
         let tolerance = self.tolerance.map_or(T::TOLERANCE, DeviceNumber::to_f64);
         if !(tolerance >= T::LEAST_TOLERANCE && tolerance.is_finite()) {
             return Err(DeviceError::Setting(
-                "the tolerance must be finite, and 1e-14 at least, 1e-6 in single precision",
+                "the tolerance must be finite and at least 1e-14, in single precision 1e-6",
             ));
         }
         let parameters = (0..starts.len()).map(|index| self.parameters_of(index)).collect::<Vec<_>>();

@@ -38,11 +38,11 @@ impl fmt::Display for DeviceError {
         match self {
             DeviceError::NotFound(tried) => write!(f, "no device: {}", tried.join("; ")),
             DeviceError::NoDoublePrecision { device } => {
-                write!(f, "{device} has no numbers of double precision: ask for `.single_precision()`")
+                write!(f, "{device} does not support double precision: call `.single_precision()`")
             }
             DeviceError::Setting(words) => f.write_str(words),
             DeviceError::Build { device, log } => {
-                write!(f, "the compiler of {device} refuses the kernel:\n{log}")
+                write!(f, "the compiler of {device} rejects the kernel:\n{log}")
             }
             DeviceError::Driver { device, task, reason } => write!(f, "{device} cannot {task}: {reason}"),
         }

@@ -74,11 +74,15 @@ impl Display for DrawError {
                 write!(f, "a scene cannot be seen from azimuth {azimuth} and elevation {elevation}")
             }
             DrawError::Size([width, height]) => {
-                write!(f, "a picture cannot be {width} by {height} pixels large")
+                write!(f, "a picture cannot have {width} by {height} pixels")
             }
             DrawError::Extension { path, known } => {
                 let known = known.join(", ");
-                write!(f, "`{}` does not end in the name of a format: one of {known}", path.display())
+                write!(
+                    f,
+                    "`{}` does not end in the name of a format, which is one of {known}",
+                    path.display()
+                )
             }
             DrawError::Film(reason) => f.write_str(reason),
             DrawError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),

@@ -166,7 +166,7 @@ impl Display for PlotError {
                 write!(f, "the range of `{name}` must go from a finite number to a larger one")
             }
             PlotError::Extension(path) => {
-                write!(f, "plots are saved as .svg or .png, and `{}` ends in neither", path.display())
+                write!(f, "plots are saved as .svg or .png, but `{}` ends in neither", path.display())
             }
             PlotError::Io { path, error } => write!(f, "cannot write `{}`: {error}", path.display()),
             PlotError::Backend(error) => write!(f, "the plot could not be drawn: {error}"),

@@ -123,7 +123,7 @@ pub trait Number:
 
     lagrange_math::functions!(methods);
 
-    /// `self` to a real power: NaN for a negative base with an exponent that is no integer, and for NaN in
+    /// `self` to a real power: NaN for a negative base with an exponent that is not an integer, and for NaN in
     /// either place; else as IEEE 754 `pow`.
     ///
     /// Unlike [`f64::powf`], which hides NaN in 1^NaN and NaN^0.

@@ -19,7 +19,7 @@ type ItemOf<'a, M> = Item<'a, <M as OdeSystem>::Scalar, <M as Scene>::Space>;
 
 /// A system of bodies that hands out what there is to draw of it.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not say what there is to draw of it",
+    message = "`{Self}` has nothing to draw",
     note = "declare it with `emit {{ drawing }}`"
 )]
 pub trait Scene: MechanicalSystem {

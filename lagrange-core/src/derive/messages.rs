@@ -15,4 +15,4 @@ pub(super) fn singular_mass_matrix(coordinates: &[&str]) -> String {
 }
 
 pub(super) const SINGULAR_HELP: &str =
-    "add the kinetic energy that is missing, or describe the motion with fewer coordinates";
+    "add the missing kinetic energy, or describe the motion with fewer coordinates";

@@ -33,14 +33,14 @@ pub(super) const INNER_OR_CROSS: &str =
 pub(super) const DIVISION_BY_VECTOR: &str = "cannot divide by a vector";
 pub(super) const DIVISION_BY_ZERO: &str = "division by zero";
 
-pub(super) const FUNCTION_HELP: &str = "write its arguments in parentheses behind it";
+pub(super) const FUNCTION_HELP: &str = "write its arguments in parentheses after it";
 pub(super) const TUPLE_SIZE_HELP: &str =
     "write as many names as there are components, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
-pub(super) const ZERO_BASE_HELP: &str = "a negative power of zero has no value";
-pub(super) const DIVISION_HELP: &str = "this divisor is zero whatever the parameters are";
+pub(super) const ZERO_BASE_HELP: &str = "a negative power of zero is undefined";
+pub(super) const DIVISION_HELP: &str = "this divisor is zero for all values of the parameters";
 
-pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to be kept exactly";
-pub(super) const NUMBER_TOO_LONG_HELP: &str = "round a constant before it is used again and again";
+pub(super) const NUMBER_TOO_LONG: &str = "the numbers in this expression become too long to remain exact";
+pub(super) const NUMBER_TOO_LONG_HELP: &str = "round a constant before using it repeatedly";
 
 pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
     let exponent = if exponent.contains(['/', '-']) { format!("({exponent})") } else { exponent.to_owned() };
@@ -49,7 +49,7 @@ pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {
 
 pub(super) fn varying_power_of_negative(base: &str) -> String {
     format!(
-        "a power of the negative number {base} is real only for integer exponents, which this one need not be"
+        "a power of the negative number {base} is real only for integer exponents, and this exponent may have other values"
     )
 }
 
@@ -67,14 +67,14 @@ pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
 }
 
 pub(super) fn vanishing(is_constant: bool, scalar: &str) -> String {
-    format!("{} is too small for `{scalar}`, in which it would be zero", number_in(is_constant))
+    format!("{} is too small for `{scalar}`, where it would become zero", number_in(is_constant))
 }
 
 fn number_in(is_constant: bool) -> &'static str {
     if is_constant { "this number" } else { "a number in this expression" }
 }
 
-pub(super) const VANISHING_HELP: &str = "choose smaller units, or leave it out";
+pub(super) const VANISHING_HELP: &str = "choose smaller units, or remove it";
 
 pub(super) fn no_component(component: &str, kind: &str) -> String {
     format!("there is no component `{component}` in {kind}")
@@ -88,13 +88,13 @@ pub(super) fn rate_of_input(name: &str) -> String {
 
 /// Message for the rate of what is made of numbers and parameters.
 pub(super) fn rate_of_constant(what: &str) -> String {
-    format!("`{what}` does not change during the motion, so that its rate is zero")
+    format!("`{what}` does not change during the motion, so its rate is zero")
 }
 
-pub(super) const RATE_OF_CONSTANT_HELP: &str = "leave the rate out, make what changes a `coord`, or write it as a function of `t`: `dot` is the rate of what moves, and `inner(v, w)` the scalar product";
+pub(super) const RATE_OF_CONSTANT_HELP: &str = "remove the rate, declare the quantity as a `coord`, or write it as a function of `t`; the scalar product is `inner(v, w)`";
 
 pub(super) const RATE_OF_FORCE_HELP: &str =
-    "leave the rate out: forces follow from the motion, not from an equation of their own";
+    "remove the rate: forces follow from the motion, not from a separate equation";
 
 pub(super) fn rate_of_force(name: &str) -> String {
     format!("the rate of the force `{name}` is unknown")
@@ -115,7 +115,7 @@ pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> St
     format!("{place} must not depend on {culprit}")
 }
 
-pub(super) const NO_VELOCITY: &str = "this is no velocity: it is not a sum of rates";
+pub(super) const NO_VELOCITY: &str = "this is not a velocity: it is not a sum of rates";
 pub(super) const NO_VELOCITY_HELP: &str = "a force works along a velocity such as `dot(x)` or `dot(x) - r * dot(phi)`; at a point, write `force F at P;`";
 pub(super) const PLACE_HELP: &str = "places and angles are functions of the coordinates and of time";
 pub(super) const POTENTIAL_HELP: &str =
@@ -131,10 +131,10 @@ pub(super) fn not_constant(what: &str) -> String {
 }
 
 pub(super) const NOT_CONSTANT_HELP: &str =
-    "compute it from numbers, `pi` and `const` names only; what `let` names may depend on anything";
+    "compute it from numbers, `pi` and `const` names only; a `let` may depend on anything";
 
 pub(super) fn both_lagrangian_and(other: &str) -> String {
-    format!("`{other}` beside `lagrangian`")
+    format!("`{other}` cannot be combined with `lagrangian`")
 }
 
 pub(super) const LAGRANGIAN_HELP: &str = "L = T - V: give either `lagrangian`, or `kinetic` and `potential`";
@@ -155,21 +155,21 @@ pub(super) const NO_INERTIA_HELP: &str = "add its kinetic energy, or make it a `
 pub(super) const NEGATIVE_INERTIA: &str = "this mass or moment of inertia is negative";
 
 pub(super) fn negative_kinetic_energy(name: &str) -> String {
-    format!("the kinetic energy of this falls as `{name}` moves faster, but inertia is positive")
+    format!("this kinetic energy decreases as `{name}` moves faster, but inertia is positive")
 }
 
 pub(super) const NEGATIVE_INERTIA_HELP: &str =
-    "mind the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
+    "check the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
 
 pub(super) const MOMENTA_JUMP: &str =
     "energies need second derivatives by velocities, but here a momentum jumps where this changes its branch";
 
-pub(super) const MOMENTA_JUMP_HELP: &str = "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for what acts against a motion";
+pub(super) const MOMENTA_JUMP_HELP: &str = "write an even power, such as `1/2*m*norm(v)^2`, or a `force`, `dissipation` or `friction` for a resistance to motion";
 
-pub(super) const GIBBS_WITHOUT_ACCELERATIONS: &str = "a Gibbs function without accelerations";
+pub(super) const GIBBS_WITHOUT_ACCELERATIONS: &str = "this Gibbs function does not depend on accelerations";
 pub(super) const GIBBS_OF_HIGH_DEGREE: &str =
-    "a Gibbs function is a polynomial of degree two in the accelerations, which this is not";
-pub(super) const GIBBS_HELP: &str = "sum up ½ m |a|² of all masses m, with accelerations such as `ddot(x)`";
+    "a Gibbs function must be a polynomial of degree two in the accelerations";
+pub(super) const GIBBS_HELP: &str = "add up ½ m |a|² of all masses m, with accelerations such as `ddot(x)`";
 
 pub(super) fn not_a_coordinate(name: &str) -> String {
     format!("`{name}` is not a coordinate")
@@ -195,7 +195,7 @@ pub(super) fn coordinates_are(names: &[&str], usage: &str) -> String {
 }
 
 pub(super) fn reserved_output(name: &str) -> String {
-    format!("an output cannot be called `{name}`, since the system has something of that name")
+    format!("an output cannot be called `{name}`, since the system already has a member of that name")
 }
 
 pub(super) const OTHER_NAME_HELP: &str = "choose another name";
@@ -209,12 +209,12 @@ pub(super) fn coordinate_is_here(name: &str) -> String {
 }
 
 pub(super) fn unknown_product(name: &str) -> String {
-    format!("`{name}` is nothing that can be emitted")
+    format!("`{name}` cannot be emitted")
 }
 
 pub(super) fn products() -> String {
     let names = Product::ALL.map(|product| format!("`{}`", product.name()));
-    format!("there are {}; write `no` before one to leave it out", names.join(", "))
+    format!("the options are {}; write `no` before one to omit it", names.join(", "))
 }
 
 pub(super) fn needs_separate_energies(name: &str) -> String {
@@ -235,17 +235,18 @@ pub(super) fn needed_product_help(name: &str, reason: &str) -> String {
     format!("remove `no {name}`: {reason}")
 }
 
-pub(super) const NEEDED_BY_MOMENTUM_RATES: &str = "methods that use `momentum_rates` find velocities by it";
-pub(super) const NEEDED_BY_PROJECTION: &str = "states are brought back onto the constraints by it";
+pub(super) const NEEDED_BY_MOMENTUM_RATES: &str =
+    "methods that use `momentum_rates` compute velocities with it";
+pub(super) const NEEDED_BY_PROJECTION: &str = "it projects states back onto the constraints";
 
 pub(super) fn derivative_of_jumps(name: &str) -> String {
     format!("`{name}` does not exist for a system with contacts or dry friction: its accelerations jump")
 }
 
-pub(super) const DERIVATIVE_OF_JUMPS_HELP: &str = "leave it out; implicit methods iterate without it";
+pub(super) const DERIVATIVE_OF_JUMPS_HELP: &str = "remove it; implicit methods iterate without it";
 
 pub(super) fn acts_here(name: &str) -> String {
-    format!("`{name}` acts or does not act, by its mode")
+    format!("`{name}` acts or not, depending on its mode")
 }
 
 pub(super) fn tuple_size(names: usize, found: &str) -> String {
@@ -271,21 +272,23 @@ pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
 }
 
 pub(super) fn number_too_small(name: &str, scalar: &str) -> String {
-    format!("the default of `{name}` is too small for `{scalar}`, in which it would be zero")
+    format!("the default of `{name}` is too small for `{scalar}`, where it would become zero")
 }
 
 // Constraints.
 
 pub(super) fn constrains_nothing(name: &str) -> String {
-    format!("the constraint `{name}` holds no coordinate")
+    format!("the constraint `{name}` does not depend on any coordinate")
 }
 
 pub(super) fn impossible_constraint(name: &str, value: &str) -> String {
-    format!("the constraint `{name}` can never be fulfilled: it holds no coordinate, and is {value}, not 0")
+    format!(
+        "the constraint `{name}` cannot be satisfied: it does not depend on any coordinate and is {value}, not 0"
+    )
 }
 
 pub(super) const CONSTRAINS_NOTHING_HELP: &str =
-    "write what is to be zero as a function of coordinates or velocities";
+    "write a function of coordinates or velocities that is to be zero";
 
 pub(super) fn nonlinear_constraint(name: &str) -> String {
     format!("the constraint `{name}` is not linear in the velocities")
@@ -295,9 +298,7 @@ pub(super) const NONLINEAR_CONSTRAINT_HELP: &str =
     "constraints are functions of coordinates and time, or sums of velocities times such functions";
 
 pub(super) fn repeated_constraint(name: &str, other: &str) -> String {
-    format!(
-        "the constraint `{name}` demands the same as `{other}`, so that nothing determines its multiplier"
-    )
+    format!("the constraint `{name}` repeats `{other}`, so nothing determines its multiplier")
 }
 
 pub(super) fn contradicting_constraint(name: &str, other: &str) -> String {
@@ -306,7 +307,7 @@ pub(super) fn contradicting_constraint(name: &str, other: &str) -> String {
 
 /// Message for two constraints that differ by what parameters decide.
 pub(super) fn nearly_repeated(name: &str, other: &str, difference: &str) -> String {
-    format!("the constraint `{name}` contradicts `{other}`, or demands the same where `{difference}` is zero")
+    format!("the constraint `{name}` contradicts `{other}`, or repeats it where `{difference}` is zero")
 }
 
 pub(super) const CONTRADICTING_HELP: &str =
@@ -318,15 +319,15 @@ pub(super) fn no_place(what: &str) -> String {
     format!("{what} must be made of coordinates and time")
 }
 
-pub(super) const REPEATED_JOINT: &str = "this joint demands what another constraint does already";
+pub(super) const REPEATED_JOINT: &str = "this joint repeats another constraint";
 pub(super) const FORCE_OF_IMPLIED: &str =
-    "this joint has no force of its own, since the coordinates fulfil it by themselves";
+    "this joint has no separate force, since the coordinates already satisfy it";
 pub(super) const FORCE_OF_IMPLIED_HELP: &str =
-    "add coordinates that could leave the joint: the constraint then gets a multiplier, which is the force";
+    "add coordinates that can violate the joint: the multiplier of its constraint is then the force";
 
 pub(super) const REDUCED_CONSTRAINTS: &str = "a system with constraints cannot be reduced yet";
 pub(super) const REDUCED_CONSTRAINTS_HELP: &str =
-    "leave the `reduce` out, or choose coordinates that fulfil the constraint by themselves";
+    "remove the `reduce`, or choose coordinates that satisfy the constraint identically";
 pub(super) const CONSTRAINT_IS_HERE: &str = "a constraint is here";
 
 // Reduced types.
@@ -335,28 +336,28 @@ pub(super) fn reduced_quaternion(name: &str) -> String {
     format!("`{name}` is a component of a unit quaternion, which has no meaning without the others")
 }
 pub(super) const REDUCED_QUATERNION_HELP: &str =
-    "write an orientation that is held or small with angles, as three revolute joints";
+    "describe a frozen or small orientation by angles, as three revolute joints";
 
 pub(super) const REDUCTION_HELP: &str = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
-pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so that nothing is left to move";
+pub(super) const ALL_FROZEN: &str = "every coordinate is frozen, so nothing can move";
 pub(super) const ALL_FROZEN_HELP: &str = "leave at least one coordinate free, or make it `small`";
 pub(super) const PINNED_VALUE: &str = "the value of a coordinate that is frozen or small";
 pub(super) const CONSTANT_IN_MOTION_HELP: &str =
     "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
-pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns`, `NameInputs`, `NamePrepared` and `NameLanes`: choose a name that is none of them";
+pub(super) const TYPE_NAME_HELP: &str = "each declared type `Name` comes with `NameState`, `NameColumns`, `NameInputs`, `NamePrepared` and `NameLanes`: choose a different name";
 
 pub(super) fn reduced_twice(name: &str) -> String {
     format!("`{name}` is named twice in this reduction")
 }
 
-pub(super) const NAMED_TWICE_HELP: &str = "leave one of them out";
-pub(super) const NAMED_HERE: &str = "it is named here already";
+pub(super) const NAMED_TWICE_HELP: &str = "remove one of them";
+pub(super) const NAMED_HERE: &str = "first named here";
 
 pub(super) fn type_name_taken(name: &str) -> String {
-    format!("the type name `{name}` is taken already")
+    format!("the type name `{name}` is already taken")
 }
 
-pub(super) const TYPE_NAMED_HERE: &str = "by what is declared here";
+pub(super) const TYPE_NAMED_HERE: &str = "by this declaration";
 
 pub(super) fn no_expansion(part: &str, coordinate: Option<&str>) -> String {
     match coordinate {
@@ -384,5 +385,4 @@ pub(super) fn inertia_lost(coordinate: &str) -> String {
     format!("`{coordinate}` has no inertia in this reduced system")
 }
 
-pub(super) const INERTIA_LOST_HELP: &str =
-    "its kinetic energy vanishes with what is frozen, or is of higher than second order in what is small";
+pub(super) const INERTIA_LOST_HELP: &str = "its kinetic energy vanishes with the frozen coordinates, or is of higher than second order in the small ones";

@@ -117,7 +117,7 @@ fn numbers_that_double_in_length_are_refused_before_they_fill_the_memory() {
     }
     text += "kinetic = dot(x)^2; potential = c40*x;";
     let report = parse(&text).expect_err("too long");
-    assert!(report.to_string().contains("too long to be kept exactly"), "{report}");
+    assert!(report.to_string().contains("too long to remain exact"), "{report}");
     assert_eq!(report.diagnostics().len(), 1);
 }
 

@@ -98,11 +98,11 @@ fn mistakes_about_joints_are_named() {
     let with = |rest: &str| mistakes(&format!("{rod}{rest}"));
     assert_eq!(
         with("revolute a = ground to rod { axis: (0, 1); }"),
-        ["in the plane bodies turn about its normal"]
+        ["bodies in the plane rotate about its normal"]
     );
     assert_eq!(
         with("revolute a = ground to rod; revolute b = ground to rod;"),
-        ["`rod` has its place already"]
+        ["`rod` already has a position"]
     );
     assert_eq!(with("revolute a = rod to ground;").len(), 2);
     assert_eq!(with("prismatic s = ground to rod { axis: (0, 0); }"), ["this axis has no direction"]);

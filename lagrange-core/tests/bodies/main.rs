@@ -183,7 +183,7 @@ fn a_joint_that_the_coordinates_fulfil_adds_nothing() {
     assert_eq!(derived.model.implied, ["contact_normal"]);
     assert_eq!(derived.model.constraints.len(), 1);
     let complaint = mistakes(&format!("{scene} output n = contact.normal;"));
-    assert!(complaint[0].contains("no force of its own"), "{complaint:?}");
+    assert!(complaint[0].contains("no separate force"), "{complaint:?}");
 }
 
 #[test]
@@ -195,7 +195,7 @@ fn a_force_that_is_missing_is_missed_where_it_is_used() {
         output f = h.force;",
     );
     let report = report.expect_err("no force").to_string();
-    assert!(report.starts_with("error at 4:20: this joint has no force of its own"), "{report}");
+    assert!(report.starts_with("error at 4:20: this joint has no separate force"), "{report}");
 }
 
 #[test]
@@ -250,14 +250,14 @@ fn mistakes_are_reported_together() {
     let expected = [
         "is used before it is declared",
         "no mass",
-        "no solid `dsk`",
+        "unknown solid `dsk`",
         "both a `center` and an `origin`",
         "`gravity` is declared twice",
         "pinned to itself",
-        "no line `flor`",
+        "unknown line `flor`",
         "`floor` is used before it is declared",
         "no `stiffness`",
-        "`point` belongs to a body, and `rood` is none",
+        "`point` needs a body, but `rood` is not one",
         "is a body and has no value",
         "has no `size`",
         "does not take 1 argument",
@@ -328,9 +328,9 @@ fn one_mistake_in_a_joint_is_one_message() {
     for (statements, expected) in [
         ("pin rod and (0, 0);", "expected `to`, found `and`"),
         ("slide rod at floor;", "expected `on`, found `at`"),
-        ("slide rod on floor; slide rod on floor;", "this joint demands what another constraint does already"),
+        ("slide rod on floor; slide rod on floor;", "this joint repeats another constraint"),
         ("line rail { on: rod; } body bead { mass: 1; center: rod.point(l, 0); } pin p = bead to rod.point(l, 0);
-            output f = p.force;", "this joint has no force of its own, since the coordinates fulfil it by themselves"),
+            output f = p.force;", "this joint has no separate force, since the coordinates already satisfy it"),
     ] {
         assert_eq!(mistakes(&format!("{body} {statements}")), [expected], "{statements}");
     }
@@ -340,18 +340,18 @@ fn one_mistake_in_a_joint_is_one_message() {
 fn what_has_no_effect_is_a_mistake() {
     let still = "param m; coord x, y; body b { mass: m; center: (x, y); shape: disk(1); } line f { }";
     for (statement, expected) in [
-        ("torque 1 on b;", "`b` never turns, so that a torque"),
-        ("torque 1 on ground;", "`ground` never turns, so that a torque"),
-        ("torsion_spring { from: ground; to: b; stiffness: 1; }", "`b` never turns, and neither"),
-        ("torsion_damper { from: b; to: ground; damping: 1; }", "`ground` never turns, and neither"),
-        ("roll b on f;", "`b` never turns, so that it cannot roll"),
+        ("torque 1 on b;", "`b` never rotates, so a torque"),
+        ("torque 1 on ground;", "`ground` never rotates, so a torque"),
+        ("torsion_spring { from: ground; to: b; stiffness: 1; }", "`b` never rotates, and neither"),
+        ("torsion_damper { from: b; to: ground; damping: 1; }", "`ground` never rotates, and neither"),
+        ("roll b on f;", "`b` never rotates, so it cannot roll"),
     ] {
         let complaints = mistakes(&format!("{still} {statement}"));
         assert_eq!(complaints.len(), 1, "{statement}: {complaints:?}");
         assert!(complaints[0].starts_with(expected), "{complaints:?}");
     }
     let complaints = mistakes("coord x; kinetic = kinetic_energy(1, dot(x)); gravity = (0, -1);");
-    assert_eq!(complaints, ["`gravity` acts on bodies, and there are none"]);
+    assert_eq!(complaints, ["`gravity` acts on bodies, but none is declared"]);
 }
 
 #[test]
@@ -363,7 +363,7 @@ fn points_are_no_angles_and_the_ground_is_no_point() {
         ("(p, p)", "", "this is a point"),
         ("p", "torsion_spring { from: (0, 0); to: b.center; stiffness: 1; }", "this is a point"),
         ("p", "torque 1 on b.point(1, 0);", "this is a point"),
-        ("p", "spring { from: ground; to: b; stiffness: 1; }", "the ground is no point"),
+        ("p", "spring { from: ground; to: b; stiffness: 1; }", "the ground is not a point"),
     ] {
         let complaints = mistakes(&format!("{} {statement}", body(angle)));
         assert!(complaints.iter().all(|line| line.starts_with(expected)), "{statement}: {complaints:?}");
@@ -406,7 +406,7 @@ fn another_centroid_needs_another_inertia() {
         let shape = "mass: 1; shape: slender_rod(1); centroid: (1/4, 0);";
         format!("coord x, y, a; body b {{ {shape} {inertia} origin: (x, y); angle: a; }}")
     };
-    assert_eq!(mistakes(&body("")), ["the moment of inertia of `b` about this centroid is not known"]);
+    assert_eq!(mistakes(&body("")), ["the moment of inertia of `b` about this centroid is unknown"]);
     motion(&body("inertia: 1/9;"));
 }
 
@@ -423,7 +423,7 @@ fn places_are_made_of_coordinates_and_time() {
 fn bodies_do_not_go_with_a_lagrangian() {
     let complaints =
         mistakes("coord x; lagrangian = dot(x)^2; gravity = (0, -1); body b { mass: 1; center: (x, 0); }");
-    assert_eq!(complaints, ["body `b` beside `lagrangian`"]);
+    assert_eq!(complaints, ["body `b` cannot be combined with `lagrangian`"]);
 }
 
 #[test]

@@ -87,8 +87,8 @@ fn in_takes_the_whole_expression_before_it() {
 fn what_a_joint_says_is_not_said_twice() {
     let message =
         mistakes("coord e; body rod { mass: 1; inertia: 1; angle: e; } revolute a = ground to rod;");
-    assert_eq!(message[0], "the angle of `rod` is made by the joint that places it");
+    assert_eq!(message[0], "the joint that places `rod` determines its angle");
     let message =
         mistakes("body rod { mass: 1; inertia: 1; } output p = rod.center; revolute a = ground to rod;");
-    assert_eq!(message[0], "`rod` has no place yet");
+    assert_eq!(message[0], "`rod` has no position yet");
 }

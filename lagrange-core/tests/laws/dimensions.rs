@@ -198,7 +198,7 @@ fn found(tree: &Tree) -> Option<Found> {
         }
         Err(report) => {
             let text = report.to_string();
-            let is_of_units = text.contains(", but ") || text.contains("this does not fit");
+            let is_of_units = text.contains(", but ") || text.contains("the units do not match");
             is_of_units.then_some(Found::Wrong)
         }
     }

@@ -26,10 +26,10 @@ pub(super) fn devices() -> Found {
     let (driver, compiler) =
         unsafe { (cudarc::driver::sys::is_culib_present(), cudarc::nvrtc::sys::is_culib_present()) };
     if !driver {
-        return Err("CUDA has no driver: install that of the NVIDIA device".to_owned());
+        return Err("CUDA has no driver: install the NVIDIA driver".to_owned());
     }
     if !compiler {
-        return Err("CUDA has no compiler: install NVRTC, which is in the CUDA toolkit".to_owned());
+        return Err("CUDA has no compiler: install NVRTC from the CUDA toolkit".to_owned());
     }
     let count = CudaContext::device_count().map_err(|error| format!("CUDA counts no devices: {error}"))?;
     let opened = (0..count.unsigned_abs() as usize).map(Cuda::open).collect::<Result<Vec<_>, _>>();
@@ -96,7 +96,7 @@ impl<T: DeviceRepr + Copy> Run<T> for Cuda {
                 reason: error.to_string(),
             }
         };
-        let (major, minor) = self.context.compute_capability().map_err(failed("tell its version"))?;
+        let (major, minor) = self.context.compute_capability().map_err(failed("report its version"))?;
         let options = vec![format!("--gpu-architecture=compute_{major}{minor}")];
         let options = CompileOptions { options, ..CompileOptions::default() };
         let compiled = compile_ptx_with_opts(text, options).map_err(|error| {

@@ -122,13 +122,13 @@ fn check_count(times: &[f64], pictures: usize) -> Result<(), DrawError> {
 fn check_pictures(pictures: &[Picture]) -> Result<(), DrawError> {
     for (index, picture) in pictures.iter().enumerate() {
         if picture.size != pictures[0].size {
-            return Err(refusal(&format!("picture {index} has another size than the first")));
+            return Err(refusal(&format!("picture {index} differs in size from the first")));
         }
         if picture.marks.len() != pictures[0].marks.len() {
-            return Err(refusal(&format!("picture {index} has other marks than the first")));
+            return Err(refusal(&format!("picture {index} differs in its marks from the first")));
         }
         if !picture.marks.iter().all(is_finite) {
-            return Err(refusal(&format!("a mark of picture {index} is not at a finite place")));
+            return Err(refusal(&format!("a mark of picture {index} is not at a finite position")));
         }
     }
     Ok(())

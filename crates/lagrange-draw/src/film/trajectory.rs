@@ -68,7 +68,8 @@ impl<D: DrawnSpace> Film<D> {
                 .ok_or_else(|| refusal(&format!("the trajectory has no column `{name}`")))?;
             let value = |t: &f64| Some(column[sample(trajectory, *t)?].into());
             let values: Option<Vec<f64>> = film.times().iter().map(value).collect();
-            let values = values.ok_or_else(|| refusal("columns hold values at the times of samples only"))?;
+            let values =
+                values.ok_or_else(|| refusal("columns contain values only at the times of samples"))?;
             film = film.with_values(name, values)?;
         }
         Ok(film)
@@ -108,7 +109,7 @@ fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
         return Ok(());
     }
     Err(refusal(&format!(
-        "a film has at most {MAX_PICTURES} pictures, and this would have {pictures:.0}: take fewer a second, or a shorter run"
+        "a film has at most {MAX_PICTURES} pictures, but this would have {pictures:.0}: use fewer per second, or a shorter run"
     )))
 }
 
@@ -131,7 +132,7 @@ where
     M::Scalar: Into<f64>,
 {
     if !(pictures_a_second > 0.0 && pictures_a_second.is_finite()) {
-        return Err(refusal("a film needs a positive number of pictures a second"));
+        return Err(refusal("a film needs a positive number of pictures per second"));
     }
     let (start, end) = (trajectory.start_time(), trajectory.end_time());
     let duration: f64 = (end - start).into();

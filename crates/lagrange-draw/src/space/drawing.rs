@@ -25,7 +25,7 @@ impl DrawnSpace for Spatial {
         let snapshots = shots.iter().map(snapshot).collect::<Result<Vec<_>, DrawError>>()?;
         let differing = snapshots.iter().find_map(|snapshot| difference(&snapshots[0], snapshot));
         if let Some(name) = differing {
-            return Err(refusal(&format!("`{name}` is not the same at all moments")));
+            return Err(refusal(&format!("`{name}` changes from moment to moment")));
         }
         // What moves in the past only is seen by its traces.
         let mut things = stage::things(&snapshots, drawing.wanted, &Size::of(&snapshots));

@@ -115,7 +115,7 @@ impl<'r> Writer<'r> {
         }
         self.link(root);
         if !style.is_free {
-            self.page.comment("//", &format!("With `free {name};` in the place of this it moves freely."));
+            self.page.comment("//", &format!("With `free {name};` in the position of this it moves freely."));
             return self.page.line(&format!("weld {GROUND} to {name};"));
         }
         self.page.line(&format!("free {name};"));

@@ -19,18 +19,18 @@ pub(super) fn shortened(text: &str) -> String {
 pub(super) const NOT_A_ROBOT: &str = "this is not a <robot>";
 pub(super) const XACRO: &str = "this file is one for xacro, which makes URDF files";
 pub(super) const XACRO_HELP: &str = "run `xacro robot.urdf.xacro > robot.urdf` and import what it writes";
-pub(super) const NO_LINKS: &str = "there are no links";
-pub(super) const TWICE: &str = "this stands here twice";
+pub(super) const NO_LINKS: &str = "the robot has no links";
+pub(super) const TWICE: &str = "this is repeated";
 pub(super) const EMPTY_NAME: &str = "it has no name";
-pub(super) const UNKNOWN_ELEMENT: &str = "this is not known and left out";
+pub(super) const UNKNOWN_ELEMENT: &str = "this element is unknown and ignored";
 pub(super) const UNREADABLE_ELEMENT: &str =
-    "this is not known at this place, and leaving it out may change the motion";
+    "this element is unknown here, and ignoring it may change the motion";
 pub(super) const UNREADABLE_ELEMENT_HELP: &str = "move it to where it belongs, or remove it";
 pub(super) const VERSION_HELP: &str = "files of version 1.0, 1.1 and 1.2 can be imported";
 pub(super) const TURNED_TWICE: &str = "`rpy` and `quat_xyzw` both state the orientation";
 pub(super) const TURNED_TWICE_HELP: &str = "remove one of them";
 pub(super) const QUATERNION_ZERO: &str = "the quaternion is zero";
-pub(super) const IDENTITY_HELP: &str = "no turn at all is `quat_xyzw=\"0 0 0 1\"`";
+pub(super) const IDENTITY_HELP: &str = "the identity is `quat_xyzw=\"0 0 0 1\"`";
 pub(super) const LOOP: &str = "joints form a loop: every link is the child of one";
 pub(super) const TREE_HELP: &str = "joints form a tree; close its loops by `pin P to Q;` in the declaration";
 pub(super) const AXIS_ZERO: &str = "the axis is zero";
@@ -39,21 +39,21 @@ pub(super) const NOTHING_MOVES_HELP: &str = "with a free base (`--free`) it move
 pub(super) const MASSLESS_INERTIA: &str = "there is inertia without mass";
 pub(super) const MASSLESS_INERTIA_HELP: &str =
     "give the link a mass; without <inertial> it is a frame, which has neither";
-pub(super) const IMPOSSIBLE_INERTIA: &str = "no body has these moments and products of inertia";
-pub(super) const IMPOSSIBLE_INERTIA_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` takes them as parameters all the same";
+pub(super) const IMPOSSIBLE_INERTIA: &str = "these moments and products of inertia are physically impossible";
+pub(super) const IMPOSSIBLE_INERTIA_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` accepts them as parameters";
 pub(super) const FREE_BASE_HELP: &str =
-    "give the base or a link that is fixed to it an <inertial>, or do not let it move freely";
+    "give the base or a link that is fixed to it an <inertial>, or import it without `--free`";
 pub(super) const WITHOUT_INERTIA_HELP: &str = "give the link or one that is fixed to it an <inertial> with moments of inertia, or make its joint `fixed`";
 pub(super) const MASS_NOT_POSITIVE: &str = "the mass is negative";
 pub(super) const MIMICS_ITSELF: &str = "the joint mimics itself";
 pub(super) const MIMIC_CIRCLE: &str = "the joint mimics one that mimics it, directly or through others";
 pub(super) const LIMITS_CROSSED: &str = "the lower limit is above the upper one";
-pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so that the motion would gain energy";
-pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is left out";
+pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so the motion would gain energy";
+pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is ignored";
 pub(super) const NO_GEOMETRY: &str = "there is no <box>, <cylinder>, <sphere> or <mesh>";
 pub(super) const HELD: &str =
-    "it moves no mass, so that nothing says how it moves: it is held where its coordinate is zero";
-pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate, so its <mimic> is left out";
+    "it moves no mass, so its motion is undetermined: its coordinate is held at zero";
+pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate, so its <mimic> is ignored";
 pub(super) const MIMICS_NONE: &str = "the joint that it mimics has no coordinate";
 pub(super) const MIMIC_HELP: &str = "revolute, continuous and prismatic joints that move a mass have one";
 
@@ -87,23 +87,26 @@ pub(super) fn wrong_count(attribute: &str, needed: usize, count: usize) -> Strin
 }
 
 pub(super) fn unknown_attribute(name: &str) -> String {
-    format!("the attribute `{}` is not known and left out", shortened(name))
+    format!("the attribute `{}` is unknown and ignored", shortened(name))
 }
 
 pub(super) fn unreadable_attribute(name: &str) -> String {
-    format!("the attribute `{}` is not known, and leaving it out may change the motion", shortened(name))
+    format!("the attribute `{}` is unknown, and ignoring it may change the motion", shortened(name))
 }
 
 pub(super) fn known_attributes(names: &[&str]) -> String {
-    format!("remove it if it means nothing; known here: {}", names.join(", "))
+    format!("remove it if it has no effect; the known attributes are {}", names.join(", "))
 }
 
 pub(super) fn foreign(prefix: Option<&str>) -> String {
     match prefix {
         Some(prefix) => {
-            format!("what begins with `{}:` is for another program and left out", shortened(prefix))
+            format!(
+                "names with the prefix `{}:` belong to another program and are ignored",
+                shortened(prefix)
+            )
         }
-        None => "this element is of another namespace and left out".to_owned(),
+        None => "this element belongs to another namespace and is ignored".to_owned(),
     }
 }
 
@@ -113,24 +116,24 @@ pub(super) fn undeclared_prefix(prefix: &str) -> String {
 }
 
 pub(super) fn unknown_version(version: &str) -> String {
-    format!("version {} of URDF is not known", quoted(version))
+    format!("unknown URDF version {}", quoted(version))
 }
 
 pub(super) fn repeated(tag: &str, line: u32) -> String {
-    format!("there is a {tag} of this name already, in line {line}")
+    format!("this name already belongs to the {tag} in line {line}")
 }
 
 pub(super) fn unknown_link(role: &str, name: &str) -> String {
-    format!("there is no link {} to be the {role}", quoted(name))
+    format!("unknown {role} link {}", quoted(name))
 }
 
 pub(super) fn unknown_joint(name: &str) -> String {
-    format!("there is no joint {} to mimic", quoted(name))
+    format!("unknown joint {} to mimic", quoted(name))
 }
 
 pub(super) fn two_parents(link: &str, joint: &str, line: u32) -> String {
     let (joint, link) = (quoted(joint), quoted(link));
-    format!("joint {joint} in line {line} places link {link} already")
+    format!("joint {joint} in line {line} already places link {link}")
 }
 
 pub(super) fn two_roots(first: &str, line: u32) -> String {
@@ -143,7 +146,7 @@ pub(super) fn in_loop(link: &str) -> String {
 }
 
 pub(super) fn unknown_kind(kind: &str) -> String {
-    format!("there is no joint of type {}", quoted(kind))
+    format!("unknown joint type {}", quoted(kind))
 }
 
 pub(super) const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
@@ -164,7 +167,7 @@ pub(super) fn without_inertia(reason: &str) -> String {
 }
 
 pub(super) fn not_accepted(report: &str) -> String {
-    format!("the declaration that was made of this is refused: {report}")
+    format!("the imported declaration is rejected: {report}")
 }
 
 pub(super) fn and_others(count: usize) -> String {

@@ -72,7 +72,7 @@ fn elements_of_other_namespaces_are_none_of_the_robot() {
     assert_eq!(
         warnings,
         [
-            "6:1: warning: what begins with `drake:` is for another program and left out, here and in 4 more places"
+            "6:1: warning: names with the prefix `drake:` belong to another program and are ignored, here and in 4 more places"
         ]
     );
     let undeclared = import(&edited("</robot>", foreign), &Options::default()).expect_err("no such prefix");

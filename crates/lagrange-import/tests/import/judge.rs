@@ -31,7 +31,7 @@ pub(crate) fn judged(text: &str, options: &Options) -> bool {
         }
         Err(mistakes) => {
             let is_told = mistakes.iter().any(|mistake| mistake.is_error && !mistake.message.is_empty());
-            let refused_late = mistakes.iter().find(|mistake| mistake.message.contains("is refused"));
+            let refused_late = mistakes.iter().find(|mistake| mistake.message.contains("is rejected"));
             assert!(is_told && refused_late.is_none(), "{mistakes:?}\n{text}");
             false
         }

@@ -68,12 +68,14 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "<mass value=\"1\"/>",
         "<mass value=\"1\"/><mass value=\"2\"/>",
-        &["6:18: error: link \"arm\", <mass>: this stands here twice"],
+        &["6:18: error: link \"arm\", <mass>: this is repeated"],
     ),
     (
         "izz=\"1\"",
         "izz=\"2.1\"",
-        &["7:1: error: link \"arm\", <inertia>: no body has these moments and products of inertia"],
+        &[
+            "7:1: error: link \"arm\", <inertia>: these moments and products of inertia are physically impossible",
+        ],
     ),
     ("izz=\"1\"", "", &["7:1: error: link \"arm\", <inertia>: the attribute `izz` is missing"]),
     ("0 0 0.1", "0 0", &["5:9: error: link \"arm\", <origin>: `xyz` must be three numbers, but these are 2"]),
@@ -82,21 +84,21 @@ const EDITS: &[(&str, &str, &[&str])] = &[
         "<origin xyz=\"0 0 0.1\"/>",
         "<origin xzy=\"0 0 0.1\"/>",
         &[
-            "5:9: error: link \"arm\", <origin>: the attribute `xzy` is not known, and leaving it out may change the motion",
+            "5:9: error: link \"arm\", <origin>: the attribute `xzy` is unknown, and ignoring it may change the motion",
         ],
     ),
     (
         "<inertial>\n",
         "<inertail></inertail><inertial>\n",
         &[
-            "4:1: error: link \"arm\", <inertail>: this is not known at this place, and leaving it out may change the motion",
+            "4:1: error: link \"arm\", <inertail>: this element is unknown here, and ignoring it may change the motion",
         ],
     ),
     (
         "<inertial>\n",
         "<gravity>1</gravity><inertial>\n<gravity/>",
         &[
-            "4:1: warning: link \"arm\", <gravity>: this is not known and left out, here and in one more place",
+            "4:1: warning: link \"arm\", <gravity>: this element is unknown and ignored, here and in one more place",
         ],
     ),
     ("<parent link=\"base\"/>", "", &["10:1: error: joint \"q\": <parent> is missing"]),
@@ -108,18 +110,14 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "<parent link=\"base\"/>",
         "<parent link=\"Base\"/>",
-        &["12:1: error: joint \"q\", <parent>: there is no link \"Base\" to be the parent"],
+        &["12:1: error: joint \"q\", <parent>: unknown parent link \"Base\""],
     ),
     (
         "<parent link=\"base\"/>",
         "<parent link=\"arm\"/>",
         &["10:1: error: joint \"q\": joints form a loop through link \"arm\", away from the base"],
     ),
-    (
-        "type=\"revolute\"",
-        "type=\"revolut\"",
-        &["10:1: error: joint \"q\": there is no joint of type \"revolut\""],
-    ),
+    ("type=\"revolute\"", "type=\"revolut\"", &["10:1: error: joint \"q\": unknown joint type \"revolut\""]),
     ("type=\"revolute\"", "", &["10:1: error: joint \"q\": the attribute `type` is missing"]),
     (
         "<axis xyz=\"0 0 1\"/>",
@@ -139,14 +137,12 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "</joint>",
         "<dynamics damping=\"-1\"/></joint>",
-        &[
-            "16:1: error: joint \"q\", <dynamics>: the damping is negative, so that the motion would gain energy",
-        ],
+        &["16:1: error: joint \"q\", <dynamics>: the damping is negative, so the motion would gain energy"],
     ),
     (
         "</joint>",
         "<mimic joint=\"p\"/></joint>",
-        &["16:1: error: joint \"q\", <mimic>: there is no joint \"p\" to mimic"],
+        &["16:1: error: joint \"q\", <mimic>: unknown joint \"p\" to mimic"],
     ),
     (
         "</joint>",
@@ -165,7 +161,7 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "</robot>",
         "<link name=\"arm\"/></robot>",
-        &["17:1: error: link \"arm\": there is a link of this name already, in line 3"],
+        &["17:1: error: link \"arm\": this name already belongs to the link in line 3"],
     ),
     (
         "</robot>",
@@ -178,12 +174,12 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "</robot>",
         "<joint name=\"p\" type=\"fixed\"><parent link=\"base\"/><child link=\"arm\"/></joint></robot>",
-        &["17:51: error: joint \"p\", <child>: joint \"q\" in line 10 places link \"arm\" already"],
+        &["17:51: error: joint \"p\", <child>: joint \"q\" in line 10 already places link \"arm\""],
     ),
     (
         "</robot>",
         "<joint name=\"q\" type=\"fixed\"><parent link=\"arm\"/><child link=\"b\"/></joint><link name=\"b\"/></robot>",
-        &["17:1: error: joint \"q\": there is a joint of this name already, in line 10"],
+        &["17:1: error: joint \"q\": this name already belongs to the joint in line 10"],
     ),
     (
         "</robot>",
@@ -237,7 +233,7 @@ fn other_files_are_no_robots() {
         ("", "1:1: error: the document does not have a root node"),
         ("robot", "1:1: error: unknown token at 1:1"),
         ("<sdf/>", "1:1: error: <sdf>: this is not a <robot>"),
-        ("<robot name=\"r\"/>", "1:1: error: <robot>: there are no links"),
+        ("<robot name=\"r\"/>", "1:1: error: <robot>: the robot has no links"),
     ];
     for (text, expected) in cases {
         assert_eq!(said(text)[0], expected, "{text}");

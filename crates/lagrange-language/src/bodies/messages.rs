@@ -7,10 +7,10 @@ use crate::syntax::ast::ConnectorKind;
 use lagrange_expr::solids::SOLIDS;
 
 pub(super) const GRAVITY_TWICE: &str = "`gravity` is declared twice";
-pub(super) const GRAVITY_TWICE_HELP: &str = "leave one of them out, or write their sum";
+pub(super) const GRAVITY_TWICE_HELP: &str = "remove one of them, or write their sum";
 pub(super) const OTHER_NAME_HELP: &str = "choose another name";
-pub(super) const FIRST_DECLARED: &str = "it is declared here already";
-pub(super) const ORDER_HELP: &str = "a name is known only behind the statement that declares it";
+pub(super) const FIRST_DECLARED: &str = "first declared here";
+pub(super) const ORDER_HELP: &str = "a name is known only after its declaration";
 pub(super) const DECLARED_HERE: &str = "it is declared here";
 
 pub(super) fn declared_twice(name: &str) -> String {
@@ -35,11 +35,10 @@ pub(super) fn no_mass(name: &str) -> String {
     format!("body `{name}` has no mass")
 }
 
-pub(super) const NO_MASS_HELP: &str =
-    "give it one, `mass: m;`, or put it together from parts, `compound { … }`";
+pub(super) const NO_MASS_HELP: &str = "give it one, `mass: m;`, or build it from parts, `compound { … }`";
 
 pub(super) fn no_inertia(name: &str) -> String {
-    format!("body `{name}` turns, but has no moment of inertia")
+    format!("body `{name}` rotates, but has no moment of inertia")
 }
 
 pub(super) const NO_INERTIA_HELP: &str = "give it one about the centre of mass, `inertia: slender_rod(m, l);`, or a shape that has one, `shape: slender_rod(l);`";
@@ -47,11 +46,12 @@ pub(super) const NO_INERTIA_HELP: &str = "give it one about the centre of mass, 
 pub(super) fn one_place(name: &str, are_both: bool) -> String {
     match are_both {
         true => format!("body `{name}` has both a `center` and an `origin`"),
-        false => format!("body `{name}` has no place"),
+        false => format!("body `{name}` has no position"),
     }
 }
 
-pub(super) const ONE_PLACE_HELP: &str = "write where its centre of mass is, `center: (x, y);`, or where its own coordinates begin, `origin: (x, y);`";
+pub(super) const ONE_PLACE_HELP: &str =
+    "write its centre of mass, `center: (x, y);`, or the origin of its own axes, `origin: (x, y);`";
 
 pub(super) fn center_of(name: &str) -> String {
     format!("the centre of `{name}`")
@@ -66,10 +66,10 @@ pub(super) fn centroid_of(name: &str) -> String {
 }
 
 pub(super) fn through_of(name: &str) -> String {
-    format!("the point that `{name}` goes through")
+    format!("the point on `{name}`")
 }
 
-pub(super) const PLACE_OF_PART: &str = "the place of a part";
+pub(super) const PLACE_OF_PART: &str = "the position of a part";
 pub(super) const ANGLE_OF_PART: &str = "the angle of a part";
 
 pub(super) fn mass_of(name: &str) -> String {
@@ -85,23 +85,24 @@ pub(super) fn dimension_of(solid: &str) -> String {
 }
 
 pub(super) fn place_of(name: &str) -> String {
-    format!("the place of `{name}`")
+    format!("the position of `{name}`")
 }
 
 pub(super) fn unknown_inertia(name: &str) -> String {
-    format!("the moment of inertia of `{name}` about this centroid is not known")
+    format!("the moment of inertia of `{name}` about this centroid is unknown")
 }
 
-pub(super) const UNKNOWN_INERTIA_HELP: &str = "that of the shape is about its own centre of mass; state the one about the centroid, `inertia: j;`, or leave `centroid` out";
+pub(super) const UNKNOWN_INERTIA_HELP: &str = "the shape has one about its own centre of mass; specify the one about the centroid, `inertia: j;`, or remove `centroid`";
 
 pub(super) fn beside_lagrangian(what: &str) -> String {
-    format!("{what} beside `lagrangian`")
+    format!("{what} cannot be combined with `lagrangian`")
 }
 
-pub(super) const BESIDE_LAGRANGIAN_HELP: &str = "bodies, springs and dampers add to T and V, which are not known of a `lagrangian`: write that as `kinetic` and `potential`";
+pub(super) const BESIDE_LAGRANGIAN_HELP: &str =
+    "bodies, springs and dampers add to T and V: write `kinetic` and `potential` instead of the `lagrangian`";
 
 pub(super) fn unknown_solid(name: &str) -> String {
-    format!("there is no solid `{name}`")
+    format!("unknown solid `{name}`")
 }
 
 pub(super) fn solids_are() -> String {
@@ -119,48 +120,47 @@ pub(super) fn shape_usage(usage: &str) -> String {
 }
 
 pub(super) fn beside_compound(label: &str) -> String {
-    format!("`{label}` beside `compound`")
+    format!("`{label}` cannot be combined with `compound`")
 }
 
 pub(super) const BESIDE_COMPOUND_HELP: &str =
-    "mass, centre of mass, inertia and shape of a compound follow from its parts: remove one of both";
-pub(super) const VISUAL_MASS: &str = "what is only seen has no mass";
-pub(super) const VISUAL_MASS_HELP: &str =
-    "leave this out, or write `compound { … }` for what the body is made of";
+    "mass, centre of mass, inertia and shape of a compound follow from its parts: remove one of the two";
+pub(super) const VISUAL_MASS: &str = "a visual has no mass";
+pub(super) const VISUAL_MASS_HELP: &str = "remove this, or write `compound { … }` for parts with a mass";
 pub(super) const PART_WITHOUT_MASS: &str = "a part of a compound needs a mass";
 pub(super) const PART_WITHOUT_MASS_HELP: &str =
-    "write it behind the shape: `disk(r), mass: m;`, for a hole the mass that is missing";
+    "write it after the shape: `disk(r), mass: m;`; for a hole, the mass that is removed";
 
 pub(super) fn never_turns(name: &str) -> String {
-    format!("`{name}` never turns, so that it has no instantaneous centre")
+    format!("`{name}` never rotates, so it has no instantaneous centre")
 }
 
 pub(super) const NEVER_TURNS_HELP: &str =
-    "all of its points have the same velocity; give the body an `angle` if it can turn";
+    "all of its points have the same velocity; give the body an `angle` if it can rotate";
 
 pub(super) fn does_not_turn(name: &str, purpose: &str) -> String {
-    format!("{name} never turns, {purpose}")
+    format!("{name} never rotates, {purpose}")
 }
 
 pub(super) const THIS: &str = "this";
-pub(super) const TURNED_BY_TORQUE: &str = "so that a torque has no effect on it";
+pub(super) const TURNED_BY_TORQUE: &str = "so a torque has no effect on it";
 pub(super) const TURNED_BY_SPRING: &str =
-    "and neither does the other end, so that a torsion spring or damper between them has no effect";
-pub(super) const TURNED_BY_ROLLING: &str = "so that it cannot roll";
-pub(super) const DOES_NOT_TURN_HELP: &str = "a body turns if it has an `angle` that is no constant";
+    "and neither does the other end, so a torsion spring or damper between them has no effect";
+pub(super) const TURNED_BY_ROLLING: &str = "so it cannot roll";
+pub(super) const DOES_NOT_TURN_HELP: &str = "a body rotates if its `angle` is not constant";
 
 pub(super) const NO_ANGLE: &str = "this is a point, but an angle is needed";
 pub(super) const NO_ANGLE_HELP: &str =
-    "write the name of a body, which stands for its angle, `ground`, or an expression of angles";
+    "write the name of a body for its angle, `ground`, or an expression of angles";
 
 pub(super) const ANGLE_OF_LINK: &str = "a body in space has no single angle";
 pub(super) const ANGLE_OF_LINK_HELP: &str = "springs and dampers of joints act on coordinates: write `potential = spring_energy(k, q);`, or `damping: c;` in the joint";
-pub(super) const NO_AXES: &str = "these are the axes of no body or frame in space";
+pub(super) const NO_AXES: &str = "this is not a body or frame in space";
 pub(super) const NO_AXES_HELP: &str =
     "write `v in name`, with the name of a body or frame of a scene in space";
 
 pub(super) fn only_in_the_plane(statement: &str) -> String {
-    format!("`{statement}` belongs to scenes in the plane, and this one is in space")
+    format!("`{statement}` belongs to scenes in the plane, but this one is in space")
 }
 
 pub(super) const NOT_IN_SPACE_HELP: &str =
@@ -170,25 +170,25 @@ pub(super) const TURNED_IN_THE_PLANE: &str = "a part of a compound in the plane 
 pub(super) const TURNED_IN_THE_PLANE_HELP: &str = "write `angle: e`";
 
 pub(super) fn angle_beside_joint(name: &str) -> String {
-    format!("the angle of `{name}` is made by the joint that places it")
+    format!("the joint that places `{name}` determines its angle")
 }
 
 pub(super) const ANGLE_BESIDE_JOINT_HELP: &str =
-    "leave it out, or say in the joint how its frame is turned, `turned: e;`";
+    "remove it, or specify the rotation in the joint, `turned: e;`";
 pub(super) const SEQUENCE_IN_THE_PLANE: &str = "in the plane there is no sequence of rotations";
 pub(super) const SEQUENCE_IN_THE_PLANE_HELP: &str = "write `angle: e;`";
 
-pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, and there are none";
+pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, but none is declared";
 pub(super) const IDLE_GRAVITY_HELP: &str =
     "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";
 
-pub(super) const GROUND_IS_NO_POINT: &str = "the ground is no point";
-pub(super) const GROUND_IS_NO_POINT_HELP: &str = "write the point of it that is meant: `(0, 0)`";
+pub(super) const GROUND_IS_NO_POINT: &str = "the ground is not a point";
+pub(super) const GROUND_IS_NO_POINT_HELP: &str = "write a point of the ground, such as `(0, 0)`";
 
 // Names of objects in expressions.
 
 pub(super) fn no_value(name: &str, what: &str) -> String {
-    format!("`{name}` is {what} and has no value of its own")
+    format!("`{name}` is {what} and has no value")
 }
 
 pub(super) fn value_help(name: &str, object: &Object) -> String {
@@ -221,11 +221,11 @@ pub(super) fn no_part(name: &str, what: &str, part: &str) -> String {
 
 /// Message for the rate of a point that is made of numbers and parameters.
 pub(super) fn point_at_rest(function: &str) -> String {
-    format!("this point does not move, so that its {function} is zero")
+    format!("this point does not move, so its {function} is zero")
 }
 
 pub(super) const POINT_AT_REST_HELP: &str =
-    "leave it out, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
+    "remove it, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
 
 pub(super) fn wrong_arguments(function: &str, count: usize) -> String {
     let plural = if count == 1 { "" } else { "s" };
@@ -247,8 +247,8 @@ pub(super) fn usage(function: &str, arguments: &[&str]) -> String {
 
 pub(super) fn not_an_object(function: &str, what: &str, name: Option<&str>) -> String {
     match name {
-        Some(name) => format!("`{function}` belongs to {what}, and `{name}` is none"),
-        None => format!("`{function}` belongs to {what}"),
+        Some(name) => format!("`{function}` needs {what}, but `{name}` is not one"),
+        None => format!("`{function}` needs {what}"),
     }
 }
 
@@ -262,15 +262,15 @@ pub(super) fn object_help(function: &str, what: &str, nearest: Option<&str>) -> 
 pub(super) fn other_object(name: &str, wanted: &str, found: Option<&str>) -> String {
     match found {
         Some(found) => format!("`{name}` is {found}, not {wanted}"),
-        None => format!("there is no {} `{name}`", wanted.trim_start_matches("a ")),
+        None => format!("unknown {} `{name}`", wanted.trim_start_matches("a ")),
     }
 }
 
 pub(super) fn declare_object(wanted: &str) -> String {
     match wanted {
-        "a line" => "declare it before: `line floor { through: (0, 0); angle: 0; }`".to_owned(),
+        "a line" => "declare it first: `line floor { through: (0, 0); angle: 0; }`".to_owned(),
         _ => {
-            "declare it before: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned()
+            "declare it first: `body name { mass: m; center: (x, y); angle: a; shape: disk(r); }`".to_owned()
         }
     }
 }
@@ -301,13 +301,13 @@ pub(super) fn pinned_to_itself(name: &str) -> String {
 }
 
 pub(super) fn slides_on_itself(name: &str) -> String {
-    format!("`{name}` carries this line itself")
+    format!("`{name}` cannot slide on a line that it carries")
 }
 
 pub(super) const PINNED_TO_ITSELF_HELP: &str = "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
 
 pub(super) fn no_radius(name: &str) -> String {
-    format!("the radius on which `{name}` rolls is not known")
+    format!("the radius on which `{name}` rolls is unknown")
 }
 
 pub(super) fn no_radius_help(name: &str) -> String {

@@ -127,7 +127,7 @@ fn of_part(part: &mut Part) -> Vec<LabelRow<'_>> {
     let Part { shape, mass, at, angle, turned, .. } = part;
     let single = [
         (mass, MASS, "the mass of a part"),
-        (at, LENGTH, "the place of a part"),
+        (at, LENGTH, "the position of a part"),
         (angle, PLAIN, "the angle of a part"),
         (turned, PLAIN, "an angle of a part"),
     ];
@@ -165,7 +165,7 @@ fn of_mobilizer(joint: &mut Mobilizer) -> Vec<LabelRow<'_>> {
         _ => TORSION_DAMPING,
     };
     let rows = [
-        (at, LENGTH, "the place of a joint"),
+        (at, LENGTH, "the position of a joint"),
         (turned, PLAIN, "an angle of a joint"),
         (pitch, LENGTH, "the pitch of a screw"),
         (damping, resistance, "the damping of a joint"),

@@ -2,11 +2,11 @@
 
 /// Message for a unit that is not coherent where there is no number in it.
 pub(super) fn nothing_to_convert(name: &str) -> String {
-    format!("there is no number here for this unit to scale: values of `{name}` are in units of the SI")
+    format!("there is no number here for this unit to scale: values of `{name}` are in SI units")
 }
 
 pub(super) fn in_brackets(quantity: &str) -> String {
-    format!("a unit of several factors stands in square brackets: `{quantity}`")
+    format!("a unit of several factors needs square brackets: `{quantity}`")
 }
 
 pub(super) fn write_coherent(name: &str, unit: &str) -> String {
@@ -15,19 +15,19 @@ pub(super) fn write_coherent(name: &str, unit: &str) -> String {
 
 /// Message for a value made of names behind a unit that is not coherent.
 pub(super) fn made_of_names(unit: &str) -> String {
-    format!("values made of names are in units of the SI, not in `{unit}`")
+    format!("values computed from names are in SI units, not in `{unit}`")
 }
 
 pub(super) fn made_of_names_help(name: &str, unit: &str, coherent: &str) -> String {
-    format!("write `{name}: {coherent}`, and the unit behind the numbers that are in it: `2 [{unit}]`")
+    format!("write `{name}: {coherent}`, and the unit after the numbers that are in it: `2 [{unit}]`")
 }
 
-pub(super) const ADDED: &str = "what it is added to is #";
-pub(super) const COMPARED: &str = "what it is compared with is #";
+pub(super) const ADDED: &str = "the other term is #";
+pub(super) const COMPARED: &str = "the other side is #";
 pub(super) const CHOSEN: &str = "the other branch is #";
-pub(super) const OF_ONE_VECTOR: &str = "what stands beside it in the vector is #";
+pub(super) const OF_ONE_VECTOR: &str = "another component is #";
 pub(super) const EXPONENT: &str = "an exponent is #";
-pub(super) const BASE: &str = "what is raised to a power that may change is #";
+pub(super) const BASE: &str = "the base of a variable power is #";
 pub(super) const KINETIC: &str = "`kinetic` adds energies (J)";
 pub(super) const POTENTIAL: &str = "`potential` adds energies (J)";
 pub(super) const LAGRANGIAN: &str = "the Lagrangian is an energy (J)";
@@ -36,10 +36,10 @@ pub(super) const DISSIPATION: &str = "`dissipation` adds powers (W)";
 pub(super) const STABILISE: &str = "the rate of stabilisation is in 1/s";
 pub(super) const POINT: &str = "the components of a point are lengths (m)";
 pub(super) const FORCE: &str = "the components of a force are in N";
-pub(super) const FORCE_ALONG: &str = "what does work along this velocity is %";
-pub(super) const TORQUE: &str = "what does work on this angle is %";
+pub(super) const FORCE_ALONG: &str = "the load along this velocity must be %";
+pub(super) const TORQUE: &str = "the load on this angle must be %";
 pub(super) const RESTITUTION: &str = "a coefficient of restitution is #";
-pub(super) const ASSIGNED: &str = "what it is assigned to is #";
+pub(super) const ASSIGNED: &str = "the assigned quantity is #";
 pub(super) const WIDTH: &str = "the slip velocity is #";
 
 pub(super) fn argument_of(function: &str) -> String {
@@ -78,7 +78,7 @@ pub(super) fn labelled(what: &str) -> String {
 pub(super) fn contradiction(found: Option<&str>, said: &str, factor: &str) -> String {
     match found {
         Some(found) => format!("this is {found}, but {said}: {factor}"),
-        None => format!("this does not fit, since {said}: {factor}"),
+        None => format!("the units do not match, since {said}: {factor}"),
     }
 }
 
@@ -92,7 +92,7 @@ pub(super) fn factor_missing(noun: &str) -> String {
 }
 
 pub(super) fn factor_too_much(noun: &str) -> String {
-    format!("a factor of {noun} is too much")
+    format!("a factor of {noun} is superfluous")
 }
 
 pub(super) fn factor_in_unit(unit: &str) -> String {
@@ -104,7 +104,7 @@ pub(super) fn write_square(factor: &str) -> String {
 }
 
 pub(super) fn write_unit(number: &str, unit: &str) -> String {
-    format!("a number has the unit that stands behind it: write `{number} [{unit}]`")
+    format!("the unit of a number follows it: write `{number} [{unit}]`")
 }
 
 /// Message for the unit in `1/2 [kg]`.
@@ -113,12 +113,12 @@ pub(super) fn unit_below(number: &str, unit: &str) -> String {
 }
 
 pub(super) fn unit_below_help((above, below): (&str, &str), unit: &str) -> String {
-    format!("write the unit behind the number above it: `{above} [{unit}]/{below}`")
+    format!("write the unit after the number above it: `{above} [{unit}]/{below}`")
 }
 
 /// Advice that lists the units of names.
 pub(super) fn units_are(units: &[String]) -> String {
-    format!("compare the units of what it is made of: {}", units.join(", "))
+    format!("compare the units of its parts: {}", units.join(", "))
 }
 
 pub(super) fn unit_of(name: &str, unit: &str) -> String {
@@ -129,8 +129,8 @@ pub(super) fn plain_number(name: &str) -> String {
     format!("`{name}` is a plain number")
 }
 
-pub(super) const SAID_HERE: &str = "that is said here";
-pub(super) const COMPARE_HELP: &str = "compare the units of what stands on both sides";
+pub(super) const REASON_IS_HERE: &str = "it follows from this";
+pub(super) const COMPARE_HELP: &str = "compare the units of both sides";
 
 /// Note for a dimension that was found.
 pub(super) fn inferred(name: &str, dimension: &str, said: &str) -> String {

@@ -87,7 +87,7 @@ fn report_contradiction(
     let error = report.error(origin, messages::contradiction(found.as_deref(), &said, &factor));
     let reason = equation.reason.place;
     if reason.start.start().line != origin.start.start().line {
-        error.related(reason, messages::SAID_HERE);
+        error.related(reason, messages::REASON_IS_HERE);
     }
     for (place, note) in chain(checker, contradiction) {
         error.related(place, note);

@@ -8,8 +8,8 @@ pub(super) const OTHER_VARIABLE_HELP: &str = "choose another name for the variab
 pub(super) const DECLARE_HELP: &str = "declare it, `const n = 3;`, or use the variable of a loop around this";
 pub(super) const INDEX_HELP: &str = "indices are integers, made of numbers, constants and variables of loops";
 pub(super) const CONDITION_HELP: &str = "write `let name = if a < b { … } else { … };`";
-pub(super) const CONDITION_IN_VALUE_HELP: &str = "compare what moves with `<`, `<=`, `>` or `>=` in an `if` of its own: `if i == 0 { if x < 1 { a } else { b } } else { b }`";
-pub(super) const NO_INDEX: &str = "this can be no index, which must be known when the declaration is read";
+pub(super) const CONDITION_IN_VALUE_HELP: &str = "compare other values with `<`, `<=`, `>` or `>=` in a nested `if`: `if i == 0 { if x < 1 { a } else { b } } else { b }`";
+pub(super) const NO_INDEX: &str = "an index must be known at compile time";
 pub(super) const TOO_LARGE: &str = "this index is too large";
 pub(super) const FROM_ZERO_HELP: &str = "indices begin at 0";
 pub(super) const SIZE_HELP: &str =
@@ -30,23 +30,23 @@ pub(super) fn written(name: &str, indices: &[i64]) -> String {
 }
 
 pub(super) fn shadowed_variable(name: &str) -> String {
-    format!("`{name}` is the variable of a loop around this one already")
+    format!("`{name}` is already the variable of an enclosing loop")
 }
 
 pub(super) fn variable_is_parameter(name: &str) -> String {
-    format!("`{name}` is a parameter of the function, and cannot be the variable of a sum in it, too")
+    format!("`{name}` is a parameter of the function and cannot be the variable of a sum in it")
 }
 
 pub(super) fn variable_is_declared(name: &str) -> String {
-    format!("`{name}` is declared, and cannot be the variable of a loop, too")
+    format!("`{name}` is already declared and cannot be the variable of a loop")
 }
 
 pub(super) fn too_many_statements(most: u64) -> String {
-    format!("loops up to this one stand for more than {most} statements")
+    format!("loops up to this one expand to more than {most} statements")
 }
 
 pub(super) fn too_many_terms(most: u64) -> String {
-    format!("loops and sums up to this one stand for more than {most} terms")
+    format!("loops and sums up to this one expand to more than {most} terms")
 }
 
 pub(super) fn too_many_elements(most: u64) -> String {
@@ -54,7 +54,7 @@ pub(super) fn too_many_elements(most: u64) -> String {
 }
 
 pub(super) fn no_constant(name: &str) -> String {
-    format!("`{name}` can be no index, which must be known when the declaration is read")
+    format!("`{name}` cannot be an index, which must be known at compile time")
 }
 
 pub(super) fn constant_help(name: &str) -> String {
@@ -62,11 +62,11 @@ pub(super) fn constant_help(name: &str) -> String {
 }
 
 pub(super) fn no_integer(number: &Number, place: &str) -> String {
-    format!("the index {number} is no integer{place}")
+    format!("the index {number} is not an integer{place}")
 }
 
 pub(super) fn division_by_zero(place: &str) -> String {
-    format!("this index is divided by zero{place}")
+    format!("this index contains a division by zero{place}")
 }
 
 pub(super) fn unknown_name(name: &str) -> String {
@@ -82,20 +82,18 @@ pub(super) fn write(text: &str) -> String {
 }
 
 pub(super) fn in_its_loop(name: &str) -> String {
-    format!("the variable `{name}` is known only in its loop")
+    format!("the variable `{name}` is known only inside its loop")
 }
 
 /// Message for a name in a condition with `==`, `&&` or the like.
 pub(super) fn condition_in_value(name: &str) -> String {
     format!(
-        "only indices are compared with `==` and in conditions with `&&`, `||`, `!` and `%`, and `{name}` is none"
+        "`{name}` is not an index: only indices can be compared with `==` or combined with `&&`, `||`, `!` and `%`"
     )
 }
 
 pub(super) fn condition(name: &str) -> String {
-    format!(
-        "conditions between statements are about indices, and `{name}` is known only when the program runs"
-    )
+    format!("conditions around statements can only use indices, and `{name}` is known only at run time")
 }
 
 pub(super) fn did_you_mean(name: &str) -> String {
@@ -103,7 +101,7 @@ pub(super) fn did_you_mean(name: &str) -> String {
 }
 
 pub(super) fn no_array(name: &str) -> String {
-    format!("`{name}` is no array and has no elements")
+    format!("`{name}` is not an array and has no elements")
 }
 
 pub(super) fn no_array_help(name: &str) -> String {
@@ -111,11 +109,11 @@ pub(super) fn no_array_help(name: &str) -> String {
 }
 
 pub(super) fn no_index(name: &str) -> String {
-    format!("`{name}` is an array, of which one element must be named")
+    format!("`{name}` is an array: specify one of its elements")
 }
 
 pub(super) fn written_help(example: &str) -> String {
-    format!("write an index behind it, as in `{example}`")
+    format!("write an index after it, as in `{example}`")
 }
 
 pub(super) fn index_count(name: &str, wanted: usize, given: usize) -> String {
@@ -140,13 +138,13 @@ pub(super) fn elements_are(name: &str, first: &str, last: &str) -> String {
 
 pub(super) fn elements_lie_between(name: &str, first: &str, last: &str) -> String {
     match first == last {
-        true => format!("of `{name}` only `{first}` is declared"),
-        false => format!("what is declared of `{name}` lies between `{first}` and `{last}`"),
+        true => format!("only `{first}` is declared"),
+        false => format!("the declared elements of `{name}` lie between `{first}` and `{last}`"),
     }
 }
 
 pub(super) fn declared_again(name: &str) -> String {
-    format!("`{name}` is declared again in every turn of the loop")
+    format!("`{name}` is declared again in every iteration of the loop")
 }
 
 pub(super) fn declared_again_help(name: &str) -> String {
@@ -154,7 +152,7 @@ pub(super) fn declared_again_help(name: &str) -> String {
 }
 
 pub(super) fn array_in_loop(name: &str) -> String {
-    format!("all elements of `{name}` are declared again in every turn of the loop")
+    format!("all elements of `{name}` are declared again in every iteration of the loop")
 }
 
 pub(super) fn no_size(name: &str, size: i64) -> String {
@@ -168,11 +166,11 @@ pub(super) fn list_length(given: usize, wanted: i64) -> String {
 }
 
 pub(super) fn element_twice(element: &str) -> String {
-    format!("`{element}` is declared twice")
+    format!("the name `{element}` is declared twice")
 }
 
 pub(super) fn declared_as_whole(name: &str) -> String {
-    format!("all elements of `{name}` are declared already")
+    format!("all elements of `{name}` are already declared")
 }
 
 pub(super) fn array_and_name(name: &str) -> String {
@@ -180,5 +178,5 @@ pub(super) fn array_and_name(name: &str) -> String {
 }
 
 pub(super) fn same_text(text: &str) -> String {
-    format!("an element and something else are both called `{text}` where arrays are written out")
+    format!("an element and another name both become `{text}` when arrays are expanded")
 }

@@ -5,11 +5,11 @@ use crate::syntax::ast::FunctionDefinition;
 pub(super) const FIRST_DECLARED: &str = "first declared here";
 pub(super) const OTHER_NAME_HELP: &str = "choose another name";
 pub(super) const DEFINED_HERE: &str = "defined here";
-pub(super) const ORDER_HELP: &str = "define it further up; a function cannot call itself";
-pub(super) const NEVER_CALLED_HELP: &str = "call it, or leave it out";
-pub(super) const UNUSED_PARAMETER_HELP: &str = "leave it out, or begin its name with `_`";
+pub(super) const ORDER_HELP: &str = "define it earlier; a function cannot call itself";
+pub(super) const NEVER_CALLED_HELP: &str = "call it, or remove it";
+pub(super) const UNUSED_PARAMETER_HELP: &str = "remove it, or begin its name with `_`";
 pub(super) const DECLARE_HELP: &str = "declare it, or make it a parameter of the function";
-pub(super) const TOO_LONG_HELP: &str = "give what is used repeatedly a name by `let name = e;`";
+pub(super) const TOO_LONG_HELP: &str = "name repeated expressions with `let name = e;`";
 
 pub(super) fn declared_twice(name: &str) -> String {
     format!("the name `{name}` is declared twice")
@@ -30,11 +30,11 @@ pub(super) fn called_too_early(name: &str) -> String {
 }
 
 pub(super) fn too_long(name: &str, most: u64) -> String {
-    format!("with this call of `{name}` calls stand for more than {most} terms")
+    format!("with this call of `{name}`, calls expand to more than {most} terms")
 }
 
 pub(super) fn unused_parameter(name: &str) -> String {
-    format!("the parameter `{name}` is never used, nor are arguments for it")
+    format!("the parameter `{name}` is never used, so neither are its arguments")
 }
 
 pub(super) fn never_called(name: &str) -> String {

@@ -67,12 +67,12 @@ const STATEMENTS: &[(&[&str], &str)] = &[
 const STRANGERS: &[(&[&str], &str, &str)] = &[
     (
         &["fn", "def", "function", "lambda", "macro"],
-        "functions are declared in another way here",
+        "functions are declared differently here",
         "write `let f(x, y) = …;`",
     ),
     (
         &["for", "while", "loop", "repeat", "do"],
-        "loops are written in another way here",
+        "loops are written differently here",
         "write `for i in 0..n { … }`, with statements between the braces, or `sum(i in 0..n, e)`",
     ),
     (
@@ -83,7 +83,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     (
         &["use", "import", "include", "from", "using", "extern"],
         "nothing can be imported here",
-        "write `param name;` for a number from outside, and set that field when the program runs",
+        "write `param name;` for a number from outside, and set that field at run time",
     ),
     (
         &["contact", "impact", "collision", "bounce"],
@@ -92,13 +92,13 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["solve", "dsolve", "simulate", "integrate", "odeint", "ode45", "run"],
-        "a declaration says what moves, not how the motion is computed",
-        "leave this out and simulate the emitted type: `Name::default().simulate(start).until(10.0).run()`",
+        "a declaration describes a system, not its simulation",
+        "remove this and simulate the emitted type: `Name::default().simulate(start).until(10.0).run()`",
     ),
     (
         &["initial", "init", "start", "initially", "x0", "q0"],
-        "a declaration holds no initial values",
-        "leave this out: they belong to the state from which a simulation starts",
+        "a declaration does not contain initial values",
+        "remove this: they belong to the state from which a simulation starts",
     ),
     (
         &["equation", "equations", "ode", "eom"],
@@ -107,8 +107,8 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["model", "class", "system", "module", "mod", "enum", "type", "trait", "impl", "end", "begin"],
-        "this begins or ends nothing here",
-        "leave it out: the declaration begins with `struct Name;` and holds statements only",
+        "this keyword is not used here",
+        "remove it: the declaration consists of `struct Name;` and statements",
     ),
 ];
 
@@ -328,7 +328,7 @@ fn is_row_of(rows: &[(&str, &[&str])], key: &str, word: &str) -> bool {
     rows.iter().any(|(row, words)| *row == key && words.contains(&word))
 }
 
-/// A template with texts in the place of `#1`, `#2`, ….
+/// A template with texts in the position of `#1`, `#2`, ….
 fn filled(template: &str, texts: &[String]) -> String {
     let places = texts.iter().enumerate();
     places.fold(template.to_owned(), |text, (i, filler)| text.replace(&format!("#{}", i + 1), filler))

@@ -48,7 +48,11 @@ impl Parser<'_> {
         }
         let function = if order == 1 { "dot" } else { "ddot" };
         let usage = format!("{function}({})", of.unwrap_or_else(|| SOMETHING.to_owned()));
-        Some((tokens.origin(), habits::QUOTIENT, habits::written(&usage)))
+        let help = match order == 1 || self.accepts_accelerations {
+            true => habits::written(&usage),
+            false => habits::NO_ACCELERATIONS_HELP.to_owned(),
+        };
+        Some((tokens.origin(), habits::QUOTIENT, help))
     }
 
     /// `std::f64::consts::PI`, `f64::sin(x)`, `crate::GRAVITY`, `np.cos(x)`.

@@ -55,6 +55,11 @@ pub(super) fn begins_statement(word: &str) -> bool {
     statement(word).is_some_and(|keyword| keyword.soft.is_none())
 }
 
+/// True if a word begins a statement that accepts accelerations.
+pub(super) fn accepts_accelerations(word: &str) -> bool {
+    matches!(word, "event" | "gibbs" | "let" | "output")
+}
+
 /// Returns the tokens that must follow a word that begins a statement, if there is a restriction.
 pub(super) fn soft_statement(word: &str) -> Option<Soft> {
     statement(word)?.soft

@@ -30,7 +30,7 @@ fn shortened(text: &str) -> String {
 
 fn found(token: Option<&TokenTree>) -> String {
     match token {
-        None => "nothing more".to_owned(),
+        None => "nothing".to_owned(),
         Some(TokenTree::Group(group)) => match group.delimiter() {
             Delimiter::Parenthesis => "`(`".to_owned(),
             Delimiter::Bracket => "`[`".to_owned(),
@@ -48,10 +48,10 @@ pub(super) fn expected(wanted: &str, token: Option<&TokenTree>) -> String {
 
 /// Message for a token that nothing can be made of.
 pub(super) fn misplaced(token: Option<&TokenTree>) -> String {
-    format!("{} has no meaning here", found(token))
+    format!("unexpected {}", found(token))
 }
 
-pub(super) const MISPLACED_HELP: &str = "leave it out";
+pub(super) const MISPLACED_HELP: &str = "remove it";
 
 /// Message for what can stand behind an expression.
 pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> String {
@@ -64,63 +64,62 @@ pub(super) fn expected_operator_or(wanted: &str, token: Option<&TokenTree>) -> S
 pub(super) fn unbalanced(bracket: char) -> String {
     match bracket {
         '(' | '[' | '{' => format!("`{bracket}` is never closed"),
-        _ => format!("`{bracket}` closes no open bracket of its kind"),
+        _ => format!("`{bracket}` has no matching opening bracket"),
     }
 }
 
-pub(super) const UNCLOSED_QUOTE: &str = "this quotation mark begins no readable text";
-pub(super) const UNREADABLE_END_HELP: &str = "close what is open: brackets, quotation marks, comments";
-pub(super) const UNREADABLE_END: &str = "the text ends too early";
+pub(super) const UNCLOSED_QUOTE: &str = "this quotation mark does not begin a readable string";
+pub(super) const UNREADABLE_END_HELP: &str = "close all brackets, quotation marks and comments";
+pub(super) const UNREADABLE_END: &str = "unexpected end of the text";
 
 pub(super) fn meaningless_character(character: char) -> String {
-    format!("`{}` has no meaning here", character.escape_debug())
+    format!("unexpected character `{}`", character.escape_debug())
 }
 
 // The head of a declaration.
 
 pub(super) const HEADER: &str = "`struct Name;`";
-pub(super) const EMPTY_DECLARATION: &str = "no system is declared here";
+pub(super) const EMPTY_DECLARATION: &str = "this declaration is empty";
 pub(super) const HEADER_HELP: &str = "begin with the type to emit, such as `pub struct CartPole;`";
 pub(super) const STRUCT_BODY: &str = "fields come from `param` and `input` statements, not from the struct";
 pub(super) const TYPE_PARAMETERS: &str = "only one plain type parameter, the number type, is possible here";
-pub(super) const TYPE_PARAMETERS_HELP: &str =
-    "write `struct Name<S>;`; that `S` is a number need not be said";
+pub(super) const TYPE_PARAMETERS_HELP: &str = "write `struct Name<S>;`, without bounds";
 
-pub(super) const WHERE_CLAUSE: &str = "a `where` clause has no place here";
+pub(super) const WHERE_CLAUSE: &str = "a `where` clause is not allowed here";
 
 pub(super) fn number_type_as_parameter(number: &str) -> String {
     format!("`{number}` is a number type and cannot be a parameter")
 }
 
 pub(super) fn number_type_help(number: &str) -> String {
-    format!("write `#[scalar({number})]` above the struct and leave out `<{number}>`")
+    format!("write `#[scalar({number})]` above the struct and remove `<{number}>`")
 }
 
-pub(super) const ATTRIBUTE: &str = "expected `[` behind `#`";
+pub(super) const ATTRIBUTE: &str = "expected `[` after `#`";
 pub(super) const ATTRIBUTE_FORM_HELP: &str =
     "write `#[name]`, `#[name(…)]` or `#[name = \"…\"]`, or `///` for documentation";
-pub(super) const VISIBILITY: &str = "this restricts no visibility";
+pub(super) const VISIBILITY: &str = "unknown visibility";
 pub(super) const VISIBILITY_HELP: &str = "write `pub`, `pub(crate)`, `pub(super)` or `pub(in path)`";
-pub(super) const INNER_ATTRIBUTE: &str = "attributes that begin with `#!` have no place here";
+pub(super) const INNER_ATTRIBUTE: &str = "attributes that begin with `#!` are not allowed here";
 pub(super) const INNER_ATTRIBUTE_HELP: &str = "write `#[…]`, or `///` for documentation";
-pub(super) const SCALAR_FORM: &str = "`scalar` names the number type";
+pub(super) const SCALAR_FORM: &str = "`scalar` takes a number type";
 pub(super) const SCALAR_HELP: &str = "write `#[scalar(f64)]` or `#[scalar(f32)]`";
-pub(super) const SCALAR_WITH_PARAMETER: &str = "the number type is given by the type parameter already";
-pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "leave out either `#[scalar(…)]` or the type parameter";
+pub(super) const SCALAR_WITH_PARAMETER: &str = "the type parameter already specifies the number type";
+pub(super) const SCALAR_WITH_PARAMETER_HELP: &str = "remove either `#[scalar(…)]` or the type parameter";
 pub(super) const TYPE_PARAMETER_HERE: &str = "the type parameter is here";
-pub(super) const ACCURACY_FORM: &str = "`accuracy` names one level";
-pub(super) const FIRST_HERE: &str = "it is given here already";
+pub(super) const ACCURACY_FORM: &str = "`accuracy` takes one level";
+pub(super) const FIRST_HERE: &str = "first given here";
 
 pub(super) fn malformed_attribute(error: &syn::Error) -> String {
-    format!("this is no attribute of Rust: {error}")
+    format!("invalid attribute: {error}")
 }
 
 pub(super) fn keyword_as_type(name: &str) -> String {
-    format!("{} is a keyword of Rust and cannot name a type", quoted(name))
+    format!("{} is a Rust keyword and cannot name a type", quoted(name))
 }
 
 pub(super) fn unknown_accuracy(level: &str) -> String {
-    format!("{} is no level of accuracy", quoted(level))
+    format!("unknown level of accuracy {}", quoted(level))
 }
 
 pub(super) fn levels_of_accuracy() -> String {
@@ -132,46 +131,46 @@ pub(super) fn repeated_attribute(name: &str) -> String {
     format!("`{name}` is given twice")
 }
 
-pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "leave one of them out";
+pub(super) const REPEATED_ATTRIBUTE_HELP: &str = "remove one of them";
 
 // Statements.
 
 pub(super) const STATEMENT: &str = "a statement";
-pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes have no meaning here";
+pub(super) const ATTRIBUTE_ON_STATEMENT: &str = "attributes are not allowed here";
 pub(super) const ATTRIBUTE_ON_STATEMENT_HELP: &str = "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `constraint`, `event`, `friction`, `output` and `reduce`; other comments begin with `//`";
-pub(super) const MISSING_SEMICOLON: &str = "missing `;` behind this";
+pub(super) const MISSING_SEMICOLON: &str = "missing `;` after this";
 pub(super) const LINE_END: &str = "expected `;`, found `,`";
-pub(super) const MISSING_COMMA: &str = "missing `,` in front of this";
+pub(super) const MISSING_COMMA: &str = "missing `,` before this";
 pub(super) const MISSING_SEMICOLON_HELP: &str = "statements end in `;`";
 pub(super) const NEXT_STATEMENT: &str = "the next statement begins here";
-pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate has no value in the declaration";
-pub(super) const STATE_WITH_VALUE: &str = "a state has no value in the declaration";
+pub(super) const COORDINATE_WITH_VALUE: &str = "a coordinate cannot have a value in the declaration";
+pub(super) const STATE_WITH_VALUE: &str = "a state cannot have a value in the declaration";
 pub(super) const COORDINATE_WITH_VALUE_HELP: &str =
     "initial values belong to the state from which a simulation starts";
 
 // Events.
 
 pub(super) const DIRECTION: &str = "`rising`, `falling` or `crossing`";
-pub(super) const DIRECTION_HELP: &str = "say whether zeros count where the function is `rising`, `falling` or either, `crossing`: `event name = e, falling => stop;`";
+pub(super) const DIRECTION_HELP: &str = "specify which zeros count, `rising`, `falling` or, for both, `crossing`: `event name = e, falling => stop;`";
 pub(super) const ACTION: &str = "`stop`, `record`, `impact(e)` or `{`";
 pub(super) const ACTION_HELP: &str =
-    "behind `=>` stands what happens: `stop`, `record`, `impact(e)` or `{ dot(x) = e; y = e; }`";
+    "write an action after `=>`: `stop`, `record`, `impact(e)` or `{ dot(x) = e; y = e; }`";
 pub(super) const RESTITUTION: &str = "an impact needs a coefficient of restitution";
 pub(super) const RESTITUTION_HELP: &str =
     "write `impact(e)`: `impact(0)` for bodies that stay together, `impact(1)` if no energy is lost";
 pub(super) const ASSIGNMENT_HELP: &str = "write `dot(x) = e;` or `x = e;`";
-pub(super) const NOTHING_ASSIGNED: &str = "nothing changes between these braces";
+pub(super) const NOTHING_ASSIGNED: &str = "nothing is assigned between these braces";
 pub(super) const NOTHING_ASSIGNED_HELP: &str =
     "write `{ dot(x) = -dot(x); }`, or `record` for an event that changes nothing";
 
-pub(super) const STATEMENT_IN_EVENT: &str = "an event only assigns coordinates and velocities";
+pub(super) const STATEMENT_IN_EVENT: &str = "an event can only assign coordinates and velocities";
 
 pub(super) fn statement_in_event_help(keyword: &str) -> String {
-    format!("write the `{keyword}` before the event; between the braces stands `dot(x) = e;` or `x = e;`")
+    format!("write the `{keyword}` before the event; the braces contain only `dot(x) = e;` or `x = e;`")
 }
 
 pub(super) fn event_without_direction(name: &str) -> String {
-    format!("the event {} does not say which zeros count", quoted(name))
+    format!("the event {} has no direction", quoted(name))
 }
 
 pub(super) fn event_without_action(name: &str) -> String {
@@ -190,14 +189,14 @@ pub(super) fn friction_without_limit(name: &str) -> String {
 }
 
 pub(super) fn unknown_label(label: &str) -> String {
-    format!("{} says nothing about friction", quoted(label))
+    format!("unknown label {} for friction", quoted(label))
 }
 
 pub(super) fn repeated_label(label: &str) -> String {
     format!("`{label}` is given twice")
 }
 
-pub(super) const SECOND_LIMIT: &str = "this friction is given two limits without labels";
+pub(super) const SECOND_LIMIT: &str = "this friction has two limits without labels";
 pub(super) const UNLABELLED_LIMIT: &str = "a limit without a label beside one with a label";
 
 pub(super) fn lonely_limit(given: &str, missing: &str) -> String {
@@ -221,7 +220,7 @@ pub(super) fn frozen_without_value_help(name: &str) -> String {
 }
 
 pub(super) fn unknown_statement(word: &str) -> String {
-    format!("no statement begins with {}", quoted(word))
+    format!("unknown statement {}", quoted(word))
 }
 
 pub(super) fn meant(candidate: &str) -> String {
@@ -252,11 +251,11 @@ pub(super) const COMPONENT_COUNT_HELP: &str = "name the numbers one by one, `let
 // Names.
 
 pub(super) fn statement_keyword_as_name(name: &str) -> String {
-    format!("keyword as name: {} begins a statement", quoted(name))
+    format!("{} begins a statement and cannot be a name", quoted(name))
 }
 
 pub(super) fn rust_keyword_as_name(name: &str) -> String {
-    format!("keyword as name: {} is a keyword of Rust", quoted(name))
+    format!("{} is a Rust keyword and cannot be a name", quoted(name))
 }
 
 pub(super) fn function_as_name(name: &str) -> String {
@@ -270,7 +269,7 @@ pub(super) fn built_in_as_name(name: &str, meaning: &str) -> String {
 pub(super) const UNDERSCORE_AS_NAME: &str = "`_` is not a name";
 
 pub(super) fn reserved_name(name: &str) -> String {
-    format!("{} begins with two underscores, which is kept for generated code", quoted(name))
+    format!("{} begins with two underscores, which are reserved for generated code", quoted(name))
 }
 
 pub(super) fn raw_name(name: &str) -> String {
@@ -284,27 +283,27 @@ pub(super) const OTHER_NAME_HELP: &str = "choose another name";
 pub(super) const OPERAND: &str = "an expression";
 pub(super) const NESTED_TOO_DEEPLY: &str = "brackets are nested too deeply";
 pub(super) const NESTED_TOO_DEEPLY_HELP: &str = "name a part of the expression with `let`";
-pub(super) const EMPTY_PARENTHESES: &str = "nothing stands between these parentheses";
-pub(super) const EMPTY_BLOCK: &str = "nothing stands between these braces";
-pub(super) const BLOCK_CONTENT: &str = "a block holds exactly one expression";
-pub(super) const LET_HELP: &str = "name parts of expressions with `let` statements of their own";
-pub(super) const ONE_COMPONENT_HELP: &str = "leave the comma out to write a number in parentheses";
-pub(super) const MISSING_ELSE: &str = "this `if` has no value when its condition does not hold";
+pub(super) const EMPTY_PARENTHESES: &str = "these parentheses are empty";
+pub(super) const EMPTY_BLOCK: &str = "these braces are empty";
+pub(super) const BLOCK_CONTENT: &str = "a block contains exactly one expression";
+pub(super) const LET_HELP: &str = "name parts of an expression with separate `let` statements";
+pub(super) const ONE_COMPONENT_HELP: &str = "remove the comma to write a number in parentheses";
+pub(super) const MISSING_ELSE: &str = "this `if` has no value when its condition is false";
 pub(super) const MISSING_ELSE_HELP: &str = "add `else { … }`";
 pub(super) const COMPARISON: &str = "`<`, `<=`, `>` or `>=`";
-pub(super) const EQUALITY: &str = "conditions cannot ask whether numbers are equal";
+pub(super) const EQUALITY: &str = "numbers cannot be compared for equality";
 pub(super) const EQUALITY_HELP: &str =
-    "compare with `<`, `<=`, `>` or `>=`; of indices `if i == 2 { … }` may stand around statements";
+    "compare with `<`, `<=`, `>` or `>=`; `==` compares indices, as in `if i == 2 { … }`";
 pub(super) const LOGIC: &str = "a condition is a single comparison, without `&&`, `||` and `!`";
 pub(super) const LOGIC_HELP: &str =
-    "put one `if` into the other, or compare `min(a, b)` or `max(a, b)` with zero";
+    "nest one `if` in the other, or compare `min(a, b)` or `max(a, b)` with zero";
 pub(super) const COMPARISON_CHAIN: &str = "a condition is a single comparison";
-pub(super) const COMPARISON_PLACE: &str = "comparisons have a place only between `if` and `{`";
+pub(super) const COMPARISON_PLACE: &str = "comparisons are allowed only between `if` and `{`";
 pub(super) const COMPARISON_PLACE_HELP: &str = "write `if a < b { … } else { … }`";
 pub(super) const UNARY_PLUS: &str = "`+` has nothing on its left";
-pub(super) const UNARY_PLUS_HELP: &str = "leave the sign out";
-pub(super) const REFERENCE: &str = "references have no meaning here";
-pub(super) const REFERENCE_HELP: &str = "leave out the `&`: names stand for values";
+pub(super) const UNARY_PLUS_HELP: &str = "remove the sign";
+pub(super) const REFERENCE: &str = "references are not supported";
+pub(super) const REFERENCE_HELP: &str = "remove the `&`: names stand for values";
 pub(super) const MAGNITUDE_HELP: &str = "write `abs(x)` for a magnitude";
 pub(super) const VECTOR_HELP: &str = "write vectors in parentheses: `(a, b)`";
 pub(super) const PARENTHESES_HELP: &str = "group with parentheses";
@@ -312,26 +311,24 @@ pub(super) const LEADING_ZERO_HELP: &str = "write a digit before the point: `0.5
 pub(super) const COMMENT_HELP: &str = "write `//` for comments";
 pub(super) const DOUBLE_STAR: &str = "`**` is not an operator";
 pub(super) const DOUBLE_STAR_HELP: &str = "write `^` for powers";
-pub(super) const PATH: &str = "paths with `::` have no meaning here";
-pub(super) const PATH_HELP: &str = "functions go by their plain name: `sin(x)` or `x.sin()`";
+pub(super) const PATH: &str = "paths with `::` are not supported";
+pub(super) const PATH_HELP: &str = "write functions without a path: `sin(x)` or `x.sin()`";
 pub(super) const MACRO: &str = "macros cannot be called in expressions";
-pub(super) const CONVERSION: &str = "`as` has no meaning here";
-pub(super) const CONVERSION_HELP: &str = "leave the conversion out: all numbers are of one type";
+pub(super) const CONVERSION: &str = "`as` is not supported";
+pub(super) const CONVERSION_HELP: &str = "remove the conversion: all numbers have one type";
 pub(super) const REMAINDER: &str = "`%` is not an operator";
-pub(super) const MACRO_HELP: &str =
-    "write the expression itself, with functions by their plain names: `sin(x)`";
+pub(super) const MACRO_HELP: &str = "write the expression itself, with functions such as `sin(x)`";
 pub(super) const FACTORIAL: &str = "`!` is not an operator";
 pub(super) const FACTORIAL_HELP: &str = "write a factorial as a number: `24` for 4!";
 pub(super) const REMAINDER_HELP: &str =
-    "angles need no remainder; of a percentage write the fraction, `5/100`, and comments begin with `//`";
+    "angles need no remainder; write a percentage as a fraction, `5/100`; comments begin with `//`";
 pub(super) const SECOND_EQUALS_HELP: &str =
-    "a statement gives one value to one name; write a statement for each";
-pub(super) const INDEX: &str = "square brackets have no meaning here";
+    "a statement assigns one value to one name; write a statement for each";
+pub(super) const INDEX: &str = "square brackets are not allowed here";
 pub(super) const INDEX_HELP: &str = "the components of a vector are `.x`, `.y` and `.z`";
 pub(super) const NUMBERED_COMPONENT: &str = "components are not numbered";
 pub(super) const ARGUMENT_HELP: &str = "write the argument of a function in parentheses: `cos(x)`";
-pub(super) const TYPE_HELP: &str =
-    "nothing has a type of its own: `#[scalar(f32)]` or `struct Name<S>;` chooses the type of all numbers";
+pub(super) const TYPE_HELP: &str = "`#[scalar(f32)]` or `struct Name<S>;` specifies the type of all numbers";
 pub(super) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
 
 pub(super) fn keyword_as_value(word: &str) -> String {
@@ -347,7 +344,7 @@ pub(super) fn no_number(literal: &str) -> String {
     format!("{} is not a number", quoted(literal))
 }
 
-pub(super) const SUFFIX: &str = "numbers have no type of their own here";
+pub(super) const SUFFIX: &str = "numbers have no individual types here";
 
 pub(super) fn suffix_help(digits: &str) -> String {
     format!("write {}", quoted(digits))
@@ -364,7 +361,7 @@ pub(super) const EXCESSIVE_NUMBER_HELP: &str = "round it, or choose other units"
 pub(super) const NOT_DECIMAL: &str = "numbers are written in decimal";
 
 pub(super) fn excessive_number(literal: &str) -> String {
-    format!("the number {} is too long or too extreme to be kept exactly", quoted(literal))
+    format!("the number {} is too long or too extreme to be exact", quoted(literal))
 }
 
 /// Message as of [`expected`], for an operator of two characters.

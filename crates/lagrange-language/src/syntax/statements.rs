@@ -11,6 +11,7 @@ use super::cursor::Cursor;
 use super::expressions::at_loop;
 use super::header::header_ahead;
 use super::identifiers::{at_equals_past, at_relation};
+use super::keywords;
 use super::messages;
 use super::messages::forms::form;
 use super::parser::{Declared, Parsed, Parser, Reported};
@@ -77,6 +78,7 @@ impl Parser<'_> {
             return Err(self.no_statement(cursor));
         };
         let text = keyword.to_string();
+        self.accepts_accelerations = keywords::accepts_accelerations(&text);
         let help = form(&text);
         match text.as_str() {
             "param" => Ok(StatementKind::Parameters(self.definitions(help, cursor))),

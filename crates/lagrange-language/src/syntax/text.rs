@@ -31,9 +31,9 @@ fn complaint(culprit: Option<char>) -> String {
 fn character_help(culprit: char) -> &'static str {
     match culprit {
         '(' | '[' | '{' => "close it where it should end",
-        ')' | ']' | '}' => "leave it out, or open it where it should begin",
+        ')' | ']' | '}' => "remove it, or open it where it should begin",
         '\'' | '’' | '′' => "the rate of `x` is `dot(x)`, not x′",
-        '"' | '“' | '”' => "leave quotation marks out",
+        '"' | '“' | '”' => "remove the quotation marks",
         '·' | '×' | '⋅' | '∙' | '•' => "write `*` for products",
         '÷' | '∕' => "write `/` for quotients",
         '−' | '–' | '—' => "write `-` for the minus sign",
@@ -43,12 +43,12 @@ fn character_help(culprit: char) -> &'static str {
         '½' => "write `1/2`",
         '¼' => "write `1/4`",
         '°' => "write `30 deg` for an angle; a temperature is in `K`",
-        '∂' | '∇' => "derivatives by coordinates are found by themselves; `dot(x)` is the rate of x",
+        '∂' | '∇' => "derivatives by coordinates are computed automatically; `dot(x)` is the rate of x",
         '∫' | '∑' => "write a sum as `sum(i in 0..n, e)`; there are no integrals",
         '≤' => "write `<=`",
         '≥' => "write `>=`",
         '≠' | '≈' => "compare with `<`, `<=`, `>` or `>=`",
         '\\' => "write names without a backslash, fractions as `a/b`, and `dot(x)` for a dot",
-        _ => "leave it out",
+        _ => "remove it",
     }
 }

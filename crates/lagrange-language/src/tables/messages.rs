@@ -3,16 +3,15 @@
 /// Characters of a field that a message repeats at most.
 const MAX_SHOWN: usize = 40;
 
-pub(super) const NO_FILES: &str =
-    "files are read where `lagrange::system!` is compiled, and by `pipeline::parse_with`";
+pub(super) const NO_FILES: &str = "only `lagrange::system!` and `pipeline::parse_with` read files";
 pub(super) const UNREADABLE_HELP: &str =
     "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
-pub(super) const FORM_HELP: &str = "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments stand behind `#`";
+pub(super) const FORM_HELP: &str = "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
 pub(super) const DECIMAL_COMMA_HELP: &str = "write decimals with a point: `1.5`";
 
 pub(super) const UNITS_HELP: &str = "choose larger units";
 pub(super) const UTF_16: &str = "it is in UTF-16; save it as UTF-8";
-pub(super) const BINARY: &str = "it holds NUL characters, and is no text in UTF-8";
+pub(super) const BINARY: &str = "it contains NUL characters and is not UTF-8 text";
 
 pub(super) fn not_utf_8(line: usize) -> String {
     format!("line {line} is not in UTF-8; save it as UTF-8")
@@ -27,7 +26,7 @@ pub(super) fn on_line(line: usize, path: &str, complaint: &str) -> String {
 }
 
 pub(super) fn no_number(field: &str) -> String {
-    format!("`{}` is no number", shown(field))
+    format!("`{}` is not a number", shown(field))
 }
 
 pub(super) fn too_large(field: &str) -> String {

@@ -31,14 +31,14 @@ fn points_stand_on_lines() {
 #[test]
 fn mistakes_are_named_by_their_line() {
     let message = |text: &str| read(text).expect_err("a mistake");
-    assert!(message("x, y\n0, 1\n1, two\n").contains("line 3 of `road.csv`: `two` is no number"));
-    assert!(message("0, 1\nx, y\n").contains("line 2 of `road.csv`: `x` is no number"));
+    assert!(message("x, y\n0, 1\n1, two\n").contains("line 3 of `road.csv`: `two` is not a number"));
+    assert!(message("0, 1\nx, y\n").contains("line 2 of `road.csv`: `x` is not a number"));
     assert!(message("0, 1, 2\n").contains("line 1 of `road.csv`: the point has 3 numbers, not 2"));
-    assert!(message("1,5; 2\n").contains("line 1 of `road.csv`: `1,5` is no number"));
+    assert!(message("1,5; 2\n").contains("line 1 of `road.csv`: `1,5` is not a number"));
     assert!(message("1,5; 2\n").contains("write decimals with a point"));
-    assert!(message("0, inf\n").contains("line 1 of `road.csv`: `inf` is no number"));
+    assert!(message("0, inf\n").contains("line 1 of `road.csv`: `inf` is not a number"));
     assert!(message("0, 1\n1, -1e999\n").contains("line 2 of `road.csv`: `-1e999` is too large for `f64`"));
-    assert!(message("0, 1\n1,\n").contains("line 2 of `road.csv`: `` is no number"));
+    assert!(message("0, 1\n1,\n").contains("line 2 of `road.csv`: `` is not a number"));
 }
 
 #[test]
@@ -93,7 +93,7 @@ fn characters_that_cannot_be_seen_are_escaped_in_messages() {
     ];
     for (text, shown) in cases {
         let message = read(text).expect_err(text);
-        assert!(message.contains(&format!("`{shown}` is no number")), "{message}");
+        assert!(message.contains(&format!("`{shown}` is not a number")), "{message}");
         assert!(message.chars().all(|letter| letter == '\n' || !letter.is_control()), "{message:?}");
     }
     let long = read(&format!("0, {}", "9x".repeat(1_000_000))).expect_err("no number");

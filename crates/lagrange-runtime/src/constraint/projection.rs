@@ -39,8 +39,7 @@ const LEAP: f64 = 0.1;
 /// unless the change is slower than this part of the coordinates in a unit of time.
 const SLOW: f64 = 1e-4;
 /// Error message for dependent constraints.
-pub(crate) const UNDETERMINED: &str =
-    "constraints depend on each other here, and do not determine how the motion goes on";
+pub(crate) const UNDETERMINED: &str = "constraints depend on each other here and do not determine the motion";
 /// Starts are admitted if constraints miss by no more than this part of their scales.
 const ADMITTED: f64 = 1e-6;
 

@@ -46,7 +46,7 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
 /// hold its slip velocity, as that of a block pushed against a wall, and would come to its end in every step.
 ///
 /// # Panics
-/// If `values` has no place for one of them.
+/// If `values` has no position for one of them.
 pub fn event_values<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,

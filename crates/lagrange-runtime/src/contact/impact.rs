@@ -43,7 +43,7 @@ const FEW_BISECTIONS: u32 = 6;
 /// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the smaller ones for contacts of which one
 /// slips much more slowly than another.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
-const NO_IMPULSES: &str = "no impulses of contacts and friction fit the impact";
+const NO_IMPULSES: &str = "no impulses of contacts and friction are consistent with the impact";
 
 /// The effect of an impact.
 pub(super) struct Collision<S, const N: usize, const K: usize> {

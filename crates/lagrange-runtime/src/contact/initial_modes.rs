@@ -12,8 +12,8 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, StepFailure, Violation, reach, split};
 use crate::tolerance::{INSTANT, TOUCHING};
 
-const NO_FORCES: &str = "no forces in contacts and friction fit the state: friction is too strong there for rigid bodies that slip this \
-                         way (the paradox of Painlevé)";
+const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
+strong for rigid bodies that slip this way (Painlevé paradox)";
 
 /// The system as a motion from this state starts: contacts that touch and press are closed, friction at rest sticks if it can
 /// and slips the way it is driven otherwise. `None` if it is in these modes already.

@@ -143,7 +143,7 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
             )));
         }
         if self.motions_per_part == 0 {
-            return wrong("a part must hold a motion at least");
+            return wrong("a part must contain at least one motion");
         }
         self.shard.check()?;
         let parts = self.number_of_parts();

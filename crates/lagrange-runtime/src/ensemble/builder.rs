@@ -16,7 +16,7 @@ use crate::simulate::{
 use crate::system::{ControlledSystem, MechanicalSystem};
 
 /// Motions of one system. They want to know when they end.
-#[must_use = "say when the motions end: `.until(time)`"]
+#[must_use = "specify the end of the motions: `.until(time)`"]
 pub struct Motions<'a, M: MechanicalSystem> {
     batch: Batch<'a, M>,
     has_starts: bool,
@@ -37,7 +37,7 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         start: impl Fn(usize, &mut Random) -> Y + Send + Sync + 'a,
     ) -> Self {
         if self.has_starts {
-            let twice = "motions were given a list of starts and `.start(…)`, too: give a number of motions";
+            let twice = "the motions have both a list of starts and `.start(…)`: specify a number of motions instead of the list";
             self.batch.refuse_setting(twice);
         }
         self.batch.start = Some(Box::new(move |index, random| start(index, random).into_state()));
@@ -175,9 +175,9 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
-            0 => self.batch.refuse_setting("an ensemble needs a thread at least"),
+            0 => self.batch.refuse_setting("an ensemble needs at least one thread"),
             1..=4096 => self.batch.threads = Some(threads),
-            _ => self.batch.refuse_setting("an ensemble has 4096 threads at most"),
+            _ => self.batch.refuse_setting("an ensemble can use at most 4096 threads"),
         }
         self
     }

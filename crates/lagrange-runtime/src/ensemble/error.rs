@@ -77,26 +77,26 @@ impl Display for EnsembleError {
             EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
             EnsembleError::ForeignFile(path) => write!(
                 f,
-                "`{}` is called like a part of an ensemble and is none of this version, or its end is damaged: save into another folder, or \
-                 delete it to have it computed again",
+                "`{}` has the name of a part of an ensemble, but another version wrote it or its end is damaged: \
+                save to another folder, or delete it to recompute it",
                 path.display()
             ),
             EnsembleError::Damaged { path, why } => {
-                write!(f, "`{}` is damaged: {why}; delete it to have it computed again", path.display())
+                write!(f, "`{}` is damaged: {why}; delete it to recompute it", path.display())
             }
             EnsembleError::OtherEnsemble { path, differs: [there, here] } => {
                 write!(f, "`{}` is a part of another ensemble: ", path.display())?;
                 match (there.as_str(), here.as_str()) {
-                    ("", "") => f.write_str("what was asked for had another order")?,
-                    ("", here) => write!(f, "it does not say `{here}`, which is so here")?,
-                    (there, "") => write!(f, "it says `{there}`, which is not so here")?,
-                    (there, here) => write!(f, "it says `{there}`, here it is `{here}`")?,
+                    ("", "") => f.write_str("its settings were specified in another order")?,
+                    ("", here) => write!(f, "its settings lack `{here}`")?,
+                    (there, "") => write!(f, "its settings contain `{there}`, unlike those here")?,
+                    (there, here) => write!(f, "its settings contain `{there}` instead of `{here}`")?,
                 }
-                f.write_str("; put back what was changed, or save into another folder")
+                f.write_str("; undo the change, or save to another folder")
             }
             EnsembleError::Locked { path, holder } => write!(
                 f,
-                "`{}` says that {holder} writes into this folder; if it was killed and nothing does, delete that file and start again",
+                "`{}` states that {holder} is writing to this folder; if that process was killed, delete the file and start again",
                 path.display()
             ),
         }

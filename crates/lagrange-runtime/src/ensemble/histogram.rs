@@ -123,7 +123,7 @@ impl Histogram {
     }
 }
 
-/// The least exponent of a width at which the place of this number is exact.
+/// The least exponent of a width at which the position of this number is exact.
 fn finest(value: f64) -> i32 {
     if value == 0.0 { FINEST } else { (libm::ilogb(value) - DEPTH).max(FINEST) }
 }

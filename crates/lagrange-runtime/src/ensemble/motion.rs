@@ -105,7 +105,7 @@ where
         if index >= self.batch.number {
             let number = self.batch.number;
             return Err(EnsembleError::Setting(std::format!(
-                "there is no motion {index} in an ensemble of {number}: they are counted from zero"
+                "there is no motion {index} in an ensemble of {number}: the first has index 0"
             )));
         }
         self.run_then(index, Sampling::EveryStep, |_, result| result)

@@ -8,8 +8,8 @@ use crate::system::{Action, MechanicalSystem, ScalarOf, State};
 
 /// A system that threads may share. Every system whose fields, numbers and states they may is one.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` cannot be shared by threads",
-    note = "an ensemble needs a system, numbers and states that are `Send` and `Sync`: no `Rc`, `Cell` or pointer in them"
+    message = "`{Self}` cannot be shared between threads",
+    note = "an ensemble needs a system, numbers and states that are `Send` and `Sync`, without `Rc`, `Cell` or pointers"
 )]
 pub trait SharedSystem: MechanicalSystem<Scalar: Send + Sync, State: Send + Sync> + Send + Sync {}
 

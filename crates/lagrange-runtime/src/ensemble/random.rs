@@ -157,7 +157,7 @@ impl<P: Purpose> Random<P> {
         let Range { start, end } = range;
         assert!(
             start < end && (end - start).is_finite(),
-            "no random number lies in {start:?}..{end:?}: its start must lie below its end, and both be finite"
+            "there is no random number in {start:?}..{end:?}: its ends must be finite, and the first below the second"
         );
         // Rounding may lead to the end itself.
         (start + (end - start) * self.unit()).min(end.next_down())

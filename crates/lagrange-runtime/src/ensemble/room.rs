@@ -16,14 +16,14 @@ impl<M: SharedSystem> Batch<'_, M> {
     pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
         self.refuse(
             motions,
-            "keep them in files by `.save_parquet(…)`, sum them up by `.reduce(…)`, or compute a shard of them",
+            "save them to files with `.save_parquet(…)`, reduce them with `.reduce(…)`, or compute a shard of them",
         )
     }
 
     /// # Errors
     /// If the samples of so many motions, which lie in memory together while they are saved or summed up, cannot.
     pub(super) fn refuse_too_many_at_once(&self, motions: usize) -> Result<(), EnsembleError> {
-        self.refuse(motions, "say a longer interval, or compute runs that follow each other")
+        self.refuse(motions, "specify a longer interval, or split the run into shorter ones")
     }
 
     fn refuse(&self, motions: usize, instead: &str) -> Result<(), EnsembleError> {
@@ -34,7 +34,7 @@ impl<M: SharedSystem> Batch<'_, M> {
         }
         let what = if self.plan.settings.interval().is_some() { "samples" } else { "ends" };
         Err(EnsembleError::Setting(format!(
-            "the {what} of {motions} motions take {:.1} GB of memory at least, which cannot be had: {instead}",
+            "the {what} of {motions} motions need at least {:.1} GB of memory, which is not available: {instead}",
             bytes / 1e9
         )))
     }

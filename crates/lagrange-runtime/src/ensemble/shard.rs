@@ -114,9 +114,7 @@ impl Shard {
             return Ok(());
         }
         let Shard { index, count } = self;
-        Err(EnsembleError::Setting(format!(
-            "there is no shard {index} of {count}: they are counted from zero"
-        )))
+        Err(EnsembleError::Setting(format!("there is no shard {index} of {count}: the first has index 0")))
     }
 
     /// Its share of so many things.
@@ -137,7 +135,9 @@ fn by_hand(text: &str) -> Result<Shard, EnsembleError> {
         .split_once('/')
         .and_then(|(index, count)| Some(Shard::of(index.trim().parse().ok()?, count.trim().parse().ok()?)));
     numbers.ok_or_else(|| {
-        EnsembleError::Setting(format!("{BY_HAND} is `{text}`; it must be like `3/8`, the fourth of eight"))
+        EnsembleError::Setting(format!(
+            "{BY_HAND} is `{text}`; it must be of the form `3/8`, the fourth of eight"
+        ))
     })
 }
 
@@ -156,8 +156,9 @@ fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleErro
     match places.next() {
         None => Ok(Shard::WHOLE),
         Some((name, value)) => Err(EnsembleError::Setting(format!(
-            "the environment has {name}=`{value}`, by which a launcher that is not known here seems to tell several processes apart: say which \
-             share this is by {BY_HAND}, such as `3/8`, the fourth of eight, or `0/1` for everything"
+            "the environment has {name}=`{value}`, which an unknown launcher seems to set for each of several \
+            processes: specify the shard of this process by {BY_HAND}, such as `3/8`, the fourth of eight, or \
+            `0/1` for everything"
         ))),
     }
 }
@@ -180,7 +181,7 @@ fn from_launchers(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
     inner.check()?;
     array.check()?;
     let count = array.count.checked_mul(inner.count);
-    let count = count.ok_or_else(|| EnsembleError::Setting("there are more shards than numbers".into()))?;
+    let count = count.ok_or_else(|| EnsembleError::Setting("there are too many shards".into()))?;
     Ok(Some(Shard::of(array.index * inner.count + inner.index, count)))
 }
 
@@ -206,9 +207,10 @@ fn array(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
 
 fn number(lookup: Lookup<'_>, name: &str) -> Result<u64, EnsembleError> {
     let text = lookup(name).ok_or_else(|| {
-        EnsembleError::Setting(format!("the environment does not say which shard this is: {name} is not set"))
+        EnsembleError::Setting(format!("the environment does not specify a shard: {name} is not set"))
     })?;
-    let wrong = || EnsembleError::Setting(format!("the environment has {name}=`{text}`, which is no number"));
+    let wrong =
+        || EnsembleError::Setting(format!("the environment has {name}=`{text}`, which is not a number"));
     text.trim().parse().map_err(|_| wrong())
 }
 

@@ -10,7 +10,7 @@ use crate::system::MechanicalSystem;
 /// array. Collect an iterator into a vector.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is neither a number of motions nor a list of starts",
-    note = "for example `system.ensemble(1000)`, or `system.ensemble(starts)` of a vector of states; collect an iterator into one"
+    note = "for example `system.ensemble(1000)`, or `system.ensemble(starts)` with a vector of states; collect an iterator into one"
 )]
 pub trait Starts<M: MechanicalSystem> {
     /// Their number, and their starts if these are given.

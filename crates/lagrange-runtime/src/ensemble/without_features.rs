@@ -20,7 +20,7 @@ use crate::system::MechanicalSystem;
 
 #[cfg(not(feature = "parquet"))]
 without_feature! {
-    SavesParquet: "ensembles save to Parquet with the feature `parquet` of `lagrange` only",
+    SavesParquet: "ensembles save to Parquet only with the feature `parquet` of `lagrange`",
     "needs the feature `parquet`",
     "in `Cargo.toml`: `lagrange = {{ …, features = [\"ensemble\", \"parquet\"] }}`; or once: `cargo run --features lagrange/parquet`";
     impl[M: MechanicalSystem, K, D, P] Ensemble<'_, M, K, D, P> {
@@ -30,7 +30,7 @@ without_feature! {
 
 #[cfg(not(feature = "plot"))]
 without_feature! {
-    DrawsPictures: "ensembles plot with the feature `plot` of `lagrange` only",
+    DrawsPictures: "ensembles plot only with the feature `plot` of `lagrange`",
     "needs the feature `plot`",
     "in `Cargo.toml`: `lagrange = {{ …, features = [\"ensemble\", \"plot\"] }}`; or once: `cargo run --features lagrange/plot`";
     impl[M: MechanicalSystem] Ends<M> {

@@ -141,7 +141,7 @@ pub(super) fn check_length<S: Scalar>(step: S) -> Result<(), SettingError<S>> {
     if step > S::ZERO && step.is_finite() {
         return Ok(());
     }
-    Err(SettingError::Invalid("the length of steps must be positive and finite"))
+    Err(SettingError::Invalid("the step size must be positive and finite"))
 }
 
 /// An integration in steps of equal length; only one that reaches its limit may be shorter.

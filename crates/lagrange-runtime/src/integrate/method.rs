@@ -50,9 +50,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     where
         Self: Sized,
     {
-        Err(SettingError::Invalid(
-            "all steps of this method have the length that it was given: shorten that one",
-        ))
+        Err(SettingError::Invalid("this method has a fixed step size: reduce it instead"))
     }
 
     /// Lets a visitor do what it does with methods that can take several motions side by side.

@@ -63,7 +63,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
 /// If it may not, or if there are more events than can be looked for.
 pub fn check_direction<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), SettingError<M::Scalar>> {
     if M::EVENTS.len() > MOST_LOCATED {
-        return Err(SettingError::Invalid("the system declares more events than can be looked for"));
+        return Err(SettingError::Invalid("the system declares too many events"));
     }
     if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
         return Err(SettingError::Invalid("contacts and dry friction run forwards in time only"));

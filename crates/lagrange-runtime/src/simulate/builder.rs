@@ -57,8 +57,8 @@ pub enum Unended {}
 /// A run that knows when it ends.
 #[doc(hidden)]
 #[diagnostic::on_unimplemented(
-    message = "the run does not know when it ends",
-    label = "say `.until(time)` or `.lasting(duration)` before this",
+    message = "the run has no end",
+    label = "call `.until(time)` or `.lasting(duration)` before this",
     note = "for example `system.simulate(start).until(10.0).run()`"
 )]
 pub trait KnowsItsEnd {}

@@ -37,12 +37,14 @@ impl<S: Scalar> Grid<S> {
     /// If the interval makes no sense. Methods report a span that is not finite.
     pub(crate) fn new([start, end]: [S; 2], interval: S) -> Result<Self, SettingError<S>> {
         if !(interval > S::ZERO && interval.is_finite()) {
-            return Err(SettingError::Invalid("the interval of sampling must be positive and finite"));
+            return Err(SettingError::Invalid("the sampling interval must be positive and finite"));
         }
         // Otherwise instants next to each other would be the same, or taken to be.
         let rounding = SAME_INSTANT.times(2).part::<S>() * start.abs().max(end.abs());
         if rounding.is_finite() && interval <= rounding {
-            return Err(SettingError::Invalid("the interval of sampling is lost in the rounding of time"));
+            return Err(SettingError::Invalid(
+                "the sampling interval is below the rounding error of the time",
+            ));
         }
         Ok(Grid { start, interval: if end < start { -interval } else { interval }, end, index: 1 })
     }

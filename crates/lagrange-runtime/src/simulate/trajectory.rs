@@ -227,9 +227,7 @@ pub enum NotKept<S> {
 impl<S: Debug> Display for NotKept<S> {
     fn fmt(&self, f: &mut Formatter<'_>) -> std::fmt::Result {
         match self {
-            NotKept::NotDense => {
-                f.write_str("states between samples are kept only by a run that is `.dense()`")
-            }
+            NotKept::NotDense => f.write_str("only a run that is `.dense()` stores states between samples"),
             NotKept::Outside { time, start, end } => {
                 write!(f, "time {time:?} is not between {start:?} and {end:?}, the ends of the run")
             }

@@ -41,7 +41,7 @@ pub(crate) use without_feature;
 
 #[cfg(not(feature = "plot"))]
 without_feature! {
-    HasFeaturePlot: "trajectories plot with the feature `plot` of `lagrange` only",
+    HasFeaturePlot: "trajectories plot only with the feature `plot` of `lagrange`",
     "needs the feature `plot`",
     "in `Cargo.toml`: `lagrange = {{ …, features = [\"plot\"] }}`; or once: `cargo run --features lagrange/plot`";
     impl[M: MechanicalSystem] Trajectory<M> {
@@ -56,7 +56,7 @@ without_feature! {
 
 #[cfg(not(feature = "parquet"))]
 without_feature! {
-    HasFeatureParquet: "trajectories save to Parquet with the feature `parquet` of `lagrange` only",
+    HasFeatureParquet: "trajectories save to Parquet only with the feature `parquet` of `lagrange`",
     "needs the feature `parquet`",
     "in `Cargo.toml`: `lagrange = {{ …, features = [\"parquet\"] }}`; or once: `cargo run --features lagrange/parquet`";
     impl[M: MechanicalSystem] Trajectory<M> {

@@ -8,11 +8,11 @@ use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
 /// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities or constraints, or its mass matrix is not constant",
-    note = "compositions of kicks and drifts take separable systems without constraints only",
-    note = "`StormerVerlet` takes constraints on positions, too",
+    note = "compositions of kicks and drifts only accept separable systems without constraints",
+    note = "`StormerVerlet` also accepts constraints on positions",
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
-    note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
-            `GaussLegendre` with `.plain()`"
+    note = "methods in coordinates and momenta do not accept unit quaternions or first-order states: use \
+    `Verner98`, `RungeKutta4`, or `GaussLegendre` with `.plain()`"
 )]
 pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {}
 
@@ -23,7 +23,7 @@ pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
 /// constraint forces. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
-    note = "symplectic Euler and Störmer–Verlet take separable systems only; constraints on positions may restrain them",
+    note = "symplectic Euler and Störmer–Verlet only accept separable systems, possibly with constraints on positions",
     note = "`GaussLegendre` and `Variational` are symplectic for any mass matrix",
     note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
@@ -64,8 +64,8 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 /// These are Hamilton's equations with velocities in the place of momenta; methods that are symplectic for any
 /// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
 #[diagnostic::on_unimplemented(
-    message = "the momenta of `{Self}` and their rates are not known",
-    note = "where velocities are rates of coordinates, declare it with `emit {{ momentum_rates }}`",
+    message = "the momenta of `{Self}` and their rates are unknown",
+    note = "if its velocities are rates of coordinates, add `emit {{ momentum_rates }}` to its declaration",
     note = "methods in coordinates and momenta do not take unit quaternions or first-order states: for these there are `Verner98`, `RungeKutta4` and \
             `GaussLegendre` with `.plain()`"
 )]

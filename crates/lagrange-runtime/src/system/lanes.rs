@@ -85,7 +85,7 @@ pub trait Equations<S: Number>: Copy {
 ///
 /// Every motion has parameters of its own, so that they are numbers side by side, too.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not hand out its equations for numbers side by side",
+    message = "`{Self}` does not have equations for lanes",
     note = "add `emit {{ lanes }}` to its declaration"
 )]
 pub trait LanesSystem: OdeSystem {

@@ -294,7 +294,7 @@ pub trait MechanicalSystem: OdeSystem {
 /// ```
 #[diagnostic::on_unimplemented(
     message = "the state of `{Self}` has no names",
-    note = "emitted types have them; of a system that is written by hand implement `NamedSystem`, or read the state as an array"
+    note = "emitted types have them; for a handwritten system implement `NamedSystem`, or read the state as an array"
 )]
 pub trait NamedSystem: MechanicalSystem {
     /// The state under the names of positions and velocities.

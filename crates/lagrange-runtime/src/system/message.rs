@@ -51,45 +51,45 @@ pub(crate) fn explain<S: Debug>(
         ),
         StepFailure::FrictionLimit { friction, value } => write!(
             f,
-            "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which acts against the slip \
-             velocity by itself"
+            "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which \
+            always opposes the slip velocity"
         ),
         StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
         StepFailure::Undefined(what) => write!(f, "{what}"),
         StepFailure::NoFirstStep { relative, absolute } => write!(
             f,
-            "no first step fits the tolerance, {relative:?} of the state and {absolute:?} beside it: the state is too small or \
-             its rates are too large for that; tolerate a larger absolute error"
+            "no first step meets the tolerances, {relative:?} relative and {absolute:?} absolute: the state is \
+            too small or its rates are too large; increase the absolute tolerance"
         ),
         StepFailure::StepUnderflow { step } => {
             write!(
                 f,
-                "a step of {step:?} is lost in the rounding of time; the motion may be singular here, or too fast for times so far \
-                 from zero"
+                "a step of {step:?} is below the rounding error of the time; the motion may be singular here, or \
+                too fast for times so far from zero"
             )
         }
         StepFailure::StepLost { step, time } => write!(
             f,
-            "steps of {step:?} are lost in the rounding of the time {time:?}: take longer steps, or count time from nearer to the \
-             start"
+            "steps of {step:?} are below the rounding error of the time {time:?}: use longer steps, or measure \
+            time from nearer to the start"
         ),
         StepFailure::TooManySteps { limit } => write!(
             f,
-            "the limit of {limit} steps is reached; raise it, or take a larger tolerance or longer steps"
+            "the limit of {limit} steps is reached; increase it, or use a larger tolerance or longer steps"
         ),
         StepFailure::Stiff { limit } => write!(
             f,
-            "the system is stiff: steps longer than about {limit:?} are unstable; take an implicit method"
+            "the system is stiff: steps longer than about {limit:?} are unstable; use an implicit method"
         ),
         StepFailure::StepTooLong { step, limit } => write!(
             f,
-            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, by the largest \
-             eigenvalue of the linearised equations; take shorter steps, or an implicit method"
+            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, by \
+            the largest eigenvalue of the linearised equations; use shorter steps, or an implicit method"
         ),
         StepFailure::NotConverged { iterations } => write!(
             f,
-            "an implicit step did not converge in {iterations} iterations; take shorter steps, or let the \
-             declaration `emit {{ jacobian }}`"
+            "an implicit step did not converge in {iterations} iterations; use shorter steps, or add `emit {{ \
+            jacobian }}` to the declaration"
         ),
         StepFailure::SingularMassMatrix => {
             f.write_str("the mass matrix is singular: velocities do not follow from momenta here")
@@ -97,21 +97,21 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::EventNotFinite { .. } => write!(f, "the function of {event} is NaN or infinite"),
         StepFailure::EventsAccumulate { events, .. } => write!(
             f,
-            "events accumulate: the last {events} of {event} cannot be told apart in time; stop there, or declare a body that \
+            "events accumulate: the last {events} of {event} cannot be distinguished in time; stop there, or declare a body that \
              comes to rest with `impact(…)`, which closes the contact"
         ),
         StepFailure::Slides { surface } => write!(
             f,
-            "the state stays where the sign of {surface} changes: on either side the equations lead back there, and they do \
-             not say what holds it; dry friction is declared by `friction name = slip velocity, limit;`"
+            "the state stays where the sign of {surface} changes: on both sides the equations lead back there, so \
+            the motion is undefined; declare dry friction by `friction name = slip velocity, limit;`"
         ),
         StepFailure::EventNotLocated { bisections, .. } => {
             write!(f, "the zero of {event} could not be located in {bisections} bisections")
         }
         StepFailure::EventUnresolved { time, spacing, .. } => write!(
             f,
-            "the zero of {event} could not be located: from the time {time:?} to the next one it is {spacing:?}, which is too far \
-             for a motion as fast as this; count time from nearer to the start"
+            "the zero of {event} could not be located: times near {time:?} are {spacing:?} apart, which is too \
+            coarse for a motion this fast; measure time from nearer to the start"
         ),
     }
 }

@@ -29,7 +29,7 @@ use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
 /// assert_eq!(Cart::INPUTS, ["push", "brake"]);
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no inputs that a control could set",
+    message = "`{Self}` has no inputs",
     note = "declare them as `input u;` and use them in a force, as in `force x = u;`"
 )]
 pub trait ControlledSystem: NamedSystem + Sized {

@@ -33,7 +33,7 @@ impl<S: Debug> Display for SettingError<S> {
             SettingError::RepeatedColumn => f.write_str("two columns have the same name; rename one of them"),
             SettingError::TooManySamples { samples, most } => write!(
                 f,
-                "{samples:?} samples would be kept, more than {most:?}: take a longer interval, or `.ends_only()`"
+                "{samples:?} samples exceed the limit of {most:?}: use a longer interval, or `.ends_only()`"
             ),
             SettingError::UnknownOutput { name, known } => {
                 write!(f, "there is no output `{name}`; there are")?;

@@ -194,17 +194,17 @@ impl<S: Debug> Display for Undefined<S> {
                 }
                 write!(
                     f,
-                    " comes to {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, as \
-                     roots of negative numbers or negative powers of zero are"
+                    " is {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, such as \
+                     a root of a negative number or a negative power of zero"
                 )
             }
             Undefined::Unknown { name, time } => write!(
                 f,
-                "no solution for `{name}` is found at time {time:?}: its equation has none there, or Newton's method does not get to it from the start"
+                "there is no solution for `{name}` at time {time:?}: its equation has none there, or Newton's method does not reach it from the start"
             ),
             Undefined::MassMatrix { velocity, pivot, time } => write!(
                 f,
-                "the mass matrix is singular at time {time:?}: its pivot for {} is {pivot:?}, so that {} does not follow from the forces",
+                "the mass matrix is singular at time {time:?}: its pivot for {} is {pivot:?}, so {} does not follow from the forces",
                 Pivot(*velocity),
                 Acceleration(*velocity)
             ),

@@ -41,11 +41,11 @@ impl<S: Debug> Display for Violation<S> {
             Violated::Gap => {
                 return write!(
                     f,
-                    "the gap of the contact `{constraint}` comes to {residual:?}: its bodies overlap"
+                    "the gap of the contact `{constraint}` is {residual:?}: its bodies overlap"
                 );
             }
         };
-        write!(f, "{what} the constraint `{constraint}`, which comes to {residual:?} instead of 0")
+        write!(f, "{what} the constraint `{constraint}`, which is {residual:?} instead of 0")
     }
 }
 

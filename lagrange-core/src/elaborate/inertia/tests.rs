@@ -107,7 +107,11 @@ fn solids_that_do_not_exist_are_refused_where_their_size_is_known() {
         "polygon(m, (0, 0), (1, 1), (2, 2))",
         "slender_rod(m, -1)",
     ] {
-        assert!(mistakes(call).contains("of this size\n  help: "), "{call}: {}", mistakes(call));
+        assert!(
+            mistakes(call).contains("cannot have these dimensions\n  help: "),
+            "{call}: {}",
+            mistakes(call)
+        );
     }
     assert!(mistakes("disk(m, ln(-1))").contains("this is not a real number"));
     for call in [

@@ -22,13 +22,13 @@ pub(in crate::elaborate) fn vector_help(dimension: usize) -> &'static str {
 
 pub(in crate::elaborate) fn tensor_impossible(body: &str, is_certain: bool) -> String {
     let when = if is_certain { "" } else { " with the defaults of its parameters" };
-    format!("no body has the moments and products of inertia of `{body}`{when}")
+    format!("the moments and products of inertia of `{body}` are physically impossible{when}")
 }
 
 pub(in crate::elaborate) const TENSOR_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; products are the entries of the matrix, xy = -∫ x y dm";
 
 pub(in crate::elaborate) fn no_such_solid(usage: &str) -> String {
-    format!("there is no `{usage}` of this size")
+    format!("`{usage}` cannot have these dimensions")
 }
 
 pub(in crate::elaborate) fn mass_not_positive(body: &str, value: &str, is_constant: bool) -> String {
@@ -38,7 +38,7 @@ pub(in crate::elaborate) fn mass_not_positive(body: &str, value: &str, is_consta
 
 pub(in crate::elaborate) fn inertia_negative(body: &str, value: &str, is_constant: bool) -> String {
     let condition = if is_constant { "" } else { WITH_DEFAULTS };
-    format!("{condition}the moment of inertia of `{body}` is {value}, but none is negative")
+    format!("{condition}the moment of inertia of `{body}` is {value}, but must not be negative")
 }
 
 pub(in crate::elaborate) fn not_fixed(what: &str) -> String {
@@ -51,9 +51,9 @@ pub(in crate::elaborate) const FREE_OF_MOTION_HELP: &str =
     "where energies depend on the motion in another way, write them yourself with `kinetic` and `potential`";
 
 pub(in crate::elaborate) const HOLES_LIE_WITHIN: &str =
-    "it is the one about the centre of mass; holes of a `compound` lie within the other parts";
+    "this moment is about the centre of mass; holes of a `compound` lie within the other parts";
 
-pub(in crate::elaborate) const HOLES_BELONG_IN_A_COMPOUND: &str = "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }`, m being positive and less than the mass of the other parts";
+pub(in crate::elaborate) const HOLES_BELONG_IN_A_COMPOUND: &str = "where mass is missing, write `compound { …; hole disk(r), mass: m, at: (X, Y); }`, where m is positive and less than the mass of the other parts";
 
 /// `condition` says for which values of symbols the numbers hold.
 pub(in crate::elaborate) fn other_inertia(body: &str, stated: f64, of_shape: f64, condition: &str) -> String {
@@ -71,12 +71,12 @@ pub(in crate::elaborate) fn for_values(values: &[(String, f64)]) -> String {
 }
 
 pub(in crate::elaborate) const SHAPE_IS_HERE: &str = "the shape is given here";
-pub(in crate::elaborate) const OTHER_INERTIA_HELP: &str = "leave `inertia` out to have that of the shape, about the centre of mass; if the stated one is meant, because mass is not spread evenly, `#[allow(deprecated)]` on the system silences this";
+pub(in crate::elaborate) const OTHER_INERTIA_HELP: &str = "remove `inertia` to use that of the shape, about the centre of mass; if the mass is unevenly distributed, `#[allow(deprecated)]` on the struct silences this warning";
 
 pub(in crate::elaborate) const PLANE_VECTOR_HELP: &str = "write its two components: `(x, y)`";
 
 pub(in crate::elaborate) fn body_stands_still(name: &str) -> String {
-    format!("nothing moves body `{name}`: neither its place nor its angle depends on a coordinate")
+    format!("body `{name}` cannot move: neither its position nor its angle depends on a coordinate")
 }
 
-pub(in crate::elaborate) const BODY_STANDS_STILL_HELP: &str = "write its centre with coordinates: `coord x, y;` and `center: (x, y);`; what stands still needs no body, a `line` for example";
+pub(in crate::elaborate) const BODY_STANDS_STILL_HELP: &str = "write its centre with coordinates: `coord x, y;` and `center: (x, y);`; anything at rest needs no body, for example a `line`";

@@ -6,7 +6,7 @@ pub(in crate::elaborate) fn declared_twice(name: &str) -> String {
 
 pub(in crate::elaborate) fn first_declared(name: &str, kind: &str) -> String {
     let article = if kind.starts_with(['e', 'i', 'o', 'u']) { "an" } else { "a" };
-    format!("`{name}` is declared here already, as {article} {kind}")
+    format!("`{name}` is first declared here, as {article} {kind}")
 }
 
 pub(in crate::elaborate) fn unused(kind: &str, name: &str) -> String {
@@ -17,10 +17,10 @@ pub(in crate::elaborate) fn never_called(name: &str) -> String {
     format!("the function `{name}` is never called")
 }
 
-pub(in crate::elaborate) const NEVER_CALLED_HELP: &str = "call it, or leave it out";
+pub(in crate::elaborate) const NEVER_CALLED_HELP: &str = "call it, or remove it";
 
 pub(in crate::elaborate) fn unused_help(name: &str) -> String {
-    format!("remove it, or call it `_{name}` if that is intended")
+    format!("remove it, or call it `_{name}` if this is intended")
 }
 
 pub(in crate::elaborate) fn unknown_name(name: &str) -> String {
@@ -29,19 +29,19 @@ pub(in crate::elaborate) fn unknown_name(name: &str) -> String {
 
 /// Message for the rate of a component where a velocity is needed.
 pub(in crate::elaborate) fn component_of_quaternion(name: &str) -> String {
-    format!("`{name}` is a component of a unit quaternion, whose rate is no velocity of its own")
+    format!("`{name}` is a component of a unit quaternion, whose rate is not an independent velocity")
 }
 
 /// Message for a velocity where a coordinate is needed.
 pub(in crate::elaborate) fn velocity_as_coordinate(name: &str) -> String {
-    format!("`{name}` is a velocity already, not a coordinate")
+    format!("`{name}` is a velocity, not a coordinate")
 }
 
 pub(in crate::elaborate) const QUATERNION_HELP: &str =
     "write a component of the angular velocity, whose name ends in `_wx`, `_wy` or `_wz`";
 
 pub(in crate::elaborate) const NO_RATE_TO_NAME: &str =
-    "this is not the rate of a coordinate without another name";
+    "this is not the rate of a coordinate, or that rate already has a name";
 pub(in crate::elaborate) const VELOCITY_HELP: &str =
     "write `velocity u = dot(x);` once for a coordinate `x`; for any other velocity write `let u = e;`";
 
@@ -65,12 +65,11 @@ pub(in crate::elaborate) fn used_too_early(name: &str) -> String {
     format!("`{name}` is used before it is declared")
 }
 
-pub(in crate::elaborate) const ORDER_HELP: &str =
-    "a name is known only behind the statement that declares it";
+pub(in crate::elaborate) const ORDER_HELP: &str = "a name is known only after its declaration";
 
 /// Message for another name that is used too early.
 pub(in crate::elaborate) fn also_declared_here(name: &str) -> String {
-    format!("`{name}`, which is used too early, too, is declared here")
+    format!("`{name}`, also used too early, is declared here")
 }
 
 pub(in crate::elaborate) const PLAIN_NAMES_HELP: &str =
@@ -79,7 +78,7 @@ pub(in crate::elaborate) const PLAIN_NAMES_HELP: &str =
 /// Message for a word such as `omega` where a single coordinate moves.
 pub(in crate::elaborate) fn rate_of_single(coordinate: &str) -> String {
     format!(
-        "the rate of `{coordinate}` is `dot({coordinate})`; declare what is no rate with `param`, `input` or `let`"
+        "the rate of `{coordinate}` is `dot({coordinate})`; declare other quantities with `param`, `input` or `let`"
     )
 }
 
@@ -115,7 +114,7 @@ pub(in crate::elaborate) fn not_a_function(name: &str, kind: &str) -> String {
 
 /// Message for `x(t)`.
 pub(in crate::elaborate) fn of_time(name: &str) -> String {
-    format!("write `{name}`: that it depends on time need not be said")
+    format!("write `{name}`: its dependence on time is implied")
 }
 
 pub(in crate::elaborate) const PRODUCT_HELP: &str = "write `*` between the factors of a product";
@@ -132,7 +131,7 @@ pub(in crate::elaborate) fn function_as_value(name: &str) -> String {
 }
 
 pub(in crate::elaborate) fn method_as_value(name: &str) -> String {
-    format!("the function `{name}` needs parentheses behind it: `.{name}()`")
+    format!("the function `{name}` needs parentheses: `.{name}()`")
 }
 
 pub(in crate::elaborate) fn wrong_argument_count(name: &str, expected: usize, found: usize) -> String {
@@ -149,8 +148,8 @@ pub(in crate::elaborate) fn write_call(usage: &str) -> String {
     format!("write `{usage}`")
 }
 
-pub(in crate::elaborate) const NAMELESS_CONSTRAINT_HELP: &str = "a constraint has a name of its own, which stands for its force: write x = a as `constraint name = x - (a);`";
+pub(in crate::elaborate) const NAMELESS_CONSTRAINT_HELP: &str = "a constraint needs its own name, which stands for its force: write x = a as `constraint name = x - (a);`";
 pub(in crate::elaborate) const OTHER_EVENT_HELP: &str =
-    "an event has a name of its own: write `event name = e, falling => stop;`";
+    "an event needs its own name: write `event name = e, falling => stop;`";
 pub(in crate::elaborate) const OTHER_OUTPUT_HELP: &str =
-    "an output has a name of its own: write `output name = e;`";
+    "an output needs its own name: write `output name = e;`";

@@ -14,22 +14,22 @@ pub(in crate::elaborate) fn only_in_space(product: &str) -> String {
 }
 
 pub(in crate::elaborate) const IN_THE_PLANE_HELP: &str =
-    "`emit { motion }` says where bodies in the plane are and how they move";
+    "`emit { motion }` gives the positions and velocities of bodies in the plane";
 
 pub(in crate::elaborate) fn not_in_the_plane(body: &str) -> String {
-    format!("the places of `{body}` need two components, its mass, moment of inertia and angle one")
+    format!("positions of `{body}` need two components; its mass, moment of inertia and angle need one")
 }
 
 pub(in crate::elaborate) const PLANE_HELP: &str =
-    "write places as `(x, y)`, and mass, moment of inertia and angle as numbers";
+    "write positions as `(x, y)`, and mass, moment of inertia and angle as numbers";
 
 pub(in crate::elaborate) fn place_with_velocities(name: &str) -> String {
     format!("the frame of `{name}` must not depend on velocities")
 }
 
 pub(in crate::elaborate) const PLACE_WITH_VELOCITIES_HELP: &str =
-    "state its place and its angles without velocities, or emit neither `frames` nor `frame_jacobians`";
+    "write its position and angles without velocities, or emit neither `frames` nor `frame_jacobians`";
 
 pub(in crate::elaborate) fn reserved_body(what: &str, name: &str, method: &str) -> String {
-    format!("{what} cannot be called `{name}` here, since the system has a method `{method}` already")
+    format!("{what} cannot be called `{name}` here, since the system already has a method `{method}`")
 }

@@ -2,17 +2,17 @@
 
 pub(in crate::elaborate) const START: &str = "the start of an unknown";
 pub(in crate::elaborate) const ITERATIONS: &str = "the number of iterations";
-pub(in crate::elaborate) const NO_ITERATIONS: &str = "this is no number of iterations";
+pub(in crate::elaborate) const NO_ITERATIONS: &str = "this is not a valid number of iterations";
 
 pub(in crate::elaborate) fn iterations_help(most: i32) -> String {
-    format!("write a whole number from 1 to {most}, such as `iterations: 50`; without one it is 30")
+    format!("write a whole number from 1 to {most}, such as `iterations: 50`; the default is 30")
 }
 
 pub(in crate::elaborate) const START_HELP: &str =
-    "write what is known before the equation is solved, such as a number; without a start it is 0";
+    "write an expression that is known before the equation is solved, such as a number; the default is 0";
 pub(in crate::elaborate) const RATE_HELP: &str =
-    "behind the statement it has a rate; an equation for the rate itself is that of a `state`";
-pub(in crate::elaborate) const ONE_AT_A_TIME: &str = "move the declaration in front of this; where each of two unknowns is in the equation of the other, eliminate one of them: equations are solved one at a time";
+    "its rate is known after the statement; for an equation of the rate itself declare a `state`";
+pub(in crate::elaborate) const ONE_AT_A_TIME: &str = "move the declaration before this; if two unknowns depend on each other, eliminate one of them: equations are solved one at a time";
 
 pub(in crate::elaborate) fn equation(name: &str) -> String {
     format!("the equation of `{name}`")
@@ -24,7 +24,7 @@ pub(in crate::elaborate) fn without_unknown(name: &str) -> String {
 
 pub(in crate::elaborate) fn without_unknown_help(name: &str) -> String {
     format!(
-        "write an expression that changes with `{name}` and is zero at its value; what can be written out is `let {name} = e;`"
+        "write an expression that changes with `{name}` and is zero at its value; write an explicit value as `let {name} = e;`"
     )
 }
 
@@ -45,7 +45,7 @@ pub(in crate::elaborate) fn start_holds(name: &str) -> String {
 }
 
 pub(in crate::elaborate) fn rate_within(name: &str) -> String {
-    format!("the rate of `{name}` is not known in its own equation")
+    format!("the rate of `{name}` is unknown in its own equation")
 }
 
 pub(in crate::elaborate) fn name_of_solver(name: &str, unknown: &str) -> String {

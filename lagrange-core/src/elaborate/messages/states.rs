@@ -1,28 +1,27 @@
 //! Diagnostics for first-order states.
 
 pub(in crate::elaborate) const RATE: &str = "the rate of a state";
-pub(in crate::elaborate) const RATE_HELP: &str =
-    "rates are found beside accelerations and forces, of time, coordinates, velocities, states and inputs";
+pub(in crate::elaborate) const RATE_HELP: &str = "rates are functions of time, coordinates, velocities, states and inputs, not of accelerations and forces";
 
 pub(in crate::elaborate) fn stated_twice(name: &str) -> String {
     format!("the rate of `{name}` is stated twice")
 }
 
-pub(in crate::elaborate) const STATED_HERE: &str = "it is stated here";
-pub(in crate::elaborate) const STATED_TWICE_HELP: &str = "add both up in one equation, or leave one out";
+pub(in crate::elaborate) const STATED_HERE: &str = "first stated here";
+pub(in crate::elaborate) const STATED_TWICE_HELP: &str = "add both in one equation, or remove one";
 
 pub(in crate::elaborate) fn declare(name: &str) -> String {
-    format!("`dot(…) = e;` is the equation of a state: declare it by `state {name};`")
+    format!("`dot(…) = e;` is the equation of a state: declare it with `state {name};`")
 }
 
 pub(in crate::elaborate) fn rate_of_coordinate(name: &str) -> String {
-    format!("`{name}` is a coordinate: its velocity is part of the state, and no equation states it")
+    format!("`{name}` is a coordinate: its velocity is part of the state and has no equation")
 }
 
-pub(in crate::elaborate) const RATE_OF_COORDINATE_HELP: &str = "initial velocities belong to the state from which a simulation starts, accelerations follow from energies and forces; what must hold of velocities is a `constraint name = e;`";
+pub(in crate::elaborate) const RATE_OF_COORDINATE_HELP: &str = "initial velocities belong to the state from which a simulation starts, accelerations follow from energies and forces; for a condition on velocities write `constraint name = e;`";
 
 pub(in crate::elaborate) fn no_state(kind: &str, name: &str) -> String {
-    format!("the {kind} `{name}` is no state")
+    format!("the {kind} `{name}` is not a state")
 }
 
 pub(in crate::elaborate) fn without_equation(name: &str) -> String {
@@ -30,15 +29,15 @@ pub(in crate::elaborate) fn without_equation(name: &str) -> String {
 }
 
 pub(in crate::elaborate) fn equation_of(name: &str) -> String {
-    format!("write `dot({name}) = e;`, with its rate behind the equals sign")
+    format!("write `dot({name}) = e;`, with its rate after the equals sign")
 }
 
 pub(in crate::elaborate) fn rate_too_early(name: &str) -> String {
-    format!("the rate of the state `{name}` is needed here, before it is stated")
+    format!("the rate of the state `{name}` is used before its equation")
 }
 
 pub(in crate::elaborate) fn rate_too_early_help(name: &str) -> String {
-    format!("move `dot({name}) = e;` in front of this; a rate cannot be made of itself")
+    format!("move `dot({name}) = e;` before this; a rate cannot depend on itself")
 }
 
 pub(in crate::elaborate) fn second_rate(name: &str) -> String {
@@ -46,20 +45,20 @@ pub(in crate::elaborate) fn second_rate(name: &str) -> String {
 }
 
 pub(in crate::elaborate) const SECOND_RATE_HELP: &str =
-    "leave the second rate out, or make the input a `state` with a rate of its own";
+    "remove the second rate, or make the input a `state` with its own equation";
 
 pub(in crate::elaborate) fn in_kinetic(name: &str) -> String {
     format!("momenta must not depend on the state `{name}`, which multiplies a velocity here")
 }
 
-pub(in crate::elaborate) const IN_KINETIC_HELP: &str = "states are no coordinates, which Lagrange's equations would be about: let them act by `force`, `potential` or `dissipation`, or make this one a `coord`";
+pub(in crate::elaborate) const IN_KINETIC_HELP: &str = "Lagrange's equations apply to coordinates, not to states: use states in a `force`, `potential` or `dissipation`, or make this one a `coord`";
 pub(in crate::elaborate) const PLACE_HELP: &str = "virtual work and constraints displace coordinates, not states: make this one a `coord`, or write its effect as a `force`";
-pub(in crate::elaborate) const TANGENT_JACOBIAN: &str = "`tangent_jacobian` does not go with states";
+pub(in crate::elaborate) const TANGENT_JACOBIAN: &str = "`tangent_jacobian` cannot be combined with states";
 pub(in crate::elaborate) const TANGENT_JACOBIAN_HELP: &str =
-    "it has rows for displacements and velocities only; `jacobian` has one for each state, too";
+    "it has rows for displacements and velocities only; `jacobian` also has one for each state";
 pub(in crate::elaborate) const STATE_IS_HERE: &str = "this is a state";
 pub(in crate::elaborate) const SMALL_HELP: &str =
-    "states are frozen at a value, or stay as they are; their equations are not expanded";
+    "a state can be frozen at a value, but its equation cannot be expanded";
 
 pub(in crate::elaborate) fn small(name: &str) -> String {
     format!("the state `{name}` cannot be small")

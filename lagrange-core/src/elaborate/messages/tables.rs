@@ -1,26 +1,27 @@
 //! Diagnostics for tables.
 
 pub(in crate::elaborate) const TOO_FEW_HELP: &str =
-    "list at least two points, and of two arguments at least two of each";
-pub(in crate::elaborate) const TOO_MANY_HELP: &str = "list fewer points: what is smooth is interpolated as well from every tenth; or compute it in a `function` of your crate";
+    "list at least two points; with two arguments, at least two of each";
+pub(in crate::elaborate) const TOO_MANY_HELP: &str =
+    "list fewer points, since smooth data need few, or compute it in a `function` of your crate";
 pub(in crate::elaborate) const NOT_CONSTANT: &str =
-    "a table is made when the program is compiled, and cannot depend on this";
+    "a table is built at compile time and cannot depend on this";
 pub(in crate::elaborate) const NOT_CONSTANT_HELP: &str =
-    "compute it from numbers, `pi` and `const` names; multiply the table by what is known later";
+    "compute it from numbers, `pi` and `const` names; multiply the table by values known at run time";
 pub(in crate::elaborate) const NOT_FINITE: &str = "this number of a table is too large for `f64`";
 pub(in crate::elaborate) const NOT_FINITE_HELP: &str = "choose larger units";
 pub(in crate::elaborate) const NOT_ASCENDING_HELP: &str =
     "list the points in ascending order, each argument once";
-pub(in crate::elaborate) const REPEATED_POINT: &str = "this point stands in the table twice";
+pub(in crate::elaborate) const REPEATED_POINT: &str = "this point is in the table twice";
 pub(in crate::elaborate) const GRID_HELP: &str = "list each point of the grid once, in any order";
 pub(in crate::elaborate) const ROUGH_HELP: &str =
-    "write `interpolation: natural` in the table; forces, outputs and events may hold any table";
+    "write `interpolation: natural` in the table; forces, outputs and events may use any table";
 pub(in crate::elaborate) const BENT_ENDS_HELP: &str =
     "write `outside: extend` or `outside: error` in the table";
 
 pub(in crate::elaborate) const UNREAD: &str = "this file has not been read";
 pub(in crate::elaborate) const UNREAD_HELP: &str =
-    "files are read by `lagrange::system!` and by `pipeline::parse_with`";
+    "only `lagrange::system!` and `pipeline::parse_with` read files";
 
 pub(in crate::elaborate) const TOO_UNEVEN_HELP: &str =
     "write `interpolation: linear`, or space the points more evenly";
@@ -37,7 +38,7 @@ pub(in crate::elaborate) fn too_few(name: &str, count: usize) -> String {
 }
 
 pub(in crate::elaborate) fn too_many(name: &str, count: usize, most: usize) -> String {
-    format!("the table `{name}` has {count} points, which are more than {most}")
+    format!("the table `{name}` has {count} points; at most {most} are supported")
 }
 
 pub(in crate::elaborate) fn not_ascending(argument: &str, before: f64, after: f64) -> String {
@@ -67,9 +68,7 @@ pub(in crate::elaborate) fn name_of_derivative(name: &str, table: &str) -> Strin
 }
 
 pub(in crate::elaborate) fn bent_ends(name: &str) -> String {
-    format!(
-        "accelerations would jump at both ends of the table `{name}`, beyond which it stays what it is there"
-    )
+    format!("accelerations would jump at both ends of the table `{name}`, beyond which it is constant")
 }
 
 /// Help where a table is evaluated beyond its ends.
@@ -79,8 +78,8 @@ pub(in crate::elaborate) fn reaches(name: &str, axes: &[[f64; 2]]) -> String {
 }
 
 pub(in crate::elaborate) fn too_steep(name: &str) -> String {
-    format!("the polynomials between the points of the table `{name}` hold numbers too large for `f64`")
+    format!("the polynomials between the points of the table `{name}` contain numbers too large for `f64`")
 }
 
 pub(in crate::elaborate) const TOO_STEEP_HELP: &str =
-    "leave out points that nearly coincide, or choose larger units for its values";
+    "remove points that nearly coincide, or choose larger units for its values";

@@ -130,7 +130,7 @@ fn of_body(members: &str) -> String {
 fn moments_of_inertia_are_not_negative() {
     let report = of_body("mass: m; center: (x, y); inertia: -m / m;");
     assert!(report.starts_with("error at "), "{report}");
-    assert!(report.contains(": the moment of inertia of `rod` is -1, but none is negative"), "{report}");
+    assert!(report.contains(": the moment of inertia of `rod` is -1, but must not be negative"), "{report}");
     let hole_outside =
         "origin: (x, y); compound { rectangle(l, l), mass: m; hole disk(l/4), mass: m/10, at: (9*l, 0); }";
     let report = of_body(hole_outside);

@@ -16,9 +16,7 @@ pub(in crate::emit) fn expensive_help() -> String {
 }
 
 pub(in crate::emit) fn hopeless(limit: usize) -> String {
-    format!(
-        "this system takes more than {limit} operations, which no compiler gets through in reasonable time"
-    )
+    format!("this system takes more than {limit} operations, too many to compile in reasonable time")
 }
 
 pub(in crate::emit) fn too_many(given: usize, kind: &str, most: usize) -> String {
@@ -26,7 +24,7 @@ pub(in crate::emit) fn too_many(given: usize, kind: &str, most: usize) -> String
 }
 
 pub(in crate::emit) fn fewer_unknowns() -> &'static str {
-    "declare a part of it, and compute forces between many such parts in a loop that hands them in as inputs"
+    "declare a part of it, and compute forces between many such parts in a loop that passes them as inputs"
 }
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
@@ -40,22 +38,26 @@ pub(in crate::emit) const UNLOCATED_HELP: &str = "they come from `if`, `abs`, `s
      `#[allow(deprecated)]` on the struct silences this warning";
 
 pub(in crate::emit) fn smaller() -> &'static str {
-    "leave out methods with `emit { no … }`, or compute forces between many bodies in a loop and hand them in as \
+    "omit methods with `emit { no … }`, or compute forces between many bodies in a loop and pass them as \
      inputs"
 }
 
 pub(in crate::emit) fn excluded(product: Product, exclusion: &str) -> String {
-    format!("`{}` does not go with {exclusion}", product.name())
+    format!("`{}` cannot be combined with {exclusion}", product.name())
 }
 
 pub(in crate::emit) fn missing_derivative(derivative: &str, needed_by: &str) -> String {
-    format!("{needed_by} needs {derivative}, which has no name").replacen("motion needs", "motion need", 1)
+    format!("{needed_by} needs {derivative}, for which no function is specified").replacen(
+        "motion needs",
+        "motion need",
+        1,
+    )
 }
 
 pub(in crate::emit) fn missing_derivative_help(label: &str, product: Option<&str>) -> String {
-    let named = format!("name the function that computes it: `{label}: name;`");
+    let named = format!("specify the function that computes it: `{label}: name;`");
     match product {
-        Some(product) => format!("{named}; or leave that method out by `emit {{ no {product} }}`"),
+        Some(product) => format!("{named}; or omit that method with `emit {{ no {product} }}`"),
         None => named,
     }
 }
@@ -66,11 +68,11 @@ pub(in crate::emit) const CALLED_HERE: &str = "the function is called here";
 pub(in crate::emit) fn without(product: Product) -> &'static str {
     match product {
         Product::Kernel => {
-            "leave it out; a device computes motions of systems without constraints, contacts, friction and events"
+            "remove it; devices only run systems without constraints, contacts, friction and events"
         }
-        Product::Lanes => "leave it out; ensembles compute such systems motion by motion, over all threads",
+        Product::Lanes => "remove it; ensembles run such systems one by one, on all threads",
         _ => {
-            "leave it out; accelerations that are found in one way for all states can be prepared, of systems with events, too"
+            "remove it; only systems whose accelerations are computed in the same way for all states can be prepared"
         }
     }
 }
@@ -81,20 +83,18 @@ pub(in crate::emit) fn large_in_kernel(precision: Precision, constants: &[String
         Precision::Single => "f32",
     };
     format!(
-        "`kernel` is emitted in `{scalar}`, too, for which these numbers are too large: {}",
+        "`kernel` is also emitted in `{scalar}`, for which these numbers are too large: {}",
         constants.join(", ")
     )
 }
 
-pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or leave it out";
-pub(in crate::emit) const EVENTS: &str = "events, which runs look for";
+pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or remove it";
+pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =
-    "functions of the crate, tables or equations to `solve`, which a device does not have";
+    "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
-pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are found at run time";
-pub(in crate::emit) const SWITCHES: &str =
-    "jumps or kinks, such as those of `if`, `abs`, `sign`, `min` and `max`, whose sides runs fix";
-pub(in crate::emit) const INDEFINITE: &str =
-    "a mass matrix that is not definite, of which accelerations are found in a second way";
+pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
+pub(in crate::emit) const SWITCHES: &str = "jumps or kinks, such as those of `if`, `abs`, `sign`, `min` and `max`, whose sides a run fixes in each step";
+pub(in crate::emit) const INDEFINITE: &str = "an indefinite mass matrix, which needs a fallback solution";
 pub(in crate::emit) const ORIENTATIONS: &str =
-    "orientations, whose quaternions runs bring back to length one after every step";
+    "orientations, whose quaternions a run normalises after every step";

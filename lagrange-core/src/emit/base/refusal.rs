@@ -60,7 +60,7 @@ fn report_too_large(declaration: &Declaration, constants: &[String], report: &mu
         ScalarType::F32 => ("f32", f64::from(f32::MAX)),
         ScalarType::F64 | ScalarType::Generic(_) => ("f64", f64::MAX),
     };
-    let message = format!("the equations hold numbers too large for `{scalar}`: {}", constants.join(", "));
+    let message = format!("the equations contain numbers too large for `{scalar}`: {}", constants.join(", "));
     let help = format!("`{scalar}` holds numbers up to about {largest:.1e}: choose larger units");
     report.error(declaration.name.span, message).help(help);
 }

@@ -24,10 +24,10 @@ fn refuses_pictures_that_do_not_match() {
         change(&mut pictures[1]);
         reason(Film::new(pictures, vec![0.0, 1.0, 2.0]))
     };
-    assert!(with(&|picture| picture.size[0] += 1.0).contains("picture 1 has another size"));
-    assert!(with(&|picture| picture.marks.truncate(2)).contains("picture 1 has other marks"));
+    assert!(with(&|picture| picture.size[0] += 1.0).contains("picture 1 differs in size"));
+    assert!(with(&|picture| picture.marks.truncate(2)).contains("picture 1 differs in its marks"));
     let nowhere = |picture: &mut Picture| picture.marks[0] = stroke(line(&[[0.0, 0.0], [f64::NAN, 0.0]]));
-    assert!(with(&nowhere).contains("picture 1 is not at a finite place"));
+    assert!(with(&nowhere).contains("picture 1 is not at a finite position"));
 }
 
 #[test]
@@ -45,5 +45,5 @@ fn refuses_curves_of_another_length() {
 #[test]
 fn refuses_formats_that_it_cannot_write() {
     let refused = pendulum(1).save("film.mp4").expect_err("is refused").to_string();
-    assert_eq!(refused, "`film.mp4` does not end in the name of a format: one of svg, gif, html");
+    assert_eq!(refused, "`film.mp4` does not end in the name of a format, which is one of svg, gif, html");
 }

@@ -7,7 +7,7 @@ pub(super) const AXIS_HELP: &str = "write a vector that is not zero, such as `ax
 pub(super) const PITCH_MISSING: &str = "this screw has no pitch";
 pub(super) const PITCH_HELP: &str = "write how far it advances in a turn, `pitch: p;`";
 pub(super) const ANGLES_HELP: &str =
-    "in space an orientation takes three: `angles: (psi, theta, phi); sequence: zxz;`";
+    "in space an orientation takes three angles: `angles: (psi, theta, phi); sequence: zxz;`";
 pub(super) const CENTER_HELP: &str =
     "write `origin: (x, y, z);` or `center: (x, y, z);`, or let a joint place the body";
 pub(super) const TENSOR_NEEDED_HELP: &str = "give it a tensor about its centre of mass, `inertia: (xx, yy, zz, xy, xz, yz);`, principal moments, `inertia: (xx, yy, zz);`, or a shape, `shape: cuboid(a, b, c);`";
@@ -16,16 +16,16 @@ pub(super) const PITCH: &str = "the pitch of a screw";
 
 pub(super) fn no_link(name: &str, found: Option<&str>) -> String {
     match found {
-        Some(found) => format!("`{name}` is {found}, and joints connect bodies and frames"),
-        None => format!("there is no body or frame `{name}`"),
+        Some(found) => format!("`{name}` is {found}, but joints connect bodies and frames"),
+        None => format!("unknown body or frame `{name}`"),
     }
 }
 
 pub(super) const DECLARE_LINK_HELP: &str =
-    "declare it before: `body name { mass: m; inertia: (xx, yy, zz); }` or `frame name;`";
+    "declare it first: `body name { mass: m; inertia: (xx, yy, zz); }` or `frame name;`";
 
 pub(super) fn one_angle(name: &str) -> String {
-    format!("body `{name}` moves in space, where one angle is no orientation")
+    format!("body `{name}` moves in space, where one angle does not define an orientation")
 }
 
 pub(super) fn angles_without_sequence(name: &str) -> String {
@@ -60,7 +60,7 @@ pub(super) fn usage(function: &str) -> String {
 }
 
 pub(super) fn no_function(function: &str) -> String {
-    format!("`{function}` belongs to bodies in the plane")
+    format!("`{function}` is only defined for bodies in the plane")
 }
 
 pub(super) fn mass_of_frame(name: &str) -> String {
@@ -78,6 +78,5 @@ pub(super) const PART_ANGLE_HELP: &str = "write `turned: (roll, pitch, yaw)`";
 pub(super) const ORIENTATION_OF_PART: &str = "the orientation of a part";
 pub(super) const FORCE: &str = "a force at a point of a body in space";
 pub(super) const TORQUE: &str = "a torque on a body in space";
-pub(super) const FRAME_HELP: &str =
-    "declare a body in its place: `body name { mass: m; inertia: (xx, yy, zz); }`";
+pub(super) const FRAME_HELP: &str = "declare a body instead: `body name { mass: m; inertia: (xx, yy, zz); }`";
 pub(super) const FUNCTIONS_HELP: &str = "in space there are `point`, `vector`, `angular_velocity`, `angular_acceleration`, `linear_momentum` and `angular_momentum`";

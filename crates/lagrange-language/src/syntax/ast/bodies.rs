@@ -51,9 +51,9 @@ pub const KEYWORDS: [Keyword; 11] = [
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
     Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
     Keyword::new("line", "write `line name { through: (x, y); angle: e; }`").before(Soft::Braces),
-    Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name behind `spring` if it needs one")
+    Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name after `spring` if it needs one")
         .before(Soft::Braces),
-    Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name behind `damper` if it needs one")
+    Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name after `damper` if it needs one")
         .before(Soft::Braces),
     Keyword::new("torsion_spring", "write `torsion_spring { from: ground; to: arm; stiffness: k; rest: e; }`")
         .before(Soft::Braces),

@@ -212,7 +212,7 @@ pub const KEYWORDS: [Keyword; 26] = [
         "write `force x = e;` for a coordinate, `force (fx, fy) at (px, py);` for a point or `force f along u;` for a velocity",
     ),
     Keyword::new("torque", "write `torque m on angle;`"),
-    Keyword::new("constraint", "write `constraint name = e;`, with what is to be zero behind the name"),
+    Keyword::new("constraint", "write `constraint name = e;`, with the quantity that is to be zero after the name"),
     Keyword::new("stabilise", "write `stabilise = rate;`"),
     Keyword::new("event", "write `event name = e, falling => stop;`"),
     Keyword::new(

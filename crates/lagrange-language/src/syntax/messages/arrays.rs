@@ -1,6 +1,6 @@
 //! Messages about the syntax of arrays and loops.
 
-pub(in crate::syntax) const EMPTY_BRACKETS: &str = "nothing stands between these brackets";
+pub(in crate::syntax) const EMPTY_BRACKETS: &str = "these brackets are empty";
 pub(in crate::syntax) const INDEX_FORM_HELP: &str = "write one index: `p[i]`, or `u[i][j]` in a grid";
 pub(in crate::syntax) const RANGE: &str =
     "a loop runs over a range of integers, with two dots between its ends";
@@ -13,13 +13,13 @@ pub(in crate::syntax) const COMPARISON: &str = "`<`, `<=`, `>`, `>=`, `==` or `!
 pub(in crate::syntax) const LIST_END: &str = "`,` or `]`";
 pub(in crate::syntax) const LIST_HELP: &str =
     "write one value for each element: `param l[3] = [1, 0.5, 0.25];`";
-pub(in crate::syntax) const NO_SIZE: &str = "values are listed here, and the number of elements is missing";
+pub(in crate::syntax) const NO_SIZE: &str = "this list of values needs a number of elements";
 pub(in crate::syntax) const FUNCTIONS: &str = "functions and their parameters have no elements";
 pub(in crate::syntax) const FUNCTIONS_HELP: &str =
     "make the index another parameter, or write the expression out in a loop";
 
 pub(in crate::syntax) const TOO_MANY_INDICES_HELP: &str =
-    "count in one direction by a product, `k[2 * 3]`, or leave directions of one element out";
+    "merge indices, `k[2 * 3]`, or remove indices of size one";
 
 pub(in crate::syntax) fn too_many_indices(name: &str, given: usize, most: usize) -> String {
     format!("`{name}` has {given} indices, more than {most}")
@@ -27,5 +27,5 @@ pub(in crate::syntax) fn too_many_indices(name: &str, given: usize, most: usize)
 
 pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
     let sizes = sizes.iter().map(|size| format!("[{size}]")).collect::<String>();
-    format!("write it behind the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
+    format!("write it after the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
 }

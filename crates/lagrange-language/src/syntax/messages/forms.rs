@@ -10,5 +10,5 @@ pub(in crate::syntax) fn form(keyword: &str) -> &'static str {
 
 /// Behind the words of others: which statement they mean.
 pub(in crate::syntax) fn meant_form(keyword: &str) -> String {
-    format!("`{keyword}` is meant: {}", form(keyword))
+    format!("use `{keyword}`: {}", form(keyword))
 }

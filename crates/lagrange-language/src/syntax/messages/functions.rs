@@ -7,11 +7,11 @@ pub(in crate::syntax) const DERIVATIVE: &str = "a derivative";
 pub(in crate::syntax) const REPEATED_DERIVATIVE: &str = "this derivative is named twice";
 
 pub(in crate::syntax) const VALUE_OF_EXTERNAL: &str =
-    "a function of the crate is defined there, not in the declaration";
+    "a function of your crate is defined there, not in the declaration";
 
 pub(in crate::syntax) fn defined_function(name: &str) -> String {
     format!(
-        "end the statement with `;`, or write `let {name}(…) = …;` for a function that stands for an expression"
+        "end the statement with `;`, or write `let {name}(…) = …;` for a function defined by an expression"
     )
 }
 
@@ -33,21 +33,21 @@ pub(in crate::syntax) fn derivatives_are(parameters: &[Name]) -> String {
 }
 
 pub(in crate::syntax) fn no_derivative(label: &str) -> String {
-    format!("{} is no derivative", quoted(label))
+    format!("unknown label {} for derivatives", quoted(label))
 }
 
 pub(in crate::syntax) fn by_which(function: &str, arguments: usize) -> String {
-    format!("`{function}` has {arguments} arguments: by which of them it is differentiated is not said")
+    format!("`{function}` has {arguments} arguments: specify by which to differentiate")
 }
 
 pub(in crate::syntax) fn no_argument(function: &str, name: &str) -> String {
-    format!("{} is no argument of `{function}`", quoted(name))
+    format!("`{function}` has no argument {}", quoted(name))
 }
 
 pub(in crate::syntax) fn repeated_argument(name: &str) -> String {
-    format!("{} is an argument twice", quoted(name))
+    format!("the argument {} is repeated", quoted(name))
 }
 
 pub(in crate::syntax) fn of_emitted_code(name: &str) -> String {
-    format!("{} is a function of emitted code", quoted(name))
+    format!("{} is reserved for generated code", quoted(name))
 }

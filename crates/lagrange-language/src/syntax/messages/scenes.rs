@@ -13,23 +13,23 @@ pub(in crate::syntax) const SEQUENCE_HELP: &str =
 pub(in crate::syntax) const SOLID_HELP: &str =
     "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
 pub(in crate::syntax) const VISUAL_HELP: &str =
-    "write `visual { disk(r), at: (a, b); }`, in space with `turned: (roll, pitch, yaw)` if need be";
+    "write `visual { disk(r), at: (a, b); }`, in space optionally with `turned: (roll, pitch, yaw)`";
 pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
-pub(in crate::syntax) const LINE_HELP_END: &str = "what is said between the braces ends in `;`";
+pub(in crate::syntax) const LINE_HELP_END: &str = "each line between the braces ends in `;`";
 pub(in crate::syntax) const NEXT_LABEL: &str = "the next line begins here";
 
 /// Message for a word in front of a colon that means nothing there; `owner` has its article.
 pub(in crate::syntax) fn unknown_label(label: &str, owner: &str) -> String {
-    format!("{} says nothing about {owner}", quoted(label))
+    format!("unknown label {} for {owner}", quoted(label))
 }
 
 /// Labels that something may have, in words.
 pub(in crate::syntax) fn labels_are(owner: &str, labels: &[&str]) -> String {
-    format!("what can be said of {owner}: `{}`", labels.join("`, `"))
+    format!("the labels of {owner} are `{}`", labels.join("`, `"))
 }
 
 pub(in crate::syntax) fn label(owner: &str) -> String {
-    format!("what is said of {owner}")
+    format!("a label of {owner}")
 }
 
 pub(in crate::syntax) fn labelled(label: &str) -> String {
@@ -62,7 +62,7 @@ pub(in crate::syntax) fn coordinate_count(kind: &str, needed: usize, found: usiz
 
 /// Message for letters that are no order of rotations.
 pub(in crate::syntax) fn no_sequence(letters: &str) -> String {
-    format!("{} is no order of rotations", quoted(letters))
+    format!("{} is not a sequence of rotations", quoted(letters))
 }
 
 /// Message for a tensor with the wrong number of components.

@@ -9,5 +9,5 @@ pub(in crate::syntax) fn zero_on_the_left(unknown: &str) -> String {
 }
 
 pub(in crate::syntax) fn unknown_option(word: &str) -> String {
-    format!("{} says nothing about how an equation is solved", quoted(word))
+    format!("unknown label {} for an equation", quoted(word))
 }

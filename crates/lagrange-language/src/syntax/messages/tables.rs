@@ -19,25 +19,22 @@ pub(in crate::syntax) fn point_help(components: usize) -> &'static str {
 
 pub(in crate::syntax) fn component_count(found: usize) -> String {
     let numbers = if found == 1 { "number" } else { "numbers" };
-    format!("this is no point of the table: it has {found} {numbers}")
+    format!("a point of this table cannot have {found} {numbers}")
 }
 
 pub(in crate::syntax) fn unsaid(label: &str, table: &str) -> String {
     match label {
-        "outside" => format!("the value of `{table}` beyond its points is not said"),
-        _ => format!("the {label} of `{table}` is not said"),
+        "outside" => format!("the value of `{table}` beyond its points is not specified"),
+        _ => format!("the {label} of `{table}` is not specified"),
     }
 }
 
 pub(in crate::syntax) fn unknown_option(word: &str) -> String {
-    format!("{} says nothing about a table", quoted(word))
+    format!("unknown label {} for a table", quoted(word))
 }
 
 pub(in crate::syntax) fn unknown_way(label: &str, word: &str) -> String {
-    match label {
-        "outside" => format!("{} is nothing that a table has outside", quoted(word)),
-        _ => format!("{} is no {label}", quoted(word)),
-    }
+    format!("unknown value {} for `{label}`", quoted(word))
 }
 
 /// Ways of which one is to be chosen, in words.

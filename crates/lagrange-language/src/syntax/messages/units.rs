@@ -4,17 +4,17 @@ use super::quoted;
 
 pub(in crate::syntax) const UNIT: &str = "a unit";
 pub(in crate::syntax) const UNIT_HELP: &str = "units are made of names such as `kg`, `mm` or `N` with `*`, `/` and powers: `kg*m^2/s`, or `1` for plain numbers";
-pub(in crate::syntax) const NOT_EXACT: &str = "this root of a unit is no exact number of units of the SI";
+pub(in crate::syntax) const NOT_EXACT: &str = "this root of a unit is not an exact number of SI units";
 pub(in crate::syntax) const NOT_EXACT_HELP: &str =
-    "take roots of units of the SI without prefixes, such as `m^(1/2)`";
-pub(in crate::syntax) const LARGE_EXPONENT: &str = "nothing is measured in such a power of a unit";
+    "take roots of SI units without prefixes, such as `m^(1/2)`";
+pub(in crate::syntax) const LARGE_EXPONENT: &str = "this power of a unit is too large";
 pub(in crate::syntax) const SEVERAL_FACTORS: &str =
-    "a unit of several factors stands in square brackets behind its number";
-pub(in crate::syntax) const BEHIND_NAME: &str = "a unit stands behind a colon";
-pub(in crate::syntax) const WITHOUT_SPACE: &str = "a space stands between a number and its unit";
-pub(in crate::syntax) const ON_LET_FUNCTION: &str = "functions that `let` names take quantities of any unit";
+    "a unit of several factors needs square brackets after its number";
+pub(in crate::syntax) const BEHIND_NAME: &str = "a unit follows a colon";
+pub(in crate::syntax) const WITHOUT_SPACE: &str = "a space is missing between a number and its unit";
+pub(in crate::syntax) const ON_LET_FUNCTION: &str = "functions defined by `let` take quantities of any unit";
 pub(in crate::syntax) const ON_LET_FUNCTION_HELP: &str =
-    "leave the unit out: it is checked wherever the function is called";
+    "remove the unit: it is checked wherever the function is called";
 
 pub(in crate::syntax) fn behind_name(name: &str, unit: &str) -> String {
     format!("write `param {name}: {unit} = …;`")

@@ -246,14 +246,14 @@ fn incomplete_statements_about_bodies_say_what_is_missing() {
         ("body a;", "error at 1:7: expected `{`, found `;`"),
         ("body a mass: 1;", "error at 1:8: expected `{`, found `mass`"),
         ("body a = { mass: 1; }", "error at 1:8: expected `{`, found `=`"),
-        ("body a { 3; }", "error at 1:10: expected what is said of a body, found `3`"),
-        ("body a { colour: 3; }", "error at 1:10: `colour` says nothing about a body"),
-        ("body a { centre: (x, y); }", "error at 1:10: `centre` says nothing about a body"),
+        ("body a { 3; }", "error at 1:10: expected a label of a body, found `3`"),
+        ("body a { colour: 3; }", "error at 1:10: unknown label `colour` for a body"),
+        ("body a { centre: (x, y); }", "error at 1:10: unknown label `centre` for a body"),
         ("body a { mass: 1; mass: 2; }", "error at 1:19: `mass` is given twice"),
         ("body a { mass = 1; }", "error at 1:15: expected `:`, found `=`"),
         ("body a { mass 1; }", "error at 1:15: expected `:`, found `1`"),
         ("body a { mass: ; }", "error at 1:16: expected an expression, found `;`"),
-        ("body a { mass: 1 }", "error at 1:16: missing `;` behind this"),
+        ("body a { mass: 1 }", "error at 1:16: missing `;` after this"),
         ("body a { mass: 1 2; }", "error at 1:18: expected an operator or `;`, found `2`"),
         ("body a { mass: 1, angle: b; }", "error at 1:17: expected `;`, found `,`"),
         ("body a { shape: 1; }", "error at 1:17: expected the name of a solid, found `1`"),
@@ -264,14 +264,14 @@ fn incomplete_statements_about_bodies_say_what_is_missing() {
         ("body a { compound { } }", "error at 1:19: this body has no parts"),
         ("body a { compound { disk; } }", "error at 1:25: expected `(`, found `;`"),
         ("body a { compound { disk(r) mass: 1; } }", "error at 1:29: expected `,`, found `mass`"),
-        ("body a { compound { disk(r), mas: 1; } }", "error at 1:30: `mas` says nothing about a part"),
-        ("body a { compound { disk(r), mass: 1 } }", "error at 1:36: missing `;` behind this"),
+        ("body a { compound { disk(r), mas: 1; } }", "error at 1:30: unknown label `mas` for a part"),
+        ("body a { compound { disk(r), mass: 1 } }", "error at 1:36: missing `;` after this"),
         ("line;", "error at 1:5: expected a name, found `;`"),
         ("line a { on: (0, 0); }", "error at 1:14: expected a name, found `(`"),
-        ("line a { from: (0, 0); }", "error at 1:10: `from` says nothing about a line"),
+        ("line a { from: (0, 0); }", "error at 1:10: unknown label `from` for a line"),
         ("spring a = b;", "error at 1:10: expected `{`, found `=`"),
-        ("spring { damping: c; }", "error at 1:10: `damping` says nothing about a spring"),
-        ("damper { stiffness: c; }", "error at 1:10: `stiffness` says nothing about a damper"),
+        ("spring { damping: c; }", "error at 1:10: unknown label `damping` for a spring"),
+        ("damper { stiffness: c; }", "error at 1:10: unknown label `stiffness` for a damper"),
         ("pin a;", "error at 1:6: expected `to`, found `;`"),
         ("pin a on b;", "error at 1:7: expected `to`, found `on`"),
         ("pin a, b;", "error at 1:6: expected `to`, found `,`"),
@@ -281,9 +281,9 @@ fn incomplete_statements_about_bodies_say_what_is_missing() {
         ("roll a.center on b;", "error at 1:7: expected `on`, found `.`"),
         ("roll a on b radius: 1;", "error at 1:13: expected `,` or `;`, found `radius`"),
         ("roll a on b, 1;", "error at 1:14: expected `radius`, found `1`"),
-        ("roll a on b, radios: 1;", "error at 1:14: `radios` says nothing about rolling"),
+        ("roll a on b, radios: 1;", "error at 1:14: unknown label `radios` for rolling"),
         ("pin sin = a to b;", "error at 1:5: `sin` is a function and cannot be declared"),
-        ("pin a to b", "error at 1:10: missing `;` behind this"),
+        ("pin a to b", "error at 1:10: missing `;` after this"),
     ];
     for (text, message) in cases {
         assert_eq!(errors(text), [message], "{text}");
@@ -314,38 +314,38 @@ roll wheel on ramp, radius 3;
 coord z;";
     let (declaration, report) = read_wrong(text);
     let expected = "\
-error at 4:5: `mas` says nothing about a body
+error at 4:5: unknown label `mas` for a body
   help: did you mean `mass`?
-error at 5:5: `colour` says nothing about a body
-  help: what can be said of a body: `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `angles`, `sequence`, `shape`, `compound`, `visual`
+error at 5:5: unknown label `colour` for a body
+  help: the labels of a body are `mass`, `inertia`, `center`, `origin`, `centroid`, `angle`, `angles`, `sequence`, `shape`, `compound`, `visual`
 error at 6:16: expected an operator or `;`, found `3`
   help: write `*` between the factors of a product
-error at 7:18: missing `;` behind this
+error at 7:18: missing `;` after this
   note at 8:5: the next line begins here
-  help: what is said between the braces ends in `;`
+  help: each line between the braces ends in `;`
 error at 8:15: expected an expression, found `;`
-  help: write what stands behind `+`, or leave it out
+  help: write an operand after `+`, or remove it
 error at 9:11: expected `:`, found `disk`
   help: write `shape: disk(r);`
 error at 11:35: expected the name of a solid, found `3`
   help: write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`
-error at 11:58: missing `;` behind this
-  help: what is said between the braces ends in `;`
-error at 12:19: `too` says nothing about a spring
+error at 11:58: missing `;` after this
+  help: each line between the braces ends in `;`
+error at 12:19: unknown label `too` for a spring
   help: did you mean `to`?
-error at 12:27: `stifness` says nothing about a spring
+error at 12:27: unknown label `stifness` for a spring
   help: did you mean `stiffness`?
 error at 12:36: expected `:`, found `=`
   help: write `stiffness: …;`
-error at 14:13: `angel` says nothing about a line
+error at 14:13: unknown label `angel` for a line
   help: did you mean `angle`?
-error at 14:23: `throug` says nothing about a line
+error at 14:23: unknown label `throug` for a line
   help: did you mean `through`?
 error at 14:30: expected `:`, found `(`
   help: write `through: …;`
 error at 16:9: expected `to`, found `too`
   help: write `pin p to q;` or `pin name = p to q;`
-error at 17:14: missing `;` behind this
+error at 17:14: missing `;` after this
   note at 18:1: the next statement begins here
   help: statements end in `;`
 error at 18:28: expected `:`, found `3`
@@ -383,6 +383,6 @@ fn a_forgotten_semicolon_is_seen_at_the_next_statement_of_a_scene() {
     let text = "let a = x\nline b {}\nlet a = x\nspring { from: a; }\nlet a = x\nspring s {}\nlet a = x\npin a to b\n\
                 gravity = (0, 0)\nbody c {}\nslide a on b\nroll a on b\nlet e = 1\nroll f = a on b\ncoord x";
     let errors = errors(text);
-    let lines = errors.iter().filter(|error| error.ends_with("missing `;` behind this")).count();
+    let lines = errors.iter().filter(|error| error.ends_with("missing `;` after this")).count();
     assert_eq!((lines, errors.len()), (11, 11), "{errors:#?}");
 }

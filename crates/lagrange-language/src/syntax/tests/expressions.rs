@@ -71,13 +71,13 @@ fn numbers_are_exact() {
 
 #[test]
 fn literals_of_other_kinds_are_refused() {
-    assert_eq!(mistake("1.0f64"), "numbers have no type of their own here");
-    assert_eq!(mistake("1_f32"), "numbers have no type of their own here");
+    assert_eq!(mistake("1.0f64"), "numbers have no individual types here");
+    assert_eq!(mistake("1_f32"), "numbers have no individual types here");
     assert_eq!(mistake("2i"), "letters follow this number directly");
     assert_eq!(mistake("2.5x"), "letters follow this number directly");
     assert_eq!(mistake("0x10"), "numbers are written in decimal");
-    assert_eq!(mistake("\"a\""), "quotation marks have no meaning here");
-    assert_eq!(mistake("'a'"), "quotation marks have no meaning here");
+    assert_eq!(mistake("\"a\""), "quotation marks are not allowed here");
+    assert_eq!(mistake("'a'"), "quotation marks are not allowed here");
     assert_eq!(mistake("b'a'"), "`b'a'` is not a number");
     assert!(mistake("1e99999").contains("too extreme"));
     assert!(mistake(&"9".repeat(6000)).contains("too long"));
@@ -88,20 +88,20 @@ fn literals_of_other_kinds_are_refused() {
 #[test]
 fn expressions_of_rust_are_refused_in_words() {
     assert_eq!(mistake("a ** 2"), "`**` is not an operator");
-    assert_eq!(mistake("&x"), "references have no meaning here");
-    assert_eq!(mistake("f64::sin(x)"), "paths with `::` have no meaning here");
-    assert_eq!(mistake("::sin(x)"), "paths with `::` have no meaning here");
+    assert_eq!(mistake("&x"), "references are not supported");
+    assert_eq!(mistake("f64::sin(x)"), "paths with `::` are not supported");
+    assert_eq!(mistake("::sin(x)"), "paths with `::` are not supported");
     assert_eq!(mistake("vec![1]"), "macros cannot be called in expressions");
-    assert_eq!(mistake("x as f64"), "`as` has no meaning here");
-    assert_eq!(mistake("(a, b)[0]"), "square brackets have no meaning here");
+    assert_eq!(mistake("x as f64"), "`as` is not supported");
+    assert_eq!(mistake("(a, b)[0]"), "square brackets are not allowed here");
     assert_eq!(mistake("[a, b]"), "expected an expression, found `[`");
     assert_eq!(mistake("self.x"), "the keyword `self` has no value");
     assert_eq!(mistake("potential"), "the keyword `potential` has no value");
     assert_eq!(mistake("r#x"), "`r#x` is a raw identifier, which cannot be used as a name here");
     assert_eq!(mistake("x % 2"), "`%` is not an operator");
-    assert_eq!(mistake("a < b"), "comparisons have a place only between `if` and `{`");
-    assert_eq!(mistake("a == b"), "comparisons have a place only between `if` and `{`");
-    assert_eq!(mistake("a != b"), "comparisons have a place only between `if` and `{`");
+    assert_eq!(mistake("a < b"), "comparisons are allowed only between `if` and `{`");
+    assert_eq!(mistake("a == b"), "comparisons are allowed only between `if` and `{`");
+    assert_eq!(mistake("a != b"), "comparisons are allowed only between `if` and `{`");
 }
 
 #[test]
@@ -111,12 +111,12 @@ fn missing_parts_are_named() {
     assert_eq!(mistake("+a"), "`+` has nothing on its left");
     assert_eq!(mistake("2 mass"), "expected an operator or `;`, found `mass`");
     assert_eq!(mistake("2 metres"), "`metres` is not a unit");
-    assert_eq!(mistake("2 m/s"), "a unit of several factors stands in square brackets behind its number");
+    assert_eq!(mistake("2 m/s"), "a unit of several factors needs square brackets after its number");
     assert_eq!(mistake("2(m)"), "expected an operator or `;`, found `(`");
     assert_eq!(mistake("(a b)"), "expected an operator, `,` or `)`, found `b`");
     assert_eq!(mistake("f(a; b)"), "expected an operator, `,` or `)`, found `;`");
     assert_eq!(mistake("f(,)"), "expected an expression, found `,`");
-    assert_eq!(mistake("()"), "nothing stands between these parentheses");
+    assert_eq!(mistake("()"), "these parentheses are empty");
     assert_eq!(mistake("(a,)"), "a vector has two or three components, not 1");
     assert_eq!(mistake("(a, b, c, d)"), "a vector has two or three components, not 4");
     assert_eq!(mistake("(a, , b, c)"), "expected an expression, found `,`");
@@ -125,7 +125,7 @@ fn missing_parts_are_named() {
 
 #[test]
 fn mistakes_of_conditions_are_named() {
-    assert_eq!(mistake("if a < b { 1 }"), "this `if` has no value when its condition does not hold");
+    assert_eq!(mistake("if a < b { 1 }"), "this `if` has no value when its condition is false");
     assert_eq!(
         mistake("if a < b && c < d { 1 } else { 2 }"),
         "a condition is a single comparison, without `&&`, `||` and `!`"
@@ -138,16 +138,16 @@ fn mistakes_of_conditions_are_named() {
         mistake("if !(a < b) { 1 } else { 2 }"),
         "a condition is a single comparison, without `&&`, `||` and `!`"
     );
-    assert_eq!(mistake("if a == b { 1 } else { 2 }"), "conditions cannot ask whether numbers are equal");
-    assert_eq!(mistake("if a = b { 1 } else { 2 }"), "conditions cannot ask whether numbers are equal");
-    assert_eq!(mistake("if a != b { 1 } else { 2 }"), "conditions cannot ask whether numbers are equal");
+    assert_eq!(mistake("if a == b { 1 } else { 2 }"), "numbers cannot be compared for equality");
+    assert_eq!(mistake("if a = b { 1 } else { 2 }"), "numbers cannot be compared for equality");
+    assert_eq!(mistake("if a != b { 1 } else { 2 }"), "numbers cannot be compared for equality");
     assert_eq!(mistake("if a < b < c { 1 } else { 2 }"), "a condition is a single comparison");
     assert_eq!(mistake("if a { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
     assert_eq!(mistake("if a < 2 (1) else { 2 }"), "expected an operator or `{`, found `(`");
     assert_eq!(mistake("if a < b { 1 } else 2"), "expected `{`, found `2`");
-    assert_eq!(mistake("if a < b { } else { 2 }"), "nothing stands between these braces");
-    assert_eq!(mistake("if a < b { 1; } else { 2 }"), "a block holds exactly one expression");
-    assert_eq!(mistake("if a < b { let c = 1; c } else { 2 }"), "a block holds exactly one expression");
+    assert_eq!(mistake("if a < b { } else { 2 }"), "these braces are empty");
+    assert_eq!(mistake("if a < b { 1; } else { 2 }"), "a block contains exactly one expression");
+    assert_eq!(mistake("if a < b { let c = 1; c } else { 2 }"), "a block contains exactly one expression");
     assert_eq!(mistake("if a < b { 1 2 } else { 2 }"), "expected an operator or `}`, found `2`");
 }
 

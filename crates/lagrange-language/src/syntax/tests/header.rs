@@ -100,32 +100,29 @@ fn wrong_heads_leave_a_skeleton() {
         ("struct A<S;", "only one plain type parameter, the number type, is possible here"),
         ("struct A<'a, S>;", "only one plain type parameter, the number type, is possible here"),
         ("struct A<S,, T>;", "only one plain type parameter, the number type, is possible here"),
-        ("struct A<_>;", "`_` is a keyword of Rust and cannot name a type"),
-        ("struct A<gen>;", "`gen` is a keyword of Rust and cannot name a type"),
+        ("struct A<_>;", "`_` is a Rust keyword and cannot name a type"),
+        ("struct A<gen>;", "`gen` is a Rust keyword and cannot name a type"),
         ("struct A<r#S>;", "`r#S` is a raw identifier, which cannot be used as a name here"),
         (
             "struct A<S> where S: Fn(f64) -> [f64; 2], for<'a> &'a S: Copy;",
-            "a `where` clause has no place here",
+            "a `where` clause is not allowed here",
         ),
-        ("struct A where 1;", "a `where` clause has no place here"),
-        ("struct A where A: Copy;", "a `where` clause has no place here"),
-        ("struct A", "missing `;` behind this"),
-        ("#[scalar(f32)] struct A<S>;", "the number type is given by the type parameter already"),
-        ("#[scalar(f16)] struct A;", "`scalar` names the number type"),
-        ("#[scalar] struct A;", "`scalar` names the number type"),
-        ("#[scalar(f32, f64)] struct A;", "`scalar` names the number type"),
+        ("struct A where 1;", "a `where` clause is not allowed here"),
+        ("struct A where A: Copy;", "a `where` clause is not allowed here"),
+        ("struct A", "missing `;` after this"),
+        ("#[scalar(f32)] struct A<S>;", "the type parameter already specifies the number type"),
+        ("#[scalar(f16)] struct A;", "`scalar` takes a number type"),
+        ("#[scalar] struct A;", "`scalar` takes a number type"),
+        ("#[scalar(f32, f64)] struct A;", "`scalar` takes a number type"),
         ("#[scalar(f32)] #[scalar(f32)] struct A;", "`scalar` is given twice"),
-        ("#[accuracy(best)] struct A;", "`best` is no level of accuracy"),
-        ("#[accuracy] struct A;", "`accuracy` names one level"),
-        ("#[accuracy()] struct A;", "`accuracy` names one level"),
-        ("#[accuracy(fast, strict)] struct A;", "`accuracy` names one level"),
+        ("#[accuracy(best)] struct A;", "unknown level of accuracy `best`"),
+        ("#[accuracy] struct A;", "`accuracy` takes one level"),
+        ("#[accuracy()] struct A;", "`accuracy` takes one level"),
+        ("#[accuracy(fast, strict)] struct A;", "`accuracy` takes one level"),
         ("#[accuracy(standard)] #[accuracy(fast)] struct A;", "`accuracy` is given twice"),
-        ("#![a] struct A;", "attributes that begin with `#!` have no place here"),
-        ("# struct A;", "expected `[` behind `#`"),
-        (
-            "#[a = ] struct A;",
-            "this is no attribute of Rust: unexpected end of input, expected a literal or a macro",
-        ),
+        ("#![a] struct A;", "attributes that begin with `#!` are not allowed here"),
+        ("# struct A;", "expected `[` after `#`"),
+        ("#[a = ] struct A;", "invalid attribute: unexpected end of input, expected a literal or a macro"),
     ];
     for (head, message) in cases {
         let text = format!("{head}\ncoord x;");
@@ -191,7 +188,7 @@ fn what_is_no_attribute_of_rust_is_refused() {
     ];
     for (attribute, column) in cases {
         let report = read_wrong(&format!("#{attribute} struct Rod;")).1;
-        let message = format!("error at 1:{column}: this is no attribute of Rust: ");
+        let message = format!("error at 1:{column}: invalid attribute: ");
         assert!(report.starts_with(&message), "{attribute}\n{report}");
     }
     for attribute in [
@@ -216,7 +213,7 @@ fn what_is_no_attribute_of_rust_is_refused() {
 fn what_restricts_no_visibility_is_refused() {
     for restriction in ["(crate crate)", "(in)", "(rod)", "()", "(in crate::)"] {
         let report = read_wrong(&format!("pub{restriction} struct Rod;")).1;
-        assert!(report.starts_with("error at 1:4: this restricts no visibility"), "{restriction}\n{report}");
+        assert!(report.starts_with("error at 1:4: unknown visibility"), "{restriction}\n{report}");
     }
     for restriction in ["", "(crate)", "(self)", "(super)", "(in super::rod)"] {
         read(&format!("pub{restriction} struct Rod;"));
@@ -228,7 +225,7 @@ fn a_number_type_is_no_type_parameter() {
     for (number, scalar) in [("f32", "F32"), ("f64", "F64")] {
         let (declaration, report) = read_wrong(&format!("pub struct Rod<{number}>;"));
         let message = format!("error at 1:16: `{number}` is a number type and cannot be a parameter");
-        let help = format!("help: write `#[scalar({number})]` above the struct and leave out `<{number}>`");
+        let help = format!("help: write `#[scalar({number})]` above the struct and remove `<{number}>`");
         assert!(report.starts_with(&message) && report.contains(&help), "{report}");
         assert_eq!(format!("{:?}", declaration.expect("a head").scalar), scalar);
     }

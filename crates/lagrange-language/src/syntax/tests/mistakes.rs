@@ -13,18 +13,18 @@ potential = m * g * (y;
     let text = text.replace("(y;", "(y z);");
     let (declaration, report) = read_wrong(&text);
     let expected = "\
-error at 2:16: keyword as name: `type` is a keyword of Rust
+error at 2:16: `type` is a Rust keyword and cannot be a name
   help: choose another name
-error at 2:26: numbers have no type of their own here
+error at 2:26: numbers have no individual types here
   help: write `2.0`
-error at 3:12: a coordinate has no value in the declaration
+error at 3:12: a coordinate cannot have a value in the declaration
   help: initial values belong to the state from which a simulation starts
-error at 3:14: missing `;` behind this
+error at 3:14: missing `;` after this
   help: statements end in `;`
-error at 4:1: no statement begins with `kinetc`
+error at 4:1: unknown statement `kinetc`
   help: did you mean `kinetic`?
 error at 5:12: expected an expression, found `;`
-  help: write what stands behind `+`, or leave it out
+  help: write an operand after `+`, or remove it
 error at 6:24: expected an operator, `,` or `)`, found `z`
   help: write `*` between the factors of a product
 ";
@@ -38,19 +38,19 @@ fn a_forgotten_semicolon_is_seen_at_the_next_statement() {
     let text = "coord x\nkinetic = dot(x)^2\nlet a = x\nforce (a, a) at (a, a)\noutput b = a";
     let (declaration, report) = read_wrong(text);
     let expected = "\
-error at 1:7: missing `;` behind this
+error at 1:7: missing `;` after this
   note at 2:1: the next statement begins here
   help: statements end in `;`
-error at 2:18: missing `;` behind this
+error at 2:18: missing `;` after this
   note at 3:1: the next statement begins here
   help: statements end in `;`
-error at 3:9: missing `;` behind this
+error at 3:9: missing `;` after this
   note at 4:1: the next statement begins here
   help: statements end in `;`
-error at 4:22: missing `;` behind this
+error at 4:22: missing `;` after this
   note at 5:1: the next statement begins here
   help: statements end in `;`
-error at 5:12: missing `;` behind this
+error at 5:12: missing `;` after this
   help: statements end in `;`
 ";
     assert_eq!(report, expected);
@@ -63,15 +63,15 @@ fn reading_goes_on_at_the_next_statement() {
     let (declaration, report) = read_wrong(text);
     let expected = "\
 error at 2:1: expected an expression, found `let`
-  help: write what stands behind `+`, or leave it out
-error at 3:8: missing `;` behind this
+  help: write an operand after `+`, or remove it
+error at 3:8: missing `;` after this
   note at 4:1: the next statement begins here
   help: statements end in `;`
 error at 5:1: expected a statement, found `+`
   help: statements begin with one of `param`, `const`, `coord`, `state`, `quaternion`, `velocity`, `input`, `let`, `function`, `table`, `solve`, `kinetic`, `potential`, `lagrangian`, `gibbs`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `friction`, `output`, `emit`, `reduce`, `for`, `gravity`, `body`, `frame`, `line`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `weld`
 error at 6:5: expected a name, found `=`
   help: write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function
-error at 7:5: keyword as name: `let` begins a statement
+error at 7:5: `let` begins a statement and cannot be a name
   help: choose another name
 ";
     assert_eq!(report, expected);
@@ -99,7 +99,7 @@ fn unknown_statements_get_the_nearest_keyword() {
     ];
     for (text, help) in helps {
         let report = read_wrong(text).1;
-        assert!(report.starts_with("error at 1:1: no statement begins with"), "{report}");
+        assert!(report.starts_with("error at 1:1: unknown statement"), "{report}");
         assert!(report.contains(help), "{report}");
     }
 }
@@ -107,17 +107,17 @@ fn unknown_statements_get_the_nearest_keyword() {
 #[test]
 fn names_that_cannot_be_declared_say_why() {
     let cases = [
-        ("fn", "keyword as name: `fn` is a keyword of Rust"),
-        ("self", "keyword as name: `self` is a keyword of Rust"),
-        ("gen", "keyword as name: `gen` is a keyword of Rust"),
-        ("const", "keyword as name: `const` begins a statement"),
-        ("body", "keyword as name: `body` begins a statement"),
+        ("fn", "`fn` is a Rust keyword and cannot be a name"),
+        ("self", "`self` is a Rust keyword and cannot be a name"),
+        ("gen", "`gen` is a Rust keyword and cannot be a name"),
+        ("const", "`const` begins a statement and cannot be a name"),
+        ("body", "`body` begins a statement and cannot be a name"),
         ("sin", "`sin` is a function and cannot be declared"),
         ("powi", "`powi` is a function and cannot be declared"),
         ("t", "`t` is time and cannot be declared"),
         ("pi", "`pi` is the number 3.14159… and cannot be declared"),
         ("_", "`_` is not a name"),
-        ("__a", "`__a` begins with two underscores, which is kept for generated code"),
+        ("__a", "`__a` begins with two underscores, which are reserved for generated code"),
         ("r#type", "`r#type` is a raw identifier, which cannot be used as a name here"),
     ];
     for (name, message) in cases {
@@ -135,13 +135,13 @@ fn incomplete_statements_say_what_is_missing() {
     let cases = [
         ("const k, l = 1;", "error at 1:7: the constant `k` needs a value"),
         ("param 3 = 1;", "error at 1:7: expected a name, found `3`"),
-        ("param a = 1 b = 2;", "error at 1:13: missing `,` in front of this"),
+        ("param a = 1 b = 2;", "error at 1:13: missing `,` before this"),
         ("kinetic 1;", "error at 1:9: expected `=`, found `1`"),
         ("kinetic == 1;", "error at 1:9: expected `=`, found `==`"),
         ("let (a) = b;", "error at 1:5: a vector has two or three components, not 1"),
         ("let (a, b, c, d) = e;", "error at 1:5: a vector has two or three components, not 4"),
         ("let (a b) = e;", "error at 1:8: expected `,` or `)`, found `b`"),
-        ("let () = e;", "error at 1:6: expected a name, found nothing more"),
+        ("let () = e;", "error at 1:6: expected a name, found nothing"),
         ("force (a, b);", "error at 1:13: expected `at`, found `;`"),
         ("force (a, b) = c;", "error at 1:14: expected `at`, found `=`"),
         ("torque m;", "error at 1:9: expected `on`, found `;`"),
@@ -149,9 +149,9 @@ fn incomplete_statements_say_what_is_missing() {
         ("emit a, b;", "error at 1:6: expected `{`, found `a`"),
         ("emit { a b }", "error at 1:10: expected `,` or `}`, found `b`"),
         ("emit { 1 }", "error at 1:8: expected a name, found `1`"),
-        ("/// doc\nkinetic = 1;", "error at 1:1: attributes have no meaning here"),
-        ("#[inline]\ncoord x;", "error at 1:1: attributes have no meaning here"),
-        ("coord x; /// doc", "error at 1:10: attributes have no meaning here"),
+        ("/// doc\nkinetic = 1;", "error at 1:1: attributes are not allowed here"),
+        ("#[inline]\ncoord x;", "error at 1:1: attributes are not allowed here"),
+        ("coord x; /// doc", "error at 1:10: attributes are not allowed here"),
         ("let a = b /// doc\n;", "error at 1:11: expected an operator or `;`, found `#`"),
     ];
     for (text, message) in cases {
@@ -163,11 +163,11 @@ fn incomplete_statements_say_what_is_missing() {
 fn texts_that_are_no_tokens_say_where() {
     let cases = [
         ("let a = (b", "error at 1:9: `(` is never closed"),
-        ("let a = b)", "error at 1:10: `)` closes no open bracket of its kind"),
-        ("let a = (b]", "error at 1:11: `]` closes no open bracket of its kind"),
-        ("let θ = x²;", "error at 1:10: `²` has no meaning here"),
-        ("let a = \"b;", "error at 1:9: this quotation mark begins no readable text"),
-        ("\u{feff}let a = x\u{0};", "error at 1:11: `\\0` has no meaning here"),
+        ("let a = b)", "error at 1:10: `)` has no matching opening bracket"),
+        ("let a = (b]", "error at 1:11: `]` has no matching opening bracket"),
+        ("let θ = x²;", "error at 1:10: unexpected character `²`"),
+        ("let a = \"b;", "error at 1:9: this quotation mark does not begin a readable string"),
+        ("\u{feff}let a = x\u{0};", "error at 1:11: unexpected character `\\0`"),
     ];
     for (text, message) in cases {
         assert_eq!(errors(text), [message], "{text}");
@@ -211,9 +211,9 @@ fn incomplete_events_say_what_is_missing() {
     let cases = [
         ("event a;", "error at 1:8: expected `=`, found `;`"),
         ("event a = x;", "error at 1:12: the event `a` has no action"),
-        ("event a = x,;", "error at 1:13: the event `a` does not say which zeros count"),
-        ("event a = x => stop;", "error at 1:13: the event `a` does not say which zeros count"),
-        ("event a = x falling => stop;", "error at 1:13: the event `a` does not say which zeros count"),
+        ("event a = x,;", "error at 1:13: the event `a` has no direction"),
+        ("event a = x => stop;", "error at 1:13: the event `a` has no direction"),
+        ("event a = x falling => stop;", "error at 1:13: the event `a` has no direction"),
         ("event a = x, up => stop;", "error at 1:14: expected `rising`, `falling` or `crossing`, found `up`"),
         ("event a = x, falling;", "error at 1:21: the event `a` has no action"),
         ("event a = x, falling stop;", "error at 1:22: expected `=>`, found `stop`"),
@@ -227,9 +227,9 @@ fn incomplete_events_say_what_is_missing() {
         ("event a = x, falling => impact;", "error at 1:25: an impact needs a coefficient of restitution"),
         ("event a = x, falling => impact();", "error at 1:31: an impact needs a coefficient of restitution"),
         ("event a = x, falling => impact(0, 1);", "error at 1:33: expected an operator or `)`, found `,`"),
-        ("event a = x, falling => {};", "error at 1:25: nothing changes between these braces"),
-        ("event a = x, falling => { x };", "error at 1:29: expected `=`, found nothing more"),
-        ("event a = x, falling => stop", "error at 1:25: missing `;` behind this"),
+        ("event a = x, falling => {};", "error at 1:25: nothing is assigned between these braces"),
+        ("event a = x, falling => { x };", "error at 1:29: expected `=`, found nothing"),
+        ("event a = x, falling => stop", "error at 1:25: missing `;` after this"),
     ];
     for (text, message) in cases {
         assert_eq!(errors(text), [message], "{text}");
@@ -244,14 +244,14 @@ fn incomplete_friction_says_what_is_missing() {
         ("friction a = v;", "error at 1:15: the friction `a` has no limit"),
         ("friction a = v,;", "error at 1:16: the friction `a` has no limit"),
         ("friction a = v 1;", "error at 1:16: expected an operator or `,`, found `1`"),
-        ("friction a = v, 1, 2;", "error at 1:20: this friction is given two limits without labels"),
+        ("friction a = v, 1, 2;", "error at 1:20: this friction has two limits without labels"),
         ("friction a = v, kinetic: 1;", "error at 1:17: `kinetic` without `static`"),
         ("friction a = v, static: 1;", "error at 1:17: `static` without `kinetic`"),
         ("friction a = v, 1, static: 2;", "error at 1:17: a limit without a label beside one with a label"),
         ("friction a = v, 1, kinetic: 2;", "error at 1:17: a limit without a label beside one with a label"),
         ("friction a = v, smooth: 1;", "error at 1:26: the friction `a` has no limit"),
         ("friction a = v, 1, smooth: 2, smooth: 3;", "error at 1:31: `smooth` is given twice"),
-        ("friction a = v, mu: 1;", "error at 1:17: `mu` says nothing about friction"),
+        ("friction a = v, mu: 1;", "error at 1:17: unknown label `mu` for friction"),
         (
             "friction a = v, kinetic: 1, static: 2, smooth: 3;",
             "error at 1:29: smooth friction never sticks, so it has no static limit",
@@ -281,13 +281,13 @@ error at 4:31: expected an expression, found `;`
   help: write an expression here, such as `0`
 error at 4:35: expected `=`, found `3`
   help: write `dot(x) = e;` or `x = e;`
-error at 4:47: missing `;` behind this
+error at 4:47: missing `;` after this
   help: statements end in `;`
-error at 5:24: missing `;` behind this
+error at 5:24: missing `;` after this
   note at 6:1: the next statement begins here
   help: statements end in `;`
 error at 6:17: expected an expression, found `,`
-  help: write what stands behind `+`, or leave it out
+  help: write an operand after `+`, or remove it
 error at 7:11: expected `=`, found `1`
   help: write `stabilise = rate;`
 ";
@@ -319,13 +319,13 @@ fn events_say_what_stands_between_their_braces() {
         "coord x;\nevent wall = x - 3, rising => { let v = dot(x); dot(x) = -v / 2; }\nkinetic = x * y;";
     let (declaration, report) = read_wrong(text);
     let expected = "\
-error at 2:33: an event only assigns coordinates and velocities
-  help: write the `let` before the event; between the braces stands `dot(x) = e;` or `x = e;`
+error at 2:33: an event can only assign coordinates and velocities
+  help: write the `let` before the event; the braces contain only `dot(x) = e;` or `x = e;`
 ";
     assert_eq!(report, expected);
     let expected = ["coord x", "event wall (- x 3) Rising ((dot x) ?)", "kinetic (* x y)"];
     assert_eq!(statements(&declaration.expect("tokens")), expected);
     let text = "event wall = x, rising => { kinetic = 1; x = 2; potential = 3 }";
-    let places = ["error at 1:29: an event only assigns", "error at 1:49: an event only assigns"];
+    let places = ["error at 1:29: an event can only assign", "error at 1:49: an event can only assign"];
     assert!(errors(text).iter().zip(places).all(|(error, place)| error.starts_with(place)));
 }

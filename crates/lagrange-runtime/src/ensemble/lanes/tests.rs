@@ -383,8 +383,8 @@ fn settings_without_sense_are_errors() {
     let expected = [
         "tolerances must be finite and not negative, and not both zero",
         "two columns are called `a`",
-        "the length of steps must be positive and finite",
-        "all steps of this method have the length that it was given: shorten that one",
+        "the step size must be positive and finite",
+        "this method has a fixed step size: reduce it instead",
     ];
     assert_eq!(messages, expected);
 }

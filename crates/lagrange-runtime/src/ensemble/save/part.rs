@@ -58,7 +58,7 @@ impl Label {
         match is_intact(&file).map_err(wrong)? {
             Some(true) => Label::of(file).ok_or_else(|| EnsembleError::ForeignFile(path.into())),
             Some(false) => {
-                let why = "its content is not what was written".into();
+                let why = "its content has changed since it was written".into();
                 Err(EnsembleError::Damaged { path: path.into(), why })
             }
             None => Err(EnsembleError::ForeignFile(path.into())),

@@ -131,6 +131,6 @@ fn samples_that_cannot_lie_in_memory_together_are_refused() {
     let ensemble = pendulum.ensemble(1).start(|_, _| [1.0, 0.0]).until(1e6).every(0.125);
     assert!(ensemble.batch.refuse_too_many_at_once(1).is_ok());
     let error = ensemble.batch.refuse_too_many_at_once(1 << 40).expect_err("has no room").to_string();
-    let words = ["the samples of 1099511627776 motions take", "say a longer interval"];
+    let words = ["the samples of 1099511627776 motions need", "specify a longer interval"];
     assert!(words.iter().all(|words| error.contains(words)), "{error}");
 }

@@ -100,7 +100,7 @@ fn what_is_wrong_with_an_environment_is_said() {
         shard(&[(array[0], "1"), (array[1], "4"), (array[2], "2"), (array[3], "1")]).expect_err("is below");
     assert!(below.contains("SLURM_ARRAY_TASK_ID=`1`, which is below 2"), "{below}");
     let by_hand = shard(&[("LAGRANGE_SHARD", "3 of 8")]).expect_err("is text");
-    assert!(by_hand.contains("like `3/8`"), "{by_hand}");
+    assert!(by_hand.contains("of the form `3/8`"), "{by_hand}");
     assert!(shard(&[("LAGRANGE_SHARD", "0/0")]).is_err());
 }
 

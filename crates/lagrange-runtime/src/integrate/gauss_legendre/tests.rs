@@ -166,7 +166,7 @@ fn nan_stops_at_the_last_good_state() {
         assert_eq!((error.time, error.state), last);
         let what = error.cause.to_string();
         assert!(
-            what.starts_with("the acceleration `x_ddot` comes to NaN at time ") || what.contains("index 1"),
+            what.starts_with("the acceleration `x_ddot` is NaN at time ") || what.contains("index 1"),
             "{what}"
         );
         assert!(error.time > 0.5 && error.state[0] > 0.0, "{error:?}");

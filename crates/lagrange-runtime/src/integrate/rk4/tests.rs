@@ -279,7 +279,7 @@ fn steps_that_no_time_can_tell_are_refused() {
     }
     let what = rk4(&Oscillator, 1e15, [0.3, -1.2], 1e15 + 4.0, 0.01).expect_err("lost").to_string();
     assert!(
-        what.starts_with("steps of 0.01 are lost in the rounding of the time 1000000000000000"),
+        what.starts_with("steps of 0.01 are below the rounding error of the time 1000000000000000"),
         "{what}"
     );
 }

@@ -98,7 +98,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
         if is_length(self.first_step) && is_length(self.longest_step) {
             return Ok(());
         }
-        Err(SettingError::Invalid("lengths of steps must be positive and finite"))
+        Err(SettingError::Invalid("step sizes must be positive and finite"))
     }
 
     fn start(

@@ -169,6 +169,6 @@ fn a_restart_that_fails_is_an_error_at_the_jump() {
     }
     let error = integrate(&Ends, 0.0, [0.0], 2.0, &Verner98::tolerance(1e-6), |_, _| {}).expect_err("NaN");
     let what = error.cause.to_string();
-    assert!(what.starts_with("the rate of the component at index 0 comes to NaN at time 1.0"), "{what}");
+    assert!(what.starts_with("the rate of the component at index 0 is NaN at time 1.0"), "{what}");
     assert!((error.time - 1.0).abs() < 1e-15 && (error.state[0] - 1.0).abs() < 1e-14, "{error:?}");
 }

@@ -111,7 +111,7 @@ fn intervals_that_make_no_sense_are_refused() {
     }
     let late = Oscillator.simulate(START).from(1e15).until(1e15 + 9.0).every(0.3).run().expect_err("refused");
     assert!(
-        matches!(late.cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("rounding of time")),
+        matches!(late.cause, StepFailure::Setting(SettingError::Invalid(what)) if what.contains("rounding error")),
         "{late}"
     );
 }

@@ -115,8 +115,8 @@ fn times_of_samples_without_sense_are_errors() {
     let message = |ensemble: Sampled<'_, DoublePendulum<f64>, _>| {
         ensemble.run().map(|_| ()).expect_err("no sense").to_string()
     };
-    let positive = "the interval of sampling must be positive and finite";
+    let positive = "the sampling interval must be positive and finite";
     assert_eq!(message(pendulums(&PENDULUM, 3).every(-0.1)), positive);
     let many = message(pendulums(&PENDULUM, 3).every(1e-10));
-    assert!(many.contains("samples would be kept"), "{many}");
+    assert!(many.contains("samples exceed the limit"), "{many}");
 }

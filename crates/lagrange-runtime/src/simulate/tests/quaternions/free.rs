@@ -176,7 +176,7 @@ fn starts_are_brought_to_unit_length() {
     let mut none = START;
     none[..4].fill(0.0);
     let error = BODY.simulate(none).until(1.0).run().expect_err("has no direction");
-    assert_eq!(error.to_string(), "a quaternion of zeros is no orientation (at time 0.0)");
+    assert_eq!(error.to_string(), "a quaternion of zeros is not an orientation (at time 0.0)");
     assert_eq!(error.state(), none);
 }
 
@@ -250,7 +250,7 @@ fn what_is_not_finite_is_called_by_its_name() {
     let flat = FreeBody([1.0, 1.0, 0.0]);
     let error = flat.simulate(START).until(1.0).run().expect_err("no inertia about the axis");
     let message = error.to_string();
-    assert!(message.starts_with("the acceleration `w_z_dot` comes to "), "{message}");
+    assert!(message.starts_with("the acceleration `w_z_dot` is "), "{message}");
     let stopped: Result<_, IntegrationError<f64, [f64; 7]>> =
         integrate(&flat, 0.0, START, 1.0, &RungeKutta4 { step: 0.1 }, |_, _| {});
     assert!(stopped.is_err());
