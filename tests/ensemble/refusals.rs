@@ -24,9 +24,9 @@ fn settings_that_make_no_sense_are_errors() {
     assert_says(pendulum.ensemble(Vec::<[f64; 4]>::new()).until(1.0).run(), "at least one motion");
     assert_says(pendulum.ensemble(10).until(1.0).run(), ".start(");
     assert_says(pendulum.ensemble([[0.0; 4]]).start(start).until(1.0).run(), "a list of starts and");
-    assert_says(ensemble(10).threads(0).run(), "a thread at least");
-    assert_says(ensemble(10).threads(100_000).run(), "4096 threads at most");
-    assert_says(ensemble(10).motions_per_part(0).run(), "a part must hold");
+    assert_says(ensemble(10).threads(0).run(), "at least one thread");
+    assert_says(ensemble(10).threads(100_000).run(), "at most 4096 threads");
+    assert_says(ensemble(10).motions_per_part(0).run(), "a part must contain");
     assert_says(ensemble(10).shard(Shard::of(2, 2)).run(), "no shard 2 of 2");
     assert_says(ensemble(10).shard(Shard::of(0, 2)).run(), "more than there are parts, 1");
     assert_says(ensemble(10).motion(10).map(drop), "no motion 10");
@@ -36,10 +36,10 @@ fn settings_that_make_no_sense_are_errors() {
         assert_says(ensemble().every(0.1).motion(0).map(drop), "must both be finite");
     }
     assert_says(ensemble(10).tolerance(-1.0).run(), "tolerances must be");
-    assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "the length of steps must be");
+    assert_says(ensemble(10).method(RungeKutta4 { step: 0.0 }).run(), "the step size must be");
     assert_says(ensemble(10).energy().energy().run(), "two columns are called `energy`");
-    assert_says(ensemble(10).every(-1.0).run(), "interval of sampling");
-    assert_says(ensemble(10).every(1e-12).run().map(drop), "samples would be kept");
+    assert_says(ensemble(10).every(-1.0).run(), "sampling interval");
+    assert_says(ensemble(10).every(1e-12).run().map(drop), "samples exceed the limit");
 }
 
 /// By two ways: one by one, and in lanes. No motion begins.
@@ -52,19 +52,19 @@ fn settings_are_checked_before_anything_moves() {
     assert!(lanes().is_in_lanes() && !alone().is_in_lanes());
     assert_says(alone().tolerance(-1.0).run(), "tolerances must be");
     assert_says(lanes().tolerance(-1.0).run(), "tolerances must be");
-    let steps = "the length of steps must be";
+    let steps = "the step size must be";
     assert_says(alone().method(RungeKutta4 { step: -1.0 }).run(), steps);
     for step in [-1.0, 0.0, f64::NAN, f64::INFINITY] {
         assert_says(lanes().method(RungeKutta4 { step }).run(), steps);
     }
-    assert_says(alone().longest_step(0.0).run(), "lengths of steps must be");
-    assert_says(lanes().longest_step(0.0).run(), "lengths of steps must be");
-    let shorten = "shorten that one";
+    assert_says(alone().longest_step(0.0).run(), "step sizes must be");
+    assert_says(lanes().longest_step(0.0).run(), "step sizes must be");
+    let shorten = "reduce it instead";
     assert_says(alone().method(RungeKutta4 { step: 0.1 }).longest_step(0.1).run(), shorten);
     assert_says(lanes().method(RungeKutta4 { step: 0.1 }).longest_step(0.1).run(), shorten);
-    assert_says(alone().every(0.0).run(), "interval of sampling");
-    assert_says(lanes().every(f64::NAN).run(), "interval of sampling");
-    assert_says(lanes().every(1e-9).run(), "samples would be kept");
+    assert_says(alone().every(0.0).run(), "sampling interval");
+    assert_says(lanes().every(f64::NAN).run(), "sampling interval");
+    assert_says(lanes().every(1e-9).run(), "samples exceed the limit");
     assert_says(alone().restart_at([f64::NAN]).run(), "times of restart");
     let twice = "two columns are called `theta1_dot`";
     assert_says(alone().observe("theta1_dot", |_, t, _| t).run(), twice);
@@ -153,7 +153,7 @@ fn progress_that_panics_is_an_error_whenever_it_does() {
 fn more_than_memory_holds_is_refused_before_anything_is_computed() {
     let pendulum = DoublePendulum::default();
     let ensemble = || pendulum.ensemble(1 << 50).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1.0);
-    assert_says(ensemble().run(), "the ends of 1125899906842624 motions take 45035996.3 GB");
+    assert_says(ensemble().run(), "the ends of 1125899906842624 motions need at least 45035996.3 GB");
     assert_says(ensemble().every(0.01).run(), "the samples of 1125899906842624 motions");
     // Nobody knows how many samples there are of motions that something may stop.
     let many = pendulum.ensemble(1000).start(|_, _| -> [f64; 4] { panic!("begins") }).until(1e6).every(0.1);
@@ -165,7 +165,7 @@ fn more_than_memory_holds_is_refused_before_anything_is_computed() {
 fn an_empty_range_says_so() {
     let pendulum = DoublePendulum::default();
     let ensemble = pendulum.ensemble(10).start(|_, random| [random.uniform(1.0..1.0), 0.0, 0.0, 0.0]);
-    assert_says(ensemble.until(0.1).run(), "motion 0 panicked: no random number lies in 1.0..1.0");
+    assert_says(ensemble.until(0.1).run(), "motion 0 panicked: there is no random number in 1.0..1.0");
 }
 
 #[test]
