@@ -179,7 +179,7 @@ fn elements_of_arrays_have_equations_and_units_scale_the_start() {
 fn a_run_without_a_solution_ends_with_an_error() {
     let failure = Snapping.simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
     let error = failure.expect_err("there is no root beyond x = 1").to_string();
-    assert!(error.contains("no solution for `y` is found"), "{error}");
+    assert!(error.contains("no solution for `y` at time"), "{error}");
     let event = Snapping.simulate([0.5, 1.0]).until(0.2).tolerance(1e-9).run();
     assert!(event.expect("it is not there yet").last()[0] < 1.0);
 }
