@@ -24,4 +24,5 @@ pub mod calculus;
 pub mod code;
 pub mod formula;
 pub mod program;
+pub mod series;
 pub mod simplify;

@@ -1,0 +1,89 @@
+//! Kinds of values: the order that each has its coefficient of in a step.
+
+use std::fmt;
+
+use crate::program::{Op, Program, ValueId, ValueTable};
+use lagrange_expr::expr::Function;
+use lagrange_expr::symbol::Role;
+
+/// The behaviour of a value while a motion is expanded.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Kind {
+    /// Constant near the moment of the expansion.
+    Fixed,
+    /// Determined by time, positions and velocities: step k gives the coefficient of order k + 1.
+    Moving,
+    /// Depends on accelerations or rates of velocities: step k gives the coefficient of order k.
+    Accelerated,
+    /// Without a series.
+    Unknown,
+}
+
+/// A value without a Taylor series.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum NoSeries {
+    /// A function without a formula.
+    Function(String),
+    /// A power whose exponent is no multiple of one half.
+    Power,
+    /// A value that is not linear in accelerations.
+    Acceleration,
+}
+
+impl fmt::Display for NoSeries {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NoSeries::Function(name) => write!(f, "`{name}` has no formula"),
+            NoSeries::Power => write!(f, "powers need exponents that are multiples of one half"),
+            NoSeries::Acceleration => write!(f, "a term is not linear in accelerations"),
+        }
+    }
+}
+
+impl std::error::Error for NoSeries {}
+
+/// The kind of every value of a program.
+pub(super) fn kinds(program: &Program) -> ValueTable<Kind> {
+    let mut kinds = ValueTable::with_capacity(program.len());
+    for (_, op) in program.values() {
+        let kind = kind(op, &kinds);
+        kinds.push(kind);
+    }
+    kinds
+}
+
+fn kind(op: &Op, kinds: &ValueTable<Kind>) -> Kind {
+    let mut strongest = Kind::Fixed;
+    op.for_each_operand(|operand| strongest = strongest.max(kinds[operand]));
+    match op {
+        Op::Input(role) => of_role(*role),
+        // A jump is never in the interior of a step.
+        Op::Call(Function::Sign, _) => Kind::Fixed,
+        Op::Select { then, otherwise, .. } => kinds[*then].max(kinds[*otherwise]),
+        Op::Multiply(a, b) if kinds[*a].min(kinds[*b]) == Kind::Accelerated => Kind::Unknown,
+        Op::Divide(_, b) if kinds[*b] == Kind::Accelerated => Kind::Unknown,
+        Op::Power(..) | Op::Opaque(..) | Op::Call(Function::Power, _) if strongest > Kind::Fixed => {
+            Kind::Unknown
+        }
+        Op::Call(..) if strongest == Kind::Accelerated => Kind::Unknown,
+        _ => strongest,
+    }
+}
+
+fn of_role(role: Role) -> Kind {
+    match role {
+        Role::Parameter(_) | Role::Input(_) | Role::Side(_) => Kind::Fixed,
+        Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Velocity(_) => Kind::Moving,
+        Role::Acceleration(_) | Role::Placeholder(_) => Kind::Accelerated,
+        Role::Multiplier(_) | Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,
+    }
+}
+
+/// The reason why a value has no series.
+pub(super) fn reason(program: &Program, value: ValueId) -> NoSeries {
+    match program.op(value) {
+        Op::Opaque(function, _) => NoSeries::Function(function.function().name.clone()),
+        Op::Power(..) | Op::Call(Function::Power, _) => NoSeries::Power,
+        _ => NoSeries::Acceleration,
+    }
+}

@@ -1,0 +1,330 @@
+//! The programs of one step, value by value.
+
+use super::kinds::Kind;
+use super::schedule::{Schedule, Source};
+use super::slots::{Slot, Slots};
+use super::{Motion, SeriesPrograms};
+use crate::program::{Builder, Op, Program, ValueId, ValueTable};
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::expr::Function;
+use lagrange_expr::number::Number;
+
+/// A coefficient in a program of one step; `None` is zero.
+type Coefficient = Option<ValueId>;
+
+/// A value of order zero.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+enum Initial {
+    /// x₀
+    Value(ValueId),
+    /// 1/x₀
+    Reciprocal(ValueId),
+    /// 1/(2 x₀)
+    HalfReciprocal(ValueId),
+}
+
+/// Programs under construction.
+pub(super) struct Recurrence<'a> {
+    motion: &'a Motion<'a>,
+    schedule: &'a Schedule,
+    slots: Slots,
+    initials: OrderedMap<Initial, ()>,
+    kept: OrderedMap<ValueId, ()>,
+    sums: OrderedMap<[usize; 2], ()>,
+    carried: OrderedMap<ValueId, ()>,
+}
+
+/// The coefficients of one order: all of them, or the share of the accelerations in them.
+struct Pass {
+    builder: Builder,
+    coefficients: ValueTable<Coefficient>,
+    is_share: bool,
+}
+
+impl<'a> Recurrence<'a> {
+    pub(super) fn new(motion: &'a Motion<'a>, schedule: &'a Schedule) -> Recurrence<'a> {
+        let mut kept = OrderedMap::default();
+        for entry in motion.state {
+            kept.insert(entry.value, ());
+        }
+        Recurrence {
+            motion,
+            schedule,
+            slots: Slots::default(),
+            initials: OrderedMap::default(),
+            kept,
+            sums: OrderedMap::default(),
+            carried: OrderedMap::default(),
+        }
+    }
+
+    pub(super) fn programs(mut self) -> SeriesPrograms {
+        let expansion = self.pass(false);
+        // What the next step needs is known by now.
+        let carried = self.carried.iter().map(|(value, ())| *value).collect::<Vec<_>>();
+        for &value in &carried {
+            self.keep(value);
+        }
+        let kept = self.kept.iter().map(|(value, ())| *value).collect::<Vec<_>>();
+        let correction = (!self.motion.residuals.is_empty()).then(|| {
+            let mut share = self.pass(true);
+            let corrected = (0..kept.len()).map(|place| self.corrected(&mut share, kept[place], place));
+            let corrected = corrected.collect::<Vec<_>>();
+            share.builder.finish(&corrected)
+        });
+        let expansion = self.finished(expansion, &kept);
+        let carried =
+            carried.into_iter().map(|value| (self.keep(value), self.initial(Initial::Value(value))));
+        let carried = carried.collect();
+        SeriesPrograms {
+            initial: self.initial_program(),
+            initials: self.initials.len(),
+            expansion,
+            correction,
+            sums: self.sums.iter().map(|(factors, ())| *factors).collect(),
+            carried,
+            slots: self.slots.into_list(),
+            kept: kept.len(),
+        }
+    }
+
+    fn finished(&mut self, mut pass: Pass, kept: &[ValueId]) -> Program {
+        let roots = kept.iter().chain(self.motion.residuals);
+        let outputs = roots.map(|&value| {
+            let coefficient = match self.schedule.kinds[value] {
+                Kind::Fixed => self.first(&mut pass, value),
+                _ => pass.coefficients[value],
+            };
+            coefficient.unwrap_or_else(|| pass.builder.constant(Number::ZERO))
+        });
+        let outputs = outputs.collect::<Vec<_>>();
+        pass.builder.finish(&outputs)
+    }
+
+    /// A kept value with the share of the accelerations.
+    fn corrected(&mut self, share: &mut Pass, value: ValueId, place: usize) -> ValueId {
+        let is_velocity = matches!(self.schedule.source(self.motion, value), Source::Velocity(_));
+        let partial = (!is_velocity).then(|| self.slots.input(&mut share.builder, Slot::Partial(place)));
+        let total = share.builder.sum(partial, share.coefficients[value]);
+        total.unwrap_or_else(|| share.builder.constant(Number::ZERO))
+    }
+
+    fn pass(&mut self, is_share: bool) -> Pass {
+        let coefficients = ValueTable::filled(self.motion.program.len(), None);
+        let mut pass = Pass { builder: Builder::new(), coefficients, is_share };
+        for &value in &self.schedule.order {
+            pass.coefficients[value] = self.coefficient(&mut pass, value);
+        }
+        pass
+    }
+
+    fn coefficient(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
+        match self.schedule.source(self.motion, value) {
+            Source::Time => self.slot(pass, Slot::First),
+            Source::Velocity(index) => {
+                let acceleration = self.acceleration(pass, index);
+                self.times_slot(pass, acceleration, Slot::Reciprocal)
+            }
+            Source::Acceleration(index) => self.acceleration(pass, index),
+            Source::Previous(of) if self.schedule.kinds[of] == Kind::Fixed => self.first(pass, of),
+            Source::Previous(of) => self.now(pass, of),
+            Source::Rate(of) => self.times_slot(pass, pass.coefficients[of], Slot::Order),
+            Source::Integral(rate) => {
+                let rate = match self.schedule.kinds[rate] {
+                    Kind::Accelerated => pass.coefficients[rate],
+                    Kind::Fixed => self.first(pass, rate),
+                    _ => self.now(pass, rate),
+                };
+                self.times_slot(pass, rate, Slot::Reciprocal)
+            }
+            Source::Operands => self.operation(pass, value),
+        }
+    }
+
+    fn operation(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
+        let is_accelerated = self.schedule.kinds[value] == Kind::Accelerated;
+        match *self.motion.program.op(value) {
+            Op::Add(a, b) => {
+                let [a, b] = [a, b].map(|operand| self.term(pass, operand, is_accelerated));
+                pass.builder.sum(a, b)
+            }
+            Op::Subtract(a, b) => {
+                let [a, b] = [a, b].map(|operand| self.term(pass, operand, is_accelerated));
+                pass.builder.difference(a, b)
+            }
+            Op::Negate(a) => self.term(pass, a, is_accelerated).map(|a| pass.builder.negate(a)),
+            Op::Multiply(a, b) => self.product(pass, a, b),
+            Op::Divide(a, b) => self.quotient(pass, value, a, b),
+            Op::Call(Function::Sqrt, ref arguments) => self.root(pass, value, arguments[0]),
+            Op::Select { relation, left, right, then, otherwise } => {
+                let [then, otherwise] =
+                    [then, otherwise].map(|operand| self.term(pass, operand, is_accelerated));
+                if then == otherwise {
+                    return then;
+                }
+                let zero = pass.builder.constant(Number::ZERO);
+                let [then, otherwise] = [then, otherwise].map(|branch| branch.unwrap_or(zero));
+                let [left, right] = [left, right].map(|side| self.at_start(pass, Initial::Value(side)));
+                Some(pass.builder.push(Op::Select { relation, left, right, then, otherwise }))
+            }
+            // The schedule has refused everything else.
+            _ => None,
+        }
+    }
+
+    /// An operand of a sum, of the order of the sum.
+    fn term(&mut self, pass: &mut Pass, operand: ValueId, is_accelerated: bool) -> Coefficient {
+        match (self.schedule.kinds[operand], is_accelerated) {
+            (Kind::Fixed, true) => self.first(pass, operand),
+            (Kind::Fixed, false) => None,
+            (Kind::Moving, true) => self.now(pass, operand),
+            _ => pass.coefficients[operand],
+        }
+    }
+
+    fn product(&mut self, pass: &mut Pass, a: ValueId, b: ValueId) -> Coefficient {
+        let [of_a, of_b] = [a, b].map(|factor| self.schedule.kinds[factor]);
+        match (of_a, of_b) {
+            (Kind::Fixed, _) => self.times_initial(pass, pass.coefficients[b], Initial::Value(a)),
+            (_, Kind::Fixed) => self.times_initial(pass, pass.coefficients[a], Initial::Value(b)),
+            _ => {
+                let inner = self.inner(pass, a, b);
+                // Of a factor that is known to a higher order than the product, the newest coefficient stands in the sum.
+                let mut edge = |newest: ValueId, other: ValueId| match self.schedule.kinds[other] {
+                    Kind::Moving if of_a == of_b || self.schedule.kinds[newest] == Kind::Accelerated => {
+                        self.times_initial(pass, pass.coefficients[newest], Initial::Value(other))
+                    }
+                    _ => None,
+                };
+                let (one, two) = (edge(b, a), edge(a, b));
+                let edges = pass.builder.sum(one, two);
+                pass.builder.sum(edges, inner)
+            }
+        }
+    }
+
+    fn quotient(&mut self, pass: &mut Pass, value: ValueId, a: ValueId, b: ValueId) -> Coefficient {
+        let is_accelerated = self.schedule.kinds[value] == Kind::Accelerated;
+        let mut above = self.term(pass, a, is_accelerated);
+        if self.schedule.kinds[b] != Kind::Fixed {
+            let inner = self.inner(pass, b, value);
+            above = pass.builder.difference(above, inner);
+            if !is_accelerated {
+                let edge = self.times_initial(pass, pass.coefficients[b], Initial::Value(value));
+                above = pass.builder.difference(above, edge);
+            }
+        }
+        self.times_initial(pass, above, Initial::Reciprocal(b))
+    }
+
+    fn root(&mut self, pass: &mut Pass, value: ValueId, of: ValueId) -> Coefficient {
+        let inner = self.inner(pass, value, value);
+        let rest = pass.builder.difference(pass.coefficients[of], inner);
+        self.times_initial(pass, rest, Initial::HalfReciprocal(value))
+    }
+
+    /// Σ xⱼ yₘ₋ⱼ of the coefficients from earlier steps.
+    fn inner(&mut self, pass: &mut Pass, a: ValueId, b: ValueId) -> Coefficient {
+        let factors = [self.keep(a), self.keep(b)];
+        let factors = [factors[0].min(factors[1]), factors[0].max(factors[1])];
+        let index = self.sums.index_or_insert_with(factors, || ());
+        self.slot(pass, Slot::Sum(index))
+    }
+
+    /// The coefficient of order k of a value that step k gives that of order k + 1 of.
+    fn now(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
+        let index = self.carried.index_or_insert_with(value, || ());
+        self.slot(pass, Slot::Carried(index))
+    }
+
+    /// A fixed value, in the first step only.
+    fn first(&mut self, pass: &mut Pass, value: ValueId) -> Coefficient {
+        let first = self.slot(pass, Slot::First);
+        self.times_initial(pass, first, Initial::Value(value))
+    }
+
+    fn acceleration(&mut self, pass: &mut Pass, index: u32) -> Coefficient {
+        pass.is_share.then(|| self.slots.input(&mut pass.builder, Slot::Acceleration(index)))
+    }
+
+    /// An input that accelerations have no share in.
+    fn slot(&mut self, pass: &mut Pass, slot: Slot) -> Coefficient {
+        (!pass.is_share).then(|| self.slots.input(&mut pass.builder, slot))
+    }
+
+    fn times_slot(&mut self, pass: &mut Pass, coefficient: Coefficient, slot: Slot) -> Coefficient {
+        let coefficient = coefficient?;
+        let factor = self.slots.input(&mut pass.builder, slot);
+        Some(pass.builder.multiply(factor, coefficient))
+    }
+
+    fn times_initial(&mut self, pass: &mut Pass, coefficient: Coefficient, by: Initial) -> Coefficient {
+        let coefficient = coefficient?;
+        let factor = self.at_start(pass, by);
+        Some(pass.builder.multiply(factor, coefficient))
+    }
+
+    fn at_start(&mut self, pass: &mut Pass, initial: Initial) -> ValueId {
+        if let Initial::Value(value) = initial
+            && let op @ (Op::Constant(_) | Op::Float(_)) = self.motion.program.op(value)
+        {
+            return pass.builder.push(op.clone());
+        }
+        let index = self.initial(initial);
+        self.slots.input(&mut pass.builder, Slot::Initial(index))
+    }
+
+    fn initial(&mut self, initial: Initial) -> usize {
+        self.initials.index_or_insert_with(initial, || ())
+    }
+
+    fn keep(&mut self, value: ValueId) -> usize {
+        self.kept.index_or_insert_with(value, || ())
+    }
+
+    fn initial_program(&self) -> Program {
+        let program = self.motion.program;
+        let mut builder = Builder::new();
+        let mut image = ValueTable::with_capacity(program.len());
+        for (id, op) in program.values() {
+            let value = builder.push(op.map_operands(|operand| image[operand]));
+            if let Some(name) = program.hint(id) {
+                builder.propose_name(value, name);
+            }
+            image.push(value);
+        }
+        let values = self.initials.iter().map(|(initial, ())| match *initial {
+            Initial::Value(of) => image[of],
+            Initial::Reciprocal(of) => {
+                let one = builder.constant(Number::ONE);
+                builder.divide(one, image[of])
+            }
+            Initial::HalfReciprocal(of) => {
+                let half = builder.constant(Number::HALF);
+                builder.divide(half, image[of])
+            }
+        });
+        let mut outputs = values.collect::<Vec<_>>();
+        outputs.extend(self.motion.matrix.iter().map(|&entry| image[entry]));
+        builder.finish(&outputs)
+    }
+}
+
+impl Builder {
+    /// a + b, where `None` is zero.
+    fn sum(&mut self, a: Coefficient, b: Coefficient) -> Coefficient {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.add(a, b)),
+            (a, b) => a.or(b),
+        }
+    }
+
+    /// a − b, where `None` is zero.
+    fn difference(&mut self, a: Coefficient, b: Coefficient) -> Coefficient {
+        match (a, b) {
+            (Some(a), Some(b)) => Some(self.subtract(a, b)),
+            (None, Some(b)) => Some(self.negate(b)),
+            (a, None) => a,
+        }
+    }
+}

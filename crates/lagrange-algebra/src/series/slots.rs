@@ -1,0 +1,43 @@
+//! The inputs of the programs of one step.
+
+use crate::program::{Builder, Op, ValueId};
+use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::symbol::Role;
+
+/// The meaning of a placeholder in the programs of a step.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Slot {
+    /// This initial value.
+    Initial(usize),
+    /// The coefficient of order k of this carried value.
+    Carried(usize),
+    /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, of which xⱼ is the coefficient that step j kept.
+    Sum(usize),
+    /// The coefficient of this kept value as if accelerations were zero.
+    Partial(usize),
+    /// This acceleration, of order k.
+    Acceleration(u32),
+    /// k + 1
+    Order,
+    /// 1/(k + 1)
+    Reciprocal,
+    /// One in the first step, zero in all others.
+    First,
+}
+
+/// The placeholders that were given out.
+#[derive(Default, Debug)]
+pub(super) struct Slots(OrderedMap<Slot, ()>);
+
+impl Slots {
+    /// The value of a placeholder in a program.
+    pub(super) fn input(&mut self, builder: &mut Builder, slot: Slot) -> ValueId {
+        let index = self.0.index_or_insert_with(slot, || ());
+        let index = u32::try_from(index).expect("fewer than 2^32 slots fit in memory");
+        builder.push(Op::Input(Role::Placeholder(index)))
+    }
+
+    pub(super) fn into_list(self) -> Vec<Slot> {
+        self.0.iter().map(|(slot, ())| *slot).collect()
+    }
+}
