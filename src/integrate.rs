@@ -10,6 +10,7 @@
 //! | method | for systems | order | symplectic | cost of a step | take it for |
 //! |---|---|---|---|---|---|
 //! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
+//! | [`Taylor`] | with `emit { taylor }`, not stiff | 8 to 40, adaptive | no | one expansion, in time linear to quadratic in the order | errors below 1e-11 |
 //! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
 //! | [`SymplecticEuler`] | separable, or held by constraints on positions | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
 //! | [`StormerVerlet`] | separable, or held by constraints on positions | 2 | yes | 1 acceleration | long runs at moderate accuracy |
@@ -34,7 +35,7 @@ pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
     ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method,
     Outcome, PlainGaussLegendre, RungeKutta4, SettingError, StepFailure, Stepper, StormerVerlet, SuspectStep,
-    SymplecticEuler, Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
+    SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

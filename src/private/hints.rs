@@ -53,6 +53,9 @@ hints! {
     pub trait EmitsLanes {} for fn lanes in Lanes:
         "the declaration of `{Self}` does not emit `lanes`",
         "add `emit {{ lanes }}` to the declaration";
+    pub trait EmitsTaylor {} for fn taylor in Taylor:
+        "the declaration of `{Self}` does not emit `taylor`",
+        "add `emit {{ taylor }}` to the declaration";
     pub trait EmitsMomentumRates {} for fn momentum_rates in MomentumRates:
         "the declaration of `{Self}` does not emit `momentum_rates`",
         "add `emit {{ momentum_rates }}` to the declaration";
@@ -137,7 +140,7 @@ macro_rules! __hints {
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
             KernelF64 as _, KineticEnergy as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
             MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
-            Statements as _, TangentJacobian as _,
+            Statements as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

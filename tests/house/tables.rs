@@ -86,7 +86,10 @@ const ALGEBRA: &[Layer] = &[
         modules: &["program"],
         purpose: "straight-line programs: lowering, passes, verifier, interpreter, operation counts",
     },
-    Layer { modules: &["code"], purpose: "programs as source text of a target language" },
+    Layer {
+        modules: &["code", "series"],
+        purpose: "programs as source text of a target language; programs for Taylor series of motions",
+    },
 ];
 
 const LANGUAGE: &[Layer] = &[

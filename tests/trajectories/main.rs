@@ -30,5 +30,6 @@ mod spatial;
 mod spatial_slider_crank;
 mod stiff;
 mod systems;
+mod taylor;
 mod throws;
 mod tops;

@@ -13,6 +13,7 @@ use super::jacobian::Derivatives;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::quadratic_form::QuadraticForm;
 use super::responses::{ReactionEquations, reaction_forces};
+use super::series::SeriesEquations;
 use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
 use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
@@ -51,6 +52,8 @@ pub struct Equations {
     pub forcing: Vec<ExprId>,
     /// ∂L/∂q + Q, by which the momenta change without constraints
     pub free_momentum_rates: Option<Vec<ExprId>>,
+    /// Equations of motion to be expanded in Taylor series, if that is requested.
+    pub series: Option<SeriesEquations>,
     /// Requested products other than both sides of M q̈ = f and the content of the model; matrices
     /// row by row.
     products: Vec<(Product, Vec<ExprId>)>,
@@ -122,6 +125,8 @@ impl Equations {
             };
             products.push((product, found));
         }
+        let wants_series = model.products.contains(&Product::Taylor);
+        let series = wants_series.then(|| SeriesEquations::new(model, &split));
         let (mass_matrix, forcing) = forms.into_sides(model, &split);
         let mut equations = Equations {
             accelerations: solution.values,
@@ -132,6 +137,7 @@ impl Equations {
             mass_matrix,
             forcing,
             free_momentum_rates: without_constraints,
+            series,
             constraints,
             reactions,
             products,
@@ -230,7 +236,7 @@ impl Equations {
 /// what cancels there.
 fn wants_mass_matrix(model: &Model, choice: StrategyChoice) -> bool {
     let is_made_of_it = |product: &Product| {
-        product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex)
+        product.is_derivative() || matches!(product, Product::MassMatrix | Product::Latex | Product::Taylor)
     };
     let is_free = model.constraints.is_empty() && model.reactions.is_empty();
     let is_asked_for = model.products.iter().any(is_made_of_it);

@@ -26,6 +26,7 @@ use super::features::scene::write_scene;
 use super::features::solvers::{write_solvers, write_unknowns};
 use super::features::sparse::{Sparse, lowered_sparse};
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
+use super::features::taylor::write_taylor;
 use super::item::items;
 use crate::derive::Equations;
 use crate::model::{Model, Product};
@@ -87,6 +88,7 @@ fn assembled(
     write_prepared(&mut writer)?;
     write_kernel(&mut writer)?;
     write_lanes(&mut writer)?;
+    write_taylor(&mut writer)?;
     write_solvers(&mut writer);
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::base::members::{Lanes, Members, Prepared, PreparedFields};
+use super::base::members::{Lanes, Members, Prepared, PreparedFields, Taylor};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
@@ -92,6 +92,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
         kernel: shape.asks_for(Product::Kernel).then(|| kernel_constants("", "")),
         lanes: shape.asks_for(Product::Lanes).then(skeleton_of_lanes),
+        taylor: shape.asks_for(Product::Taylor).then(skeleton_of_taylor),
         constants: constants.into_iter().collect(),
         is_separable: shape.velocities_are_rates(),
         ..Members::new(names)
@@ -153,6 +154,10 @@ fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
 
 fn skeleton_of_lanes() -> Lanes {
     Lanes { rhs: quote!(::core::unreachable!()), sides: None, docs: NOT_DERIVED.to_owned() }
+}
+
+fn skeleton_of_taylor() -> Taylor {
+    Taylor { groups: 0, body: quote!(::core::unreachable!()) }
 }
 
 fn placeholder(name: Ident, arguments: Arguments, returns: Returns) -> Method {

@@ -26,6 +26,7 @@ pub enum Product {
     Prepared,
     Kernel,
     Lanes,
+    Taylor,
     Latex,
     Motion,
     Frames,
@@ -117,7 +118,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 25] = [
+const ROWS: [ProductRow; 26] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -305,6 +306,7 @@ const ROWS: [ProductRow; 25] = [
     ProductRow { product: Product::Prepared, name: "prepared", when: Availability::Demand, method: None },
     ProductRow { product: Product::Kernel, name: "kernel", when: Availability::Demand, method: None },
     ProductRow { product: Product::Lanes, name: "lanes", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Taylor, name: "taylor", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },

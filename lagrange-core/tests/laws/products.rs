@@ -105,7 +105,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::Frames => vec!["bob_frame"],
         Product::FrameJacobians => vec!["bob_jacobian"],
         // These are traits.
-        Product::Drawing | Product::Lanes => Vec::new(),
+        Product::Drawing | Product::Lanes | Product::Taylor => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
         _ => vec![product.name()],
     }

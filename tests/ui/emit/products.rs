@@ -3,7 +3,7 @@ lagrange::system! {
 
     coord x;
     kinetic = 1/2 * dot(x)^2;
-    emit { mas_matrix, no enery, plot, taylor }
+    emit { mas_matrix, no enery, plot, hessian }
 }
 
 fn main() {}

@@ -65,6 +65,12 @@ impl Names {
         ident
     }
 
+    /// Gives a symbol that has no name of its own a variable called `wish`, or like it where that is taken.
+    pub fn assign(&mut self, role: Role, wish: &str) {
+        let ident = self.fresh(wish);
+        self.roles.insert(role, ident);
+    }
+
     /// A new variable called `wish`, or `wish_2`, `wish_3` … where that is taken.
     pub fn fresh(&mut self, wish: &str) -> Ident {
         let wish = sanitise(wish);

@@ -79,9 +79,20 @@ fn of_role(role: Role) -> Kind {
     }
 }
 
-/// The reason why a value has no series.
-pub(super) fn reason(program: &Program, value: ValueId) -> NoSeries {
-    match program.op(value) {
+/// The reason why a value has no series, found where the first of its operands has none.
+pub(super) fn reason(program: &Program, kinds: &ValueTable<Kind>, value: ValueId) -> NoSeries {
+    let mut cause = value;
+    loop {
+        let mut deeper = None;
+        program.op(cause).for_each_operand(|operand| {
+            if kinds[operand] == Kind::Unknown {
+                deeper = deeper.or(Some(operand));
+            }
+        });
+        let Some(operand) = deeper else { break };
+        cause = operand;
+    }
+    match program.op(cause) {
         Op::Opaque(function, _) => NoSeries::Function(function.function().name.clone()),
         Op::Power(..) | Op::Call(Function::Power, _) => NoSeries::Power,
         _ => NoSeries::Acceleration,

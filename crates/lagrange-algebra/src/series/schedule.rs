@@ -7,7 +7,7 @@ use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::expr::Function;
 use lagrange_expr::symbol::Role;
 
-/// What is known of the values of a motion, and the order of their computation.
+/// Kinds and rates of the values of a motion, and the order of their computation.
 pub(super) struct Schedule {
     pub(super) kinds: ValueTable<Kind>,
     /// Rates of entries of the state.
@@ -110,7 +110,7 @@ impl Schedule {
         inputs
     }
 
-    /// Those of them whose newest coefficient is of the order that the value itself needs.
+    /// The inputs that must be computed before the value in the same step.
     fn inputs_of_this_step(&self, motion: &Motion<'_>, value: ValueId) -> Vec<ValueId> {
         let mut inputs = self.inputs(motion, value);
         let newest = match self.source(motion, value) {
@@ -134,7 +134,7 @@ impl Schedule {
                 continue;
             }
             if self.kinds[value] == Kind::Unknown {
-                return Err(reason(motion.program, value));
+                return Err(reason(motion.program, &self.kinds, value));
             }
             let op = motion.program.op(value);
             let is_function = matches!(op, Op::Call(function, _) if *function != Function::Sqrt);

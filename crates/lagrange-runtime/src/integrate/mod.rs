@@ -21,6 +21,7 @@ mod prediction;
 mod rk4;
 mod splitting;
 mod stability;
+mod taylor;
 mod undefined;
 mod variational;
 mod verner;
@@ -35,6 +36,7 @@ pub use self::method::{
 };
 pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
 pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, StormerVerlet, SymplecticEuler};
+pub use self::taylor::{Taylor, TaylorStepper};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;
 pub use self::verner::{Verner98, VernerLanes, VernerLastStep, VernerStepper};

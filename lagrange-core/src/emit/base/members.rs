@@ -41,6 +41,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) kernel: Option<TokenStream>,
     /// Parts of the type for numbers side by side, if requested.
     pub(in crate::emit) lanes: Option<Lanes>,
+    /// Parts of the expansion in Taylor series, if requested.
+    pub(in crate::emit) taylor: Option<Taylor>,
     /// Associated constants.
     pub(in crate::emit) constants: TokenStream,
     pub(in crate::emit) names: ArgumentNames,
@@ -78,6 +80,7 @@ impl Members {
             prepared: None,
             kernel: None,
             lanes: None,
+            taylor: None,
             constants: TokenStream::new(),
             names,
             functions: BTreeSet::new(),
@@ -109,6 +112,14 @@ pub(in crate::emit) struct Lanes {
     pub(in crate::emit) sides: Option<TokenStream>,
     /// Documentation of the type.
     pub(in crate::emit) docs: String,
+}
+
+/// The expansion of the motion in Taylor series.
+pub(in crate::emit) struct Taylor {
+    /// Number of groups of products.
+    pub(in crate::emit) groups: usize,
+    /// The body of `TaylorSystem::expand`.
+    pub(in crate::emit) body: TokenStream,
 }
 
 /// Names of the fields of the prepared type beside that of the system.

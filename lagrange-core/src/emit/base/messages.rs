@@ -2,6 +2,7 @@
 
 use crate::model::Product;
 use lagrange_algebra::code::Precision;
+use lagrange_algebra::series::NoSeries;
 
 pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(
@@ -70,6 +71,7 @@ pub(in crate::emit) fn without(product: Product) -> &'static str {
         Product::Kernel => {
             "remove it; devices only run systems without constraints, contacts, friction and events"
         }
+        Product::Taylor => "remove it and integrate with `Verner98`",
         Product::Lanes => "remove it; ensembles run such systems one by one, on all threads",
         _ => {
             "remove it; only systems whose accelerations are computed in the same way for all states can be prepared"
@@ -88,6 +90,12 @@ pub(in crate::emit) fn large_in_kernel(precision: Precision, constants: &[String
     )
 }
 
+pub(in crate::emit) fn without_series(cause: &NoSeries) -> String {
+    format!("this motion has no Taylor series: {cause}")
+}
+
+pub(in crate::emit) const WITHOUT_SERIES_HELP: &str =
+    "remove it and integrate with `Verner98`, which only needs the right-hand side";
 pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or remove it";
 pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =

@@ -8,6 +8,7 @@ use super::messages;
 use super::size::report_hopeless;
 use crate::model::Product;
 use lagrange_algebra::code::Precision;
+use lagrange_algebra::series::NoSeries;
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::{Declaration, EmitItem, ScalarType, StatementKind};
 
@@ -22,6 +23,8 @@ pub(in crate::emit) enum Refusal {
     Size,
     /// This product does not go with that of the system.
     Exclusion(Product, Exclusion),
+    /// The motion has no Taylor series.
+    Series(NoSeries),
     /// A kernel in this precision cannot hold these constants, in words.
     KernelConstants(Precision, Vec<String>),
 }
@@ -35,6 +38,10 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
         Refusal::Exclusion(product, exclusion) => {
             let message = messages::excluded(*product, exclusion.words());
             report.error(demand(declaration, *product), message).help(messages::without(*product));
+        }
+        Refusal::Series(cause) => {
+            let message = messages::without_series(cause);
+            report.error(demand(declaration, Product::Taylor), message).help(messages::WITHOUT_SERIES_HELP);
         }
         Refusal::KernelConstants(precision, constants) => {
             let message = messages::large_in_kernel(*precision, constants);

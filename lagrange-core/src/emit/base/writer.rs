@@ -224,6 +224,17 @@ impl<'a> MethodWriter<'a> {
         quote!(#bindings #statements #result)
     }
 
+    /// A program as the body of a method.
+    pub(in crate::emit) fn lowered_program(
+        &mut self,
+        program: &Program,
+        arguments: Arguments,
+        collect: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        self.size.add(OperationCounts::of(program), program.outputs().len());
+        self.body(program, arguments, EmittedType::System, collect)
+    }
+
     /// A program in a function of its own.
     pub(in crate::emit) fn lowered_apart(
         &mut self,

@@ -22,4 +22,5 @@ pub(super) mod solvers;
 pub(super) mod sparse;
 pub(super) mod switches;
 pub(in crate::emit) mod tables;
+pub(super) mod taylor;
 pub(in crate::emit) mod units;

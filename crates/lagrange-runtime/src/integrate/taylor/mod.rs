@@ -1,0 +1,116 @@
+//! Taylor series with steps as long as a tolerance allows.
+//!
+//! Each step expands the motion about its state and follows the polynomial. Its length follows from the size of the last
+//! coefficients. The expansion at its end, which the next step starts from, gives the exact rate there; where the slope of the
+//! polynomial differs from it by more than is tolerated, the step is taken back and halved.
+//!
+//! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods",
+//! *Experimental Mathematics* 14 (2005) 99–117. They look at two coefficients; a motion whose coefficients vanish in turn, such as a
+//! double pendulum that starts at right angles at rest, requires four, and the check at the end.
+
+mod stepper;
+
+use crate::integrate::method::Method;
+use crate::scalar::{Number, Scalar};
+use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
+
+pub use self::stepper::TaylorStepper;
+
+/// Taylor series in steps as long as the tolerance allows, for systems that declare `emit { taylor }` and are not stiff.
+///
+/// The last terms of the series are at most a hundredth of `absolute + relative · |y|` in each component. The states within a step
+/// are as accurate as its end.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Taylor<S> {
+    /// Error of a step as a part of the state.
+    pub relative: S,
+    /// Error of a step in the units of the state.
+    pub absolute: S,
+    /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the tolerance if not given.
+    pub order: Option<usize>,
+    /// No step is longer.
+    pub longest_step: Option<S>,
+    /// No more steps are tried, rejected ones included.
+    pub max_steps: u64,
+}
+
+/// The order for the tightest tolerance; higher ones cost more than they save in double precision.
+const HIGHEST_CHOSEN: f64 = 32.0;
+/// The order for the loosest tolerance.
+const LOWEST_CHOSEN: f64 = 8.0;
+/// The lowest order that may be set: the length of steps follows from four coefficients.
+const LOWEST: usize = 4;
+
+impl<S: Scalar> Taylor<S> {
+    /// With this tolerance relative to the state where that is larger than one, and absolute where it is smaller.
+    pub fn tolerance(tolerance: S) -> Self {
+        Taylor {
+            relative: tolerance,
+            absolute: tolerance,
+            order: None,
+            longest_step: None,
+            max_steps: 100_000_000,
+        }
+    }
+
+    /// The larger tolerance.
+    fn loosest(&self) -> S {
+        self.relative.max(self.absolute)
+    }
+
+    /// The order of the series: about −ln of the tolerance and three more, which costs least where the cost grows with the order.
+    fn chosen_order(&self) -> usize {
+        self.order.unwrap_or_else(|| {
+            let wanted = S::from_f64(3.0) - self.loosest().ln();
+            let mut order = LOWEST_CHOSEN as usize;
+            while S::from_f64(order as f64) < wanted && order < HIGHEST_CHOSEN as usize {
+                order += 1;
+            }
+            order
+        })
+    }
+}
+
+impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
+    type Stepper = TaylorStepper<M>;
+
+    fn name(&self) -> &'static str {
+        "Taylor series"
+    }
+
+    fn order(&self) -> u32 {
+        self.chosen_order() as u32
+    }
+
+    fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        let is_tolerance = |part: M::Scalar| part >= M::Scalar::ZERO && part.is_finite();
+        let is_some_tolerated = self.relative + self.absolute > M::Scalar::ZERO;
+        if !(is_tolerance(self.relative) && is_tolerance(self.absolute) && is_some_tolerated) {
+            return Err(SettingError::Invalid(
+                "tolerances must be finite and not negative, and not both zero",
+            ));
+        }
+        if self.order.is_some_and(|order| !(LOWEST..=MAX_ORDER).contains(&order)) {
+            return Err(SettingError::Invalid("the order of Taylor series must be between 4 and 40"));
+        }
+        if self.longest_step.is_some_and(|step| !(step > M::Scalar::ZERO && step.is_finite())) {
+            return Err(SettingError::Invalid("lengths of steps must be positive and finite"));
+        }
+        Ok(())
+    }
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
+        Method::<M>::check(self)?;
+        TaylorStepper::start(*self, system, t, y, end)
+    }
+
+    fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {
+        Ok(Taylor { longest_step: Some(longest), ..self })
+    }
+}

@@ -1,0 +1,263 @@
+//! A motion followed along its Taylor series.
+
+use super::Taylor;
+use crate::integrate::clock::{Clock, least_step};
+use crate::integrate::compensated::Compensated;
+use crate::integrate::corrected::{admitted, check_finite, corrected};
+use crate::integrate::method::{Stepper, Work};
+use crate::scalar::{Number, Scalar};
+use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
+use crate::tolerance::LEAST_TOLERANCE;
+
+/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and so do steps.
+const SAFETY: f64 = 0.01;
+/// The rate at the end of a step may differ from the slope of its polynomial by this many tolerances over the length of the step.
+const LARGEST_DEFECT: f64 = 1.0;
+/// Orders that the length of a step follows from: coefficients may vanish in turn.
+const LAST_ORDERS: usize = 4;
+
+/// An integration by [`Taylor`] series in progress.
+#[derive(Clone, Debug)]
+pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
+    settings: Taylor<M::Scalar>,
+    order: usize,
+    clock: Clock<M::Scalar>,
+    state: Compensated<M::State>,
+    /// The expansion at the present state, and the one that the last step followed.
+    expansions: [Expansion<M::Scalar, M::State>; 2],
+    /// Place of the expansion at the present state.
+    present: usize,
+    series: M::Series,
+    work: Work,
+}
+
+/// The motion through a state: that, and its coefficients of order one and higher.
+#[derive(Clone, Copy, Debug)]
+struct Expansion<S, Y> {
+    t: S,
+    y: Y,
+    coefficients: [Y; MAX_ORDER],
+}
+
+impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
+    pub(super) fn start(
+        settings: Taylor<M::Scalar>,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self, StepFailure<M::Scalar>> {
+        check_finite(end, y)?;
+        let expansion = Expansion { t, y: *y, coefficients: [M::State::ZERO; MAX_ORDER] };
+        let mut stepper = TaylorStepper {
+            settings,
+            order: settings.chosen_order(),
+            clock: Clock::new(t, M::Scalar::ZERO),
+            state: Compensated::new(*y),
+            expansions: [expansion; 2],
+            present: 0,
+            series: M::series(),
+            work: Work::default(),
+        };
+        stepper.restart(system, t, y)?;
+        Ok(stepper)
+    }
+}
+
+impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
+    /// The change of the state over a time `h`.
+    #[inline(always)]
+    fn change(&self, order: usize, h: S) -> Y {
+        let mut change = Y::ZERO;
+        for coefficients in self.coefficients[..order].iter().rev() {
+            for (sum, coefficient) in change.as_mut().iter_mut().zip(coefficients.as_ref()) {
+                *sum = (*sum).multiply_add(h, *coefficient);
+            }
+        }
+        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
+        change
+    }
+
+    /// The slope of the polynomial after a time `h`.
+    #[inline(always)]
+    fn slope(&self, order: usize, h: S) -> Y {
+        let mut slope = Y::ZERO;
+        for (k, coefficients) in self.coefficients[..order].iter().enumerate().rev() {
+            let factor = S::from_f64((k + 1) as f64);
+            for (sum, coefficient) in slope.as_mut().iter_mut().zip(coefficients.as_ref()) {
+                *sum = (*sum).multiply_add(h, factor * *coefficient);
+            }
+        }
+        slope
+    }
+}
+
+impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
+    /// The tolerated error of a component of this size.
+    fn tolerated(&self, component: M::Scalar) -> M::Scalar {
+        let relative = self.settings.relative.max(LEAST_TOLERANCE.part::<M::Scalar>());
+        relative.multiply_add(component.abs(), self.settings.absolute)
+    }
+
+    /// The expansion at the present state.
+    fn ahead(&self) -> &Expansion<M::Scalar, M::State> {
+        &self.expansions[self.present]
+    }
+
+    /// The expansion that the last step followed.
+    fn last(&self) -> &Expansion<M::Scalar, M::State> {
+        &self.expansions[1 - self.present]
+    }
+
+    /// Makes the present state that of no step.
+    fn forget_last(&mut self) {
+        let Expansion { t, y, .. } = *self.ahead();
+        let last = &mut self.expansions[1 - self.present];
+        (last.t, last.y) = (t, y);
+    }
+
+    /// Expands the motion about a state.
+    fn expand(&mut self, system: &M, t: M::Scalar, y: &M::State) {
+        let present = &mut self.expansions[self.present];
+        (present.t, present.y) = (t, *y);
+        system.expand(t, y, &mut self.series, &mut present.coefficients[..self.order]);
+        self.work.evaluations += 1;
+    }
+
+    /// The length of a step whose last terms are small enough: the largest h with |cₖ| hᵏ ≤ tolerance for the last four orders k, where
+    /// each is taken to the order of the whole series.
+    fn length(&self) -> M::Scalar {
+        let (one, order) = (M::Scalar::ONE, M::Scalar::from_f64(self.order as f64));
+        let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());
+        let wanted = (M::Scalar::from_f64(SAFETY) * tolerance).rough_log2() / order;
+        let mut shortest = None;
+        for k in self.order - LAST_ORDERS..self.order {
+            let coefficients = self.ahead().coefficients[k].as_ref().iter().zip(self.ahead().y.as_ref());
+            let relative = coefficients.fold(M::Scalar::ZERO, |largest, (coefficient, component)| {
+                let size = self.tolerated(*component) / tolerance;
+                largest.max(coefficient.abs() / size)
+            });
+            if relative > M::Scalar::ZERO {
+                let radius = -relative.rough_log2() / M::Scalar::from_f64((k + 1) as f64);
+                shortest = Some(shortest.map_or(radius, |shortest: M::Scalar| shortest.min(radius)));
+            }
+        }
+        let longest = self.settings.longest_step.unwrap_or(one / M::Scalar::ZERO);
+        shortest.map_or(longest, |radius| (radius + wanted).rough_exp2().min(longest))
+    }
+
+    /// True if the polynomial of the last step has the slope that the motion has at its end, as far as is tolerated.
+    fn fits(&self, h: M::Scalar) -> bool {
+        let slope = self.last().slope(self.order, h);
+        let rates = slope.as_ref().iter().zip(self.ahead().coefficients[0].as_ref());
+        let sizes = self.last().y.as_ref().iter().zip(self.ahead().y.as_ref());
+        rates.zip(sizes).all(|((slope, rate), (before, after))| {
+            let rounding = LEAST_TOLERANCE.part::<M::Scalar>() * rate.abs().max(slope.abs());
+            let size = before.abs().max(after.abs());
+            let tolerated = M::Scalar::from_f64(LARGEST_DEFECT) * self.tolerated(size);
+            ((*slope - *rate).abs() - rounding) * h.abs() <= tolerated
+        })
+    }
+
+    /// Tries a step of this length; true if it was taken.
+    fn attempt(
+        &mut self,
+        system: &M,
+        length: M::Scalar,
+        limit: M::Scalar,
+    ) -> Result<bool, StepFailure<M::Scalar>> {
+        let mut clock = self.clock.with_step(length);
+        let h = clock.advance(limit);
+        if self.clock.is_stopped(&clock) {
+            return Err(StepFailure::StepUnderflow { step: length });
+        }
+        let mut state = self.state;
+        state.add(&self.ahead().change(self.order, h));
+        let mut y = *state.value();
+        check_finite(clock.time(), &y)?;
+        if M::IS_CONSTRAINED {
+            system.correct(clock.time(), &mut y)?;
+            check_finite(clock.time(), &y)?;
+            state.replace(y);
+        }
+        self.present = 1 - self.present;
+        self.expand(system, clock.time(), &y);
+        if self.fits(h) {
+            (self.clock, self.state) = (clock, state);
+            self.work.steps += 1;
+            return Ok(true);
+        }
+        self.present = 1 - self.present;
+        self.forget_last();
+        Ok(false)
+    }
+}
+
+impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
+    fn time(&self) -> M::Scalar {
+        self.clock.time()
+    }
+
+    fn state(&self) -> &M::State {
+        self.state.value()
+    }
+
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+        let mut length = self.length().max(least_step(self.clock.time()));
+        let mut lost = None;
+        loop {
+            if self.work.steps + self.work.rejections >= self.settings.max_steps {
+                return Err(StepFailure::TooManySteps { limit: self.settings.max_steps });
+            }
+            if !(length > M::Scalar::ZERO) || length < least_step(self.clock.time()) {
+                return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: length }));
+            }
+            match self.attempt(system, length, limit) {
+                Ok(true) => return Ok(()),
+                Ok(false) => lost = None,
+                Err(cause @ StepFailure::StepUnderflow { .. }) => return Err(lost.unwrap_or(cause)),
+                Err(cause) => lost = Some(cause),
+            }
+            self.work.rejections += 1;
+            let left = (limit - self.clock.time()).abs();
+            length = length.min(left) * M::Scalar::from_f64(0.5);
+        }
+    }
+
+    fn last_time(&self) -> M::Scalar {
+        self.last().t
+    }
+
+    fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State {
+        if t == self.clock.time() {
+            return *self.state.value();
+        }
+        if t == self.last().t {
+            return self.last().y;
+        }
+        let change = self.last().change(self.order, t - self.last().t);
+        let mut y = self.last().y;
+        for (component, change) in y.as_mut().iter_mut().zip(change.as_ref()) {
+            *component = *component + *change;
+        }
+        corrected(system, t, y)
+    }
+
+    fn limit_steps(&mut self, most: u64) {
+        self.settings.max_steps = self.settings.max_steps.min(most);
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
+        let y = &admitted(system, t, y)?;
+        self.expand(system, t, y);
+        check_finite(t, &self.ahead().coefficients[0])?;
+        self.clock = Clock::new(t, M::Scalar::ZERO);
+        self.state = Compensated::new(*y);
+        self.forget_last();
+        Ok(())
+    }
+
+    fn work(&self) -> Work {
+        self.work
+    }
+}

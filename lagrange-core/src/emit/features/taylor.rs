@@ -1,0 +1,275 @@
+//! Taylor series of the motion: the coefficients of all orders at a state, in a loop over the orders.
+//!
+//! Products of series are computed in groups of four, which vector registers hold side by side.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::base::exclusion::Exclusion;
+use crate::emit::base::members::{Members, Taylor};
+use crate::emit::base::method::Arguments;
+use crate::emit::base::refusal::Refusal;
+use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::writer::MethodWriter;
+use crate::model::Product;
+use lagrange_algebra::code::Names;
+use lagrange_algebra::program::{Labels, Program, ValueId, lower, optimise};
+use lagrange_algebra::series::{Entry, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates};
+use lagrange_expr::expr::ExprId;
+use lagrange_expr::symbol::{Role, Symbols};
+
+/// Number of products that are computed side by side.
+const GROUP: usize = 4;
+
+/// Parts of a system that series do not support.
+const EXCLUSIONS: [Exclusion; 3] = [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Indefinite];
+
+/// Writes the expansion of the motion, if it is requested.
+pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
+    if !writer.model.products.contains(&Product::Taylor) || writer.is_hopeless() {
+        return Ok(());
+    }
+    if let Some(exclusion) = Exclusion::first(&EXCLUSIONS, writer.model, writer.equations) {
+        return Err(Refusal::Exclusion(Product::Taylor, exclusion));
+    }
+    let explicit = programs(writer, Form::Accelerations);
+    let implicit = programs(writer, Form::Residuals);
+    let programs = cheaper(explicit, implicit).map_err(Refusal::Series)?;
+    if let Some(taylor) = written(writer, &programs) {
+        writer.members.taylor = Some(taylor);
+    }
+    Ok(())
+}
+
+/// The form of the equations that series are derived from.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// Accelerations as functions of the state.
+    Accelerations,
+    /// Residuals that accelerations make zero.
+    Residuals,
+}
+
+/// The programs of the form with fewer products.
+fn cheaper(
+    explicit: Result<SeriesPrograms, NoSeries>,
+    implicit: Result<SeriesPrograms, NoSeries>,
+) -> Result<SeriesPrograms, NoSeries> {
+    match (explicit, implicit) {
+        (Ok(explicit), Ok(implicit)) if implicit.sums.len() < explicit.sums.len() => Ok(implicit),
+        (Err(_), implicit @ Ok(_)) => implicit,
+        (explicit, _) => explicit,
+    }
+}
+
+fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms, NoSeries> {
+    let (model, equations) = (&*writer.model, writer.equations);
+    let state = [model.positions(), model.velocities()].concat();
+    let mut rates = model.position_rates();
+    let (mut unexpanded, mut residuals, mut matrix) = (Vec::new(), Vec::new(), Vec::new());
+    match (form, &equations.series) {
+        (Form::Residuals, Some(series)) => {
+            unexpanded.clone_from(&series.unexpanded);
+            residuals.clone_from(&series.residuals);
+            matrix = equations.mass_matrix.concat();
+        }
+        _ => rates.extend(&equations.accelerations),
+    }
+    let velocities = unexpanded.iter().map(|(_, of)| *of);
+    let roots = rates.iter().copied().chain(velocities).chain(residuals.iter().copied());
+    let roots = roots.chain(matrix.iter().copied()).collect::<Vec<_>>();
+    let roots = writer.on_sides(&roots);
+    let functions = function_rates(&mut writer.model.graph, &roots);
+    let mut all = [state.clone(), roots].concat();
+    all.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
+    let program = lower(&writer.model.graph, &all, &Labels::default());
+    let mut outputs = Outputs(program.outputs());
+    let entries = outputs.take(state.len());
+    let mut known = outputs.take(rates.len()).iter();
+    let entry = |(index, &value): (usize, &ValueId)| {
+        let unknown = || Rate::Acceleration((index - rates.len()) as u32);
+        Entry { value, rate: known.next().map_or_else(unknown, |&rate| Rate::Value(rate)) }
+    };
+    let entries = entries.iter().enumerate().map(entry).collect::<Vec<_>>();
+    let role = |id: ExprId| writer.model.graph.symbol_of(id).map(|symbol| symbol.role);
+    let of = outputs.take(unexpanded.len()).iter();
+    let unexpanded = unexpanded.iter().zip(of).filter_map(|((symbol, _), &of)| Some((role(*symbol)?, of)));
+    let unexpanded = unexpanded.collect::<Vec<_>>();
+    let (residuals, matrix) = (outputs.take(residuals.len()), outputs.take(matrix.len()));
+    let rates = outputs.take(2 * functions.len()).chunks_exact(2).map(|pair| (pair[0], pair[1]));
+    let rates = rates.collect::<Vec<_>>();
+    let motion = Motion {
+        program: &program,
+        state: &entries,
+        rates: &rates,
+        unexpanded: &unexpanded,
+        residuals,
+        matrix,
+    };
+    expand(&motion)
+}
+
+/// The outputs of a program, one group after the other.
+struct Outputs<'a>(&'a [ValueId]);
+
+impl<'a> Outputs<'a> {
+    fn take(&mut self, count: usize) -> &'a [ValueId] {
+        let (first, rest) = self.0.split_at(count);
+        self.0 = rest;
+        first
+    }
+}
+
+/// Writes the expansion; `None` if a constant is too large, which is kept in mind.
+fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<Taylor> {
+    let initial = optimise(&programs.initial, writer.model.accuracy);
+    let start = writer.lowered_program(&initial, Arguments::Whole, |values| quote!([#(#values),*]));
+    let next = newest(writer, programs)?;
+    let body = expansion(writer.shape, programs, &start, &next);
+    Some(Taylor { groups: programs.sums.len().div_ceil(GROUP), body })
+}
+
+/// A block with what is kept of one order.
+fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<TokenStream> {
+    let expansion = step(writer, programs, &programs.expansion)?;
+    let Some(correction) = &programs.correction else { return Some(expansion) };
+    let correction = step(writer, programs, correction)?;
+    let (kept, n) = (length(programs.kept), length(writer.model.speeds.len()));
+    let [partial, acceleration, solver] = ["partial", "acceleration", "solver"].map(local);
+    Some(quote!({
+        let #partial = #expansion;
+        let #acceleration: [_; #n] = #solver.accelerations(&#partial[#kept..]);
+        #correction
+    }))
+}
+
+/// The loop over the orders.
+fn expansion(
+    shape: &Shape<'_>,
+    programs: &SeriesPrograms,
+    start_values: &TokenStream,
+    next_values: &TokenStream,
+) -> TokenStream {
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
+    let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
+    let [order, reciprocal, first, k] = ["order", "reciprocal", "first", "k"].map(local);
+    let [series, coefficients] = ["series", "coefficients"].map(local);
+    let groups = groups(programs);
+    let numbers = (0..groups.len()).map(length).collect::<Vec<_>>();
+    let factors = groups.iter().map(|group| {
+        let [one, other] = [0, 1].map(|side| {
+            let places = group.iter().map(|factors| length(factors[side]));
+            quote!([#(#next[#places]),*])
+        });
+        quote!(#one, #other)
+    });
+    let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
+    let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
+    let (initials, carried) = (length(programs.initials), length(programs.carried.len()));
+    let solves = programs.correction.is_some();
+    let inverted =
+        solves.then(|| quote!(let #solver = #krate::private::SeriesSolver::new(&#start[#initials..]);));
+    let (lanes, count) = (length(GROUP), length(groups.len()));
+    let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
+    let number = quote!(<#scalar as #krate::Number>);
+    quote! {
+        let #start: [#scalar; #starts] = { #start_values };
+        #inverted
+        let mut #now: [#scalar; #carried] = [#(#start[#initial]),*];
+        for (#k, #coefficients) in #coefficients.iter_mut().enumerate() {
+            let #order = #number::from_f64((#k + 1) as ::core::primitive::f64);
+            let #reciprocal = #number::ONE / #order;
+            let #first = #number::select(#k == 0, #number::ONE, #number::ZERO);
+            let #sum: [[#scalar; #lanes]; #count] = [#(#series.sums(#numbers, #k)),*];
+            let #next: [#scalar; #all_kept] = #next_values;
+            #(#series.keep(#numbers, #k, #factors);)*
+            #now = [#(#next[#kept]),*];
+            #coefficients.copy_from_slice(&#next[..#all]);
+        }
+    }
+}
+
+/// A block with the outputs of the program of a step.
+fn step(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, program: &Program) -> Option<TokenStream> {
+    let program = optimise(program, writer.model.accuracy);
+    let mut names = Names::new(ARRAYS);
+    for (index, slot) in programs.slots.iter().enumerate() {
+        names.assign(Role::Placeholder(index as u32), &variable(*slot));
+    }
+    let scalar = writer.shape.computed_with();
+    let body = writer.lowered_apart(&program, &scalar, &mut names)?;
+    let symbols = Symbols::default();
+    let bindings = body.used.iter().filter_map(|&role| {
+        let Role::Placeholder(index) = role else { return None };
+        let (slot, variable) = (programs.slots[index as usize], names.role(&symbols, role));
+        let (array, place) = source(slot)?;
+        let array = local(array);
+        if let Slot::Sum(index) = slot {
+            let (group, lane) = (length(index / GROUP), length(index % GROUP));
+            return Some(quote!(let #variable = #array[#group][#lane];));
+        }
+        let place = length(place);
+        Some(quote!(let #variable = #array[#place];))
+    });
+    let bindings = bindings.collect::<TokenStream>();
+    let (statements, outputs) = (body.statements, body.outputs);
+    Some(quote!({ #bindings #statements [#(#outputs),*] }))
+}
+
+/// Arrays in the loop over the orders.
+const ARRAYS: [&str; 6] = ["start", "sum", "now", "partial", "acceleration", "next"];
+
+/// The array and the place in it that hold a slot; `None` if it has a variable.
+fn source(slot: Slot) -> Option<(&'static str, usize)> {
+    match slot {
+        Slot::Initial(index) => Some(("start", index)),
+        Slot::Carried(index) => Some(("now", index)),
+        Slot::Sum(index) => Some(("sum", index)),
+        Slot::Partial(index) => Some(("partial", index)),
+        Slot::Acceleration(index) => Some(("acceleration", index as usize)),
+        Slot::Order | Slot::Reciprocal | Slot::First => None,
+    }
+}
+
+/// The variable that holds a slot.
+fn variable(slot: Slot) -> String {
+    match (source(slot), slot) {
+        (Some((array, place)), _) => format!("{array}_{place}"),
+        (None, Slot::Order) => "order".to_owned(),
+        (None, Slot::Reciprocal) => "reciprocal".to_owned(),
+        (None, _) => "first".to_owned(),
+    }
+}
+
+/// Factors of the products in groups, the last one filled up with products that nothing asks for.
+fn groups(programs: &SeriesPrograms) -> Vec<[[usize; 2]; GROUP]> {
+    let groups = programs.sums.chunks(GROUP);
+    groups.map(|group| std::array::from_fn(|lane| group.get(lane).copied().unwrap_or(group[0]))).collect()
+}
+
+/// `TaylorSystem`, if series are requested.
+pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let Taylor { groups, body } = members.taylor.as_ref()?;
+    let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
+    let (scalar, all, groups) = (shape.scalar(), shape.state_length(), length(*groups));
+    let (time, state) = (&members.names.time, &members.names.state);
+    let [series, coefficients] = ["series", "coefficients"].map(local);
+    Some(quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::TaylorSystem for #name #generics {
+            type Series = #krate::private::Products<#scalar, #groups>;
+            fn series() -> Self::Series {
+                #krate::private::Products::EMPTY
+            }
+            fn expand(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #all],
+                #series: &mut Self::Series,
+                #coefficients: &mut [[#scalar; #all]],
+            ) {
+                #body
+            }
+        }
+    })
+}

@@ -1,0 +1,52 @@
+use lagrange::integrate::{Taylor, integrate};
+
+lagrange::system! {
+    struct Bob;
+
+    coord x, y;
+    kinetic = kinetic_energy(1, dot((x, y)));
+    potential = 9.81 * y;
+    constraint rod = x^2 + y^2 - 1;
+    emit { taylor }
+}
+
+lagrange::system! {
+    struct Slope;
+
+    function height(x) { derivative: slope; }
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = height(x);
+    emit { taylor }
+}
+
+lagrange::system! {
+    struct Spring;
+
+    param n = 1.7;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    potential = abs(x)^n;
+    emit { taylor }
+}
+
+lagrange::system! {
+    struct Pendulum;
+
+    coord theta;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -cos(theta);
+}
+
+fn height(x: f64) -> f64 {
+    x
+}
+
+fn slope(_: f64) -> f64 {
+    1.0
+}
+
+fn main() {
+    let end = integrate(&Pendulum::default(), 0.0, [0.1, 0.0], 1.0, &Taylor::tolerance(1e-9), |_, _| {});
+    println!("{end:?}");
+}
