@@ -126,7 +126,7 @@ lagrange::system! {
 #[test]
 fn a_plate_on_three_pins_hangs_without_horizontal_forces() {
     let (q, v) = ([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0], [0.0; 6]);
-    let plate = Plate::default();
+    let plate = Plate;
     assert!(plate.acceleration(0.0, &q, &v).iter().all(|entry| entry.abs() < 1e-12));
     for (force, share) in [(plate.on_a(0.0, &q, &v), 0.5), (plate.on_b(0.0, &q, &v), 0.25)] {
         let expected = [0.0, 0.0, share * 3.0 * 9.81];
@@ -210,10 +210,9 @@ fn a_braked_wheel_hangs_on_what_holds_it() {
 
 #[test]
 fn contradicting_constraints_end_a_run_by_name() {
-    let error =
-        Contradiction::default().simulate([0.5, 0.5, 0.0, 0.0]).until(1.0).run().expect_err("no such point");
+    let error = Contradiction.simulate([0.5, 0.5, 0.0, 0.0]).until(1.0).run().expect_err("no such point");
     assert!(error.to_string().contains("violate the constraint `third`"), "{error}");
-    let error = Torn::default().simulate([0.0, 0.0]).until(1.0).run().expect_err("no such motion");
+    let error = Torn.simulate([0.0, 0.0]).until(1.0).run().expect_err("no such motion");
     assert!(error.to_string().contains("`x_ddot` comes to NaN"), "{error}");
-    assert!(Torn::default().acceleration(0.0, &[0.0], &[0.0])[0].is_nan());
+    assert!(Torn.acceleration(0.0, &[0.0], &[0.0])[0].is_nan());
 }

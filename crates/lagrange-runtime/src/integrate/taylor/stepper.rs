@@ -209,7 +209,8 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
             if self.work.steps + self.work.rejections >= self.settings.max_steps {
                 return Err(StepFailure::TooManySteps { limit: self.settings.max_steps });
             }
-            if !(length > M::Scalar::ZERO) || length < least_step(self.clock.time()) {
+            let is_step = length > M::Scalar::ZERO && length >= least_step(self.clock.time());
+            if !is_step {
                 return Err(lost.unwrap_or(StepFailure::StepUnderflow { step: length }));
             }
             match self.attempt(system, length, limit) {
