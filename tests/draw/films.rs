@@ -80,7 +80,7 @@ fn refuse_what_is_not_known_at_their_times() {
     for (number, pictures) in [(1e9, "500000001"), (2e5, "100001"), (f64::MAX, "89884656743115")] {
         let error = drawing.film_at(number, &run).expect_err("is no film").to_string();
         assert!(
-            error.contains(&format!("at most 100000 pictures, and this would have {pictures}")),
+            error.contains(&format!("at most 100000 pictures, but this would have {pictures}")),
             "{error}"
         );
     }
