@@ -213,6 +213,6 @@ fn contradicting_constraints_end_a_run_by_name() {
     let error = Contradiction.simulate([0.5, 0.5, 0.0, 0.0]).until(1.0).run().expect_err("no such point");
     assert!(error.to_string().contains("violate the constraint `third`"), "{error}");
     let error = Torn.simulate([0.0, 0.0]).until(1.0).run().expect_err("no such motion");
-    assert!(error.to_string().contains("`x_ddot` comes to NaN"), "{error}");
+    assert!(error.to_string().contains("`x_ddot` is NaN"), "{error}");
     assert!(Torn.acceleration(0.0, &[0.0], &[0.0])[0].is_nan());
 }
