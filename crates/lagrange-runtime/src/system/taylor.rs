@@ -39,15 +39,20 @@ impl<S: Number, const GROUPS: usize> Products<S, GROUPS> {
     /// Without factors.
     pub const EMPTY: Self = Products([[[[S::ZERO; 4]; MAX_ORDER]; 2]; GROUPS]);
 
-    /// Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ of the factors of four products.
+    /// Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ of the factors of four products, of which the newest, with j = k − 1, are given: a sum that waited for what
+    /// was just stored would take twice as long.
     #[inline(always)]
-    pub fn sums(&self, group: usize, k: usize) -> [S; 4] {
+    pub fn sums(&self, group: usize, k: usize, [newest_a, newest_b]: &[[S; 4]; 2]) -> [S; 4] {
         let [a, b] = &self.0[group];
-        let (Some(a), Some(b)) = (a.get(..k), b.get(..k)) else { return [S::NAN; 4] };
+        if k < 2 {
+            let sum = accumulated([S::ZERO; 4], newest_a, newest_b);
+            return if k == 0 { [S::ZERO; 4] } else { sum };
+        }
+        let (Some(inner_a), Some(inner_b)) = (a.get(1..k - 1), b.get(1..k - 1)) else { return [S::NAN; 4] };
         // Two sums, so that no product waits for the one before.
         let (mut even, mut odd) = ([S::ZERO; 4], [S::ZERO; 4]);
-        let (pairs_of_a, last_of_a) = a.as_chunks::<2>();
-        let (last_of_b, pairs_of_b) = b.as_rchunks::<2>();
+        let (pairs_of_a, last_of_a) = inner_a.as_chunks::<2>();
+        let (last_of_b, pairs_of_b) = inner_b.as_rchunks::<2>();
         for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
             even = accumulated(even, a0, b0);
             odd = accumulated(odd, a1, b1);
@@ -55,12 +60,13 @@ impl<S: Number, const GROUPS: usize> Products<S, GROUPS> {
         if let ([a], [b]) = (last_of_a, last_of_b) {
             even = accumulated(even, a, b);
         }
+        let (even, odd) = (accumulated(even, &a[0], newest_b), accumulated(odd, newest_a, &b[0]));
         core::array::from_fn(|lane| even[lane] + odd[lane])
     }
 
     /// Keeps the factors that step k has found.
     #[inline(always)]
-    pub fn keep(&mut self, group: usize, k: usize, a: [S; 4], b: [S; 4]) {
+    pub fn keep(&mut self, group: usize, k: usize, [a, b]: [[S; 4]; 2]) {
         let [of_a, of_b] = &mut self.0[group];
         (of_a[k], of_b[k]) = (a, b);
     }

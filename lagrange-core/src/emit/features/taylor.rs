@@ -153,7 +153,7 @@ fn expansion(
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
     let [order, reciprocal, first, k] = ["order", "reciprocal", "first", "k"].map(local);
-    let [series, coefficients] = ["series", "coefficients"].map(local);
+    let [series, coefficients, newest] = ["series", "coefficients", "newest"].map(local);
     let groups = groups(programs);
     let numbers = (0..groups.len()).map(length).collect::<Vec<_>>();
     let factors = groups.iter().map(|group| {
@@ -161,7 +161,7 @@ fn expansion(
             let places = group.iter().map(|factors| length(factors[side]));
             quote!([#(#next[#places]),*])
         });
-        quote!(#one, #other)
+        quote!([#one, #other])
     });
     let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
     let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
@@ -175,14 +175,16 @@ fn expansion(
     quote! {
         let #start: [#scalar; #starts] = { #start_values };
         #inverted
+        let mut #newest = [[[#number::ZERO; #lanes]; 2]; #count];
         let mut #now: [#scalar; #carried] = [#(#start[#initial]),*];
         for (#k, #coefficients) in #coefficients.iter_mut().enumerate() {
             let #order = #number::from_f64((#k + 1) as ::core::primitive::f64);
             let #reciprocal = #number::ONE / #order;
             let #first = #number::select(#k == 0, #number::ONE, #number::ZERO);
-            let #sum: [[#scalar; #lanes]; #count] = [#(#series.sums(#numbers, #k)),*];
+            let #sum: [[#scalar; #lanes]; #count] = [#(#series.sums(#numbers, #k, &#newest[#numbers])),*];
             let #next: [#scalar; #all_kept] = #next_values;
-            #(#series.keep(#numbers, #k, #factors);)*
+            #newest = [#(#factors),*];
+            #(#series.keep(#numbers, #k, #newest[#numbers]);)*
             #now = [#(#next[#kept]),*];
             #coefficients.copy_from_slice(&#next[..#all]);
         }
