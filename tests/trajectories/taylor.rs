@@ -225,3 +225,21 @@ fn events_and_switches_are_met_as_by_other_methods() {
         assert!((time - wanted).abs() < 1e-9, "{name} at {time} for {wanted}");
     }
 }
+
+lagrange::system! {
+    /// A mass at rest that is pushed for a short time, whose series show nothing of the push before it.
+    #[derive(Clone, Debug)]
+    struct Pushed;
+
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = exp(-400 * (t - 5)^2);
+    emit { taylor }
+}
+
+#[test]
+fn a_push_after_a_rest_is_not_stepped_over() {
+    let [_, speed] = end(&Pushed, [0.0, 0.0], 10.0, &Taylor::tolerance(1e-9));
+    let impulse = (std::f64::consts::PI / 400.0).sqrt();
+    assert!((speed - impulse).abs() < 1e-8, "{speed} for {impulse}");
+}

@@ -11,7 +11,8 @@
 mod stepper;
 
 use crate::integrate::method::Method;
-use crate::scalar::{Number, Scalar};
+use crate::integrate::verner::tolerance::check_settings;
+use crate::scalar::Scalar;
 use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
 
 pub use self::stepper::TaylorStepper;
@@ -28,7 +29,8 @@ pub struct Taylor<S> {
     pub absolute: S,
     /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the tolerance if not given.
     pub order: Option<usize>,
-    /// No step is longer.
+    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that was in view there, and a
+    /// two-hundredth while the state stays where it is: series do not show what is still to come then.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -83,20 +85,10 @@ impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
     }
 
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
-        let is_tolerance = |part: M::Scalar| part >= M::Scalar::ZERO && part.is_finite();
-        let is_some_tolerated = self.relative + self.absolute > M::Scalar::ZERO;
-        if !(is_tolerance(self.relative) && is_tolerance(self.absolute) && is_some_tolerated) {
-            return Err(SettingError::Invalid(
-                "tolerances must be finite and not negative, and not both zero",
-            ));
-        }
         if self.order.is_some_and(|order| !(LOWEST..=MAX_ORDER).contains(&order)) {
             return Err(SettingError::Invalid("the order of Taylor series must be between 4 and 40"));
         }
-        if self.longest_step.is_some_and(|step| !(step > M::Scalar::ZERO && step.is_finite())) {
-            return Err(SettingError::Invalid("lengths of steps must be positive and finite"));
-        }
-        Ok(())
+        check_settings([self.relative, self.absolute], &[self.longest_step])
     }
 
     fn start(

@@ -5,6 +5,7 @@ use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::method::{Stepper, Work};
+use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 use crate::tolerance::LEAST_TOLERANCE;
@@ -21,6 +22,8 @@ const LAST_ORDERS: usize = 4;
 pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
     settings: Taylor<M::Scalar>,
     order: usize,
+    /// From the start to the end that was in view there.
+    span: M::Scalar,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// The expansion at the present state, and the one that the last step followed.
@@ -52,6 +55,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let mut stepper = TaylorStepper {
             settings,
             order: settings.chosen_order(),
+            span: end - t,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),
             expansions: [expansion; 2],
@@ -95,8 +99,16 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     /// The tolerated error of a component of this size.
     fn tolerated(&self, component: M::Scalar) -> M::Scalar {
-        let relative = self.settings.relative.max(LEAST_TOLERANCE.part::<M::Scalar>());
-        relative.multiply_add(component.abs(), self.settings.absolute)
+        let Tolerated { relative, absolute } = Tolerated::new(self.settings.relative, self.settings.absolute);
+        relative.multiply_add(component.abs(), absolute)
+    }
+
+    /// The longest step from the present state.
+    fn longest(&self) -> M::Scalar {
+        let longest = |is_at_rest| longest_step(self.settings.longest_step, self.span, is_at_rest);
+        let (tolerated, ahead) =
+            (Tolerated::new(self.settings.relative, self.settings.absolute), self.ahead());
+        longest(tolerated.is_at_rest(longest(true), &ahead.coefficients[0], &ahead.y))
     }
 
     /// The expansion at the present state.
@@ -127,7 +139,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     /// The length of a step whose last terms are small enough: the largest h with |cₖ| hᵏ ≤ tolerance for the last four orders k, where
     /// each is taken to the order of the whole series.
     fn length(&self) -> M::Scalar {
-        let (one, order) = (M::Scalar::ONE, M::Scalar::from_f64(self.order as f64));
+        let order = M::Scalar::from_f64(self.order as f64);
         let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());
         let wanted = (M::Scalar::from_f64(SAFETY) * tolerance).rough_log2() / order;
         let mut shortest = None;
@@ -142,7 +154,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
                 shortest = Some(shortest.map_or(radius, |shortest: M::Scalar| shortest.min(radius)));
             }
         }
-        let longest = self.settings.longest_step.unwrap_or(one / M::Scalar::ZERO);
+        let longest = self.longest();
         shortest.map_or(longest, |radius| (radius + wanted).rough_exp2().min(longest))
     }
 

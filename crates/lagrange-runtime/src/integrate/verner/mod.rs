@@ -18,15 +18,16 @@ mod stage;
 mod stepper;
 mod stiffness;
 mod tableau;
-mod tolerance;
+pub(super) mod tolerance;
 
 use crate::integrate::method::{LanesMethodVisitor, Method};
-use crate::scalar::{Number, Scalar};
+use crate::scalar::Scalar;
 use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub use self::lanes::VernerLanes;
 pub use self::lanes_dense::VernerLastStep;
 pub use self::stepper::VernerStepper;
+use self::tolerance::check_settings;
 
 /// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.
 ///
@@ -84,21 +85,7 @@ impl<M: OdeSystem + ?Sized> Method<M> for Verner98<M::Scalar> {
     }
 
     fn check(&self) -> Result<(), SettingError<M::Scalar>> {
-        let is_length =
-            |step: Option<M::Scalar>| step.is_none_or(|step| step > M::Scalar::ZERO && step.is_finite());
-        let is_tolerance = |part: M::Scalar| part >= M::Scalar::ZERO && part.is_finite();
-        if !is_tolerance(self.relative)
-            || !is_tolerance(self.absolute)
-            || self.relative + self.absolute == M::Scalar::ZERO
-        {
-            return Err(SettingError::Invalid(
-                "tolerances must be finite and not negative, and not both zero",
-            ));
-        }
-        if is_length(self.first_step) && is_length(self.longest_step) {
-            return Ok(());
-        }
-        Err(SettingError::Invalid("step sizes must be positive and finite"))
+        check_settings([self.relative, self.absolute], &[self.first_step, self.longest_step])
     }
 
     fn start(

@@ -4,14 +4,14 @@ use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
 use crate::integrate::corrected::is_finite;
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
-use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::system::{OdeSystem, SettingError, StateVector, StepFailure};
 use crate::tolerance::LEAST_TOLERANCE;
 
 /// The tolerated error of a component: a fraction of its size, plus a constant.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Tolerated<S> {
-    pub(super) relative: S,
-    pub(super) absolute: S,
+pub(in crate::integrate) struct Tolerated<S> {
+    pub(in crate::integrate) relative: S,
+    pub(in crate::integrate) absolute: S,
 }
 
 impl<S: Number> Tolerated<S> {
@@ -32,7 +32,7 @@ impl<S: Number> Tolerated<S> {
 
     /// True if a step of the length `h` at this rate changes the state by next to nothing.
     #[inline(always)]
-    pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> S::Mask {
+    pub(in crate::integrate) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> S::Mask {
         self.norm(h, rate, y, y).less(S::from_f64(AT_REST))
     }
 
@@ -69,11 +69,41 @@ impl<S: Number> Tolerated<S> {
     }
 }
 
+impl<S: Scalar> Tolerated<S> {
+    /// The tolerance, with rounding as the minimum.
+    pub(in crate::integrate) fn new(relative: S, absolute: S) -> Self {
+        Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute }
+    }
+}
+
+/// Checks the tolerances and the lengths of steps of an adaptive method.
+///
+/// # Errors
+/// If one of them makes no sense.
+pub(in crate::integrate) fn check_settings<S: Scalar>(
+    [relative, absolute]: [S; 2],
+    lengths: &[Option<S>],
+) -> Result<(), SettingError<S>> {
+    let is_tolerance = |part: S| part >= S::ZERO && part.is_finite();
+    if !is_tolerance(relative) || !is_tolerance(absolute) || relative + absolute == S::ZERO {
+        return Err(SettingError::Invalid("tolerances must be finite and not negative, and not both zero"));
+    }
+    if lengths.iter().flatten().all(|length| *length > S::ZERO && length.is_finite()) {
+        return Ok(());
+    }
+    Err(SettingError::Invalid("step sizes must be positive and finite"))
+}
+
+/// The longest step that is tried on a way of this length, with the state moving or at rest, unless it is a setting.
+pub(in crate::integrate) fn longest_step<S: Scalar>(setting: Option<S>, span: S, is_at_rest: bool) -> S {
+    let part = if is_at_rest { LONGEST_AT_REST } else { LONGEST };
+    setting.unwrap_or(span.abs() * S::from_f64(part))
+}
+
 impl<S: Scalar> Verner98<S> {
     /// Returns the tolerance, with rounding as the minimum.
     pub(super) fn tolerated(&self) -> Tolerated<S> {
-        let relative = self.relative.max(LEAST_TOLERANCE.part::<S>());
-        Tolerated { relative, absolute: self.absolute }
+        Tolerated::new(self.relative, self.absolute)
     }
 
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
@@ -83,8 +113,7 @@ impl<S: Scalar> Verner98<S> {
 
     /// The longest step that is tried on a way of this length, with the state moving or at rest.
     pub(super) fn longest(&self, span: S, is_at_rest: bool) -> S {
-        let part = if is_at_rest { LONGEST_AT_REST } else { LONGEST };
-        self.longest_step.unwrap_or(span.abs() * S::from_f64(part))
+        longest_step(self.longest_step, span, is_at_rest)
     }
 
     /// True if a step of the length `h` at this rate changes the state by next to nothing.
