@@ -39,7 +39,7 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct Skate;
 
-    emit { momentum_rates }
+    emit { momentum_rates, taylor }
     param fall = 2.0;
     coord x, y, theta;
     kinetic = 1/2 * (dot(x)^2 + dot(y)^2) + 1/4 * dot(theta)^2;
@@ -52,7 +52,7 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub(crate) struct Wire;
 
-    emit { momentum_rates }
+    emit { momentum_rates, taylor }
     param rate = 1.5, k = 9.0;
     coord x, y;
     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);

@@ -8,6 +8,7 @@ mod adaptive;
 mod bricard;
 mod canonical;
 mod comet;
+mod constrained_series;
 mod drift;
 mod elliptic;
 mod ends;

@@ -9,7 +9,7 @@ use super::elimination::record::Elimination;
 use super::quadratic_form::QuadraticForm;
 use crate::model::{Constraint, Model};
 use lagrange_algebra::calculus::{AccelerationTerms, Rates};
-use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
 /// Equations that follow from the constraints of a model.
@@ -69,19 +69,29 @@ fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
 /// velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
 fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
-    let graph = &mut model.graph;
+    let (graph, stabilisation) = (&mut model.graph, model.stabilisation);
     let drift = |constraint: &Constraint| {
         let drift = rates.of(graph, constraint.velocity);
-        let Some(rate) = model.stabilisation else { return drift };
-        let slow = graph.multiply(rate, constraint.velocity);
-        if !constraint.is_holonomic {
-            return graph.add(drift, slow);
-        }
-        let slower = graph.multiply(rate, constraint.value);
-        let square = graph.multiply(rate, slower);
-        graph.sum(Number::ZERO, [(drift, Number::ONE), (slow, Number::TWO), (square, Number::ONE)])
+        stabilised(graph, stabilisation, constraint, drift)
     };
     model.constraints.iter().map(drift).collect()
+}
+
+/// The left side of the equation that makes a constraint hold, from the rate of its velocity.
+pub(super) fn stabilised(
+    graph: &mut Graph,
+    stabilisation: Option<ExprId>,
+    constraint: &Constraint,
+    rate: ExprId,
+) -> ExprId {
+    let Some(speed) = stabilisation else { return rate };
+    let slow = graph.multiply(speed, constraint.velocity);
+    if !constraint.is_holonomic {
+        return graph.add(rate, slow);
+    }
+    let slower = graph.multiply(speed, constraint.value);
+    let square = graph.multiply(speed, slower);
+    graph.sum(Number::ZERO, [(rate, Number::ONE), (slow, Number::TWO), (square, Number::ONE)])
 }
 
 /// Adds −λ (A a + b) for every constraint.

@@ -126,7 +126,7 @@ impl Equations {
             products.push((product, found));
         }
         let wants_series = model.products.contains(&Product::Taylor);
-        let series = wants_series.then(|| SeriesEquations::new(model, &split));
+        let series = wants_series.then(|| SeriesEquations::new(model, &split, &constraints));
         let (mass_matrix, forcing) = forms.into_sides(model, &split);
         let mut equations = Equations {
             accelerations: solution.values,

@@ -3,39 +3,82 @@
 //! Accelerations as functions of the state hold every product that solving the equations takes. The residual that they make zero holds
 //! fewer, above all if the rates u̇ of the velocities in T = ½ Σ w u² stay as they are: a series knows them once it knows u. So the
 //! residual Σ w u̇ (∂u/∂v) + … of a chain has four products of series a joint, and its accelerations have many times as many.
+//!
+//! The multipliers λ of constraints are unknown, too. The residual then holds −Aᵀλ, and below it stands the rate of each constraint's
+//! velocity, which is not written out either.
 
+use super::constraints::{ConstraintEquations, stabilised};
 use super::elimination::solution::push_down;
 use super::least_constraint::{SplitLagrangian, Terms, loads_beside_squares};
 use crate::model::Model;
 use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::collections::OrderedMap;
-use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// The residual of the equations of motion, linear in accelerations and in rates that are not written out.
+/// The residual of the equations of motion, linear in accelerations, multipliers and rates that are not written out.
 #[derive(Clone, Debug)]
 pub struct SeriesEquations {
-    /// One residual for each acceleration.
+    /// One residual for each acceleration, then one for each multiplier.
     pub residuals: Vec<ExprId>,
     /// Symbols that stand for rates, each with the velocity that it is the rate of.
     pub unexpanded: Vec<(ExprId, ExprId)>,
 }
 
+/// Symbols of rates, by the velocities that they are the rates of.
+#[derive(Default)]
+struct UnexpandedRates(OrderedMap<ExprId, ExprId>);
+
+impl UnexpandedRates {
+    fn of(&mut self, graph: &mut Graph, velocity: ExprId) -> ExprId {
+        let index = u32::try_from(self.0.len()).expect("fewer than 2^32 velocities fit in memory");
+        *self.0.get_or_insert_with(velocity, || graph.symbol("rate", Role::Placeholder(index)))
+    }
+}
+
 impl SeriesEquations {
-    /// The residual d/dt ∂L/∂v − ∂L/∂q − Q.
-    pub(super) fn new(model: &mut Model, split: &SplitLagrangian) -> SeriesEquations {
+    /// The residual d/dt ∂L/∂v − ∂L/∂q − Q − Aᵀλ, and the rates of the constraints' velocities.
+    pub(super) fn new(
+        model: &mut Model,
+        split: &SplitLagrangian,
+        constraints: &ConstraintEquations,
+    ) -> SeriesEquations {
         let mut form = loads_beside_squares(model, split, AccelerationTerms::Kept, Terms::All);
-        let mut rates: OrderedMap<ExprId, ExprId> = OrderedMap::default();
+        let mut rates = UnexpandedRates::default();
         for &(weight, u) in &split.squares {
-            let index = u32::try_from(rates.len()).expect("fewer than 2^32 velocities fit in memory");
-            let graph = &mut model.graph;
-            let rate = *rates.get_or_insert_with(u, || graph.symbol("rate", Role::Placeholder(index)));
-            let inertial = graph.multiply(weight, rate);
-            form.add_linear(graph, u, inertial);
+            let rate = rates.of(&mut model.graph, u);
+            let inertial = model.graph.multiply(weight, rate);
+            form.add_linear(&model.graph, u, inertial);
         }
         let velocities = model.velocities();
         let pushed = push_down(&mut model.graph, form, &velocities);
-        let residuals = velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect();
-        SeriesEquations { residuals, unexpanded: rates.iter().map(|(&u, &rate)| (rate, u)).collect() }
+        let mut residuals =
+            velocities.iter().map(|&v| pushed.linear(&mut model.graph, v)).collect::<Vec<_>>();
+        for (residual, &force) in residuals.iter_mut().zip(&constraints.forces) {
+            *residual = model.graph.subtract(*residual, force);
+        }
+        for constraint in &model.constraints {
+            let rate = rates.of(&mut model.graph, constraint.velocity);
+            residuals.push(stabilised(&mut model.graph, model.stabilisation, constraint, rate));
+        }
+        SeriesEquations { residuals, unexpanded: rates.0.iter().map(|(&u, &rate)| (rate, u)).collect() }
     }
+}
+
+/// The matrix of the unknown accelerations and multipliers in the residuals, row by row: M and −Aᵀ, below them A and zeros.
+pub fn residual_matrix(
+    graph: &mut Graph,
+    mass_matrix: &[Vec<ExprId>],
+    constraint_jacobian: &[Vec<ExprId>],
+) -> Vec<ExprId> {
+    let mut matrix = Vec::new();
+    for (i, row) in mass_matrix.iter().enumerate() {
+        matrix.extend(row);
+        matrix.extend(constraint_jacobian.iter().map(|row| graph.negate(row[i])));
+    }
+    for row in constraint_jacobian {
+        matrix.extend(row);
+        matrix.extend(constraint_jacobian.iter().map(|_| graph.number(0)));
+    }
+    matrix
 }

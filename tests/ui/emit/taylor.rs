@@ -6,7 +6,19 @@ lagrange::system! {
     coord x, y;
     kinetic = kinetic_energy(1, dot((x, y)));
     potential = 9.81 * y;
-    constraint rod = x^2 + y^2 - 1;
+    constraint left = x;
+    constraint below = y;
+    constraint aslant = x + y;
+    emit { taylor }
+}
+
+lagrange::system! {
+    struct Ball;
+
+    coord y;
+    kinetic = 1/2 * dot(y)^2;
+    potential = 9.81 * y;
+    event floor = y, falling => impact(0.5);
     emit { taylor }
 }
 

@@ -13,7 +13,7 @@ pub(super) enum Kind {
     Fixed,
     /// Determined by time, positions and velocities: step k gives the coefficient of order k + 1.
     Moving,
-    /// Depends on accelerations or rates of velocities: step k gives the coefficient of order k.
+    /// Depends on accelerations, multipliers or rates of velocities: step k gives the coefficient of order k.
     Accelerated,
     /// Without a series.
     Unknown,
@@ -74,8 +74,8 @@ fn of_role(role: Role) -> Kind {
     match role {
         Role::Parameter(_) | Role::Input(_) | Role::Side(_) => Kind::Fixed,
         Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Velocity(_) => Kind::Moving,
-        Role::Acceleration(_) | Role::Placeholder(_) => Kind::Accelerated,
-        Role::Multiplier(_) | Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,
+        Role::Acceleration(_) | Role::Multiplier(_) | Role::Placeholder(_) => Kind::Accelerated,
+        Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,
     }
 }
 

@@ -23,6 +23,8 @@
 //! as inverse dynamics is. Rates ẇ of velocities w stay unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each order
 //! R is computed with aₖ = 0; the matrix ∂R/∂a of order zero gives aₖ, and what depends on aₖ is corrected by its share.
 //!
+//! The multipliers λ of constraints are unknown in the same way: forces −Aᵀλ stand in R, and the rates ċ̇ of the constraints below it.
+//!
 //! # A pendulum in numbers
 //!
 //! θ̈ = −10 sin θ from θ₀ with sin θ₀ = 3/5, cos θ₀ = 4/5, at θ̇₀ = 1. With s = sin θ, c = cos θ and ω = θ̇:
@@ -64,10 +66,17 @@ pub struct Motion<'a> {
     pub rates: &'a [(ValueId, ValueId)],
     /// Placeholders that stand for the rates of values, with these values.
     pub unexpanded: &'a [(Role, ValueId)],
-    /// Residuals R, one for each acceleration; empty if accelerations are functions of the state.
+    /// Residuals R, one for each acceleration, then one for each multiplier; empty if accelerations are functions of the state.
     pub residuals: &'a [ValueId],
-    /// Matrix ∂R/∂a, row by row.
+    /// Matrix ∂R/∂(a, λ), row by row.
     pub matrix: &'a [ValueId],
+}
+
+impl Motion<'_> {
+    /// The number of accelerations that only the residuals determine; multipliers come after them.
+    fn unknown_accelerations(&self) -> u32 {
+        self.state.iter().map(|entry| u32::from(matches!(entry.rate, Rate::Acceleration(_)))).sum()
+    }
 }
 
 /// An entry of a state.

@@ -31,7 +31,7 @@ pub(super) enum Source {
     Integral(ValueId),
     /// The integral of an unknown acceleration.
     Velocity(u32),
-    /// An unknown acceleration.
+    /// An unknown acceleration or multiplier.
     Acceleration(u32),
     /// The rate of another value.
     Rate(ValueId),
@@ -90,6 +90,9 @@ impl Schedule {
                 .accelerations
                 .get(role)
                 .map_or(Source::Acceleration(*index), |&known| Source::Previous(known)),
+            Op::Input(Role::Multiplier(index)) => {
+                Source::Acceleration(motion.unknown_accelerations() + index)
+            }
             Op::Input(_) => Source::Time,
             _ => Source::Operands,
         }

@@ -15,7 +15,7 @@ pub enum Slot {
     Sum(usize),
     /// The coefficient of this kept value as if accelerations were zero.
     Partial(usize),
-    /// This acceleration, of order k.
+    /// This acceleration or, after all of these, multiplier, of order k.
     Acceleration(u32),
     /// k + 1
     Order,

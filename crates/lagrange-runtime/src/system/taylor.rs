@@ -83,7 +83,7 @@ fn accumulated<S: Number>(sum: [S; 4], a: &[S; 4], b: &[S; 4]) -> [S; 4] {
     ]
 }
 
-/// The inverse of a mass matrix, for the accelerations of every order.
+/// The inverse of the matrix of accelerations and multipliers in the residuals, for every order.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
@@ -99,7 +99,7 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         SeriesSolver(core::array::from_fn(column))
     }
 
-    /// a = −M⁻¹ r
+    /// (a, λ) = −M⁻¹ r
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
         let mut accelerations = [S::ZERO; N];

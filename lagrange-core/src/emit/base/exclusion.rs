@@ -10,6 +10,7 @@ use lagrange_expr::expr::Node;
 pub(in crate::emit) enum Exclusion {
     Contacts,
     Constraints,
+    Redundant,
     Switches,
     Indefinite,
     Events,
@@ -27,6 +28,7 @@ impl Exclusion {
         let is_there = |exclusion: &&Exclusion| match exclusion {
             Exclusion::Contacts => !model.reactions.is_empty(),
             Exclusion::Constraints => !model.constraints.is_empty(),
+            Exclusion::Redundant => equations.constraints.is_redundant,
             Exclusion::Switches => !equations.switches.is_empty(),
             Exclusion::Indefinite => equations.pivot_growth.is_some(),
             Exclusion::Events => !model.events.is_empty(),
@@ -41,6 +43,7 @@ impl Exclusion {
         match self {
             Exclusion::Contacts => messages::CONTACTS,
             Exclusion::Constraints => messages::CONSTRAINTS,
+            Exclusion::Redundant => messages::REDUNDANT,
             Exclusion::Switches => messages::SWITCHES,
             Exclusion::Indefinite => messages::INDEFINITE,
             Exclusion::Events => messages::EVENTS,

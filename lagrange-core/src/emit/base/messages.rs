@@ -102,6 +102,8 @@ pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
+pub(in crate::emit) const REDUNDANT: &str =
+    "constraints that follow from others, whose forces are not determined";
 pub(in crate::emit) const SWITCHES: &str = "jumps or kinks, such as those of `if`, `abs`, `sign`, `min` and `max`, whose sides a run fixes in each step";
 pub(in crate::emit) const INDEFINITE: &str = "an indefinite mass matrix, which needs a fallback solution";
 pub(in crate::emit) const ORIENTATIONS: &str =

@@ -5,6 +5,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::derive::residual_matrix;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::{Members, Taylor};
 use crate::emit::base::method::Arguments;
@@ -22,7 +23,7 @@ use lagrange_expr::symbol::{Role, Symbols};
 const GROUP: usize = 4;
 
 /// Parts of a system that series do not support.
-const EXCLUSIONS: [Exclusion; 3] = [Exclusion::Contacts, Exclusion::Constraints, Exclusion::Indefinite];
+const EXCLUSIONS: [Exclusion; 3] = [Exclusion::Contacts, Exclusion::Redundant, Exclusion::Indefinite];
 
 /// Writes the expansion of the motion, if it is requested.
 pub(in crate::emit) fn write_taylor(writer: &mut MethodWriter<'_>) -> Result<(), Refusal> {
@@ -63,7 +64,7 @@ fn cheaper(
 }
 
 fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms, NoSeries> {
-    let (model, equations) = (&*writer.model, writer.equations);
+    let (model, equations) = (&mut *writer.model, writer.equations);
     let state = [model.positions(), model.velocities()].concat();
     let mut rates = model.position_rates();
     let (mut unexpanded, mut residuals, mut matrix) = (Vec::new(), Vec::new(), Vec::new());
@@ -71,7 +72,8 @@ fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms,
         (Form::Residuals, Some(series)) => {
             unexpanded.clone_from(&series.unexpanded);
             residuals.clone_from(&series.residuals);
-            matrix = equations.mass_matrix.concat();
+            let jacobian = &equations.constraints.jacobian;
+            matrix = residual_matrix(&mut model.graph, &equations.mass_matrix, jacobian);
         }
         _ => rates.extend(&equations.accelerations),
     }
@@ -134,7 +136,8 @@ fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<To
     let expansion = step(writer, programs, &programs.expansion)?;
     let Some(correction) = &programs.correction else { return Some(expansion) };
     let correction = step(writer, programs, correction)?;
-    let (kept, n) = (length(programs.kept), length(writer.model.speeds.len()));
+    let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
+    let (kept, n) = (length(programs.kept), length(unknowns));
     let [partial, acceleration, solver] = ["partial", "acceleration", "solver"].map(local);
     Some(quote!({
         let #partial = #expansion;
