@@ -113,7 +113,7 @@ pub use constraints::ConstraintEquations;
 pub use coupling::most_coupled;
 pub use equations::Equations;
 pub use responses::{Affine, ReactionEquations};
-pub use series::{SeriesEquations, residual_matrix};
+pub use series::SeriesEquations;
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};

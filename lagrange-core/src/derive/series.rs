@@ -64,21 +64,3 @@ impl SeriesEquations {
         SeriesEquations { residuals, unexpanded: rates.0.iter().map(|(&u, &rate)| (rate, u)).collect() }
     }
 }
-
-/// The matrix of the unknown accelerations and multipliers in the residuals, row by row: M and −Aᵀ, below them A and zeros.
-pub fn residual_matrix(
-    graph: &mut Graph,
-    mass_matrix: &[Vec<ExprId>],
-    constraint_jacobian: &[Vec<ExprId>],
-) -> Vec<ExprId> {
-    let mut matrix = Vec::new();
-    for (i, row) in mass_matrix.iter().enumerate() {
-        matrix.extend(row);
-        matrix.extend(constraint_jacobian.iter().map(|row| graph.negate(row[i])));
-    }
-    for row in constraint_jacobian {
-        matrix.extend(row);
-        matrix.extend(constraint_jacobian.iter().map(|_| graph.number(0)));
-    }
-    matrix
-}

@@ -68,8 +68,6 @@ pub struct Motion<'a> {
     pub unexpanded: &'a [(Role, ValueId)],
     /// Residuals R, one for each acceleration, then one for each multiplier; empty if accelerations are functions of the state.
     pub residuals: &'a [ValueId],
-    /// Matrix ∂R/∂(a, λ), row by row.
-    pub matrix: &'a [ValueId],
 }
 
 impl Motion<'_> {
@@ -102,7 +100,7 @@ pub enum Rate {
 /// Values are *kept* from one step to the next, in the order of the outputs of `expansion` and `correction`: the entries of the state first.
 #[derive(Debug)]
 pub struct SeriesPrograms {
-    /// The values that [`Slot::Initial`] counts, from the inputs of the motion's program, then the matrix ∂R/∂a, row by row.
+    /// The values that [`Slot::Initial`] counts, from the inputs of the motion's program, then the matrix ∂R/∂(a, λ), row by row.
     pub initial: Program,
     /// One coefficient of each kept value, as if accelerations were zero; then the residuals.
     pub expansion: Program,

@@ -8,6 +8,7 @@ use crate::program::{Builder, Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::Function;
 use lagrange_expr::number::Number;
+use lagrange_expr::symbol::Role;
 
 /// A coefficient in a program of one step; `None` is zero.
 type Coefficient = Option<ValueId>;
@@ -34,11 +35,22 @@ pub(super) struct Recurrence<'a> {
     carried: OrderedMap<ValueId, ()>,
 }
 
-/// The coefficients of one order: all of them, or the share of the accelerations in them.
+/// The part of coefficients that a pass computes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Part {
+    /// Everything but the share of the unknowns, which are accelerations and multipliers.
+    Known,
+    /// The share of all unknowns.
+    Share,
+    /// The share of this unknown at order zero, as if it were one.
+    Unit(u32),
+}
+
+/// The coefficients of one order.
 struct Pass {
     builder: Builder,
     coefficients: ValueTable<Coefficient>,
-    is_share: bool,
+    part: Part,
 }
 
 impl<'a> Recurrence<'a> {
@@ -59,7 +71,7 @@ impl<'a> Recurrence<'a> {
     }
 
     pub(super) fn programs(mut self) -> SeriesPrograms {
-        let expansion = self.pass(false);
+        let expansion = self.pass(Builder::new(), Part::Known);
         // What the next step needs is known by now.
         let carried = self.carried.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         for &value in &carried {
@@ -67,7 +79,7 @@ impl<'a> Recurrence<'a> {
         }
         let kept = self.kept.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         let correction = (!self.motion.residuals.is_empty()).then(|| {
-            let mut share = self.pass(true);
+            let mut share = self.pass(Builder::new(), Part::Share);
             let corrected = (0..kept.len()).map(|place| self.corrected(&mut share, kept[place], place));
             let corrected = corrected.collect::<Vec<_>>();
             share.builder.finish(&corrected)
@@ -76,14 +88,15 @@ impl<'a> Recurrence<'a> {
         let carried =
             carried.into_iter().map(|value| (self.keep(value), self.initial(Initial::Value(value))));
         let carried = carried.collect();
+        let matrix = self.matrix();
         SeriesPrograms {
-            initial: self.initial_program(),
+            initial: self.initial_program(&matrix),
             initials: self.initials.len(),
             expansion,
             correction,
             sums: self.sums.iter().map(|(factors, ())| *factors).collect(),
             carried,
-            slots: self.slots.into_list(),
+            slots: self.slots.list(),
             kept: kept.len(),
         }
     }
@@ -109,9 +122,24 @@ impl<'a> Recurrence<'a> {
         total.unwrap_or_else(|| share.builder.constant(Number::ZERO))
     }
 
-    fn pass(&mut self, is_share: bool) -> Pass {
+    /// The matrix of the unknowns in the residuals, row by row: the shares of one unknown after the other.
+    fn matrix(&mut self) -> Program {
+        let (mut builder, mut columns) = (Builder::new(), Vec::new());
+        let unknowns = 0..self.motion.residuals.len();
+        for unknown in unknowns.clone() {
+            let pass = self.pass(builder, Part::Unit(unknown as u32));
+            columns.push(self.motion.residuals.iter().map(|&residual| pass.coefficients[residual]).collect());
+            builder = pass.builder;
+        }
+        let zero = builder.constant(Number::ZERO);
+        let row = |i: usize| columns.iter().map(move |column: &Vec<Coefficient>| column[i].unwrap_or(zero));
+        let entries = unknowns.flat_map(row).collect::<Vec<_>>();
+        builder.finish(&entries)
+    }
+
+    fn pass(&mut self, builder: Builder, part: Part) -> Pass {
         let coefficients = ValueTable::filled(self.motion.program.len(), None);
-        let mut pass = Pass { builder: Builder::new(), coefficients, is_share };
+        let mut pass = Pass { builder, coefficients, part };
         for &value in &self.schedule.order {
             pass.coefficients[value] = self.coefficient(&mut pass, value);
         }
@@ -244,16 +272,24 @@ impl<'a> Recurrence<'a> {
     }
 
     fn acceleration(&mut self, pass: &mut Pass, index: u32) -> Coefficient {
-        pass.is_share.then(|| self.slots.input(&mut pass.builder, Slot::Acceleration(index)))
+        match pass.part {
+            Part::Known => None,
+            Part::Share => Some(self.slots.input(&mut pass.builder, Slot::Acceleration(index))),
+            Part::Unit(unknown) => (unknown == index).then(|| pass.builder.constant(Number::ONE)),
+        }
     }
 
     /// An input that accelerations have no share in.
     fn slot(&mut self, pass: &mut Pass, slot: Slot) -> Coefficient {
-        (!pass.is_share).then(|| self.slots.input(&mut pass.builder, slot))
+        (pass.part == Part::Known).then(|| self.slots.input(&mut pass.builder, slot))
     }
 
+    /// A multiple of a coefficient that is one at order zero.
     fn times_slot(&mut self, pass: &mut Pass, coefficient: Coefficient, slot: Slot) -> Coefficient {
         let coefficient = coefficient?;
+        if matches!(pass.part, Part::Unit(_)) {
+            return Some(coefficient);
+        }
         let factor = self.slots.input(&mut pass.builder, slot);
         Some(pass.builder.multiply(factor, coefficient))
     }
@@ -282,7 +318,7 @@ impl<'a> Recurrence<'a> {
         self.kept.index_or_insert_with(value, || ())
     }
 
-    fn initial_program(&self) -> Program {
+    fn initial_program(&self, matrix: &Program) -> Program {
         let program = self.motion.program;
         let mut builder = Builder::new();
         let mut image = ValueTable::with_capacity(program.len());
@@ -305,8 +341,26 @@ impl<'a> Recurrence<'a> {
             }
         });
         let mut outputs = values.collect::<Vec<_>>();
-        outputs.extend(self.motion.matrix.iter().map(|&entry| image[entry]));
+        let entries = self.inserted(&mut builder, matrix, &outputs);
+        outputs.extend(entries);
         builder.finish(&outputs)
+    }
+
+    /// The outputs of a program over slots of initial values, computed from these.
+    fn inserted(&self, builder: &mut Builder, program: &Program, initials: &[ValueId]) -> Vec<ValueId> {
+        let slots = self.slots.list();
+        let mut image = ValueTable::with_capacity(program.len());
+        for (_, op) in program.values() {
+            let slot = match op {
+                Op::Input(Role::Placeholder(index)) => slots.get(*index as usize),
+                _ => None,
+            };
+            image.push(match slot {
+                Some(Slot::Initial(index)) => initials[*index],
+                _ => builder.push(op.map_operands(|operand| image[operand])),
+            });
+        }
+        program.outputs().iter().map(|&output| image[output]).collect()
     }
 }
 

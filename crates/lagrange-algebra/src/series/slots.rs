@@ -37,7 +37,7 @@ impl Slots {
         builder.push(Op::Input(Role::Placeholder(index)))
     }
 
-    pub(super) fn into_list(self) -> Vec<Slot> {
+    pub(super) fn list(&self) -> Vec<Slot> {
         self.0.iter().map(|(slot, ())| *slot).collect()
     }
 }

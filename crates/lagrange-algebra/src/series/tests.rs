@@ -14,7 +14,6 @@ struct Expressions {
     state: Vec<(ExprId, Option<ExprId>)>,
     unexpanded: Vec<(ExprId, ExprId)>,
     residuals: Vec<ExprId>,
-    matrix: Vec<ExprId>,
 }
 
 impl Expressions {
@@ -22,7 +21,7 @@ impl Expressions {
         let entries = self.state.iter().flat_map(|(entry, rate)| [Some(*entry), *rate]).flatten();
         let unexpanded = self.unexpanded.iter().map(|(_, of)| *of);
         let mut roots = entries.chain(unexpanded).collect::<Vec<_>>();
-        roots.extend(self.residuals.iter().chain(&self.matrix));
+        roots.extend(&self.residuals);
         let functions = function_rates(&mut self.graph, &roots);
         roots.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
         let program = lower(&self.graph, &roots, &Labels::default());
@@ -44,7 +43,6 @@ impl Expressions {
         let unexpanded =
             self.unexpanded.iter().map(|(symbol, _)| (role(*symbol), next())).collect::<Vec<_>>();
         let residuals = self.residuals.iter().map(|_| next()).collect::<Vec<_>>();
-        let matrix = self.matrix.iter().map(|_| next()).collect::<Vec<_>>();
         let rates = functions.iter().map(|_| (next(), next())).collect::<Vec<(ValueId, ValueId)>>();
         let motion = Motion {
             program: &program,
@@ -52,7 +50,6 @@ impl Expressions {
             rates: &rates,
             unexpanded: &unexpanded,
             residuals: &residuals,
-            matrix: &matrix,
         };
         (expand(&motion).unwrap(), program)
     }
@@ -147,8 +144,7 @@ fn the_worked_pendulum_has_these_coefficients() {
     let sine = apply(&mut graph, Function::Sin, &[theta]);
     let acceleration = graph.scale(Number::from(-10), sine);
     let state = vec![(theta, Some(omega)), (omega, Some(acceleration))];
-    let mut motion =
-        Expressions { graph, state, unexpanded: Vec::new(), residuals: Vec::new(), matrix: Vec::new() };
+    let mut motion = Expressions { graph, state, unexpanded: Vec::new(), residuals: Vec::new() };
     let (programs, _) = motion.programs();
     let start = [0.6_f64.asin(), 1.0];
     let found = expanded(&programs, value_of(&start), &start);
@@ -179,8 +175,7 @@ fn check_explicit(name: &str, acceleration: impl Fn(&mut Graph, ExprId, ExprId, 
     let t = graph.symbol("t", Role::Time);
     let acceleration = acceleration(&mut graph, x, v, t);
     let state = vec![(x, Some(v)), (v, Some(acceleration))];
-    let mut motion =
-        Expressions { graph, state, unexpanded: Vec::new(), residuals: Vec::new(), matrix: Vec::new() };
+    let mut motion = Expressions { graph, state, unexpanded: Vec::new(), residuals: Vec::new() };
     let (programs, _) = motion.programs();
     let start = [0.4, -0.3];
     let found = expanded(&programs, value_of(&start), &start);
@@ -254,9 +249,6 @@ fn accelerations_follow_from_residuals() {
         let terms = [graph.multiply(cosines[i], across[i]), graph.multiply(sines[i], along[i])];
         graph.total(terms)
     });
-    let difference = graph.subtract(angles[0], angles[1]);
-    let coupling = apply(&mut graph, Function::Cos, &[difference]);
-    let matrix = vec![graph.number(2), coupling, coupling, graph.number(1)];
     let state = vec![
         (angles[0], Some(speeds[0])),
         (angles[1], Some(speeds[1])),
@@ -264,7 +256,7 @@ fn accelerations_follow_from_residuals() {
         (speeds[1], None),
     ];
     let unexpanded = rates.into_iter().zip(velocities).collect();
-    let mut motion = Expressions { graph, state, unexpanded, residuals: residuals.to_vec(), matrix };
+    let mut motion = Expressions { graph, state, unexpanded, residuals: residuals.to_vec() };
     let (programs, _) = motion.programs();
     // Four products for each angle: the components of its velocity, which are the rates of sine and cosine, and those of the force.
     assert_eq!(programs.sums.len(), 8);

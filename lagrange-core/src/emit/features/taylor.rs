@@ -5,7 +5,6 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::derive::residual_matrix;
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::{Members, Taylor};
 use crate::emit::base::method::Arguments;
@@ -64,23 +63,20 @@ fn cheaper(
 }
 
 fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms, NoSeries> {
-    let (model, equations) = (&mut *writer.model, writer.equations);
+    let (model, equations) = (&*writer.model, writer.equations);
     let state = [model.positions(), model.velocities()].concat();
     let mut rates = model.position_rates();
-    let (mut unexpanded, mut residuals, mut matrix) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut unexpanded, mut residuals) = (Vec::new(), Vec::new());
     match (form, &equations.series) {
         (Form::Residuals, Some(series)) => {
             unexpanded.clone_from(&series.unexpanded);
             residuals.clone_from(&series.residuals);
-            let jacobian = &equations.constraints.jacobian;
-            matrix = residual_matrix(&mut model.graph, &equations.mass_matrix, jacobian);
         }
         _ => rates.extend(&equations.accelerations),
     }
     let velocities = unexpanded.iter().map(|(_, of)| *of);
     let roots = rates.iter().copied().chain(velocities).chain(residuals.iter().copied());
-    let roots = roots.chain(matrix.iter().copied()).collect::<Vec<_>>();
-    let roots = writer.on_sides(&roots);
+    let roots = writer.on_sides(&roots.collect::<Vec<_>>());
     let functions = function_rates(&mut writer.model.graph, &roots);
     let mut all = [state.clone(), roots].concat();
     all.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
@@ -97,17 +93,11 @@ fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms,
     let of = outputs.take(unexpanded.len()).iter();
     let unexpanded = unexpanded.iter().zip(of).filter_map(|((symbol, _), &of)| Some((role(*symbol)?, of)));
     let unexpanded = unexpanded.collect::<Vec<_>>();
-    let (residuals, matrix) = (outputs.take(residuals.len()), outputs.take(matrix.len()));
+    let residuals = outputs.take(residuals.len());
     let rates = outputs.take(2 * functions.len()).chunks_exact(2).map(|pair| (pair[0], pair[1]));
     let rates = rates.collect::<Vec<_>>();
-    let motion = Motion {
-        program: &program,
-        state: &entries,
-        rates: &rates,
-        unexpanded: &unexpanded,
-        residuals,
-        matrix,
-    };
+    let motion =
+        Motion { program: &program, state: &entries, rates: &rates, unexpanded: &unexpanded, residuals };
     expand(&motion)
 }
 
