@@ -43,13 +43,14 @@
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
 //! | `adapt` (feature `diffsol`), `trade` (feature) | backward differentiation by the crate `diffsol`; methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
+//! | `Double` (feature `double`) | numbers of 106 bits |
 //!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
 //! plot to SVG and PNG. `ensemble` computes many motions over threads and processes. `draw` makes pictures and films of rigid bodies,
-//! in the plane and in space. `trade` measures what every digit costs on a system. `diffsol` integrates stiff
+//! in the plane and in space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits. `diffsol` integrates stiff
 //! systems by the crate of that name. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
 //! time.
 #![no_std]
@@ -68,6 +69,9 @@ pub mod trade;
 #[doc(hidden)]
 pub mod private;
 
+#[cfg(feature = "double")]
+#[doc(inline)]
+pub use lagrange_double::{self as double, Double};
 #[cfg(feature = "draw")]
 #[doc(inline)]
 pub use lagrange_draw as draw;

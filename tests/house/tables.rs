@@ -13,11 +13,12 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 14] = [
+pub(crate) const LIBRARIES: [Library; 15] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-device", layers: DEVICE },
+    Library { name: "lagrange-double", layers: DOUBLE },
     Library { name: "lagrange-draw", layers: DRAW },
     Library { name: "lagrange-expr", layers: EXPR },
     Library { name: "lagrange-files", layers: &[] },
@@ -135,6 +136,18 @@ const MATH: &[Layer] = &[
     Layer { modules: &["logarithm", "tangent"], purpose: "the logarithm and the tangent, built from those" },
     Layer { modules: &["batch"], purpose: "sine and cosine of several angles at once" },
     Layer { modules: &["elementary"], purpose: "the other functions of several numbers at once" },
+];
+
+const DOUBLE: &[Layer] = &[
+    Layer { modules: &["exact"], purpose: "sums and products of doubles with their rounding errors" },
+    Layer { modules: &["double"], purpose: "the number and its arithmetic" },
+    Layer { modules: &["wide"], purpose: "numbers of 192 bits in integers" },
+    Layer {
+        modules: &["elementary", "reduction"],
+        purpose: "series of wide numbers; reduction of angles of any size",
+    },
+    Layer { modules: &["functions"], purpose: "functions of the number, with zeros, infinities and NaN" },
+    Layer { modules: &["number", "text"], purpose: "the traits `Number` and `Scalar`; decimal text" },
 ];
 
 const RUNTIME: &[Layer] = &[

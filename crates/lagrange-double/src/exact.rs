@@ -1,0 +1,51 @@
+//! Sums and products of doubles together with their rounding errors.
+
+/// Products below have errors that doubles cannot represent.
+const LEAST_EXACT_PRODUCT: f64 = f64::from_bits((1023 - 969) << 52);
+
+/// The rounded sum and its error (Knuth).
+#[inline(always)]
+pub(crate) fn sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_a = sum - b;
+    let of_b = sum - of_a;
+    (sum, (a - of_a) + (b - of_b))
+}
+
+/// The rounded sum and its error, for |a| ≥ |b| or a = 0 (Dekker).
+#[inline(always)]
+pub(crate) fn ordered_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    (sum, b - (sum - a))
+}
+
+/// The rounded product and its error. The error is zero if it is not a double.
+#[inline(always)]
+pub(crate) fn product(a: f64, b: f64) -> (f64, f64) {
+    let product = a * b;
+    let error = product_error(a, b, product);
+    (product, if product.abs() < LEAST_EXACT_PRODUCT { 0.0 } else { error })
+}
+
+#[cfg(all(feature = "std", target_feature = "fma"))]
+#[inline(always)]
+fn product_error(a: f64, b: f64, product: f64) -> f64 {
+    a.mul_add(b, -product)
+}
+
+/// The error by products of halves, which are exact (Dekker).
+#[cfg(not(all(feature = "std", target_feature = "fma")))]
+#[inline(always)]
+fn product_error(a: f64, b: f64, product: f64) -> f64 {
+    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// Two numbers of at most 26 bits whose sum is the number.
+#[cfg(not(all(feature = "std", target_feature = "fma")))]
+#[inline(always)]
+fn halves(x: f64) -> (f64, f64) {
+    const LOWER_BITS: u64 = (1 << 27) - 1;
+    let upper = f64::from_bits(x.to_bits().wrapping_add(1 << 26) & !LOWER_BITS);
+    (upper, x - upper)
+}

@@ -1,0 +1,112 @@
+//! Motions of thirty digits.
+
+use lagrange::integrate::{Method, RungeKutta4, Taylor, Verner98, integrate};
+use lagrange::system::OdeSystem;
+use lagrange_double::Double;
+use lagrange_runtime::{Number, Scalar};
+
+lagrange::system! {
+    #[derive(Clone, Debug)]
+    struct DoublePendulum<S>;
+
+    param m1 = 1, m2 = 1, l1 = 1, l2 = 1, g = 9.81;
+    coord theta1, theta2;
+    let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+    let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+    potential = m1 * g * y1 + m2 * g * y2;
+    emit { taylor }
+}
+
+lagrange::system! {
+    #[derive(Clone, Debug)]
+    struct Pendulum<S>;
+
+    coord theta;
+    kinetic = 1/2 * dot(theta)^2;
+    potential = -cos(theta);
+    emit { taylor }
+}
+
+fn read(text: &str) -> Double {
+    text.parse().expect("a number")
+}
+
+/// A state of `tools/references.py`, with decimals as they are written.
+fn state(system: &str, t: &str) -> [Double; 4] {
+    let rows = include_str!("../../../tests/references/states.csv").lines();
+    let start = format!("{system},decimal,{t},");
+    let mut values =
+        rows.filter_map(|row| row.strip_prefix(&start)).map(|row| read(row.split_once(',').unwrap().1));
+    core::array::from_fn(|_| values.next().expect("four components"))
+}
+
+fn end<M: OdeSystem<Scalar = Double>>(
+    system: &M,
+    start: M::State,
+    t: f64,
+    method: &impl Method<M>,
+) -> M::State {
+    integrate(system, Double::ZERO, start, Double::from(t), method, |_, _| {}).expect("reaches the end")
+}
+
+fn error(found: &[Double], wanted: &[Double]) -> f64 {
+    found
+        .iter()
+        .zip(wanted)
+        .fold(0.0, |largest, (found, wanted)| f64::from((*found - *wanted).abs()).max(largest))
+}
+
+#[test]
+fn the_double_pendulum_is_right_to_26_digits() {
+    let system = DoublePendulum { g: read("9.81"), ..DoublePendulum::default() };
+    let (start, wanted) = (state("double_pendulum", "0.0"), state("double_pendulum", "10.0"));
+    let tolerance = read("1e-31");
+    let found = end(&system, start, 10.0, &Taylor { order: Some(40), ..Taylor::tolerance(tolerance) });
+    let error = error(&found, &wanted);
+    assert!(error < 1e-26, "{error:e}");
+}
+
+/// Energy is the closed form that any amplitude has.
+fn energy([angle, speed]: [Double; 2]) -> Double {
+    Double::from(0.5) * speed * speed - angle.cos()
+}
+
+#[test]
+fn equal_steps_converge_with_their_order() {
+    let start = [Double::from(0.5), Double::ZERO];
+    let exact = end(
+        &Pendulum::default(),
+        start,
+        1.0,
+        &Taylor { order: Some(40), ..Taylor::tolerance(read("1e-30")) },
+    );
+    assert!(f64::from((energy(exact) - energy(start)).abs()) < 1e-29);
+    let errors = [64.0, 128.0].map(|steps| {
+        let method = RungeKutta4 { step: Double::ONE / Double::from(steps) };
+        error(&end(&Pendulum::default(), start, 1.0, &method), &exact)
+    });
+    let order = (errors[0] / errors[1]).log2();
+    assert!((3.9..4.1).contains(&order), "{order}");
+}
+
+#[test]
+fn the_adaptive_pair_is_as_accurate_as_its_coefficients() {
+    let start = [Double::from(0.5), Double::ZERO];
+    let exact = end(
+        &Pendulum::default(),
+        start,
+        1.0,
+        &Taylor { order: Some(40), ..Taylor::tolerance(read("1e-30")) },
+    );
+    let found = end(&Pendulum::default(), start, 1.0, &Verner98::tolerance(read("1e-18")));
+    let error = error(&found, &exact);
+    assert!(error < 1e-15, "{error:e}");
+}
+
+#[test]
+fn the_spacing_at_one_is_not_lost() {
+    let three = Double::from(3.0);
+    let spacing = (three * (Double::from(4.0) / three - Double::ONE) - Double::ONE).abs();
+    assert!(Double::ZERO < spacing && spacing < Double::epsilon());
+}
