@@ -4,8 +4,8 @@ use crate::imports::Crate;
 use crate::sources::File;
 
 const LONGEST_FILE: usize = 500;
-/// Crates in which single files expect unsafe code: drivers of devices.
-const WITH_UNSAFE: [&str; 1] = ["lagrange-device"];
+/// Crates in which single files expect unsafe code: drivers of devices, and the choice of instructions.
+const WITH_UNSAFE: [&str; 2] = ["lagrange-device", "lagrange-runtime"];
 const FORBIDDEN: [&str; 4] = ["::*", ".unwrap()", "super::super", "use crate::{"];
 
 /// What is against the habits in a crate.

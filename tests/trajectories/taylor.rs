@@ -168,6 +168,43 @@ fn coefficients_begin_with_the_rate() {
     assert!(error(&coefficients[0], &system.rhs(0.25, &y)) < 1e-14);
 }
 
+/// A double pendulum that is expanded with the instructions of the target alone.
+struct WithoutChoice(DoublePendulum);
+
+impl OdeSystem for WithoutChoice {
+    type Scalar = f64;
+    type State = [f64; 4];
+
+    fn rhs(&self, t: f64, y: &[f64; 4]) -> [f64; 4] {
+        self.0.rhs(t, y)
+    }
+}
+
+impl TaylorSystem for WithoutChoice {
+    type Series = <DoublePendulum as TaylorSystem>::Series;
+
+    fn series() -> Self::Series {
+        DoublePendulum::series()
+    }
+
+    // Code of the caller's instructions may not reach in here.
+    #[inline(never)]
+    fn expand(&self, t: f64, y: &[f64; 4], series: &mut Self::Series, coefficients: &mut [[f64; 4]]) {
+        self.0.expand(t, y, series, coefficients);
+    }
+}
+
+#[test]
+fn wider_instructions_give_the_same_bits() {
+    let start = [2.0, 1.5, 0.0, 0.0];
+    for order in [4, 9, 24, 40] {
+        let method = of_order(order, 1e-10);
+        let chosen = end(&DoublePendulum::default(), start, 10.0, &method);
+        let base = end(&WithoutChoice(DoublePendulum::default()), start, 10.0, &method);
+        assert_eq!(chosen.map(f64::to_bits), base.map(f64::to_bits), "order {order}");
+    }
+}
+
 #[test]
 fn settings_without_sense_are_refused() {
     let refused = |method: Taylor<f64>| {

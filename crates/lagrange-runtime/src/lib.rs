@@ -17,7 +17,7 @@
 //! | `simulate` (`std`) | the front door |
 //! | `ensemble` (feature) | many motions |
 #![no_std]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 #[cfg(any(feature = "std", test))]
 extern crate std;

@@ -42,6 +42,7 @@
 
 mod functions;
 mod kinds;
+mod linear;
 mod recurrence;
 mod schedule;
 mod slots;

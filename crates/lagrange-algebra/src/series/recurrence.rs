@@ -1,6 +1,7 @@
 //! The programs of one step, value by value.
 
 use super::kinds::Kind;
+use super::linear::{Factors, flatten};
 use super::schedule::{Schedule, Source};
 use super::slots::{Slot, Slots};
 use super::{Motion, SeriesPrograms};
@@ -89,9 +90,13 @@ impl<'a> Recurrence<'a> {
             carried.into_iter().map(|value| (self.keep(value), self.initial(Initial::Value(value))));
         let carried = carried.collect();
         let matrix = self.matrix();
+        let (initials, mut factors) = (self.initials.len(), Factors::default());
+        let mut flat = |program: &Program| flatten(program, &mut self.slots, initials, &mut factors);
+        let (expansion, correction) = (flat(&expansion), correction.as_ref().map(flat));
+        let factors = factors.program();
         SeriesPrograms {
-            initial: self.initial_program(&matrix),
-            initials: self.initials.len(),
+            initial: self.initial_program(&factors, &matrix),
+            initials: initials + factors.outputs().len(),
             expansion,
             correction,
             sums: self.sums.iter().map(|(factors, ())| *factors).collect(),
@@ -318,7 +323,7 @@ impl<'a> Recurrence<'a> {
         self.kept.index_or_insert_with(value, || ())
     }
 
-    fn initial_program(&self, matrix: &Program) -> Program {
+    fn initial_program(&self, factors: &Program, matrix: &Program) -> Program {
         let program = self.motion.program;
         let mut builder = Builder::new();
         let mut image = ValueTable::with_capacity(program.len());
@@ -341,8 +346,10 @@ impl<'a> Recurrence<'a> {
             }
         });
         let mut outputs = values.collect::<Vec<_>>();
-        let entries = self.inserted(&mut builder, matrix, &outputs);
-        outputs.extend(entries);
+        for program in [factors, matrix] {
+            let more = self.inserted(&mut builder, program, &outputs);
+            outputs.extend(more);
+        }
         builder.finish(&outputs)
     }
 

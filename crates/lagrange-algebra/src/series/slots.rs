@@ -37,6 +37,16 @@ impl Slots {
         builder.push(Op::Input(Role::Placeholder(index)))
     }
 
+    /// The meaning of an input, if it is a placeholder.
+    pub(super) fn of(&self, role: Role) -> Option<Slot> {
+        match role {
+            Role::Placeholder(index) if (index as usize) < self.0.len() => {
+                Some(*self.0.key_at(index as usize))
+            }
+            _ => None,
+        }
+    }
+
     pub(super) fn list(&self) -> Vec<Slot> {
         self.0.iter().map(|(slot, ())| *slot).collect()
     }

@@ -89,7 +89,7 @@ pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
 impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
     /// Inverts a matrix, given row by row; what comes of a singular one is NaN.
-    pub fn new(entries: &[S]) -> Self {
+    pub fn new<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
         let factors = Factors::new(Matrix::<S, [S; N]>::of(|i, j| entries[i * N + j]));
         let column = |j: usize| {
             let mut unit = [S::ZERO; N];

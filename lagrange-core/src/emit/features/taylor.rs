@@ -158,10 +158,11 @@ fn expansion(
     });
     let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
     let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
-    let (initials, carried) = (length(programs.initials), length(programs.carried.len()));
+    let carried = length(programs.carried.len());
+    let matrix = (programs.initials..programs.initial.outputs().len()).map(length);
     let solves = programs.correction.is_some();
     let inverted =
-        solves.then(|| quote!(let #solver = #krate::private::SeriesSolver::new(&#start[#initials..]);));
+        solves.then(|| quote!(let #solver = #krate::private::SeriesSolver::new([#(#start[#matrix]),*]);));
     let (lanes, count) = (length(GROUP), length(groups.len()));
     let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
     let number = quote!(<#scalar as #krate::Number>);
@@ -256,6 +257,8 @@ pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Opti
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
             }
+            // Compiled once for each set of instructions that the method chooses from.
+            #[inline(always)]
             fn expand(
                 &self,
                 #time: #scalar,

@@ -9,6 +9,7 @@
 //! double pendulum that starts at right angles at rest, requires four, and the check at the end.
 
 mod stepper;
+mod widest;
 
 use crate::integrate::method::Method;
 use crate::integrate::verner::tolerance::check_settings;

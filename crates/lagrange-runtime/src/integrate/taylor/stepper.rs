@@ -1,11 +1,12 @@
 //! A motion followed along its Taylor series.
 
-use super::Taylor;
+use super::{Taylor, widest};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, corrected};
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
+use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 use crate::tolerance::LEAST_TOLERANCE;
@@ -72,12 +73,7 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     /// The change of the state over a time `h`.
     #[inline(always)]
     fn change(&self, order: usize, h: S) -> Y {
-        let mut change = Y::ZERO;
-        for coefficients in self.coefficients[..order].iter().rev() {
-            for (sum, coefficient) in change.as_mut().iter_mut().zip(coefficients.as_ref()) {
-                *sum = (*sum).multiply_add(h, *coefficient);
-            }
-        }
+        let mut change = self.polynomial(order, h, |_, coefficients| *coefficients);
         change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
         change
     }
@@ -85,14 +81,30 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     /// The slope of the polynomial after a time `h`.
     #[inline(always)]
     fn slope(&self, order: usize, h: S) -> Y {
-        let mut slope = Y::ZERO;
-        for (k, coefficients) in self.coefficients[..order].iter().enumerate().rev() {
-            let factor = S::from_f64((k + 1) as f64);
-            for (sum, coefficient) in slope.as_mut().iter_mut().zip(coefficients.as_ref()) {
-                *sum = (*sum).multiply_add(h, factor * *coefficient);
+        self.polynomial(order, h, |k, coefficients| {
+            let (mut term, factor) = (*coefficients, S::from_f64((k + 1) as f64));
+            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * factor);
+            term
+        })
+    }
+
+    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the one before.
+    #[inline(always)]
+    fn polynomial(&self, order: usize, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
+        let square = h * h;
+        let fourth = square * square;
+        let (blocks, rest) = self.coefficients[..order].as_chunks::<4>();
+        let mut sums = [Y::ZERO; 4];
+        for (place, (sum, coefficients)) in sums.iter_mut().zip(rest).enumerate() {
+            *sum = term(4 * blocks.len() + place, coefficients);
+        }
+        for (block, coefficients) in blocks.iter().enumerate().rev() {
+            for place in 0..4 {
+                sums[place] = combined(&term(4 * block + place, &coefficients[place]), fourth, &sums[place]);
             }
         }
-        slope
+        let [total, first, second, third] = sums;
+        combined(&combined(&total, square, &second), h, &combined(&first, square, &third))
     }
 }
 
@@ -132,7 +144,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     fn expand(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         let present = &mut self.expansions[self.present];
         (present.t, present.y) = (t, *y);
-        system.expand(t, y, &mut self.series, &mut present.coefficients[..self.order]);
+        widest::expand(system, t, y, &mut self.series, &mut present.coefficients[..self.order]);
         self.work.evaluations += 1;
     }
 
@@ -143,11 +155,12 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());
         let wanted = (M::Scalar::from_f64(SAFETY) * tolerance).rough_log2() / order;
         let mut shortest = None;
+        let mut scales = self.ahead().y;
+        scales.as_mut().iter_mut().for_each(|scale| *scale = tolerance / self.tolerated(*scale));
         for k in self.order - LAST_ORDERS..self.order {
-            let coefficients = self.ahead().coefficients[k].as_ref().iter().zip(self.ahead().y.as_ref());
-            let relative = coefficients.fold(M::Scalar::ZERO, |largest, (coefficient, component)| {
-                let size = self.tolerated(*component) / tolerance;
-                largest.max(coefficient.abs() / size)
+            let coefficients = self.ahead().coefficients[k].as_ref().iter().zip(scales.as_ref());
+            let relative = coefficients.fold(M::Scalar::ZERO, |largest, (coefficient, scale)| {
+                largest.max(coefficient.abs() * *scale)
             });
             if relative > M::Scalar::ZERO {
                 let radius = -relative.rough_log2() / M::Scalar::from_f64((k + 1) as f64);
