@@ -4,15 +4,12 @@ use crate::imports::Crate;
 use crate::sources::File;
 
 const LONGEST_FILE: usize = 500;
-/// Crates in which single files expect unsafe code: drivers of devices.
-const WITH_UNSAFE: [&str; 1] = ["lagrange-device"];
 const FORBIDDEN: [&str; 4] = ["::*", ".unwrap()", "super::super", "use crate::{"];
 
 /// What is against the habits in a crate.
 pub(crate) fn lapses(krate: &Crate) -> Vec<String> {
     let [root, ..] = krate.files.as_slice() else { return Vec::new() };
-    let safe =
-        if WITH_UNSAFE.contains(&&*krate.name) { "#![deny(unsafe_code)]" } else { "#![forbid(unsafe_code)]" };
+    let safe = "#![forbid(unsafe_code)]";
     let unsafe_root = (!root.text.contains(safe)).then(|| format!("{} does not have `{safe}`", root.path));
     let files = krate.files.iter().enumerate().flat_map(|(index, file)| {
         let is_top = index == 0 || krate.modules.iter().any(|(_, module)| *module == index);

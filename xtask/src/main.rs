@@ -102,11 +102,6 @@ fn steps() -> Vec<Step> {
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "verify").with("PROPTEST_RNG_SEED", "20"),
         Step::new("adapters", "test --package lagrange-adapters-tests"),
-        // With the features of the step before, so that nothing is compiled again.
-        Step::new(
-            "documentation of adapters",
-            "test --package lagrange --no-default-features --features diffsol --doc adapt",
-        ),
         Step::new(
             "messages about missing features",
             "test --package lagrange-tests --test ui missing_features",
