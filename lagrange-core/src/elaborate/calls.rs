@@ -44,7 +44,7 @@ pub(super) fn evaluate_call(
         let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
         let meant = meant_function(evaluator, &name.text, arguments);
         let meant = meant.filter(|meant| is_accepted(evaluator, meant));
-        let help = messages::names::write_call(&meant.unwrap_or_else(|| usage(&name.text, arity)));
+        let help = messages::names::write_call(meant.unwrap_or_else(|| usage(&name.text, arity)));
         evaluator.report.error(evaluator.origin(call), message).help(help);
         return None;
     }
@@ -191,7 +191,7 @@ fn report_array(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId])
     }
     let expressions = &evaluator.declaration.expressions;
     let indices = arguments.iter().map(|argument| format!("[{}]", print::expression(expressions, *argument)));
-    let help = messages::names::element_help(&name.text, &indices.collect::<String>());
+    let help = messages::names::element_help(&name.text, indices.collect::<String>());
     evaluator.report.error(name.span, messages::names::array_called(&name.text)).help(help);
     true
 }
@@ -218,7 +218,7 @@ fn evaluate_vector_function(
     }
     if vectors[0].len() != vectors[1].len() {
         let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());
-        let message = messages::kinds_differ(&format!("take `{name}` of"), &kinds[0], &kinds[1]);
+        let message = messages::kinds_differ(format!("take `{name}` of"), &kinds[0], &kinds[1]);
         evaluator.report.error(evaluator.origin(arguments[1]), message).help(messages::KINDS_HELP);
         return None;
     }

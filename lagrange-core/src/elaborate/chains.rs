@@ -20,7 +20,7 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
             continue;
         };
         if !value.same_kind(&first) {
-            let message = messages::kinds_differ("add", &first.kind(), &value.kind());
+            let message = messages::kinds_differ("add", first.kind(), value.kind());
             let help = messages::KINDS_HELP;
             evaluator.report.error(evaluator.origin(link.operand), message).help(help);
             sound = false;
@@ -108,7 +108,7 @@ pub(super) fn power(
     } else if let Some(b) = evaluator.graph.as_number(base)
         && b.is_negative()
     {
-        let message = messages::varying_power_of_negative(&b.to_string());
+        let message = messages::varying_power_of_negative(b.to_string());
         evaluator.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
         return None;
     }

@@ -107,7 +107,7 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
             components.into_iter().map(Some).collect()
         }
         Some(other) => {
-            let message = messages::tuple_size(names.len(), &other.kind());
+            let message = messages::tuple_size(names.len(), other.kind());
             let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message);
             error.help(messages::TUPLE_SIZE_HELP);
             vec![None; names.len()]

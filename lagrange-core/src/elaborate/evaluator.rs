@@ -91,7 +91,7 @@ impl<'a> Evaluator<'a> {
         match self.value(id)? {
             Operand::Scalar(scalar) => Some(scalar),
             vector => {
-                let message = messages::scalar_needed(what, &vector.kind());
+                let message = messages::scalar_needed(what, vector.kind());
                 self.report.error(self.origin(id), message).help(messages::HOW_TO_GET_A_SCALAR);
                 None
             }
@@ -103,7 +103,7 @@ impl<'a> Evaluator<'a> {
         match self.value(id)? {
             Operand::Vector(components) => Some(components),
             scalar => {
-                let error = self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
+                let error = self.report.error(self.origin(id), messages::vector_needed(what, scalar.kind()));
                 error.help(messages::VECTOR_HELP);
                 None
             }

@@ -24,7 +24,7 @@ pub(super) fn evaluate_mass_function(
             false => messages::names::wrong_argument_count(&name.text, count, arguments.len()),
         };
         let error = evaluator.report.error(evaluator.origin(call), message);
-        error.help(messages::names::write_call(&function.usage()));
+        error.help(messages::names::write_call(function.usage()));
         return None;
     }
     match function {
@@ -104,8 +104,7 @@ fn suitable_dimensions(
         Dimensions::Corners => corner_coordinates(evaluator, name, arguments)?,
     };
     if is_impossible(evaluator, solid, &dimensions) {
-        let error =
-            evaluator.report.error(evaluator.origin(call), words::no_such_solid(&solid.shape_usage()));
+        let error = evaluator.report.error(evaluator.origin(call), words::no_such_solid(solid.shape_usage()));
         error.help(solid.condition);
         return None;
     }
@@ -134,7 +133,7 @@ fn corner_coordinates(
     let corners = arguments.iter().map(|&argument| {
         let corner = evaluator.vector(argument, &what)?;
         if corner.len() != 2 {
-            let message = words::vector_needed(&what, 2, &Operand::Vector(corner).kind());
+            let message = words::vector_needed(&what, 2, Operand::Vector(corner).kind());
             evaluator.report.error(evaluator.origin(argument), message).help(words::PLANE_VECTOR_HELP);
             return None;
         }

@@ -49,7 +49,7 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
         let help = match evaluator.syntax(id) {
             Expression::Call(function, _) => {
                 let row = elementary::by_name(&function.text);
-                row.map(|row| messages::defined_where(row.name, &row.domain.words()))
+                row.map(|row| messages::defined_where(row.name, row.domain.words()))
                     .or_else(|| reach_of_table(evaluator, &function.text))
             }
             _ => None,

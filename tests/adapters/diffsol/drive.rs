@@ -3,8 +3,8 @@
 use diffsol::error::OdeSolverError;
 use diffsol::{DiffsolError, OdeEquations, OdeSolverMethod, OdeSolverStopReason};
 
-use crate::stiff::Stiff;
 use crate::problem::{Context, Vector, direction};
+use crate::stiff::Stiff;
 use lagrange::integrate::IntegrationError;
 use lagrange::system::{StateVector, StepFailure};
 

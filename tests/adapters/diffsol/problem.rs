@@ -4,8 +4,8 @@ use core::cell::RefCell;
 
 use diffsol::{MatrixCommon, NalgebraMat, OdeBuilder, OdeEquationsImplicit, OdeSolverProblem};
 
-use crate::stiff::Stiff;
 use crate::jacobian::jacobian;
+use crate::stiff::Stiff;
 use lagrange::system::{OdeSystem, StateMatrix, StateVector, StepFailure};
 
 pub(crate) type Matrix = NalgebraMat<f64>;
