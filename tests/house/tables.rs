@@ -278,8 +278,11 @@ const IMPORT: &[Layer] = &[
     Layer { modules: &["urdf"], purpose: "URDF files to robots, reporting every mistake; the entry point" },
 ];
 
-const XTASK: &[Layer] = &[Layer {
-    modules: &["performance", "size", "urdf"],
-    purpose: "measurements, written to `docs/performance.md`; lines of code by crate; import of \
-                  robots",
-}];
+const XTASK: &[Layer] = &[
+    Layer {
+        modules: &["performance", "prose", "size", "urdf"],
+        purpose: "measurements, written to `docs/performance.md`; paragraphs of comments and pages; lines of \
+                  code by crate; import of robots",
+    },
+    Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
+];
