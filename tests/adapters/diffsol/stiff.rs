@@ -18,18 +18,18 @@ use crate::problem::problem;
 ///
 /// One implicit equation a step. Not symplectic; motions faster than the steps are damped.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Stiff {
+pub(crate) struct Stiff {
     /// Error of a step as a part of the state.
-    pub relative: f64,
+    pub(crate) relative: f64,
     /// Error of a step in the units of the state.
-    pub absolute: f64,
+    pub(crate) absolute: f64,
     /// No more steps are taken.
-    pub max_steps: u64,
+    pub(crate) max_steps: u64,
 }
 
 impl Stiff {
     /// Backward differentiation with this tolerance, relative and absolute.
-    pub fn tolerance(tolerance: f64) -> Self {
+    pub(crate) fn tolerance(tolerance: f64) -> Self {
         Stiff { relative: tolerance, absolute: tolerance, max_steps: 10_000_000 }
     }
 
@@ -49,7 +49,7 @@ impl Stiff {
 ///
 /// # Errors
 /// What the method met, with the last good state; `observe` never sees one that is not finite.
-pub fn integrate_stiff<M>(
+pub(crate) fn integrate_stiff<M>(
     system: &M,
     t0: f64,
     y0: M::State,
