@@ -232,8 +232,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         | (StatementKind::Friction(_), DimensionPass::Declare)
         | (
             StatementKind::Function(_)
-            | StatementKind::Repeat(_)
-            | StatementKind::Select(_)
+            | StatementKind::Block(_)
             | StatementKind::Scene(_)
             | StatementKind::Emit(_),
             _,
