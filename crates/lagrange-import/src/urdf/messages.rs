@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 
+use crate::robot::KINDS;
 use lagrange_core::diagnostics::messages;
 
 messages! {
@@ -122,12 +123,10 @@ pub(super) fn two_roots(first: &str, line: u32) -> String {
     format!("no joint places this link, nor link {first} in line {line}: only one can be the base")
 }
 
-pub(super) const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
-
 pub(super) fn kinds_help(near: Option<&str>) -> String {
     match near {
         Some(near) => did_you_mean(near),
-        None => format!("types are {}", KINDS.join(", ")),
+        None => format!("types are {}", KINDS.map(|(word, _)| word).join(", ")),
     }
 }
 
