@@ -162,8 +162,7 @@ fn evaluate_if(
     let (a, b) = (evaluator.value(then)?, evaluator.value(otherwise)?);
     if !a.same_kind(&b) {
         let message = messages::kinds_differ("choose between", a.kind(), b.kind());
-        evaluator.report.error(evaluator.origin(otherwise), message).help(messages::KINDS_HELP);
-        return None;
+        return evaluator.refuse(otherwise, message, messages::KINDS_HELP);
     }
     let (left, right) = (left?, right?);
     let chosen = a.components().iter().zip(b.components());

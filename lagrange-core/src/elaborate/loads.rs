@@ -34,8 +34,7 @@ pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point:
     let (Some(components), Some(_)) = (components, place) else { return };
     if !force_value.same_kind(&point_value) {
         let message = messages::kinds_differ("pair", force_value.kind(), point_value.kind());
-        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(point), message);
-        error.help(messages::KINDS_HELP);
+        elaborator.evaluator.refuse::<()>(point, message, messages::KINDS_HELP);
         return;
     }
     let sound = components.iter().all(|&c| elaborator.forbid_accelerations(force, c, "a force").is_some());
@@ -52,8 +51,7 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
     let [Some(forces), Some(velocities)] = values else { return };
     if !forces.same_kind(&velocities) {
         let message = messages::kinds_differ("pair", forces.kind(), velocities.kind());
-        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(velocity), message);
-        error.help(messages::KINDS_HELP);
+        elaborator.evaluator.refuse::<()>(velocity, message, messages::KINDS_HELP);
         return;
     }
     for (&force_value, &along) in forces.components().iter().zip(velocities.components()) {
