@@ -41,7 +41,7 @@
 //! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
-//! | `adapt` (feature `diffsol`), `trade` (feature) | backward differentiation by the crate `diffsol`; methods measured against each other |
+//! | `trade` (feature) | methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
 //! | `Double` (feature `double`) | numbers of 106 bits |
 //!
@@ -50,17 +50,14 @@
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
 //! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
 //! plot to SVG and PNG. `ensemble` computes many motions over threads and processes. `draw` makes pictures and films of rigid bodies,
-//! in the plane and in space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits. `diffsol` integrates stiff
-//! systems by the crate of that name. `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
-//! time.
+//! in the plane and in space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits.
+//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run time.
 #![no_std]
 #![forbid(unsafe_code)]
 
 #[cfg(any(feature = "std", test))]
 extern crate std;
 
-#[cfg(feature = "diffsol")]
-pub mod adapt;
 pub mod event;
 pub mod integrate;
 #[cfg(feature = "trade")]

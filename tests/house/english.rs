@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::imports::Crate;
+use crate::prose::{long_sentences, wrapped};
 
 /// Words with which the first line of documentation does not begin: a function's is a verb, a type's a noun phrase.
 const OPENINGS: [&str; 12] =
@@ -33,6 +34,52 @@ const PAGES: [&str; 9] = [
     "src/language.md",
     "tests/README.md",
 ];
+
+/// Most sentences that are too long, in pages and in the comments of crates. Both numbers may only fall.
+const MAX_LONG_SENTENCES: [usize; 2] = [106, 723];
+
+/// Most files with a paragraph that is too wide. The number may only fall; `cargo xtask wrap` makes it zero.
+const MAX_WIDE_FILES: usize = 734;
+
+/// Finds sentences that are too long, in pages and in crates, if they are more than allowed.
+pub(crate) fn sentences(root: &Path, crates: &[Crate]) -> Vec<String> {
+    let texts = texts(root, crates);
+    let numbers = [false, true].into_iter().zip(MAX_LONG_SENTENCES);
+    let found = numbers.flat_map(|(is_rust, most)| {
+        let texts = texts.iter().filter(|(path, _)| path.ends_with(".rs") == is_rust);
+        let long = texts.flat_map(|(path, text)| {
+            let long = long_sentences(text, is_rust).into_iter();
+            long.map(move |(line, words)| format!("{path}:{line}: {words} …"))
+        });
+        too_many(long.collect(), most)
+    });
+    found.collect()
+}
+
+/// Finds files whose paragraphs are too wide, if they are more than allowed.
+pub(crate) fn wide_files(root: &Path, crates: &[Crate]) -> Vec<String> {
+    let texts = texts(root, crates).into_iter();
+    let wide = texts.filter(|(path, text)| wrapped(text, path.ends_with(".rs")) != *text);
+    too_many(wide.map(|(path, _)| path).collect(), MAX_WIDE_FILES)
+}
+
+/// Pages and the files of crates, with their texts.
+fn texts(root: &Path, crates: &[Crate]) -> Vec<(String, String)> {
+    let page = |page: &str| (page.to_owned(), fs::read_to_string(root.join(page)).unwrap_or_default());
+    let files = crates.iter().flat_map(|krate| &krate.files);
+    PAGES
+        .iter()
+        .map(|path| page(path))
+        .chain(files.map(|file| (file.path.clone(), file.text.clone())))
+        .collect()
+}
+
+/// Returns all complaints if they are more than allowed, with their number.
+fn too_many(complaints: Vec<String>, most: usize) -> Vec<String> {
+    let number = complaints.len();
+    let total = (number > most).then(|| format!("these are {number}, at most {most} are allowed"));
+    if total.is_none() { Vec::new() } else { complaints.into_iter().chain(total).collect() }
+}
 
 /// Finds the first lines of documentation that begin with one of [`OPENINGS`].
 pub(crate) fn openings(crates: &[Crate]) -> Vec<String> {

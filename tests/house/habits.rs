@@ -4,16 +4,16 @@ use crate::imports::Crate;
 use crate::sources::File;
 
 const LONGEST_FILE: usize = 500;
-/// Crates in which single files expect unsafe code: drivers of devices, and the choice of instructions.
-const WITH_UNSAFE: [&str; 2] = ["lagrange-device", "lagrange-runtime"];
+/// The only file with unsafe code, and its crate.
+const UNSAFE_FILE: (&str, &str) = ("lagrange-runtime", "integrate/taylor/widest.rs");
 const FORBIDDEN: [&str; 4] = ["::*", ".unwrap()", "super::super", "use crate::{"];
 
 /// What is against the habits in a crate.
 pub(crate) fn lapses(krate: &Crate) -> Vec<String> {
     let [root, ..] = krate.files.as_slice() else { return Vec::new() };
-    let safe =
-        if WITH_UNSAFE.contains(&&*krate.name) { "#![deny(unsafe_code)]" } else { "#![forbid(unsafe_code)]" };
-    let unsafe_root = (!root.text.contains(safe)).then(|| format!("{} does not have `{safe}`", root.path));
+    let level = if krate.name == UNSAFE_FILE.0 { "deny" } else { "forbid" };
+    let safe = format!("#![{level}(unsafe_code)]");
+    let unsafe_root = (!root.text.contains(&safe)).then(|| format!("{} does not have `{safe}`", root.path));
     let files = krate.files.iter().enumerate().flat_map(|(index, file)| {
         let is_top = index == 0 || krate.modules.iter().any(|(_, module)| *module == index);
         lapses_in(file, is_top)
@@ -25,7 +25,8 @@ pub(crate) fn lapses(krate: &Crate) -> Vec<String> {
 fn lapses_in(file: &File, is_top: bool) -> Vec<String> {
     let (path, code) = (&file.path, code(&file.text));
     let forbidden = FORBIDDEN.into_iter().chain(is_top.then_some("super::"));
-    let found = forbidden.filter(|forbidden| code.contains(forbidden));
+    let unsafe_code = (!path.ends_with(UNSAFE_FILE.1)).then_some("(unsafe_code, reason");
+    let found = forbidden.chain(unsafe_code).filter(|forbidden| code.contains(forbidden));
     let found = found.map(|found| format!("{path} has `{found}`"));
     let lines = file.text.lines().count();
     found.chain((lines > LONGEST_FILE).then(|| format!("{path} has {lines} lines"))).collect()

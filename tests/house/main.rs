@@ -5,7 +5,7 @@
 //!    layers ([`tables`]) is the one that `ARCHITECTURE.md` shows ([`architecture`]).
 //! 3. Few types of one crate share a name ([`homonyms`]).
 //! 4. Imports are explicit, failures are handled, files are short, and no code is unsafe ([`habits`]).
-//! 5. Documentation is plain English ([`english`]).
+//! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs ([`prose`]).
 //!
 //! Sources become files and modules ([`sources`]), these become items and what names mean ([`names`],
 //! [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds what each file needs of
@@ -21,6 +21,7 @@ mod layers;
 mod made_up;
 mod methods;
 mod names;
+mod prose;
 mod receivers;
 mod sources;
 mod standard;
@@ -76,6 +77,18 @@ fn few_names_are_defined_twice() {
 fn documentation_is_plain_english() {
     let Workspace { root, crates } = workspace();
     nothing_in(english::openings(crates).into_iter().chain(english::phrases(root)));
+}
+
+#[test]
+fn sentences_are_short() {
+    let Workspace { root, crates } = workspace();
+    nothing_in(english::sentences(root, crates));
+}
+
+#[test]
+fn paragraphs_are_wrapped() {
+    let Workspace { root, crates } = workspace();
+    nothing_in(english::wide_files(root, crates));
 }
 
 fn each_library(rule: fn(&Crate, &Library) -> Vec<String>) -> Vec<String> {

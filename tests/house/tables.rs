@@ -13,11 +13,10 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 15] = [
+pub(crate) const LIBRARIES: [Library; 14] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-core", layers: CORE },
-    Library { name: "lagrange-device", layers: DEVICE },
     Library { name: "lagrange-double", layers: DOUBLE },
     Library { name: "lagrange-draw", layers: DRAW },
     Library { name: "lagrange-expr", layers: EXPR },
@@ -37,9 +36,9 @@ const LAGRANGE: &[Layer] = &[
         purpose: "re-exports of `lagrange-runtime`, with the heap-free loops",
     },
     Layer {
-        modules: &["adapt", "private", "trade"],
-        purpose: "backward differentiation by `diffsol`; the names that emitted code uses; \
-                  comparison of methods, number types and variants of a system",
+        modules: &["private", "trade"],
+        purpose: "the names that emitted code uses; comparison of methods, number types and variants of a \
+                  system",
     },
 ];
 
@@ -192,18 +191,6 @@ const RUNTIME: &[Layer] = &[
     },
 ];
 
-const DEVICE: &[Layer] = &[
-    Layer { modules: &["error"], purpose: "errors of devices" },
-    Layer { modules: &["backend"], purpose: "OpenCL and CUDA: transfer of state columns, kernel calls" },
-    Layer { modules: &["number"], purpose: "the differences between `f64` and `f32`" },
-    Layer { modules: &["ends"], purpose: "final states, and the motions that failed" },
-    Layer {
-        modules: &["ensemble"],
-        purpose: "the request for an ensemble, and the source text of integration methods",
-    },
-    Layer { modules: &["device"], purpose: "devices and their discovery" },
-];
-
 const PLOT: &[Layer] = &[
     Layer {
         modules: &["characters"],
@@ -291,8 +278,11 @@ const IMPORT: &[Layer] = &[
     Layer { modules: &["urdf"], purpose: "URDF files to robots, reporting every mistake; the entry point" },
 ];
 
-const XTASK: &[Layer] = &[Layer {
-    modules: &["performance", "size", "urdf"],
-    purpose: "measurements, written to `docs/performance.md`; lines of code by crate; import of \
-                  robots",
-}];
+const XTASK: &[Layer] = &[
+    Layer {
+        modules: &["performance", "prose", "size", "urdf"],
+        purpose: "measurements, written to `docs/performance.md`; paragraphs of comments and pages; lines of \
+                  code by crate; import of robots",
+    },
+    Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
+];

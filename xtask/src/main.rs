@@ -2,12 +2,18 @@
 //! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md;
 //! `cargo xtask performance spatial` does so for bodies in space alone.
 //! `cargo xtask size [REVISION]`: counts lines of library code by crate.
+//! `cargo xtask wrap`: wraps comments and pages at 100 columns.
+//! `cargo xtask sentences`: lists sentences of more than 25 words.
 //! `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
 #![forbid(unsafe_code)]
 
 mod performance;
+// The rule is one of those of the house, which test it.
+#[path = "../../tests/house/prose.rs"]
+mod prose;
 mod size;
 mod urdf;
+mod wrap;
 
 use std::env;
 use std::path::Path;
@@ -56,10 +62,12 @@ fn main() -> ExitCode {
         ["performance", "spatial"] => code(performance::spatial(root)),
         ["size"] => code(size::size(root, None)),
         ["size", revision] => code(size::size(root, Some(revision))),
+        ["wrap"] => code(wrap::wrap(root)),
+        ["sentences"] => code(wrap::sentences(root)),
         ["urdf", ref options @ ..] => code(urdf::urdf(options)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | performance [spatial] | size [REVISION]\n       {}",
+                "usage: cargo xtask check | performance [spatial] | size [REVISION] | wrap | sentences\n       {}",
                 urdf::USAGE
             );
             ExitCode::from(2)
@@ -102,11 +110,6 @@ fn steps() -> Vec<Step> {
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "verify").with("PROPTEST_RNG_SEED", "20"),
         Step::new("adapters", "test --package lagrange-adapters-tests"),
-        // With the features of the step before, so that nothing is compiled again.
-        Step::new(
-            "documentation of adapters",
-            "test --package lagrange --no-default-features --features diffsol --doc adapt",
-        ),
         Step::new(
             "messages about missing features",
             "test --package lagrange-tests --test ui missing_features",

@@ -70,7 +70,8 @@ fn sizes(files: &[String], mut text_of: impl FnMut(&str) -> Result<String, Strin
     Ok(sizes)
 }
 
-fn git(root: &Path, arguments: &[&str]) -> Result<String, String> {
+/// Returns the output of a command of git.
+pub(crate) fn git(root: &Path, arguments: &[&str]) -> Result<String, String> {
     let output = Command::new("git").args(arguments).current_dir(root).output();
     let output = output.map_err(|error| format!("git cannot be started: {error}"))?;
     if !output.status.success() {

@@ -5,7 +5,7 @@ use crate::outline::Piece;
 use crate::picture::{Colour, Point};
 use lagrange_runtime::scene::Connector;
 
-/// Something in a picture.
+/// A shape in a picture, with its name, label and layer.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Element {
     /// Name in messages, which identifies the element in the other pictures of a film.

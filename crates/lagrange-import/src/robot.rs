@@ -78,6 +78,16 @@ pub(crate) enum Kind {
     Held,
 }
 
+/// Kinds of joints by their words in files.
+pub(crate) const KINDS: [(&str, Kind); 6] = [
+    ("revolute", Kind::Revolute),
+    ("continuous", Kind::Revolute),
+    ("prismatic", Kind::Prismatic),
+    ("fixed", Kind::Fixed),
+    ("floating", Kind::Floating),
+    ("planar", Kind::Planar),
+];
+
 impl Kind {
     /// True if it has a single coordinate.
     pub(crate) fn is_simple(self) -> bool {

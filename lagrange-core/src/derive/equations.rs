@@ -4,6 +4,7 @@ use super::constraints::ConstraintEquations;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
 use super::elimination::solution::{Solution, push_down};
+use super::energy_function::energy_function;
 use super::forms::{Forms, Rows};
 use super::frame_jacobians::frame_jacobians;
 use super::grading::grade_parameters;
@@ -19,7 +20,7 @@ use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
 use super::virtual_displacements::{add_slopes, add_turning};
 use crate::model::{Constraint, Energies, Model, Product};
-use lagrange_algebra::calculus::{AccelerationTerms, adjoint, gradient, homogeneity};
+use lagrange_algebra::calculus::{AccelerationTerms, adjoint, gradient};
 use lagrange_algebra::simplify::{self, Angles};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
@@ -329,39 +330,6 @@ fn sums(model: &mut Model, values: &[ExprId], added: &[&[ExprId]]) -> Vec<ExprId
         model.graph.total(terms)
     };
     values.iter().enumerate().map(sum).collect()
-}
-
-/// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
-/// A term of L that is homogeneous of degree k in the velocities contributes k − 1 times itself (Euler).
-fn energy_function(model: &mut Model) -> ExprId {
-    let graph = &mut model.graph;
-    if let Energies::Separate { kinetic, potential } = model.energies
-        && homogeneity(graph, kinetic) == Some(2)
-    {
-        return graph.add(kinetic, potential);
-    }
-    if let Some(terms) = weighted_by_degree(graph, model.lagrangian) {
-        return graph.sum(Number::ZERO, terms);
-    }
-    let velocities = model.velocities();
-    let graph = &mut model.graph;
-    let momenta = gradient(graph, model.lagrangian, &velocities);
-    let mut terms = vec![(model.lagrangian, Number::MINUS_ONE)];
-    for (&velocity, momentum) in velocities.iter().zip(momenta) {
-        terms.push((graph.multiply(velocity, momentum), Number::ONE));
-    }
-    graph.sum(Number::ZERO, terms)
-}
-
-/// Each term of a sum with its coefficient times its degree less one.
-fn weighted_by_degree(graph: &mut Graph, sum: ExprId) -> Option<Vec<(ExprId, Number)>> {
-    let Node::Sum { constant, terms } = graph.node(sum).clone() else { return None };
-    let mut weighted = vec![(graph.number(constant), Number::MINUS_ONE)];
-    for (term, coefficient) in &terms {
-        let weight = Number::from(homogeneity(graph, *term)?.checked_sub(1)?);
-        weighted.push((*term, coefficient * &weight));
-    }
-    Some(weighted)
 }
 
 /// Names of the user, then of matrix entries and of what the solution computes on the way.

@@ -79,6 +79,7 @@ mod cost;
 mod coupling;
 mod curvature;
 mod elimination;
+mod energy_function;
 mod equations;
 mod forms;
 mod frame_jacobians;

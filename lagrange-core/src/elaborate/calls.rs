@@ -44,9 +44,8 @@ pub(super) fn evaluate_call(
         let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
         let meant = meant_function(evaluator, &name.text, arguments);
         let meant = meant.filter(|meant| is_accepted(evaluator, meant));
-        let help = messages::names::write_call(&meant.unwrap_or_else(|| usage(&name.text, arity)));
-        evaluator.report.error(evaluator.origin(call), message).help(help);
-        return None;
+        let help = messages::names::write_call(meant.unwrap_or_else(|| usage(&name.text, arity)));
+        return evaluator.refuse(call, message, help);
     }
     match name.text.as_str() {
         "dot" | "ddot" => evaluate_rate(evaluator, &name.text, arguments[0], call),
@@ -71,9 +70,7 @@ fn check_mass(evaluator: &mut Evaluator<'_>, syntax: AstId, mass: ExprId) -> Opt
     if !is_judged || evaluate(&evaluator.graph, &[mass], |_| f64::NAN)[0] >= 0.0 {
         return Some(());
     }
-    let error = evaluator.report.error(evaluator.origin(syntax), messages::NEGATIVE_INERTIA);
-    error.help(messages::NEGATIVE_INERTIA_HELP);
-    None
+    evaluator.refuse(syntax, messages::NEGATIVE_INERTIA, messages::NEGATIVE_INERTIA_HELP)
 }
 
 /// `dot` or `ddot`. That of what is written without anything that moves is a mistake, not zero.
@@ -86,9 +83,7 @@ fn evaluate_rate(
     let value = evaluator.value(argument)?;
     if evaluator.declaration.expressions.is_written(call) && is_at_rest(evaluator, argument) {
         let text = print::expression(&evaluator.declaration.expressions, argument);
-        let error = evaluator.report.error(evaluator.origin(call), messages::rate_of_constant(&text));
-        error.help(messages::RATE_OF_CONSTANT_HELP);
-        return None;
+        return evaluator.refuse(call, messages::rate_of_constant(&text), messages::RATE_OF_CONSTANT_HELP);
     }
     let rate = evaluator.rate(&value, argument)?;
     if function == "dot" {
@@ -191,7 +186,7 @@ fn report_array(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[AstId])
     }
     let expressions = &evaluator.declaration.expressions;
     let indices = arguments.iter().map(|argument| format!("[{}]", print::expression(expressions, *argument)));
-    let help = messages::names::element_help(&name.text, &indices.collect::<String>());
+    let help = messages::names::element_help(&name.text, indices.collect::<String>());
     evaluator.report.error(name.span, messages::names::array_called(&name.text)).help(help);
     true
 }
@@ -218,7 +213,7 @@ fn evaluate_vector_function(
     }
     if vectors[0].len() != vectors[1].len() {
         let kinds = [0, 1].map(|i| Operand::Vector(vectors[i].clone()).kind());
-        let message = messages::kinds_differ(&format!("take `{name}` of"), &kinds[0], &kinds[1]);
+        let message = messages::kinds_differ(format!("take `{name}` of"), &kinds[0], &kinds[1]);
         evaluator.report.error(evaluator.origin(arguments[1]), message).help(messages::KINDS_HELP);
         return None;
     }

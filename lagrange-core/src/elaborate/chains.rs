@@ -20,7 +20,7 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
             continue;
         };
         if !value.same_kind(&first) {
-            let message = messages::kinds_differ("add", &first.kind(), &value.kind());
+            let message = messages::kinds_differ("add", first.kind(), value.kind());
             let help = messages::KINDS_HELP;
             evaluator.report.error(evaluator.origin(link.operand), message).help(help);
             sound = false;
@@ -47,21 +47,18 @@ pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Opti
         match (evaluator.value(operand), inverted) {
             (None, _) => sound = false,
             (Some(Operand::Scalar(divisor)), true) if evaluator.graph.is_zero(divisor) => {
-                let error = evaluator.report.error(evaluator.origin(operand), messages::DIVISION_BY_ZERO);
-                error.help(messages::DIVISION_HELP);
+                evaluator.refuse::<()>(operand, messages::DIVISION_BY_ZERO, messages::DIVISION_HELP);
                 sound = false;
             }
             (Some(Operand::Scalar(factor)), _) => {
                 factors.push((factor, if inverted { Number::MINUS_ONE } else { Number::ONE }));
             }
             (Some(_), true) => {
-                let error = evaluator.report.error(evaluator.origin(operand), messages::DIVISION_BY_VECTOR);
-                error.help(messages::HOW_TO_GET_A_SCALAR);
+                evaluator.refuse::<()>(operand, messages::DIVISION_BY_VECTOR, messages::HOW_TO_GET_A_SCALAR);
                 sound = false;
             }
             (Some(_), false) if vector.is_some() => {
-                let error = evaluator.report.error(evaluator.origin(operand), messages::PRODUCT_OF_VECTORS);
-                error.help(messages::INNER_OR_CROSS);
+                evaluator.refuse::<()>(operand, messages::PRODUCT_OF_VECTORS, messages::INNER_OR_CROSS);
                 sound = false;
             }
             (Some(value), false) => vector = Some(value),
@@ -108,7 +105,7 @@ pub(super) fn power(
     } else if let Some(b) = evaluator.graph.as_number(base)
         && b.is_negative()
     {
-        let message = messages::varying_power_of_negative(&b.to_string());
+        let message = messages::varying_power_of_negative(b.to_string());
         evaluator.report.error(origin, message).help(messages::NEGATIVE_BASE_HELP);
         return None;
     }

@@ -60,7 +60,7 @@ fn constrained_velocity(
     if !dependencies.intersects(Dependencies::COORDINATE | Dependencies::VELOCITY) {
         let number = elaborator.evaluator.graph.as_number(value).filter(|number| !number.is_zero());
         let message = match number {
-            Some(number) => messages::impossible_constraint(&name.text, &number.to_string()),
+            Some(number) => messages::impossible_constraint(&name.text, number.to_string()),
             None => messages::constrains_nothing(&name.text),
         };
         let error = elaborator.evaluator.report.error(origin, message);

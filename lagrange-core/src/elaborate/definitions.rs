@@ -45,7 +45,7 @@ fn default_value(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) ->
                 (messages::number_too_small(&name.text, scalar), messages::VANISHING_HELP.to_owned())
             }
         };
-        elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message).help(help);
+        elaborator.evaluator.refuse::<()>(syntax, message, help);
     }
     Some(value)
 }
@@ -107,9 +107,8 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
             components.into_iter().map(Some).collect()
         }
         Some(other) => {
-            let message = messages::tuple_size(names.len(), &other.kind());
-            let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), message);
-            error.help(messages::TUPLE_SIZE_HELP);
+            let message = messages::tuple_size(names.len(), other.kind());
+            elaborator.evaluator.refuse::<()>(syntax, message, messages::TUPLE_SIZE_HELP);
             vec![None; names.len()]
         }
         None => vec![None; names.len()],

@@ -234,12 +234,6 @@ impl<'a> Elaborator<'a> {
         None
     }
 
-    /// Reports an expression.
-    pub(super) fn refuse<T>(&mut self, syntax: AstId, message: &str, help: &str) -> Option<T> {
-        self.evaluator.report.error(self.evaluator.origin(syntax), message).help(help);
-        None
-    }
-
     /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
     pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
         let (text, origin) = (&name.text, name.span.into());

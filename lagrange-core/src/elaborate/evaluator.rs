@@ -86,14 +86,24 @@ impl<'a> Evaluator<'a> {
         self.values.get(&id).cloned().flatten()
     }
 
+    /// Reports an expression that is wrong, and returns none.
+    pub(super) fn refuse<T>(
+        &mut self,
+        syntax: AstId,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Option<T> {
+        self.report.error(self.origin(syntax), message).help(help);
+        None
+    }
+
     /// The value as a scalar; reports anything else as `what`.
     pub(super) fn scalar(&mut self, id: AstId, what: &str) -> Option<ExprId> {
         match self.value(id)? {
             Operand::Scalar(scalar) => Some(scalar),
             vector => {
-                let message = messages::scalar_needed(what, &vector.kind());
-                self.report.error(self.origin(id), message).help(messages::HOW_TO_GET_A_SCALAR);
-                None
+                let message = messages::scalar_needed(what, vector.kind());
+                self.refuse(id, message, messages::HOW_TO_GET_A_SCALAR)
             }
         }
     }
@@ -102,11 +112,7 @@ impl<'a> Evaluator<'a> {
     pub(super) fn vector(&mut self, id: AstId, what: &str) -> Option<Vec<ExprId>> {
         match self.value(id)? {
             Operand::Vector(components) => Some(components),
-            scalar => {
-                let error = self.report.error(self.origin(id), messages::vector_needed(what, &scalar.kind()));
-                error.help(messages::VECTOR_HELP);
-                None
-            }
+            scalar => self.refuse(id, messages::vector_needed(what, scalar.kind()), messages::VECTOR_HELP),
         }
     }
 

@@ -106,10 +106,7 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
     let Expression::Name(text) = elaborator.evaluator.syntax(coordinate) else {
         // What is wrong within it is said first.
         value_of(&mut elaborator.evaluator, syntax)?;
-        let error =
-            elaborator.evaluator.report.error(elaborator.evaluator.origin(syntax), messages::NOT_ASSIGNABLE);
-        error.help(messages::ASSIGNMENT_HELP);
-        return None;
+        return elaborator.evaluator.refuse(syntax, messages::NOT_ASSIGNABLE, messages::ASSIGNMENT_HELP);
     };
     if elaborator.evaluator.scope.resolve(text).is_none() {
         value_of(&mut elaborator.evaluator, coordinate);
@@ -118,7 +115,7 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
     let found = entry_of_state(elaborator, text, is_velocity);
     if is_velocity && state_named(elaborator, text).is_some() {
         let help = states::assigned_rate_help(text);
-        return elaborator.refuse(syntax, &states::assigned_rate(text), &help);
+        return elaborator.evaluator.refuse(syntax, &states::assigned_rate(text), &help);
     }
     if found.is_none() {
         let name = Name::new(text.as_str(), elaborator.evaluator.origin(coordinate).start);

@@ -146,7 +146,7 @@ fn evaluate_component(evaluator: &mut Evaluator<'_>, of: AstId, component: &Name
     if evaluator.obliged_vectors.contains(&of) {
         return None;
     }
-    let message = messages::no_component(&component.text, &value.kind());
+    let message = messages::no_component(&component.text, value.kind());
     evaluator.report.error(component.span, message).help(messages::COMPONENTS);
     None
 }
@@ -161,9 +161,8 @@ fn evaluate_if(
     let right = evaluator.scalar(condition.right, "a compared value");
     let (a, b) = (evaluator.value(then)?, evaluator.value(otherwise)?);
     if !a.same_kind(&b) {
-        let message = messages::kinds_differ("choose between", &a.kind(), &b.kind());
-        evaluator.report.error(evaluator.origin(otherwise), message).help(messages::KINDS_HELP);
-        return None;
+        let message = messages::kinds_differ("choose between", a.kind(), b.kind());
+        return evaluator.refuse(otherwise, message, messages::KINDS_HELP);
     }
     let (left, right) = (left?, right?);
     let chosen = a.components().iter().zip(b.components());

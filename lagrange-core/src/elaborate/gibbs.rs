@@ -29,8 +29,10 @@ fn gibbs_value(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<ExprId>
         Some(1 | 2) => Some(value),
         // Bodies on joints that no inertia resists.
         Some(0) if !elaborator.evaluator.declaration.expressions.is_written(syntax) => None,
-        Some(0) => elaborator.refuse(syntax, messages::GIBBS_WITHOUT_ACCELERATIONS, messages::GIBBS_HELP),
-        _ => elaborator.refuse(syntax, messages::GIBBS_OF_HIGH_DEGREE, messages::GIBBS_HELP),
+        Some(0) => {
+            elaborator.evaluator.refuse(syntax, messages::GIBBS_WITHOUT_ACCELERATIONS, messages::GIBBS_HELP)
+        }
+        _ => elaborator.evaluator.refuse(syntax, messages::GIBBS_OF_HIGH_DEGREE, messages::GIBBS_HELP),
     }
 }
 

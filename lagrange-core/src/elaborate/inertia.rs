@@ -23,9 +23,7 @@ pub(super) fn evaluate_mass_function(
             true => words::too_few_arguments(&name.text, count, arguments.len()),
             false => messages::names::wrong_argument_count(&name.text, count, arguments.len()),
         };
-        let error = evaluator.report.error(evaluator.origin(call), message);
-        error.help(messages::names::write_call(&function.usage()));
-        return None;
+        return evaluator.refuse(call, message, messages::names::write_call(function.usage()));
     }
     match function {
         MassFunction::Inertia(solid) => {
@@ -104,10 +102,7 @@ fn suitable_dimensions(
         Dimensions::Corners => corner_coordinates(evaluator, name, arguments)?,
     };
     if is_impossible(evaluator, solid, &dimensions) {
-        let error =
-            evaluator.report.error(evaluator.origin(call), words::no_such_solid(&solid.shape_usage()));
-        error.help(solid.condition);
-        return None;
+        return evaluator.refuse(call, words::no_such_solid(solid.shape_usage()), solid.condition);
     }
     Some(dimensions)
 }
@@ -134,9 +129,8 @@ fn corner_coordinates(
     let corners = arguments.iter().map(|&argument| {
         let corner = evaluator.vector(argument, &what)?;
         if corner.len() != 2 {
-            let message = words::vector_needed(&what, 2, &Operand::Vector(corner).kind());
-            evaluator.report.error(evaluator.origin(argument), message).help(words::PLANE_VECTOR_HELP);
-            return None;
+            let message = words::vector_needed(&what, 2, Operand::Vector(corner).kind());
+            return evaluator.refuse(argument, message, words::PLANE_VECTOR_HELP);
         }
         Some(corner)
     });

@@ -33,9 +33,8 @@ pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point:
     let (Some(force_value), Some(point_value)) = values else { return };
     let (Some(components), Some(_)) = (components, place) else { return };
     if !force_value.same_kind(&point_value) {
-        let message = messages::kinds_differ("pair", &force_value.kind(), &point_value.kind());
-        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(point), message);
-        error.help(messages::KINDS_HELP);
+        let message = messages::kinds_differ("pair", force_value.kind(), point_value.kind());
+        elaborator.evaluator.refuse::<()>(point, message, messages::KINDS_HELP);
         return;
     }
     let sound = components.iter().all(|&c| elaborator.forbid_accelerations(force, c, "a force").is_some());
@@ -51,9 +50,8 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
     let values = [force, velocity].map(|syntax| value_of(&mut elaborator.evaluator, syntax));
     let [Some(forces), Some(velocities)] = values else { return };
     if !forces.same_kind(&velocities) {
-        let message = messages::kinds_differ("pair", &forces.kind(), &velocities.kind());
-        let error = elaborator.evaluator.report.error(elaborator.evaluator.origin(velocity), message);
-        error.help(messages::KINDS_HELP);
+        let message = messages::kinds_differ("pair", forces.kind(), velocities.kind());
+        elaborator.evaluator.refuse::<()>(velocity, message, messages::KINDS_HELP);
         return;
     }
     for (&force_value, &along) in forces.components().iter().zip(velocities.components()) {

@@ -105,7 +105,7 @@ fn report(evaluator: &mut Evaluator<'_>, id: AstId, misfit: Misfit, scalar: &Sca
         Misfit::TooLarge => (messages::excessive(is_constant, name), messages::largest_help(name, largest)),
         Misfit::TooSmall => (messages::vanishing(is_constant, name), messages::VANISHING_HELP.to_owned()),
     };
-    evaluator.report.error(evaluator.origin(id), message).help(help);
+    evaluator.refuse::<()>(id, message, help);
 }
 
 /// The expressions of a statement whose values are computed at run time, those of what it defines aside.

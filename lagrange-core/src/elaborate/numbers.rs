@@ -30,10 +30,7 @@ fn is_short(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     };
     let short = value.components().iter().all(is_short);
     if !short {
-        evaluator
-            .report
-            .error(evaluator.origin(id), messages::NUMBER_TOO_LONG)
-            .help(messages::NUMBER_TOO_LONG_HELP);
+        evaluator.refuse::<()>(id, messages::NUMBER_TOO_LONG, messages::NUMBER_TOO_LONG_HELP);
     }
     short
 }
@@ -49,13 +46,16 @@ fn is_real(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
         let help = match evaluator.syntax(id) {
             Expression::Call(function, _) => {
                 let row = elementary::by_name(&function.text);
-                row.map(|row| messages::defined_where(row.name, &row.domain.words()))
+                row.map(|row| messages::defined_where(row.name, row.domain.words()))
                     .or_else(|| reach_of_table(evaluator, &function.text))
             }
             _ => None,
         };
-        let error = evaluator.report.error(evaluator.origin(id), messages::NOT_REAL);
-        error.help(help.unwrap_or_else(|| messages::NEGATIVE_BASE_HELP.to_owned()));
+        evaluator.refuse::<()>(
+            id,
+            messages::NOT_REAL,
+            help.unwrap_or_else(|| messages::NEGATIVE_BASE_HELP.to_owned()),
+        );
     }
     is_real
 }

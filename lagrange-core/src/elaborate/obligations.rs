@@ -113,7 +113,7 @@ fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: 
     let Some(value) = value_of(&mut elaborator.evaluator, syntax) else { return };
     if !matches!(&value, Operand::Vector(components) if components.len() == dimension) {
         let origin = elaborator.evaluator.origin(syntax);
-        let message = words::vector_needed(what, dimension, &value.kind());
+        let message = words::vector_needed(what, dimension, value.kind());
         elaborator.evaluator.report.error(origin, message).help(words::vector_help(dimension));
     }
 }

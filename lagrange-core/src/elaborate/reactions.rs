@@ -85,12 +85,7 @@ fn gap_and_rate(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<(
     forbid_states(elaborator, syntax, value, messages::GAP)?;
     if !elaborator.evaluator.graph.dependencies(value).intersects(Dependencies::COORDINATE) {
         let message = messages::gap_without_coordinate(&event.name.text);
-        elaborator
-            .evaluator
-            .report
-            .error(elaborator.evaluator.origin(syntax), message)
-            .help(messages::GAP_HELP);
-        return None;
+        return elaborator.evaluator.refuse(syntax, message, messages::GAP_HELP);
     }
     let gap = match event.direction {
         Direction::Rising => elaborator.evaluator.graph.negate(value),
@@ -107,9 +102,11 @@ fn sound_restitution(elaborator: &mut Elaborator<'_>, syntax: AstId, event: &Nam
     let value = elaborator.term(syntax, event.span, messages::RESTITUTION)?.value;
     match elaborator.numeric(value).filter(|number| !(0.0..=1.0).contains(number)) {
         None => Some(value),
-        Some(number) => {
-            elaborator.refuse(syntax, &messages::restitution_out_of_range(number), messages::RESTITUTION_HELP)
-        }
+        Some(number) => elaborator.evaluator.refuse(
+            syntax,
+            &messages::restitution_out_of_range(number),
+            messages::RESTITUTION_HELP,
+        ),
     }
 }
 
@@ -117,10 +114,14 @@ fn slip_velocity(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> O
     let (name, syntax) = (&friction.name.text, friction.slip);
     let velocity = elaborator.term(syntax, friction.name.span, messages::SLIP)?.value;
     if !elaborator.evaluator.graph.dependencies(velocity).intersects(Dependencies::VELOCITY) {
-        return elaborator.refuse(syntax, &messages::slip_without_velocity(name), messages::SLIP_HELP);
+        return elaborator.evaluator.refuse(
+            syntax,
+            &messages::slip_without_velocity(name),
+            messages::SLIP_HELP,
+        );
     }
     if degree_in(elaborator, velocity, Dependencies::VELOCITY) == Degree::Nonlinear {
-        return elaborator.refuse(syntax, &messages::nonlinear_slip(name), messages::SLIP_HELP);
+        return elaborator.evaluator.refuse(syntax, &messages::nonlinear_slip(name), messages::SLIP_HELP);
     }
     forbid_states(elaborator, syntax, velocity, messages::SLIP)?;
     // To stick is to keep the slip velocity, whose rate must then be known.
@@ -138,16 +139,18 @@ fn friction_limit(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -
     let forces = Dependencies::MULTIPLIER | Dependencies::REACTION;
     if degree_in(elaborator, limit, forces) == Degree::Nonlinear {
         let message = messages::nonlinear_limit(&name.text);
-        return elaborator.refuse(syntax, &message, messages::NONLINEAR_LIMIT_HELP);
+        return elaborator.evaluator.refuse(syntax, &message, messages::NONLINEAR_LIMIT_HELP);
     }
     // The force of a contact is never negative.
     let (share, force) = elaborator.evaluator.graph.split_coefficient(limit);
     let share = contact_of(elaborator, force).map(|_| share.to_f64());
     match elaborator.numeric(limit).or(share).filter(|&number| number < 0.0) {
         None => Some(limit),
-        Some(number) => {
-            elaborator.refuse(syntax, &messages::negative_limit(number), messages::NEGATIVE_LIMIT_HELP)
-        }
+        Some(number) => elaborator.evaluator.refuse(
+            syntax,
+            &messages::negative_limit(number),
+            messages::NEGATIVE_LIMIT_HELP,
+        ),
     }
 }
 
@@ -165,7 +168,7 @@ fn friction_width(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<Expr
     match elaborator.numeric(width).filter(|&number| number <= 0.0) {
         None => Some(width),
         Some(number) => {
-            elaborator.refuse(syntax, &messages::width_not_positive(number), messages::WIDTH_HELP)
+            elaborator.evaluator.refuse(syntax, &messages::width_not_positive(number), messages::WIDTH_HELP)
         }
     }
 }

@@ -66,14 +66,10 @@ fn residual(evaluator: &mut Evaluator<'_>, name: &str, syntax: AstId, symbol: Ex
     let residual = evaluator.scalar(syntax, &words::equation(name))?;
     let slope = partial(&mut evaluator.graph, residual, symbol);
     if evaluator.graph.is_zero(slope) {
-        let error = evaluator.report.error(evaluator.origin(syntax), words::without_unknown(name));
-        error.help(words::without_unknown_help(name));
-        return None;
+        return evaluator.refuse(syntax, words::without_unknown(name), words::without_unknown_help(name));
     }
     if has_one_sign(&evaluator.graph, residual) {
-        let error = evaluator.report.error(evaluator.origin(syntax), words::without_solution(name));
-        error.help(words::without_solution_help(name));
-        return None;
+        return evaluator.refuse(syntax, words::without_solution(name), words::without_solution_help(name));
     }
     Some(residual)
 }
@@ -95,8 +91,7 @@ fn iterations(evaluator: &mut Evaluator<'_>, syntax: AstId) -> Option<u32> {
     let count = evaluator.graph.as_number(value).and_then(Number::to_i32);
     let possible = count.filter(|count| (1..=MAX_ITERATIONS).contains(count));
     if possible.is_none() {
-        let error = evaluator.report.error(evaluator.origin(syntax), words::NO_ITERATIONS);
-        error.help(words::iterations_help(MAX_ITERATIONS));
+        evaluator.refuse::<()>(syntax, words::NO_ITERATIONS, words::iterations_help(MAX_ITERATIONS));
     }
     possible.and_then(|count| u32::try_from(count).ok())
 }

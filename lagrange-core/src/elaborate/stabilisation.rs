@@ -17,7 +17,7 @@ pub(super) fn set_stabilisation(elaborator: &mut Elaborator<'_>, syntax: AstId, 
     let Some(rate) = elaborator.constant_in_motion(syntax, messages::STABILISATION) else { return };
     if let Some(number) = elaborator.numeric(rate).filter(|&number| number < 0.0) {
         let help = messages::NEGATIVE_RATE_HELP;
-        elaborator.refuse::<()>(syntax, &messages::negative_rate(number), help);
+        elaborator.evaluator.refuse::<()>(syntax, &messages::negative_rate(number), help);
     }
     elaborator.stabilisation = Some((rate, keyword));
 }

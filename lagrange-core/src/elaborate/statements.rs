@@ -88,8 +88,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Scene(_)
         | StatementKind::Function(_)
         | StatementKind::External(_)
-        | StatementKind::Repeat(_)
-        | StatementKind::Select(_) => {}
+        | StatementKind::Block(_) => {}
     }
 }
 

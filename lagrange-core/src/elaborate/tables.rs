@@ -104,7 +104,7 @@ fn number(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<f64> {
     }
     let number = evaluate(&elaborator.evaluator.graph, &[value], |_| f64::NAN)[0];
     if !number.is_finite() {
-        return elaborator.refuse(syntax, words::NOT_FINITE, words::NOT_FINITE_HELP);
+        return elaborator.evaluator.refuse(syntax, words::NOT_FINITE, words::NOT_FINITE_HELP);
     }
     Some(number)
 }

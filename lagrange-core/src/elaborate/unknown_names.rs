@@ -90,7 +90,7 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
     };
     match foreign::rate(name, moves) {
         Some(rate) if rate.order == 1 || may_use_accelerations(evaluator) => {
-            return messages::names::write_call(&rate.written());
+            return messages::names::write_call(rate.written());
         }
         // One letter beside a name may be a slip of the pen.
         Some(rate) if name.len() - rate.of.len() > 1 => {

@@ -1,5 +1,5 @@
 //! The equations of motion as C, compiled by the C compiler of the machine: as C, and as CUDA with its words defined away. Graphics processors
-//! compile the same text (`lagrange-device`).
+//! compile the same text (`examples/device`).
 
 use std::fmt::Write;
 use std::fs;

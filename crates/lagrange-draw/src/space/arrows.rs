@@ -1,7 +1,7 @@
 //! Arrows: velocities, accelerations, axes, forces and moments.
 
 use super::mesh::{Mesh, Placement};
-use super::recording::{Kind, Label, Thing};
+use super::recording::{Kind, Label, MovingMesh};
 use super::size::Size;
 use super::snapshot::Link;
 use super::solids::{self, SHORTEST_ARROW};
@@ -34,7 +34,7 @@ impl Arrows<'_> {
         letter: &str,
         colour: Colour,
         rate: fn(&SpatialMotion<f64>) -> Vector,
-    ) -> Vec<Thing> {
+    ) -> Vec<MovingMesh> {
         let bodies: Vec<(usize, &Link)> = bodies(first).collect();
         let vectors = bodies.iter().map(|(index, link)| {
             let vector = |snapshot: &Snapshot<Spatial>| {
@@ -48,7 +48,7 @@ impl Arrows<'_> {
     }
 
     /// The own axes of bodies.
-    pub(super) fn own_axes(&self, first: &Snapshot<Spatial>) -> Vec<Thing> {
+    pub(super) fn own_axes(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
         let axes = |(index, link): (usize, &Link)| {
             let pose = |snapshot: &Snapshot<Spatial>| {
                 let link = &snapshot.bodies[index];
@@ -60,13 +60,13 @@ impl Arrows<'_> {
     }
 
     /// The axes of the world, which bodies hide.
-    pub(super) fn axes_of_world(&self) -> Vec<Thing> {
+    pub(super) fn axes_of_world(&self) -> Vec<MovingMesh> {
         let axes = self.axes("", |_| (NONE, UPRIGHT), ["x", "y", "z"]).into_iter();
-        axes.map(|axis| Thing { kind: Kind::Surroundings, ..axis }).collect()
+        axes.map(|axis| MovingMesh { kind: Kind::Surroundings, ..axis }).collect()
     }
 
     /// Forces, then moments, each kind on a scale of its own.
-    pub(super) fn loads(&self, first: &Snapshot<Spatial>) -> Vec<Thing> {
+    pub(super) fn loads(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
         let of_kind = |is_moment: bool| {
             let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment() == is_moment);
             let vectors = loads.map(|(index, load)| {
@@ -97,12 +97,12 @@ impl Arrows<'_> {
         vectors: Vec<(&str, String, Vec<[Vector; 2]>)>,
         colour: Colour,
         mesh: &Mesh,
-    ) -> Vec<Thing> {
+    ) -> Vec<MovingMesh> {
         let all = vectors.iter().flat_map(|(_, _, track)| track.iter().map(|[_, vector]| length(*vector)));
         let largest = all.fold(0.0, f64::max);
         let scale = LONGEST * self.size.diagonal() / largest;
         let scale = if scale.is_finite() { scale } else { 0.0 };
-        let thing = |(name, text, track): (&str, String, Vec<[Vector; 2]>)| Thing {
+        let thing = |(name, text, track): (&str, String, Vec<[Vector; 2]>)| MovingMesh {
             name: name.to_owned(),
             label: Label::new(text, NONE, 1.0),
             colour,
@@ -129,14 +129,14 @@ impl Arrows<'_> {
         name: &str,
         pose: impl Fn(&Snapshot<Spatial>) -> (Vector, Rotation),
         letters: [&str; 3],
-    ) -> Vec<Thing> {
+    ) -> Vec<MovingMesh> {
         let length = AXIS * self.size.diagonal();
         let axis = |(axis, letter): (usize, &str)| {
             let track = self.film.iter().map(|snapshot| {
                 let (origin, rotation) = pose(snapshot);
                 [origin, rotation.map(|row| length * row[axis])]
             });
-            Thing {
+            MovingMesh {
                 name: format!("{letter} {name}").trim_end().to_owned(),
                 label: Label::new(letter.to_owned(), NONE, 1.0),
                 colour: PALE,

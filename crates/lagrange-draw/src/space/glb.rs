@@ -5,7 +5,7 @@
 
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};
-use super::recording::{Recording, Thing, Trace};
+use super::recording::{MovingMesh, Recording, Trace};
 use super::store::{Purpose, Store};
 use super::surface::Surface;
 use super::vector::{NONE, Vector};
@@ -99,7 +99,7 @@ impl Moments {
 }
 
 impl<'a> Model<'a> {
-    fn thing(&mut self, thing: &'a Thing) {
+    fn thing(&mut self, thing: &'a MovingMesh) {
         let stretch = Stretch::of(&thing.mesh);
         let mesh = self.mesh(&thing.mesh, thing.colour, stretch);
         let Motion { origins, rotations, .. } = Motion::of(thing);
@@ -243,7 +243,7 @@ impl<'a> Model<'a> {
 }
 
 /// The largest stretch of things with a morph target, beside their scale.
-fn longest(things: &[Thing]) -> f64 {
+fn longest(things: &[MovingMesh]) -> f64 {
     let arrows = things.iter().filter(|thing| matches!(Stretch::of(&thing.mesh), Stretch::Morphed));
     let shown = arrows.flat_map(|thing| &thing.track).filter(|placement| placement.scale > 0.0);
     let longest = shown.map(|placement| placement.stretch / placement.scale).fold(0.0, f64::max);

@@ -1,7 +1,7 @@
 //! Tracks in numbers that can be written: quaternions in the place of matrices, and what does not change once.
 
 use super::mesh::Placement;
-use super::recording::Thing;
+use super::recording::MovingMesh;
 use super::vector::{Rotation, Vector};
 
 /// A rotation as x, y, z and w = cos(φ/2).
@@ -19,7 +19,7 @@ pub(super) struct Motion {
 }
 
 impl Motion {
-    pub(super) fn of(thing: &Thing) -> Motion {
+    pub(super) fn of(thing: &MovingMesh) -> Motion {
         let track = &thing.track;
         Motion {
             origins: once(track.iter().map(|placement| placement.origin).collect()),

@@ -4,7 +4,7 @@ use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};
 use super::motion::{Motion, once};
 use super::projector::{DARK, EDGE, LINE, Projector};
-use super::recording::{Kind, Recording, Thing, Trace};
+use super::recording::{Kind, MovingMesh, Recording, Trace};
 use super::surface::Surface;
 use super::vector::Vector;
 use crate::colour::{INK, PALE, mixed};
@@ -138,7 +138,7 @@ impl Scene<'_> {
     }
 
     /// A thing; its mesh is put to those that are known, if it is none of them.
-    fn thing<'m>(&self, thing: &'m Thing, meshes: &mut Vec<&'m Mesh>, label: &mut usize) -> String {
+    fn thing<'m>(&self, thing: &'m MovingMesh, meshes: &mut Vec<&'m Mesh>, label: &mut usize) -> String {
         let known = meshes.iter().position(|mesh| **mesh == thing.mesh);
         let index = known.unwrap_or_else(|| {
             meshes.push(&thing.mesh);
@@ -172,7 +172,7 @@ impl Scene<'_> {
     }
 
     /// Returns the place of a thing's label, by its number among all labels.
-    fn place_of_label(&self, thing: &Thing, next: &mut usize) -> String {
+    fn place_of_label(&self, thing: &MovingMesh, next: &mut usize) -> String {
         let Some(label) = &thing.label else { return "null".to_owned() };
         let number = *next;
         *next += 1;
@@ -196,7 +196,7 @@ impl Scene<'_> {
     }
 }
 
-fn label_of(thing: &Thing) -> Option<(String, Colour)> {
+fn label_of(thing: &MovingMesh) -> Option<(String, Colour)> {
     let is_coloured = thing.kind == Kind::Arrow && thing.colour != PALE;
     thing.label.as_ref().map(|label| (label.text.clone(), if is_coloured { thing.colour } else { INK }))
 }

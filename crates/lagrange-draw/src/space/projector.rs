@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::mesh::{Edges, normal};
-use super::recording::{Kind, Recording, Thing};
+use super::recording::{Kind, MovingMesh, Recording};
 use super::sort::{Fragment, FragmentShape, back_to_front, is_convex};
 use super::vector::Vector;
 use crate::colour::{INK, PALE, mixed};
@@ -185,7 +185,7 @@ impl Projector {
         self.view.point(self.camera.seen(place).0)
     }
 
-    fn label(&self, thing: &Thing, moment: usize) -> Option<Tag> {
+    fn label(&self, thing: &MovingMesh, moment: usize) -> Option<Tag> {
         let (label, placement) = (thing.label.as_ref()?, thing.track[moment]);
         if placement.scale <= 0.0 {
             return None;
@@ -202,7 +202,7 @@ impl Projector {
     }
 
     /// The pixels from a place to the farthest corner of a thing.
-    fn reach(&self, thing: &Thing, moment: usize, place: Vector) -> f64 {
+    fn reach(&self, thing: &MovingMesh, moment: usize, place: Vector) -> f64 {
         let at = self.point(place);
         let corners = thing.mesh.corners.iter().map(|corner| self.point(thing.track[moment].of(corner)));
         corners.map(|corner| length(subtract(corner, at))).fold(0.0, f64::max)
@@ -218,7 +218,7 @@ impl Projector {
     }
 }
 
-fn is_convex_body(thing: &Thing, least: f64) -> bool {
+fn is_convex_body(thing: &MovingMesh, least: f64) -> bool {
     let Some(placement) = thing.track.iter().find(|placement| placement.scale > 0.0) else { return false };
     let faces = thing.mesh.faces.iter().filter_map(|face| {
         let corners: Vec<Vector> =

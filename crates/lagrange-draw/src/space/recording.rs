@@ -11,15 +11,15 @@ use crate::picture::Colour;
 pub(crate) struct Recording {
     /// When its moments are.
     pub(crate) times: Vec<f64>,
-    pub(crate) things: Vec<Thing>,
+    pub(crate) things: Vec<MovingMesh>,
     pub(crate) traces: Vec<Trace>,
     /// Description of loads that act but are not drawn; empty if there are none.
     pub(crate) note: String,
 }
 
-/// Something that turns, moves and is stretched, but is the same mesh at all moments.
+/// A mesh that turns, moves and is stretched, but stays the same at all moments.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) struct Thing {
+pub(crate) struct MovingMesh {
     /// Name in messages and files.
     pub(crate) name: String,
     /// Label and its place; `None` if there is none.
@@ -95,7 +95,7 @@ impl Recording {
 
     /// The places of all corners at all moments, for what must be seen of it.
     pub(super) fn places(&self) -> impl Iterator<Item = Vector> + '_ {
-        let of_thing = |thing: &'_ Thing| {
+        let of_thing = |thing: &'_ MovingMesh| {
             let shown = thing.track.iter().filter(|placement| placement.scale > 0.0);
             shown.flat_map(|placement| thing.mesh.corners.iter().map(|c| placement.of(c))).collect::<Vec<_>>()
         };
@@ -104,7 +104,7 @@ impl Recording {
     }
 }
 
-impl Thing {
+impl MovingMesh {
     fn is_finite_at(&self, moment: usize) -> bool {
         let corners = || self.mesh.corners.iter().flat_map(|corner| corner.at);
         self.track[moment].is_finite() && (moment > 0 || corners().all(f64::is_finite))

@@ -2,7 +2,7 @@
 
 use super::arrows::Arrows;
 use super::mesh::{Corner, Mesh, Placement};
-use super::recording::{Kind, Label, Thing};
+use super::recording::{Kind, Label, MovingMesh};
 use super::size::Size;
 use super::skeleton::Skeleton;
 use super::snapshot::{Hold, Link};
@@ -28,7 +28,7 @@ const TOUCHING: f64 = 1e-6;
 const FIELDS: f64 = 8.0;
 
 /// All things of a motion; every scene of it hands out the same items.
-pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) -> Vec<Thing> {
+pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) -> Vec<MovingMesh> {
     let Some(first) = film.first() else { return Vec::new() };
     let stage = Stage { film, wanted, size };
     let mut things = Vec::new();
@@ -47,7 +47,7 @@ pub(super) fn things(film: &[Snapshot<Spatial>], wanted: Wanted, size: &Size) ->
     things
 }
 
-fn arrows(arrows: &Arrows<'_>, first: &Snapshot<Spatial>, wanted: Wanted) -> Vec<Thing> {
+fn arrows(arrows: &Arrows<'_>, first: &Snapshot<Spatial>, wanted: Wanted) -> Vec<MovingMesh> {
     let mut things = Vec::new();
     if wanted.velocities {
         things.extend(arrows.rates(first, "v", VELOCITY, |motion| motion.velocity));
@@ -82,14 +82,14 @@ impl Stage<'_> {
         if self.wanted.names { formula(name) } else { String::new() }
     }
 
-    fn link(&self, index: usize, link: &Link, mesh: Mesh, colour: Colour) -> Thing {
+    fn link(&self, index: usize, link: &Link, mesh: Mesh, colour: Colour) -> MovingMesh {
         let center = link.motion.map_or(NONE, |motion| motion.centroid);
         let track = self.track(|snapshot| {
             let Link { origin, rotation, .. } = snapshot.bodies[index];
             Placement::rigid(origin, rotation)
         });
         let text = if link.motion.is_some() { self.name(&link.name) } else { String::new() };
-        Thing {
+        MovingMesh {
             name: link.name.clone(),
             label: Label::new(text, center, 0.0),
             colour,
@@ -99,7 +99,7 @@ impl Stage<'_> {
         }
     }
 
-    fn connector(&self, index: usize, span: &Span<Spatial>) -> Thing {
+    fn connector(&self, index: usize, span: &Span<Spatial>) -> MovingMesh {
         let thin = self.size.thin();
         let (mesh, colour) = match span.kind {
             Connector::Damper | Connector::TorsionDamper => (solids::damper(COIL * thin), PALE),
@@ -118,7 +118,7 @@ impl Stage<'_> {
         let track = spanned(index).into_iter().zip(spanned(leader)).map(beside).collect();
         let text = if is_made_up(&span.name, span.kind) { String::new() } else { self.name(&span.name) };
         let label = Label::new(text, [COIL * thin, 0.0, 0.0], 0.5);
-        Thing { name: span.name.clone(), label, colour, kind: Kind::Connector, mesh, track }
+        MovingMesh { name: span.name.clone(), label, colour, kind: Kind::Connector, mesh, track }
     }
 
     /// Returns the first connector between the same points, and the offset of this one from the
@@ -139,7 +139,7 @@ impl Stage<'_> {
         (together.first().copied().unwrap_or(index), lane)
     }
 
-    fn joint(&self, index: usize, joint: &Joint<Spatial>) -> Vec<Thing> {
+    fn joint(&self, index: usize, joint: &Joint<Spatial>) -> Vec<MovingMesh> {
         let thin = self.size.thin();
         let mesh = match joint.kind.kind {
             SpatialJointKind::Revolute
@@ -152,7 +152,7 @@ impl Stage<'_> {
             SpatialJointKind::Ball | SpatialJointKind::Pin => solids::ball(PIN * thin),
             SpatialJointKind::Planar | SpatialJointKind::Free | SpatialJointKind::Weld => return Vec::new(),
         };
-        let thing = |mesh, track| Thing {
+        let thing = |mesh, track| MovingMesh {
             name: joint.name.clone(),
             label: None,
             colour: PALE,
@@ -178,7 +178,7 @@ impl Stage<'_> {
     }
 
     /// A grid at a height, under all that moves.
-    fn floor(&self, height: f64) -> Thing {
+    fn floor(&self, height: f64) -> MovingMesh {
         let Size { low, high } = *self.size;
         let field = (high[0] - low[0]).max(high[1] - low[1]).max(0.2 * self.size.diagonal()) / FIELDS;
         let from = [0, 1].map(|axis| (low[axis] / field).floor() as i64 - 1);
@@ -195,7 +195,7 @@ impl Stage<'_> {
         (from[1]..=to[1]).for_each(|y| line([[from[0], y], [to[0], y]]));
         let placement = Placement::rigid([0.0, 0.0, height], UPRIGHT);
         let track = self.track(|_| placement);
-        Thing {
+        MovingMesh {
             name: "floor".to_owned(),
             label: None,
             colour: colour::HATCHING,
@@ -207,10 +207,10 @@ impl Stage<'_> {
 }
 
 /// A line through points at rest, in a film of so many moments.
-pub(super) fn path(label: &str, points: &[Vector], colour: Colour, moments: usize) -> Thing {
+pub(super) fn path(label: &str, points: &[Vector], colour: Colour, moments: usize) -> MovingMesh {
     let corners = points.iter().map(|&at| Corner { at, share: 0.0 }).collect();
     let placement = Placement::rigid(NONE, UPRIGHT);
-    Thing {
+    MovingMesh {
         name: label.to_owned(),
         label: points.last().and_then(|&at| Label::new(formula(label), at, 0.0)),
         colour,

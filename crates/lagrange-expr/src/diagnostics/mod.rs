@@ -3,12 +3,15 @@
 //! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier between
 //! phases. Wording lives with the phase that finds the mistake, in its `messages` file.
 
+mod rows;
 mod spelling;
 
 use std::fmt;
 
 use proc_macro2::Span;
 
+#[doc(inline)]
+pub use crate::messages;
 pub use spelling::nearest;
 
 /// The names of files of what is in no file.

@@ -7,7 +7,7 @@ use super::collector::Source;
 use super::messages;
 use super::source::attribute_of;
 use crate::decimal::Decimal;
-use crate::robot::{Kind, Limit};
+use crate::robot::{KINDS, Kind, Limit};
 
 /// Lengths of an axis from this on are not what is left of numbers that cancel.
 const SHORTEST_AXIS: f64 = 1e-6;
@@ -66,18 +66,12 @@ pub(super) fn joint<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>) -> Opti
 /// Anything after a mistake.
 fn kind<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Kind {
     let Some(word) = source.text(node, "type") else { return Kind::Fixed };
-    match word {
-        "revolute" | "continuous" => Kind::Revolute,
-        "prismatic" => Kind::Prismatic,
-        "planar" => Kind::Planar,
-        "floating" => Kind::Floating,
-        "fixed" => Kind::Fixed,
-        _ => {
-            let help = messages::kinds_help(nearest(word, messages::KINDS));
-            source.error(node, messages::unknown_kind(word)).help(help);
-            Kind::Fixed
-        }
+    if let Some((_, kind)) = KINDS.into_iter().find(|(known, _)| *known == word) {
+        return kind;
     }
+    let help = messages::kinds_help(nearest(word, KINDS.map(|(known, _)| known)));
+    source.error(node, messages::unknown_kind(word)).help(help);
+    Kind::Fixed
 }
 
 fn end<'a, 'd>(source: &mut Source<'d>, node: Node<'a, 'd>, tag: &str) -> Option<NameAt<'a>> {

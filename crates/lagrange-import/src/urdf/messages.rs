@@ -1,97 +1,95 @@
 //! Wording of mistakes in URDF files.
 
+use std::fmt::Display;
+
+use crate::robot::KINDS;
+use lagrange_core::diagnostics::messages;
+
+messages! {
+    pub(super):
+
+    NOT_A_ROBOT = "this is not a <robot>";
+    XACRO = "this file is one for xacro, which makes URDF files";
+    XACRO_HELP = "run `xacro robot.urdf.xacro > robot.urdf` and import what it writes";
+    NO_LINKS = "the robot has no links";
+    TWICE = "this is repeated";
+    EMPTY_NAME = "it has no name";
+    UNKNOWN_ELEMENT = "this element is unknown and ignored";
+    UNREADABLE_ELEMENT = "this element is unknown here, and ignoring it may change the motion";
+    UNREADABLE_ELEMENT_HELP = "move it to where it belongs, or remove it";
+    VERSION_HELP = "files of version 1.0, 1.1 and 1.2 can be imported";
+    TURNED_TWICE = "`rpy` and `quat_xyzw` both state the orientation";
+    TURNED_TWICE_HELP = "remove one of them";
+    QUATERNION_ZERO = "the quaternion is zero";
+    IDENTITY_HELP = "the identity is `quat_xyzw=\"0 0 0 1\"`";
+    LOOP = "joints form a loop: every link is the child of one";
+    TREE_HELP = "joints form a tree; close its loops by `pin P to Q;` in the declaration";
+    AXIS_ZERO = "the axis is zero";
+    NOTHING_MOVES = "nothing moves: there is no joint that moves a mass";
+    NOTHING_MOVES_HELP = "with a free base (`--free`) it moves as one body";
+    MASSLESS_INERTIA = "there is inertia without mass";
+    MASSLESS_INERTIA_HELP = "give the link a mass; without <inertial> it is a frame, which has neither";
+    IMPOSSIBLE_INERTIA = "these moments and products of inertia are physically impossible";
+    IMPOSSIBLE_INERTIA_HELP =
+        "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` accepts them as parameters";
+    FREE_BASE_HELP =
+        "give the base or a link that is fixed to it an <inertial>, or import it without `--free`";
+    WITHOUT_INERTIA_HELP =
+        "give the link or one that is fixed to it an <inertial> with moments of inertia, or make its joint `fixed`";
+    MASS_NOT_POSITIVE = "the mass is negative";
+    MIMICS_ITSELF = "the joint mimics itself";
+    MIMIC_CIRCLE = "the joint mimics one that mimics it, directly or through others";
+    LIMITS_CROSSED = "the lower limit is above the upper one";
+    NEGATIVE_DAMPING = "the damping is negative, so the motion would gain energy";
+    DAMPING_LEFT_OUT = "the damping of a joint with several coordinates is ignored";
+    NO_GEOMETRY = "there is no <box>, <cylinder>, <sphere> or <mesh>";
+    HELD = "it moves no mass, so its motion is undetermined: its coordinate is held at zero";
+    MIMIC_LEFT_OUT = "it has no coordinate, so its <mimic> is ignored";
+    MIMICS_NONE = "the joint that it mimics has no coordinate";
+    MIMIC_HELP = "revolute, continuous and prismatic joints that move a mass have one";
+    element(tag, name) = "{tag} {}", quoted(name);
+    missing_element(tag) = "<{tag}> is missing";
+    missing_attribute(attribute) = "the attribute `{attribute}` is missing";
+    write(form) = "write `{form}`";
+    no_number(attribute, text) = "`{attribute}` must be a number, but this is {}", quoted(text);
+    unknown_attribute(name) = "the attribute `{}` is unknown and ignored", shortened(name);
+    unreadable_attribute(name) =
+        "the attribute `{}` is unknown, and ignoring it may change the motion", shortened(name);
+    unknown_version(version) = "unknown URDF version {}", quoted(version);
+    repeated(tag, line) = "this name already belongs to the {tag} in line {line}";
+    unknown_link(role, name) = "unknown {role} link {}", quoted(name);
+    unknown_joint(name) = "unknown joint {} to mimic", quoted(name);
+    in_loop(link) = "joints form a loop through link {}, away from the base", quoted(link);
+    unknown_kind(kind) = "unknown joint type {}", quoted(kind);
+    negative(attribute) = "`{attribute}` is negative";
+    without_inertia(reason) = "it lacks mass or moments of inertia: {reason}";
+    not_accepted(report) = "the imported declaration is rejected: {report}";
+}
+
 /// Characters of a name or a number of the file that a message repeats at most.
 const MAX_QUOTED: usize = 60;
 
 /// Text of the file in quotation marks: shortened, and with escapes for what cannot be seen.
-fn quoted(text: &str) -> String {
+fn quoted(text: impl Display) -> String {
     format!("{:?}", shortened(text))
 }
 
 /// The beginning of a text of the file.
-pub(super) fn shortened(text: &str) -> String {
+pub(super) fn shortened(text: impl Display) -> String {
+    let text = text.to_string();
     match text.char_indices().nth(MAX_QUOTED) {
         Some((end, _)) => format!("{}…", &text[..end]),
-        None => text.to_owned(),
+        None => text,
     }
-}
-
-pub(super) const NOT_A_ROBOT: &str = "this is not a <robot>";
-pub(super) const XACRO: &str = "this file is one for xacro, which makes URDF files";
-pub(super) const XACRO_HELP: &str = "run `xacro robot.urdf.xacro > robot.urdf` and import what it writes";
-pub(super) const NO_LINKS: &str = "the robot has no links";
-pub(super) const TWICE: &str = "this is repeated";
-pub(super) const EMPTY_NAME: &str = "it has no name";
-pub(super) const UNKNOWN_ELEMENT: &str = "this element is unknown and ignored";
-pub(super) const UNREADABLE_ELEMENT: &str =
-    "this element is unknown here, and ignoring it may change the motion";
-pub(super) const UNREADABLE_ELEMENT_HELP: &str = "move it to where it belongs, or remove it";
-pub(super) const VERSION_HELP: &str = "files of version 1.0, 1.1 and 1.2 can be imported";
-pub(super) const TURNED_TWICE: &str = "`rpy` and `quat_xyzw` both state the orientation";
-pub(super) const TURNED_TWICE_HELP: &str = "remove one of them";
-pub(super) const QUATERNION_ZERO: &str = "the quaternion is zero";
-pub(super) const IDENTITY_HELP: &str = "the identity is `quat_xyzw=\"0 0 0 1\"`";
-pub(super) const LOOP: &str = "joints form a loop: every link is the child of one";
-pub(super) const TREE_HELP: &str = "joints form a tree; close its loops by `pin P to Q;` in the declaration";
-pub(super) const AXIS_ZERO: &str = "the axis is zero";
-pub(super) const NOTHING_MOVES: &str = "nothing moves: there is no joint that moves a mass";
-pub(super) const NOTHING_MOVES_HELP: &str = "with a free base (`--free`) it moves as one body";
-pub(super) const MASSLESS_INERTIA: &str = "there is inertia without mass";
-pub(super) const MASSLESS_INERTIA_HELP: &str =
-    "give the link a mass; without <inertial> it is a frame, which has neither";
-pub(super) const IMPOSSIBLE_INERTIA: &str = "these moments and products of inertia are physically impossible";
-pub(super) const IMPOSSIBLE_INERTIA_HELP: &str = "about the centre of mass no principal moment exceeds the sum of the other two; `--trust-inertia` accepts them as parameters";
-pub(super) const FREE_BASE_HELP: &str =
-    "give the base or a link that is fixed to it an <inertial>, or import it without `--free`";
-pub(super) const WITHOUT_INERTIA_HELP: &str = "give the link or one that is fixed to it an <inertial> with moments of inertia, or make its joint `fixed`";
-pub(super) const MASS_NOT_POSITIVE: &str = "the mass is negative";
-pub(super) const MIMICS_ITSELF: &str = "the joint mimics itself";
-pub(super) const MIMIC_CIRCLE: &str = "the joint mimics one that mimics it, directly or through others";
-pub(super) const LIMITS_CROSSED: &str = "the lower limit is above the upper one";
-pub(super) const NEGATIVE_DAMPING: &str = "the damping is negative, so the motion would gain energy";
-pub(super) const DAMPING_LEFT_OUT: &str = "the damping of a joint with several coordinates is ignored";
-pub(super) const NO_GEOMETRY: &str = "there is no <box>, <cylinder>, <sphere> or <mesh>";
-pub(super) const HELD: &str =
-    "it moves no mass, so its motion is undetermined: its coordinate is held at zero";
-pub(super) const MIMIC_LEFT_OUT: &str = "it has no coordinate, so its <mimic> is ignored";
-pub(super) const MIMICS_NONE: &str = "the joint that it mimics has no coordinate";
-pub(super) const MIMIC_HELP: &str = "revolute, continuous and prismatic joints that move a mass have one";
-
-pub(super) fn element(tag: &str, name: &str) -> String {
-    format!("{tag} {}", quoted(name))
-}
-
-pub(super) fn missing_element(tag: &str) -> String {
-    format!("<{tag}> is missing")
-}
-
-pub(super) fn missing_attribute(attribute: &str) -> String {
-    format!("the attribute `{attribute}` is missing")
-}
-
-pub(super) fn write(form: &str) -> String {
-    format!("write `{form}`")
 }
 
 pub(super) fn did_you_mean(name: &str) -> String {
     format!("did you mean `{}`?", name.escape_debug())
 }
 
-pub(super) fn no_number(attribute: &str, text: &str) -> String {
-    format!("`{attribute}` must be a number, but this is {}", quoted(text))
-}
-
 pub(super) fn wrong_count(attribute: &str, needed: usize, count: usize) -> String {
     let needed = if needed == 4 { "four" } else { "three" };
     format!("`{attribute}` must be {needed} numbers, but these are {count}")
-}
-
-pub(super) fn unknown_attribute(name: &str) -> String {
-    format!("the attribute `{}` is unknown and ignored", shortened(name))
-}
-
-pub(super) fn unreadable_attribute(name: &str) -> String {
-    format!("the attribute `{}` is unknown, and ignoring it may change the motion", shortened(name))
 }
 
 pub(super) fn known_attributes(names: &[&str]) -> String {
@@ -115,22 +113,6 @@ pub(super) fn undeclared_prefix(prefix: &str) -> String {
     format!("declare the prefix: `<robot xmlns:{prefix}=\"{prefix}\" …>`")
 }
 
-pub(super) fn unknown_version(version: &str) -> String {
-    format!("unknown URDF version {}", quoted(version))
-}
-
-pub(super) fn repeated(tag: &str, line: u32) -> String {
-    format!("this name already belongs to the {tag} in line {line}")
-}
-
-pub(super) fn unknown_link(role: &str, name: &str) -> String {
-    format!("unknown {role} link {}", quoted(name))
-}
-
-pub(super) fn unknown_joint(name: &str) -> String {
-    format!("unknown joint {} to mimic", quoted(name))
-}
-
 pub(super) fn two_parents(link: &str, joint: &str, line: u32) -> String {
     let (joint, link) = (quoted(joint), quoted(link));
     format!("joint {joint} in line {line} already places link {link}")
@@ -141,33 +123,11 @@ pub(super) fn two_roots(first: &str, line: u32) -> String {
     format!("no joint places this link, nor link {first} in line {line}: only one can be the base")
 }
 
-pub(super) fn in_loop(link: &str) -> String {
-    format!("joints form a loop through link {}, away from the base", quoted(link))
-}
-
-pub(super) fn unknown_kind(kind: &str) -> String {
-    format!("unknown joint type {}", quoted(kind))
-}
-
-pub(super) const KINDS: [&str; 6] = ["revolute", "continuous", "prismatic", "fixed", "floating", "planar"];
-
 pub(super) fn kinds_help(near: Option<&str>) -> String {
     match near {
         Some(near) => did_you_mean(near),
-        None => format!("types are {}", KINDS.join(", ")),
+        None => format!("types are {}", KINDS.map(|(word, _)| word).join(", ")),
     }
-}
-
-pub(super) fn negative(attribute: &str) -> String {
-    format!("`{attribute}` is negative")
-}
-
-pub(super) fn without_inertia(reason: &str) -> String {
-    format!("it lacks mass or moments of inertia: {reason}")
-}
-
-pub(super) fn not_accepted(report: &str) -> String {
-    format!("the imported declaration is rejected: {report}")
 }
 
 pub(super) fn and_others(count: usize) -> String {

@@ -131,7 +131,7 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     if let Err(report) = accepted(&statements, without_moment.is_some()) {
         match without_moment {
             Some(link) => inertia::report_missing(&mut source, &robot, link, &report),
-            None => source.error(document.root_element(), messages::not_accepted(&report.to_string())),
+            None => source.error(document.root_element(), messages::not_accepted(report.to_string())),
         };
     }
     let is_accepted = source.error_count() == 0;

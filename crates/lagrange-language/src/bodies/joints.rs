@@ -161,7 +161,7 @@ fn rolling_pair(
     let wheel = wheel?;
     let Body { name, angle, .. } = translation.bodies[wheel].clone();
     if translation.terms().is_zero(angle) {
-        let message = messages::does_not_turn(&format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
+        let message = messages::does_not_turn(format!("`{}`", name.text), messages::TURNED_BY_ROLLING);
         translation.report.error(span, message).help(messages::DOES_NOT_TURN_HELP);
         return None;
     }

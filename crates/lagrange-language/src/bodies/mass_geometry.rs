@@ -48,7 +48,7 @@ pub(super) fn shape_of(
             return None;
         }
         let message = messages::wrong_dimensions(&shape.solid.text, dimensions.len());
-        translation.report.error(shape.origin, message).help(messages::shape_usage(&solid.shape_usage()));
+        translation.report.error(shape.origin, message).help(messages::shape_usage(solid.shape_usage()));
         return None;
     }
     Some((solid, dimensions))

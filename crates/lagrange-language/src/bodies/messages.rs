@@ -4,105 +4,118 @@ pub(super) mod mobilizers;
 
 use super::object::Object;
 use crate::syntax::ast::ConnectorKind;
+use lagrange_expr::diagnostics::messages;
 use lagrange_expr::solids::SOLIDS;
 
-pub(super) const GRAVITY_TWICE: &str = "`gravity` is declared twice";
-pub(super) const GRAVITY_TWICE_HELP: &str = "remove one of them, or write their sum";
-pub(super) const OTHER_NAME_HELP: &str = "choose another name";
-pub(super) const FIRST_DECLARED: &str = "first declared here";
-pub(super) const ORDER_HELP: &str = "a name is known only after its declaration";
-pub(super) const DECLARED_HERE: &str = "it is declared here";
+messages! {
+    pub(super):
 
-pub(super) fn declared_twice(name: &str) -> String {
-    format!("the name `{name}` is declared twice")
-}
+    GRAVITY_TWICE = "`gravity` is declared twice";
+    GRAVITY_TWICE_HELP = "remove one of them, or write their sum";
+    OTHER_NAME_HELP = "choose another name";
+    FIRST_DECLARED = "first declared here";
+    ORDER_HELP = "a name is known only after its declaration";
+    DECLARED_HERE = "it is declared here";
+    declared_twice(name) = "the name `{name}` is declared twice";
+    used_too_early(name) = "`{name}` is used before it is declared";
+    write(usage) = "write `{usage}`";
+    did_you_mean(name) = "did you mean `{name}`?";
+    no_mass(name) = "body `{name}` has no mass";
+    NO_MASS_HELP = "give it one, `mass: m;`, or build it from parts, `compound { … }`";
+    no_inertia(name) = "body `{name}` rotates, but has no moment of inertia";
+    NO_INERTIA_HELP =
+        "give it one about the centre of mass, `inertia: slender_rod(m, l);`, or a shape that has one, `shape: slender_rod(l);`";
 
-pub(super) fn used_too_early(name: &str) -> String {
-    format!("`{name}` is used before it is declared")
-}
+    ONE_PLACE_HELP =
+        "write its centre of mass, `center: (x, y);`, or the origin of its own axes, `origin: (x, y);`";
+    center_of(name) = "the centre of `{name}`";
+    origin_of(name) = "the origin of `{name}`";
+    centroid_of(name) = "the centroid of `{name}`";
+    through_of(name) = "the point on `{name}`";
+    PLACE_OF_PART = "the position of a part";
+    ANGLE_OF_PART = "the angle of a part";
+    mass_of(name) = "the mass of `{name}`";
+    inertia_of(name) = "the moment of inertia of `{name}`";
+    dimension_of(solid) = "a dimension of `{solid}`";
+    place_of(name) = "the position of `{name}`";
+    unknown_inertia(name) = "the moment of inertia of `{name}` about this centroid is unknown";
+    UNKNOWN_INERTIA_HELP =
+        "the shape has one about its own centre of mass; specify the one about the centroid, `inertia: j;`, or remove `centroid`";
+    beside_lagrangian(what) = "{what} cannot be combined with `lagrangian`";
+    BESIDE_LAGRANGIAN_HELP =
+        "bodies, springs and dampers add to T and V: write `kinetic` and `potential` instead of the `lagrangian`";
+    unknown_solid(name) = "unknown solid `{name}`";
+    shape_usage(usage) = "write `shape: {usage}`";
+    beside_compound(label) = "`{label}` cannot be combined with `compound`";
+    BESIDE_COMPOUND_HELP =
+        "mass, centre of mass, inertia and shape of a compound follow from its parts: remove one of the two";
+    VISUAL_MASS = "a visual has no mass";
+    VISUAL_MASS_HELP = "remove this, or write `compound { … }` for parts with a mass";
+    PART_WITHOUT_MASS = "a part of a compound needs a mass";
+    PART_WITHOUT_MASS_HELP =
+        "write it after the shape: `disk(r), mass: m;`; for a hole, the mass that is removed";
+    never_turns(name) = "`{name}` never rotates, so it has no instantaneous centre";
+    NEVER_TURNS_HELP = "all of its points have the same velocity; give the body an `angle` if it can rotate";
+    does_not_turn(name, purpose) = "{name} never rotates, {purpose}";
+    THIS = "this";
+    TURNED_BY_TORQUE = "so a torque has no effect on it";
+    TURNED_BY_SPRING =
+        "and neither does the other end, so a torsion spring or damper between them has no effect";
+    TURNED_BY_ROLLING = "so it cannot roll";
+    DOES_NOT_TURN_HELP = "a body rotates if its `angle` is not constant";
 
-pub(super) fn write(usage: &str) -> String {
-    format!("write `{usage}`")
-}
+    NO_ANGLE = "this is a point, but an angle is needed";
+    NO_ANGLE_HELP = "write the name of a body for its angle, `ground`, or an expression of angles";
 
-pub(super) fn did_you_mean(name: &str) -> String {
-    format!("did you mean `{name}`?")
+    ANGLE_OF_LINK = "a body in space has no single angle";
+    ANGLE_OF_LINK_HELP =
+        "springs and dampers of joints act on coordinates: write `potential = spring_energy(k, q);`, or `damping: c;` in the joint";
+    NO_AXES = "this is not a body or frame in space";
+    NO_AXES_HELP = "write `v in name`, with the name of a body or frame of a scene in space";
+    only_in_the_plane(statement) = "`{statement}` belongs to scenes in the plane, but this one is in space";
+    NOT_IN_SPACE_HELP =
+        "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
+
+    TURNED_IN_THE_PLANE = "a part of a compound in the plane is turned by one angle";
+    TURNED_IN_THE_PLANE_HELP = "write `angle: e`";
+    angle_beside_joint(name) = "the joint that places `{name}` determines its angle";
+    ANGLE_BESIDE_JOINT_HELP = "remove it, or specify the rotation in the joint, `turned: e;`";
+    SEQUENCE_IN_THE_PLANE = "in the plane there is no sequence of rotations";
+    SEQUENCE_IN_THE_PLANE_HELP = "write `angle: e;`";
+
+    IDLE_GRAVITY = "`gravity` acts on bodies, but none is declared";
+    IDLE_GRAVITY_HELP =
+        "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";
+
+    GROUND_IS_NO_POINT = "the ground is not a point";
+    GROUND_IS_NO_POINT_HELP = "write a point of the ground, such as `(0, 0)`";
+    no_value(name, what) = "`{name}` is {what} and has no value";
+    no_part(name, what, part) = "`{name}` is {what} and has no `{part}`";
+
+    /// Message for the rate of a point that is made of numbers and parameters.
+    point_at_rest(function) = "this point does not move, so its {function} is zero";
+    POINT_AT_REST_HELP =
+        "remove it, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
+    missing_label(statement, label) = "this `{statement}` has no `{label}`";
+    PINNED_POINT = "a pinned point";
+    SLIDING_POINT = "a sliding point";
+    END = "an end of a spring or damper";
+    pinned_to_itself(name) = "`{name}` is pinned to itself";
+    slides_on_itself(name) = "`{name}` cannot slide on a line that it carries";
+    PINNED_TO_ITSELF_HELP =
+        "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
+    no_radius(name) = "the radius on which `{name}` rolls is unknown";
+    no_radius_help(name) =
+        "give `{name}` a round shape, `shape: disk(r);`, or write `roll {name} on line, radius: r;`";
 }
 
 // Bodies.
-
-pub(super) fn no_mass(name: &str) -> String {
-    format!("body `{name}` has no mass")
-}
-
-pub(super) const NO_MASS_HELP: &str = "give it one, `mass: m;`, or build it from parts, `compound { … }`";
-
-pub(super) fn no_inertia(name: &str) -> String {
-    format!("body `{name}` rotates, but has no moment of inertia")
-}
-
-pub(super) const NO_INERTIA_HELP: &str = "give it one about the centre of mass, `inertia: slender_rod(m, l);`, or a shape that has one, `shape: slender_rod(l);`";
 
 pub(super) fn one_place(name: &str, are_both: bool) -> String {
     match are_both {
         true => format!("body `{name}` has both a `center` and an `origin`"),
         false => format!("body `{name}` has no position"),
     }
-}
-
-pub(super) const ONE_PLACE_HELP: &str =
-    "write its centre of mass, `center: (x, y);`, or the origin of its own axes, `origin: (x, y);`";
-
-pub(super) fn center_of(name: &str) -> String {
-    format!("the centre of `{name}`")
-}
-
-pub(super) fn origin_of(name: &str) -> String {
-    format!("the origin of `{name}`")
-}
-
-pub(super) fn centroid_of(name: &str) -> String {
-    format!("the centroid of `{name}`")
-}
-
-pub(super) fn through_of(name: &str) -> String {
-    format!("the point on `{name}`")
-}
-
-pub(super) const PLACE_OF_PART: &str = "the position of a part";
-pub(super) const ANGLE_OF_PART: &str = "the angle of a part";
-
-pub(super) fn mass_of(name: &str) -> String {
-    format!("the mass of `{name}`")
-}
-
-pub(super) fn inertia_of(name: &str) -> String {
-    format!("the moment of inertia of `{name}`")
-}
-
-pub(super) fn dimension_of(solid: &str) -> String {
-    format!("a dimension of `{solid}`")
-}
-
-pub(super) fn place_of(name: &str) -> String {
-    format!("the position of `{name}`")
-}
-
-pub(super) fn unknown_inertia(name: &str) -> String {
-    format!("the moment of inertia of `{name}` about this centroid is unknown")
-}
-
-pub(super) const UNKNOWN_INERTIA_HELP: &str = "the shape has one about its own centre of mass; specify the one about the centroid, `inertia: j;`, or remove `centroid`";
-
-pub(super) fn beside_lagrangian(what: &str) -> String {
-    format!("{what} cannot be combined with `lagrangian`")
-}
-
-pub(super) const BESIDE_LAGRANGIAN_HELP: &str =
-    "bodies, springs and dampers add to T and V: write `kinetic` and `potential` instead of the `lagrangian`";
-
-pub(super) fn unknown_solid(name: &str) -> String {
-    format!("unknown solid `{name}`")
 }
 
 pub(super) fn solids_are() -> String {
@@ -115,81 +128,7 @@ pub(super) fn wrong_dimensions(name: &str, count: usize) -> String {
     format!("`{name}` does not take {count} dimension{plural}")
 }
 
-pub(super) fn shape_usage(usage: &str) -> String {
-    format!("write `shape: {usage}`")
-}
-
-pub(super) fn beside_compound(label: &str) -> String {
-    format!("`{label}` cannot be combined with `compound`")
-}
-
-pub(super) const BESIDE_COMPOUND_HELP: &str =
-    "mass, centre of mass, inertia and shape of a compound follow from its parts: remove one of the two";
-pub(super) const VISUAL_MASS: &str = "a visual has no mass";
-pub(super) const VISUAL_MASS_HELP: &str = "remove this, or write `compound { … }` for parts with a mass";
-pub(super) const PART_WITHOUT_MASS: &str = "a part of a compound needs a mass";
-pub(super) const PART_WITHOUT_MASS_HELP: &str =
-    "write it after the shape: `disk(r), mass: m;`; for a hole, the mass that is removed";
-
-pub(super) fn never_turns(name: &str) -> String {
-    format!("`{name}` never rotates, so it has no instantaneous centre")
-}
-
-pub(super) const NEVER_TURNS_HELP: &str =
-    "all of its points have the same velocity; give the body an `angle` if it can rotate";
-
-pub(super) fn does_not_turn(name: &str, purpose: &str) -> String {
-    format!("{name} never rotates, {purpose}")
-}
-
-pub(super) const THIS: &str = "this";
-pub(super) const TURNED_BY_TORQUE: &str = "so a torque has no effect on it";
-pub(super) const TURNED_BY_SPRING: &str =
-    "and neither does the other end, so a torsion spring or damper between them has no effect";
-pub(super) const TURNED_BY_ROLLING: &str = "so it cannot roll";
-pub(super) const DOES_NOT_TURN_HELP: &str = "a body rotates if its `angle` is not constant";
-
-pub(super) const NO_ANGLE: &str = "this is a point, but an angle is needed";
-pub(super) const NO_ANGLE_HELP: &str =
-    "write the name of a body for its angle, `ground`, or an expression of angles";
-
-pub(super) const ANGLE_OF_LINK: &str = "a body in space has no single angle";
-pub(super) const ANGLE_OF_LINK_HELP: &str = "springs and dampers of joints act on coordinates: write `potential = spring_energy(k, q);`, or `damping: c;` in the joint";
-pub(super) const NO_AXES: &str = "this is not a body or frame in space";
-pub(super) const NO_AXES_HELP: &str =
-    "write `v in name`, with the name of a body or frame of a scene in space";
-
-pub(super) fn only_in_the_plane(statement: &str) -> String {
-    format!("`{statement}` belongs to scenes in the plane, but this one is in space")
-}
-
-pub(super) const NOT_IN_SPACE_HELP: &str =
-    "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
-
-pub(super) const TURNED_IN_THE_PLANE: &str = "a part of a compound in the plane is turned by one angle";
-pub(super) const TURNED_IN_THE_PLANE_HELP: &str = "write `angle: e`";
-
-pub(super) fn angle_beside_joint(name: &str) -> String {
-    format!("the joint that places `{name}` determines its angle")
-}
-
-pub(super) const ANGLE_BESIDE_JOINT_HELP: &str =
-    "remove it, or specify the rotation in the joint, `turned: e;`";
-pub(super) const SEQUENCE_IN_THE_PLANE: &str = "in the plane there is no sequence of rotations";
-pub(super) const SEQUENCE_IN_THE_PLANE_HELP: &str = "write `angle: e;`";
-
-pub(super) const IDLE_GRAVITY: &str = "`gravity` acts on bodies, but none is declared";
-pub(super) const IDLE_GRAVITY_HELP: &str =
-    "declare one, `body name { … }`, or write its potential energy, `potential = m * g * y;`";
-
-pub(super) const GROUND_IS_NO_POINT: &str = "the ground is not a point";
-pub(super) const GROUND_IS_NO_POINT_HELP: &str = "write a point of the ground, such as `(0, 0)`";
-
 // Names of objects in expressions.
-
-pub(super) fn no_value(name: &str, what: &str) -> String {
-    format!("`{name}` is {what} and has no value")
-}
 
 pub(super) fn value_help(name: &str, object: &Object) -> String {
     match object {
@@ -214,18 +153,6 @@ pub(super) fn value_help(name: &str, object: &Object) -> String {
         }
     }
 }
-
-pub(super) fn no_part(name: &str, what: &str, part: &str) -> String {
-    format!("`{name}` is {what} and has no `{part}`")
-}
-
-/// Message for the rate of a point that is made of numbers and parameters.
-pub(super) fn point_at_rest(function: &str) -> String {
-    format!("this point does not move, so its {function} is zero")
-}
-
-pub(super) const POINT_AT_REST_HELP: &str =
-    "remove it, or write a point of a body, `name.point(X, Y)`, or one made of coordinates";
 
 pub(super) fn wrong_arguments(function: &str, count: usize) -> String {
     let plural = if count == 1 { "" } else { "s" };
@@ -277,10 +204,6 @@ pub(super) fn declare_object(wanted: &str) -> String {
 
 // Connectors and joints.
 
-pub(super) fn missing_label(statement: &str, label: &str) -> String {
-    format!("this `{statement}` has no `{label}`")
-}
-
 pub(super) fn connector_help(kind: ConnectorKind) -> &'static str {
     match kind {
         ConnectorKind::Spring => "write `spring name { from: P; to: Q; stiffness: k; rest: l; }`",
@@ -290,26 +213,4 @@ pub(super) fn connector_help(kind: ConnectorKind) -> &'static str {
         }
         ConnectorKind::TorsionDamper => "write `torsion_damper name { from: ground; to: body; damping: c; }`",
     }
-}
-
-pub(super) const PINNED_POINT: &str = "a pinned point";
-pub(super) const SLIDING_POINT: &str = "a sliding point";
-pub(super) const END: &str = "an end of a spring or damper";
-
-pub(super) fn pinned_to_itself(name: &str) -> String {
-    format!("`{name}` is pinned to itself")
-}
-
-pub(super) fn slides_on_itself(name: &str) -> String {
-    format!("`{name}` cannot slide on a line that it carries")
-}
-
-pub(super) const PINNED_TO_ITSELF_HELP: &str = "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
-
-pub(super) fn no_radius(name: &str) -> String {
-    format!("the radius on which `{name}` rolls is unknown")
-}
-
-pub(super) fn no_radius_help(name: &str) -> String {
-    format!("give `{name}` a round shape, `shape: disk(r);`, or write `roll {name} on line, radius: r;`")
 }

@@ -112,7 +112,7 @@ impl UnitWriter<'_> {
             return;
         }
         let error = self.report.error(unit.origin, messages::nothing_to_convert(&name.text));
-        error.help(messages::write_coherent(&name.text, &unit.coherent().to_string()));
+        error.help(messages::write_coherent(&name.text, unit.coherent().to_string()));
     }
 
     fn is_said(&mut self, origin: Origin) -> bool {
@@ -139,7 +139,7 @@ impl UnitWriter<'_> {
         if has_names && !unit.is_coherent() && !self.is_said(unit.origin) {
             let (origin, text) = (self.expressions.origin(value), unit.to_string());
             let error = self.report.error(origin, messages::made_of_names(&text));
-            error.help(messages::made_of_names_help(&name.text, &text, &unit.coherent().to_string()));
+            error.help(messages::made_of_names_help(&name.text, &text, unit.coherent().to_string()));
         }
         value
     }

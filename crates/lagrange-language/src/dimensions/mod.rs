@@ -22,7 +22,7 @@ mod quantities;
 mod report;
 mod solver;
 mod statements;
-use crate::syntax::ast::{Declaration, Definition, StatementKind, acceleration_name};
+use crate::syntax::ast::{Declaration, acceleration_name};
 use checker::Checker;
 use defaults::name_state;
 use lagrange_expr::diagnostics::Report;
@@ -49,15 +49,8 @@ pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &
 
 fn name_what_was_found(checker: &Checker<'_>, declaration: &Declaration, named: &mut NamedUnits) {
     let of = |name: &str| checker.scope.get(&name.to_owned()).and_then(|value| common(checker, value));
-    for statement in &declaration.statements {
-        match &statement.kind {
-            StatementKind::Parameters(list) | StatementKind::Inputs(list) => {
-                list.iter().for_each(|Definition { name, .. }| add(named, &name.text, of(&name.text)));
-            }
-            StatementKind::Output(name, _) => name_output(checker, &name.text, named),
-            _ => {}
-        }
-    }
+    declaration.fields().for_each(|name| add(named, &name.text, of(&name.text)));
+    declaration.outputs().for_each(|name| name_output(checker, &name.text, named));
     let second = Dimension::of(kinds::TIME);
     let action = Dimension::of(kinds::ENERGY).times(&second);
     for position in declaration.coordinates() {

@@ -93,7 +93,7 @@ fn report_contradiction(
         error.related(place, note);
     }
     error.help(match square {
-        Some(factor) => messages::write_square(&print::expression(checker.expressions, factor)),
+        Some(factor) => messages::write_square(print::expression(checker.expressions, factor)),
         None => advice(checker, contradiction, expression),
     });
 }
@@ -113,7 +113,7 @@ fn in_words(missing: &Dimension) -> String {
     }
     match noun(&Dimension::NONE.over(missing)) {
         Some(noun) => messages::factor_too_much(noun),
-        None => messages::factor_in_unit(&spelled(missing)),
+        None => messages::factor_in_unit(spelled(missing)),
     }
 }
 
@@ -148,7 +148,7 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
         && !expected.is_none()
     {
         let number = print::expression(checker.expressions, expression);
-        return messages::write_unit(&number, &spelled(expected));
+        return messages::write_unit(&number, spelled(expected));
     }
     if let Some(unit) = unit_across_names(checker, expression) {
         return messages::in_brackets(&unit);
@@ -216,7 +216,7 @@ fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
     let name = checker.solver.name(unknown);
     Some(match dimension.is_none() {
         true => messages::plain_number(name),
-        false => messages::unit_of(name, &spelled(&dimension)),
+        false => messages::unit_of(name, spelled(&dimension)),
     })
 }
 
@@ -241,7 +241,7 @@ fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, S
         let dimension = solver.dimension(&Exponents::of(unknown))?;
         let place = of_unknown.expression.map(|id| checker.expressions.origin(id))?;
         let said = said(checker, &of_unknown.reason, &of_unknown.expected);
-        Some((place, messages::inferred(solver.name(unknown), &described(&dimension), &said)))
+        Some((place, messages::inferred(solver.name(unknown), described(&dimension), &said)))
     });
     notes.collect()
 }

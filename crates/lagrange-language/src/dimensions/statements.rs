@@ -232,8 +232,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         | (StatementKind::Friction(_), DimensionPass::Declare)
         | (
             StatementKind::Function(_)
-            | StatementKind::Repeat(_)
-            | StatementKind::Select(_)
+            | StatementKind::Block(_)
             | StatementKind::Scene(_)
             | StatementKind::Emit(_),
             _,
@@ -245,7 +244,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
 fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
     let unknown = checker.solver.unknown(&name.text);
     if let Some(unit) = &name.unit {
-        let reason = Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin };
+        let reason = Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin };
         let (found, expected) = (Exponents::of(unknown), Exponents::from(unit.dimension.clone()));
         checker.solver.equate(DimensionEquation { found, expected, expression: None, reason });
     }
@@ -265,9 +264,7 @@ fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
 /// That what stands behind a name has its dimension.
 fn value_of(name: &Name) -> Grounds {
     match &name.unit {
-        Some(unit) => {
-            Grounds { words: messages::declared(&name.text, &unit.to_string()), place: unit.origin }
-        }
+        Some(unit) => Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin },
         None => Grounds { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
     }
 }

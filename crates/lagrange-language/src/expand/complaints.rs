@@ -79,7 +79,7 @@ impl<'a> Complaints<'a> {
         fault: &IndexFault,
         scope: (&Scopes, ScopeId),
     ) {
-        self.open(expressions, fault, scope, (messages::condition, messages::CONDITION_HELP));
+        self.open(expressions, fault, scope, (|name| messages::condition(name), messages::CONDITION_HELP));
     }
 
     /// Reports a condition on indices in an expression that holds something else.
@@ -93,7 +93,7 @@ impl<'a> Complaints<'a> {
             expressions,
             fault,
             scope,
-            (messages::condition_in_value, messages::CONDITION_IN_VALUE_HELP),
+            (|name| messages::condition_in_value(name), messages::CONDITION_IN_VALUE_HELP),
         );
     }
 

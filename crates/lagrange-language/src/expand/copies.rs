@@ -197,7 +197,7 @@ impl<'a> Copier<'a> {
     /// Why a name without an index means nothing, and what to do.
     pub(super) fn objection(&self, name: &str) -> Option<(String, String)> {
         if self.elements.is_array(name) {
-            return Some((messages::no_index(name), messages::written_help(&self.elements.example(name))));
+            return Some((messages::no_index(name), messages::written_help(self.elements.example(name))));
         }
         let written = self.elements.as_written(name).filter(|_| !self.complaints.names.contains(name))?;
         Some((messages::unknown_name(name), messages::write(written)))

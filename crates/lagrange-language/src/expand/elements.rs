@@ -125,7 +125,7 @@ impl ElementNames {
         if array.rank != indices.len() {
             return Some((
                 messages::index_count(name, array.rank, indices.len()),
-                messages::written_help(&self.example(name)),
+                messages::written_help(self.example(name)),
             ));
         }
         let ends = array.elements.keys().next().zip(array.elements.keys().next_back());
@@ -133,8 +133,8 @@ impl ElementNames {
         let (first, last) = (messages::written(name, first), messages::written(name, last));
         let is_negative = indices.iter().any(|index| *index < 0);
         let message = match is_negative {
-            true => messages::negative_index(&messages::written(name, indices)),
-            false => messages::no_element(&messages::written(name, indices)),
+            true => messages::negative_index(messages::written(name, indices)),
+            false => messages::no_element(messages::written(name, indices)),
         };
         let help = match &array.sizes {
             Some(_) => messages::elements_are(name, &first, &last),
@@ -265,7 +265,7 @@ impl Collector<'_, '_> {
             let place_in_loop = self.counting.scopes.place(scope);
             let message = format!(
                 "{}{place_in_loop}",
-                messages::negative_index(&messages::written(&name.text, &indices))
+                messages::negative_index(messages::written(&name.text, &indices))
             );
             if let Some(error) = self.complaints.once(*place, origin, message) {
                 error.help(messages::FROM_ZERO_HELP);
@@ -310,7 +310,7 @@ impl Collector<'_, '_> {
         let Some(known) = self.elements.arrays.get_mut(&array) else { return false };
         let (rank, before) = (known.rank, known.name.span);
         let clash = match known.elements.get(&indices) {
-            Some((first, _)) => Some((*first, messages::element_twice(&messages::written(&array, &indices)))),
+            Some((first, _)) => Some((*first, messages::element_twice(messages::written(&array, &indices)))),
             None if rank != indices.len() => {
                 Some((before, messages::index_count(&array, rank, indices.len())))
             }

@@ -71,7 +71,7 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let mut expressions = declaration.expressions.iter();
     expressions.any(|(_, expression)| is_array(expression))
         || declaration.statements.iter_mut().any(|statement| {
-            let is_several = matches!(statement.kind, StatementKind::Repeat(_) | StatementKind::Select(_));
+            let is_several = matches!(statement.kind, StatementKind::Block(_));
             is_several || statement.kind.names_mut().iter().any(|name| !name.indices.is_empty())
         })
 }
@@ -84,7 +84,9 @@ fn names_of(statements: &[Statement]) -> BTreeSet<String> {
         for Statement { kind, .. } in statements {
             let written = kind.written_names().into_iter();
             names.extend(written.map(|(name, suffix)| format!("{}{suffix}", name.text)));
-            pending.extend(kind.blocks());
+            if let StatementKind::Block(block) = kind {
+                pending.extend(block.bodies());
+            }
         }
     }
     names
@@ -96,19 +98,10 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(Statement { kind, .. }) = pending.pop() {
         roots.extend(kind.names_mut().into_iter().flat_map(|name| name.indices.clone()));
-        match kind {
-            StatementKind::Repeat(repetition) => {
-                roots.extend([repetition.range.from, repetition.range.to]);
-                pending.extend(&mut repetition.body);
-            }
-            StatementKind::Select(selection) => {
-                for (condition, body) in &mut selection.branches {
-                    roots.extend(condition.expressions());
-                    pending.extend(body);
-                }
-                pending.extend(&mut selection.otherwise);
-            }
-            _ => {}
+        if let StatementKind::Block(block) = kind {
+            let (expressions, bodies) = block.parts_mut();
+            roots.extend(expressions.into_iter().map(|id| *id));
+            pending.extend(bodies.into_iter().flatten());
         }
     }
     for (_, expression) in expressions.iter() {

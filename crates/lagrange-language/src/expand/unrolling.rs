@@ -6,7 +6,7 @@ use super::defaults::{element_of, positions};
 use super::messages;
 use super::scopes::{ScopeId, Scopes};
 use crate::syntax::ast::{
-    Definition, Expressions, Name, Range, Repetition, Selection, Statement, StatementKind,
+    Block, Definition, Expressions, Name, Range, Repetition, Selection, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
@@ -54,8 +54,8 @@ impl<'d> Unroller<'_, '_, 'd> {
     fn statements(&mut self, statements: &'d [Statement], scope: ScopeId) {
         for statement in statements {
             match &statement.kind {
-                StatementKind::Repeat(repetition) => self.repetition(repetition, scope),
-                StatementKind::Select(selection) => self.selection(selection, scope),
+                StatementKind::Block(Block::Repeat(repetition)) => self.repetition(repetition, scope),
+                StatementKind::Block(Block::Select(selection)) => self.selection(selection, scope),
                 kind => {
                     if let (StatementKind::Constants(list), true) = (kind, scope.is_outermost()) {
                         list.iter().for_each(|definition| self.constant(definition));

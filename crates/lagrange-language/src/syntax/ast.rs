@@ -36,7 +36,7 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
+    Block, Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
     StatementKind,
 };
 
@@ -93,12 +93,19 @@ impl Declaration {
 
     /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
     pub fn underivable(&self) -> Vec<&Name> {
-        let is_field =
-            |kind: &StatementKind| matches!(kind, StatementKind::Parameters(_) | StatementKind::Inputs(_));
-        let has_fields = self.statements.iter().any(|statement| is_field(&statement.kind));
+        let has_fields = self.fields().next().is_some();
         let is_number = !matches!(self.scalar, ScalarType::Generic(_));
         let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
+    }
+
+    /// The parameters and inputs in their order.
+    pub fn fields(&self) -> impl Iterator<Item = &Name> {
+        let fields = self.statements.iter().filter_map(|statement| match &statement.kind {
+            StatementKind::Parameters(list) | StatementKind::Inputs(list) => Some(list),
+            _ => None,
+        });
+        fields.flatten().map(|definition| &definition.name)
     }
 
     /// The positions in their order: coordinates and components of quaternions, then states.

@@ -164,7 +164,7 @@ impl Parser<'_> {
     }
 
     fn repeated(&mut self, name: &Ident, first: Origin) -> Reported {
-        let message = messages::repeated_attribute(&name.to_string());
+        let message = messages::repeated_attribute(name.to_string());
         let error = self.report.error(name.span(), message).related(first, messages::FIRST_HERE);
         error.help(messages::REPEATED_ATTRIBUTE_HELP);
         Reported

@@ -162,7 +162,7 @@ impl Parser<'_> {
     fn statement_in_event(&mut self, cursor: &mut Cursor) {
         let start = cursor.position();
         if let Some(keyword) = cursor.eat_ident() {
-            let help = messages::statement_in_event_help(&keyword.to_string());
+            let help = messages::statement_in_event_help(keyword.to_string());
             self.fail_with_help(keyword.span(), messages::STATEMENT_IN_EVENT, help);
         }
         cursor.skip_statement();

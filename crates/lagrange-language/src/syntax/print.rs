@@ -10,7 +10,7 @@ mod numbers;
 mod scenes;
 
 use super::ast::{
-    Action, AstId, Declaration, Definition, Direction, EmitItem, Event, Expressions, Friction, Name,
+    Action, AstId, Block, Declaration, Definition, Direction, EmitItem, Event, Expressions, Friction, Name,
     Reduction, ReductionKind, StatementKind,
 };
 
@@ -120,8 +120,8 @@ impl Printer<'_> {
             StatementKind::Output(name, value) => self.named("output ", name, *value),
             StatementKind::Emit(items) => self.emit(items),
             StatementKind::Reduce(reduction) => self.reduction(reduction),
-            StatementKind::Repeat(repetition) => self.repetition(repetition),
-            StatementKind::Select(selection) => self.selection(selection),
+            StatementKind::Block(Block::Repeat(repetition)) => self.repetition(repetition),
+            StatementKind::Block(Block::Select(selection)) => self.selection(selection),
             StatementKind::Scene(statement) => self.scene(statement),
         }
     }

@@ -241,7 +241,7 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
         StatementKind::External(function) => function.derivatives.is_some(),
-        StatementKind::Repeat(_) | StatementKind::Select(_) => true,
+        StatementKind::Block(_) => true,
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
             use SceneStatement::{Body, Connector, Line, Mobilizer};

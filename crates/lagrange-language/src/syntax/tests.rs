@@ -12,8 +12,8 @@ mod systems;
 mod units;
 
 use super::ast::{
-    Action, Assignment, AstId, BinaryOperator, Declaration, Definition, EmitItem, Expression, Expressions,
-    Friction, Name, Reduction, ReductionItem, StatementKind,
+    Action, Assignment, AstId, BinaryOperator, Block, Declaration, Definition, EmitItem, Expression,
+    Expressions, Friction, Name, Reduction, ReductionItem, StatementKind,
 };
 use super::parse_text;
 use lagrange_expr::diagnostics::Report;
@@ -161,11 +161,11 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::External(_) | StatementKind::Table(_) | StatementKind::Solve(_) => {
             functions::callable(declaration, kind)
         }
-        StatementKind::Repeat(repetition) => {
+        StatementKind::Block(Block::Repeat(repetition)) => {
             let body = repetition.body.iter().map(|inner| statement(declaration, &inner.kind));
             format!("for {} ({})", repetition.variable.text, body.collect::<Vec<_>>().join(" "))
         }
-        StatementKind::Select(selection) => format!("if {}", selection.branches.len()),
+        StatementKind::Block(Block::Select(selection)) => format!("if {}", selection.branches.len()),
         StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }

@@ -91,7 +91,7 @@ fn operand_help(cursor: &Cursor) -> String {
 fn missing_operand_help(cursor: &Cursor) -> String {
     match cursor.previous() {
         Some(TokenTree::Punct(punct)) if "+-*/^.".contains(punct.as_char()) => {
-            habits::missing_operand(&punct.as_char().to_string())
+            habits::missing_operand(punct.as_char().to_string())
         }
         _ => habits::MISSING_EXPRESSION.to_owned(),
     }

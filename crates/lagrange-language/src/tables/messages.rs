@@ -1,29 +1,28 @@
 //! Messages about table files.
 
+use lagrange_expr::diagnostics::messages;
+
+messages! {
+    pub(super):
+
+    NO_FILES = "only `lagrange::system!` and `pipeline::parse_with` read files";
+    UNREADABLE_HELP =
+        "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
+    FORM_HELP =
+        "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
+    DECIMAL_COMMA_HELP = "write decimals with a point: `1.5`";
+
+    UNITS_HELP = "choose larger units";
+    UTF_16 = "it is in UTF-16; save it as UTF-8";
+    BINARY = "it contains NUL characters and is not UTF-8 text";
+    not_utf_8(line) = "line {line} is not in UTF-8; save it as UTF-8";
+    unreadable(path, reason) = "`{path}` cannot be read: {reason}";
+    on_line(line, path, complaint) = "line {line} of `{path}`: {complaint}";
+    wrong_columns(found, needed) = "the point has {found} numbers, not {needed}";
+}
+
 /// Characters of a field that a message repeats at most.
 const MAX_SHOWN: usize = 40;
-
-pub(super) const NO_FILES: &str = "only `lagrange::system!` and `pipeline::parse_with` read files";
-pub(super) const UNREADABLE_HELP: &str =
-    "give the path from the folder of your `Cargo.toml`, or list the points: `= [(0, 1), (2, 5)]`";
-pub(super) const FORM_HELP: &str = "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
-pub(super) const DECIMAL_COMMA_HELP: &str = "write decimals with a point: `1.5`";
-
-pub(super) const UNITS_HELP: &str = "choose larger units";
-pub(super) const UTF_16: &str = "it is in UTF-16; save it as UTF-8";
-pub(super) const BINARY: &str = "it contains NUL characters and is not UTF-8 text";
-
-pub(super) fn not_utf_8(line: usize) -> String {
-    format!("line {line} is not in UTF-8; save it as UTF-8")
-}
-
-pub(super) fn unreadable(path: &str, reason: &str) -> String {
-    format!("`{path}` cannot be read: {reason}")
-}
-
-pub(super) fn on_line(line: usize, path: &str, complaint: &str) -> String {
-    format!("line {line} of `{path}`: {complaint}")
-}
 
 pub(super) fn no_number(field: &str) -> String {
     format!("`{}` is not a number", shown(field))
@@ -36,8 +35,4 @@ pub(super) fn too_large(field: &str) -> String {
 /// The beginning of a field, with escapes for what cannot be seen.
 fn shown(field: &str) -> String {
     field.chars().take(MAX_SHOWN).flat_map(char::escape_debug).collect()
-}
-
-pub(super) fn wrong_columns(found: usize, needed: usize) -> String {
-    format!("the point has {found} numbers, not {needed}")
 }

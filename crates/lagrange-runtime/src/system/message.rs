@@ -43,7 +43,7 @@ pub(crate) fn explain<S: Debug>(
 ) -> Result {
     match cause {
         StepFailure::Setting(error) => write!(f, "{error}"),
-        StepFailure::Stuck(what) | StepFailure::Adapted(what) => f.write_str(what),
+        StepFailure::Stuck(what) => f.write_str(what),
         StepFailure::Violated(violation) => write!(f, "{violation}"),
         StepFailure::Restitution { contact, value } => write!(
             f,

@@ -82,10 +82,9 @@ pub enum StepFailure<S> {
         /// The limit, or what it grows by with a unit of a contact force.
         value: S,
     },
-    /// No motion goes on from here, in words: no contact forces or friction fit the state.
+    /// No motion goes on from here, in words: no contact forces or friction fit the state, or a method of another
+    /// crate failed.
     Stuck(&'static str),
-    /// A method of another crate failed, in words.
-    Adapted(&'static str),
     /// The number of events at the same time is so large that it counts as infinite, as for the
     /// bounces of a ball that comes to rest.
     EventsAccumulate {

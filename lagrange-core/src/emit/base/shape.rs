@@ -129,8 +129,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::Torque { .. }
                 | StatementKind::Emit(_)
                 | StatementKind::Reduce(_)
-                | StatementKind::Repeat(_)
-                | StatementKind::Select(_)
+                | StatementKind::Block(_)
                 | StatementKind::Scene(_) => {}
             }
         }

@@ -15,16 +15,20 @@ use lagrange_expr::collections::HashSet;
 pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
     let mut lets = HashMap::default();
     for statement in &declaration.statements {
-        match &statement.kind {
-            StatementKind::Let(name, value) => drop(lets.insert(name.text.clone(), *value)),
-            StatementKind::Scene(scene) if leads_out_of_the_plane(scene) => return true,
-            _ => {}
+        if let StatementKind::Let(name, value) = &statement.kind {
+            lets.insert(name.text.clone(), *value);
         }
+    }
+    let scene = declaration.statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Scene(scene) => Some(scene),
+        _ => None,
+    });
+    if scene.clone().any(leads_out_of_the_plane) {
+        return true;
     }
     // Of a scene that is at odds with itself, what most vectors say is meant.
     let mut votes = 0;
-    for statement in &declaration.statements {
-        let StatementKind::Scene(scene) = &statement.kind else { continue };
+    for scene in scene {
         let weight = if matches!(scene, SceneStatement::Gravity(_)) { 2 } else { 1 };
         for vector in vectors_of(scene) {
             match component_count(&declaration.expressions, &lets, vector) {
@@ -44,7 +48,11 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
             body.tensor.is_some() || body.angles.is_some() || shapes.into_iter().any(solids::is_only_in_space)
         }
         SceneStatement::Mobilizer(joint) => joint.kind.leads_out_of_the_plane(),
-        _ => false,
+        SceneStatement::Gravity(_)
+        | SceneStatement::Frame(_)
+        | SceneStatement::Line(_)
+        | SceneStatement::Connector(_)
+        | SceneStatement::Joint(_) => false,
     }
 }
 
@@ -57,7 +65,10 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
             places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
         }
         SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
-        _ => Vec::new(),
+        SceneStatement::Frame(_)
+        | SceneStatement::Line(_)
+        | SceneStatement::Connector(_)
+        | SceneStatement::Joint(_) => Vec::new(),
     };
     given.into_iter().flatten().collect()
 }

@@ -107,7 +107,7 @@ pub(super) fn shape_of(
             return None;
         }
         let message = messages::wrong_dimensions(name, dimensions.len());
-        translation.report.error(shape.origin, message).help(messages::shape_usage(&solid.usage()));
+        translation.report.error(shape.origin, message).help(messages::shape_usage(solid.usage()));
         return None;
     }
     Some((solid, dimensions))

@@ -16,7 +16,7 @@ use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
-pub use loops::{Repetition, Selection};
+pub use loops::{Block, Repetition, Selection};
 
 /// A statement and the stretch of source it covers.
 #[derive(Clone, Debug)]
@@ -163,10 +163,8 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
-    /// `for i in 0..n { … }`
-    Repeat(Box<Repetition>),
-    /// `if i > 0 { … } else { … }`
-    Select(Selection),
+    /// `for i in 0..n { … }` or `if i > 0 { … } else { … }`
+    Block(Block),
     /// A statement about rigid bodies.
     Scene(SceneStatement),
 }
@@ -262,8 +260,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
-            | StatementKind::Repeat(_)
-            | StatementKind::Select(_)
+            | StatementKind::Block(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
         }
     }
@@ -303,8 +300,7 @@ impl StatementKind {
             StatementKind::Reduce(reduction) => {
                 reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
             }
-            StatementKind::Repeat(repetition) => repetition.expressions_mut(),
-            StatementKind::Select(selection) => selection.expressions_mut(),
+            StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
             StatementKind::Coordinates(_)
             | StatementKind::States(_)
@@ -355,18 +351,6 @@ impl StatementKind {
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
             StatementKind::Solve(unknown) => vec![(&unknown.name, unknown.start.as_mut())],
             kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
-        }
-    }
-
-    /// The blocks of statements within a loop or a choice.
-    pub fn blocks(&self) -> Vec<&[Statement]> {
-        match self {
-            StatementKind::Repeat(repetition) => vec![&repetition.body],
-            StatementKind::Select(selection) => {
-                let branches = selection.branches.iter().map(|(_, body)| &body[..]);
-                branches.chain([&selection.otherwise[..]]).collect()
-            }
-            _ => Vec::new(),
         }
     }
 

@@ -2,17 +2,23 @@
 
 use super::quoted;
 use crate::syntax::ast::Name;
+use lagrange_expr::diagnostics::messages;
 
-pub(in crate::syntax) const DERIVATIVE: &str = "a derivative";
-pub(in crate::syntax) const REPEATED_DERIVATIVE: &str = "this derivative is named twice";
+messages! {
+    pub(in crate::syntax):
 
-pub(in crate::syntax) const VALUE_OF_EXTERNAL: &str =
-    "a function of your crate is defined there, not in the declaration";
+    DERIVATIVE = "a derivative";
+    REPEATED_DERIVATIVE = "this derivative is named twice";
 
-pub(in crate::syntax) fn defined_function(name: &str) -> String {
-    format!(
-        "end the statement with `;`, or write `let {name}(…) = …;` for a function defined by an expression"
-    )
+    VALUE_OF_EXTERNAL = "a function of your crate is defined there, not in the declaration";
+    defined_function(name) =
+        "end the statement with `;`, or write `let {name}(…) = …;` for a function defined by an expression";
+    no_derivative(label) = "unknown label {} for derivatives", quoted(label);
+    by_which(function, arguments) =
+        "`{function}` has {arguments} arguments: specify by which to differentiate";
+    no_argument(function, name) = "`{function}` has no argument {}", quoted(name);
+    repeated_argument(name) = "the argument {} is repeated", quoted(name);
+    of_emitted_code(name) = "{} is reserved for generated code", quoted(name);
 }
 
 /// Describes the syntax for derivatives of a function with these arguments.
@@ -30,24 +36,4 @@ pub(in crate::syntax) fn derivatives_are(parameters: &[Name]) -> String {
             )
         }
     }
-}
-
-pub(in crate::syntax) fn no_derivative(label: &str) -> String {
-    format!("unknown label {} for derivatives", quoted(label))
-}
-
-pub(in crate::syntax) fn by_which(function: &str, arguments: usize) -> String {
-    format!("`{function}` has {arguments} arguments: specify by which to differentiate")
-}
-
-pub(in crate::syntax) fn no_argument(function: &str, name: &str) -> String {
-    format!("`{function}` has no argument {}", quoted(name))
-}
-
-pub(in crate::syntax) fn repeated_argument(name: &str) -> String {
-    format!("the argument {} is repeated", quoted(name))
-}
-
-pub(in crate::syntax) fn of_emitted_code(name: &str) -> String {
-    format!("{} is reserved for generated code", quoted(name))
 }

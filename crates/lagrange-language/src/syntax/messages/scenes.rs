@@ -3,33 +3,37 @@
 use super::forms::form;
 use super::quoted;
 use crate::syntax::ast::MobilizerKind;
+use lagrange_expr::diagnostics::messages;
 
-pub(in crate::syntax) const COMPOUND_HELP: &str =
-    "write `compound { disk(r), mass: m; hole disk(s), mass: n, at: (a, b); }`";
-pub(in crate::syntax) const TENSOR_HELP: &str =
-    "write `inertia: (xx, yy, zz, xy, xz, yz);`, or `inertia: (xx, yy, zz);` with the principal moments";
-pub(in crate::syntax) const SEQUENCE_HELP: &str =
-    "write three of the letters x, y and z, such as `sequence: zxz;`, no letter twice in a row";
-pub(in crate::syntax) const SOLID_HELP: &str =
-    "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
-pub(in crate::syntax) const VISUAL_HELP: &str =
-    "write `visual { disk(r), at: (a, b); }`, in space optionally with `turned: (roll, pitch, yaw)`";
-pub(in crate::syntax) const EMPTY_COMPOUND: &str = "this body has no parts";
-pub(in crate::syntax) const LINE_HELP_END: &str = "each line between the braces ends in `;`";
-pub(in crate::syntax) const NEXT_LABEL: &str = "the next line begins here";
+messages! {
+    pub(in crate::syntax):
 
-/// Message for a word in front of a colon that means nothing there; `owner` has its article.
-pub(in crate::syntax) fn unknown_label(label: &str, owner: &str) -> String {
-    format!("unknown label {} for {owner}", quoted(label))
+    COMPOUND_HELP = "write `compound { disk(r), mass: m; hole disk(s), mass: n, at: (a, b); }`";
+    TENSOR_HELP =
+        "write `inertia: (xx, yy, zz, xy, xz, yz);`, or `inertia: (xx, yy, zz);` with the principal moments";
+    SEQUENCE_HELP =
+        "write three of the letters x, y and z, such as `sequence: zxz;`, no letter twice in a row";
+    SOLID_HELP = "write the name of a solid with its dimensions, such as `disk(r)` or `rectangle(a, b)`";
+    VISUAL_HELP =
+        "write `visual { disk(r), at: (a, b); }`, in space optionally with `turned: (roll, pitch, yaw)`";
+    EMPTY_COMPOUND = "this body has no parts";
+    LINE_HELP_END = "each line between the braces ends in `;`";
+    NEXT_LABEL = "the next line begins here";
+
+    /// Message for a word in front of a colon that means nothing there; `owner` has its article.
+    unknown_label(label, owner) = "unknown label {} for {owner}", quoted(label);
+    label(owner) = "a label of {owner}";
+
+    /// Message for letters that are no order of rotations.
+    no_sequence(letters) = "{} is not a sequence of rotations", quoted(letters);
+
+    /// Message for a tensor with the wrong number of components.
+    tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
 }
 
 /// Labels that something may have, in words.
 pub(in crate::syntax) fn labels_are(owner: &str, labels: &[&str]) -> String {
     format!("the labels of {owner} are `{}`", labels.join("`, `"))
-}
-
-pub(in crate::syntax) fn label(owner: &str) -> String {
-    format!("a label of {owner}")
 }
 
 pub(in crate::syntax) fn labelled(label: &str) -> String {
@@ -58,14 +62,4 @@ pub(in crate::syntax) fn mobilizer_help(kind: MobilizerKind) -> String {
 pub(in crate::syntax) fn coordinate_count(kind: &str, needed: usize, found: usize) -> String {
     let plural = if needed == 1 { "" } else { "s" };
     format!("a {kind} joint has {needed} coordinate{plural}, not {found}")
-}
-
-/// Message for letters that are no order of rotations.
-pub(in crate::syntax) fn no_sequence(letters: &str) -> String {
-    format!("{} is not a sequence of rotations", quoted(letters))
-}
-
-/// Message for a tensor with the wrong number of components.
-pub(in crate::syntax) fn tensor_count(count: usize) -> String {
-    format!("a tensor of inertia has 6 components, not {count}")
 }

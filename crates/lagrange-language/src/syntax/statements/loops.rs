@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 use crate::syntax::ast::{
-    Comparison, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
+    Block, Comparison, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
 };
 use crate::syntax::cursor::Cursor;
 use crate::syntax::messages::arrays;
@@ -20,7 +20,7 @@ impl Parser<'_> {
         let (variable, range) = head?;
         let body =
             self.within(&variable, |parser| parser.statements_between_braces(arrays::LOOP_HELP, cursor))?;
-        Ok(StatementKind::Repeat(Box::new(Repetition { variable, range, body })))
+        Ok(StatementKind::Block(Block::Repeat(Box::new(Repetition { variable, range, body }))))
     }
 
     /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
@@ -42,7 +42,7 @@ impl Parser<'_> {
         if whole.is_err() {
             self.skip_braces(cursor);
         }
-        whole.map(|()| StatementKind::Select(selection))
+        whole.map(|()| StatementKind::Block(Block::Select(selection)))
     }
 
     fn statements_between_braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Vec<Statement>> {

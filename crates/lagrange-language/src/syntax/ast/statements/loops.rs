@@ -15,13 +15,6 @@ pub struct Repetition {
     pub body: Vec<Statement>,
 }
 
-impl Repetition {
-    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
-        let range = [&mut self.range.from, &mut self.range.to];
-        range.into_iter().chain(within(&mut self.body)).collect()
-    }
-}
-
 /// `if i > 0 { … } else if … { … } else { … }` around statements.
 #[derive(Clone, Debug)]
 pub struct Selection {
@@ -31,15 +24,46 @@ pub struct Selection {
     pub otherwise: Vec<Statement>,
 }
 
-impl Selection {
-    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
-        let branches = self.branches.iter_mut();
-        let branches = branches
-            .flat_map(|(condition, body)| condition.expressions_mut().into_iter().chain(within(body)));
-        branches.chain(within(&mut self.otherwise)).collect()
-    }
+/// Statements in braces, behind a loop or a choice.
+#[derive(Clone, Debug)]
+pub enum Block {
+    /// A loop.
+    Repeat(Box<Repetition>),
+    /// A choice.
+    Select(Selection),
 }
 
-fn within(statements: &mut [Statement]) -> impl Iterator<Item = &mut AstId> {
-    statements.iter_mut().flat_map(|statement| statement.kind.expressions_mut())
+impl Block {
+    /// Returns the statements between each pair of braces.
+    pub fn bodies(&self) -> Vec<&[Statement]> {
+        match self {
+            Block::Repeat(repetition) => vec![&repetition.body],
+            Block::Select(Selection { branches, otherwise }) => {
+                branches.iter().map(|(_, body)| &body[..]).chain([&otherwise[..]]).collect()
+            }
+        }
+    }
+
+    /// Returns the expressions in front of the braces, and the statements between each pair of them.
+    pub fn parts_mut(&mut self) -> (Vec<&mut AstId>, Vec<&mut Vec<Statement>>) {
+        match self {
+            Block::Repeat(repetition) => {
+                let Repetition { range, body, .. } = &mut **repetition;
+                (vec![&mut range.from, &mut range.to], vec![body])
+            }
+            Block::Select(Selection { branches, otherwise }) => {
+                let parts = branches.iter_mut().map(|(condition, body)| (condition.expressions_mut(), body));
+                let (conditions, mut bodies): (Vec<_>, Vec<_>) = parts.unzip();
+                bodies.push(otherwise);
+                (conditions.into_iter().flatten().collect(), bodies)
+            }
+        }
+    }
+
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let (mut expressions, bodies) = self.parts_mut();
+        let within = bodies.into_iter().flatten().flat_map(|statement| statement.kind.expressions_mut());
+        expressions.extend(within);
+        expressions
+    }
 }

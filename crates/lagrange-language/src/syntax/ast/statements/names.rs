@@ -44,8 +44,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
-            | StatementKind::Repeat(_)
-            | StatementKind::Select(_)
+            | StatementKind::Block(_)
             | StatementKind::Emit(_) => Vec::new(),
         }
     }

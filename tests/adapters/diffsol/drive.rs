@@ -1,15 +1,15 @@
 //! Steps of a solver of `diffsol`, watched.
 
-use ::diffsol::error::OdeSolverError;
-use ::diffsol::{DiffsolError, OdeEquations, OdeSolverMethod, OdeSolverStopReason};
+use diffsol::error::OdeSolverError;
+use diffsol::{DiffsolError, OdeEquations, OdeSolverMethod, OdeSolverStopReason};
 
-use super::Stiff;
-use super::problem::{Context, Vector, direction};
-use crate::integrate::IntegrationError;
-use crate::system::{StateVector, StepFailure};
+use crate::problem::{Context, Vector, direction};
+use crate::stiff::Stiff;
+use lagrange::integrate::IntegrationError;
+use lagrange::system::{StateVector, StepFailure};
 
 /// Steps from start to end.
-pub(super) fn drive<'a, E, K, Y>(
+pub(crate) fn drive<'a, E, K, Y>(
     mut solver: K,
     (t0, y0, t_end): (f64, Y, f64),
     method: &Stiff,
@@ -48,12 +48,12 @@ fn cause(error: &DiffsolError, h: f64) -> StepFailure<f64> {
             StepFailure::StepUnderflow { step: h }
         }
         DiffsolError::OdeSolverError(OdeSolverError::TooManyNonlinearSolverFailures { .. }) => {
-            StepFailure::Adapted("diffsol could not solve the equations of a step, however short")
+            StepFailure::Stuck("diffsol could not solve the equations of a step, however short")
         }
         DiffsolError::OdeSolverError(OdeSolverError::TooManyErrorTestFailures { .. }) => {
-            StepFailure::Adapted("diffsol found the error of a step too large, however short")
+            StepFailure::Stuck("diffsol found the error of a step too large, however short")
         }
-        DiffsolError::LaError(_) => StepFailure::Adapted("diffsol met a singular matrix"),
-        _ => StepFailure::Adapted("diffsol could not take a step"),
+        DiffsolError::LaError(_) => StepFailure::Stuck("diffsol met a singular matrix"),
+        _ => StepFailure::Stuck("diffsol could not take a step"),
     }
 }

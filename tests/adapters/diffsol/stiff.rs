@@ -4,39 +4,32 @@
 //! methods. Backward differentiation damps such a motion instead of following it: its steps are as long as the slow motion
 //! allows. It needs the heap.
 //!
-//! That crate's Runge–Kutta methods are not offered here; use it directly for them.
-//!
 //! Source: Byrne, Hindmarsh, "A polyalgorithm for the numerical solution of ordinary differential equations", *ACM
 //! Transactions on Mathematical Software* 1 (1975) 71–96.
 
-mod drive;
-mod problem;
+use diffsol::NalgebraLU;
+use lagrange::integrate::{IntegrationError, Outcome};
+use lagrange::system::{OdeSystem, SettingError, StepFailure};
 
-use ::diffsol::NalgebraLU;
-
-use self::drive::drive;
-use self::problem::problem;
-use lagrange_runtime::integrate::explained;
-
-use crate::integrate::{IntegrationError, Outcome};
-use crate::system::{OdeSystem, SettingError, StepFailure};
+use crate::drive::drive;
+use crate::problem::problem;
 
 /// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.
 ///
 /// One implicit equation a step. Not symplectic; motions faster than the steps are damped.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Stiff {
+pub(crate) struct Stiff {
     /// Error of a step as a part of the state.
-    pub relative: f64,
+    pub(crate) relative: f64,
     /// Error of a step in the units of the state.
-    pub absolute: f64,
+    pub(crate) absolute: f64,
     /// No more steps are taken.
-    pub max_steps: u64,
+    pub(crate) max_steps: u64,
 }
 
 impl Stiff {
     /// Backward differentiation with this tolerance, relative and absolute.
-    pub fn tolerance(tolerance: f64) -> Self {
+    pub(crate) fn tolerance(tolerance: f64) -> Self {
         Stiff { relative: tolerance, absolute: tolerance, max_steps: 10_000_000 }
     }
 
@@ -56,29 +49,7 @@ impl Stiff {
 ///
 /// # Errors
 /// What the method met, with the last good state; `observe` never sees one that is not finite.
-///
-/// # Example
-///
-/// ```
-/// use lagrange::adapt::diffsol::{Stiff, integrate_stiff};
-///
-/// lagrange::system! {
-///     /// A pendulum on a stiff, damped spring.
-///     pub struct Elastic;
-///     const k = 1000000, c = 1000, g = 9.81;
-///     coord r, theta;
-///     kinetic = 1/2 * (dot(r)^2 + r^2 * dot(theta)^2);
-///     potential = 1/2 * k * (r - 1)^2 - g * r * cos(theta);
-///     dissipation = 1/2 * c * dot(r)^2;
-/// }
-///
-/// let mut steps = 0;
-/// let end = integrate_stiff(&Elastic::default(), 0.0, [1.0, 1.0, 0.0, 0.0], 10.0, &Stiff::tolerance(1e-8), |_, _| steps += 1)?;
-/// // The rod hardly stretches, and much fewer steps are taken than the spring oscillates in that time.
-/// assert!((end[0] - 1.0).abs() < 1e-4 && steps < 5_000);
-/// # Ok::<(), lagrange::integrate::IntegrationError<f64, [f64; 4]>>(())
-/// ```
-pub fn integrate_stiff<M>(
+pub(crate) fn integrate_stiff<M>(
     system: &M,
     t0: f64,
     y0: M::State,
@@ -93,14 +64,14 @@ where
     method.check().map_err(|error| failed(error.into()))?;
     let is_finite = |y: &M::State| y.as_ref().iter().all(|component| component.is_finite());
     if !(t0.is_finite() && t_end.is_finite() && is_finite(&y0) && is_finite(&system.rhs(t0, &y0))) {
-        return Err(failed(explained(StepFailure::NotFinite, system, (t0, &y0), t_end)));
+        return Err(failed(StepFailure::NotFinite));
     }
     observe(t0, &y0);
     if t0 == t_end {
         return Ok(y0);
     }
     let problem = problem(system, t0, &y0, t_end, method).map_err(failed)?;
-    let refused = |_| failed(StepFailure::Adapted("diffsol refused the initial state"));
+    let refused = |_| failed(StepFailure::Stuck("diffsol refused the initial state"));
     let span = (t0, y0, t_end);
     drive(problem.bdf::<NalgebraLU<f64>>().map_err(refused)?, span, method, observe)
 }

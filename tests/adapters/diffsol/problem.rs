@@ -2,18 +2,18 @@
 
 use core::cell::RefCell;
 
-use ::diffsol::{MatrixCommon, NalgebraMat, OdeBuilder, OdeEquationsImplicit, OdeSolverProblem};
+use diffsol::{MatrixCommon, NalgebraMat, OdeBuilder, OdeEquationsImplicit, OdeSolverProblem};
 
-use super::Stiff;
-use crate::adapt::jacobian::jacobian;
-use crate::system::{OdeSystem, StateMatrix, StateVector, StepFailure};
+use crate::jacobian::jacobian;
+use crate::stiff::Stiff;
+use lagrange::system::{OdeSystem, StateMatrix, StateVector, StepFailure};
 
-pub(super) type Matrix = NalgebraMat<f64>;
-pub(super) type Vector = <Matrix as MatrixCommon>::V;
-pub(super) type Context = <Matrix as MatrixCommon>::C;
+pub(crate) type Matrix = NalgebraMat<f64>;
+pub(crate) type Vector = <Matrix as MatrixCommon>::V;
+pub(crate) type Context = <Matrix as MatrixCommon>::C;
 
 /// The problem in the time ± t that grows towards the end, since `diffsol` stops at later times only.
-pub(super) fn problem<'a, M>(
+pub(crate) fn problem<'a, M>(
     system: &'a M,
     t0: f64,
     y0: &M::State,
@@ -50,15 +50,15 @@ where
         )
         .init(move |_: &[f64], _: f64, y: &mut [f64]| y.copy_from_slice(start.as_ref()), y0.as_ref().len())
         .build()
-        .map_err(|_| StepFailure::Adapted("diffsol refused the problem"))
+        .map_err(|_| StepFailure::Stuck("diffsol refused the problem"))
 }
 
 /// 1 forwards and −1 backwards.
-pub(super) fn direction(t0: f64, t_end: f64) -> f64 {
+pub(crate) fn direction(t0: f64, t_end: f64) -> f64 {
     if t_end < t0 { -1.0 } else { 1.0 }
 }
 
-pub(super) fn state<M: OdeSystem<Scalar = f64> + ?Sized>(values: &[f64]) -> M::State {
+pub(crate) fn state<M: OdeSystem<Scalar = f64> + ?Sized>(values: &[f64]) -> M::State {
     let mut y = M::State::ZERO;
     y.as_mut().copy_from_slice(values);
     y

@@ -1,0 +1,40 @@
+//! `cargo xtask wrap`: wraps the comments of Rust files and the paragraphs of pages as the house rules require.
+//! `cargo xtask sentences`: lists the sentences that are too long for them.
+
+use std::path::Path;
+
+use crate::prose::{long_sentences, wrapped};
+use crate::size::git;
+
+/// Folders whose files are compared with others byte by byte, or made by tools.
+const KEPT: [&str; 4] = ["lagrange-core/tests/golden/", "tests/ui/", "docs/gallery/", "docs/trade/"];
+
+/// Wraps the files that git knows and prints those that changed.
+pub(crate) fn wrap(root: &Path) -> Result<(), String> {
+    for (file, text) in texts(root)? {
+        let wrapped = wrapped(&text, file.ends_with(".rs"));
+        if wrapped != text {
+            std::fs::write(root.join(&file), wrapped).map_err(|error| format!("{file}: {error}"))?;
+            println!("{file}");
+        }
+    }
+    Ok(())
+}
+
+/// Prints where long sentences begin.
+pub(crate) fn sentences(root: &Path) -> Result<(), String> {
+    for (file, text) in texts(root)? {
+        for (line, beginning) in long_sentences(&text, file.ends_with(".rs")) {
+            println!("{file}:{line}: {beginning} …");
+        }
+    }
+    Ok(())
+}
+
+/// Returns the texts of the files that git knows, by their paths.
+fn texts(root: &Path) -> Result<Vec<(String, String)>, String> {
+    let listed = git(root, &["ls-files", "*.rs", "*.md"])?;
+    let files = listed.lines().filter(|file| !KEPT.iter().any(|folder| file.starts_with(folder)));
+    let read = |file: &str| std::fs::read_to_string(root.join(file)).map(|text| (file.to_owned(), text));
+    files.map(|file| read(file).map_err(|error| format!("{file}: {error}"))).collect()
+}
