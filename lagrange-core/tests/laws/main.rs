@@ -1,5 +1,6 @@
 //! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how many.
 
+
 mod arrays;
 mod callables;
 mod dampers;
@@ -18,6 +19,9 @@ mod polynomials;
 mod printing;
 mod products;
 mod quasi_velocities;
+#[path = "../common/random.rs"]
+#[allow(dead_code, reason = "other tests draw otherwise")]
+mod random;
 mod reductions;
 mod scaling;
 mod scenes;
