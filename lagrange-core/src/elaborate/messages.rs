@@ -67,7 +67,7 @@ pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
 }
 
 pub(super) fn vanishing(is_constant: bool, scalar: &str) -> String {
-    format!("{} is too small for `{scalar}`, where it would become zero", number_in(is_constant))
+    format!("{} is too small for `{scalar}`, where it would lose digits", number_in(is_constant))
 }
 
 fn number_in(is_constant: bool) -> &'static str {
@@ -272,7 +272,7 @@ pub(super) fn number_too_large(name: &str, scalar: &str) -> String {
 }
 
 pub(super) fn number_too_small(name: &str, scalar: &str) -> String {
-    format!("the default of `{name}` is too small for `{scalar}`, where it would become zero")
+    format!("the default of `{name}` is too small for `{scalar}`, where it would lose digits")
 }
 
 // Constraints.
