@@ -75,7 +75,8 @@ fn ways(subject: &Subject) -> Vec<Way> {
         let names = PRODUCTS.iter().filter(|product| subject.has(**product)).map(|product| product.name());
         let names = names.collect::<Vec<_>>().join(", ");
         let text = format!("#[accuracy({level})] struct Subject; {} emit {{ {names} }}", subject.declaration);
-        for choice in Strategy::ALL.map(StrategyChoice::Always).into_iter().chain([StrategyChoice::Cheapest]) {
+        for choice in Strategy::ALL.map(StrategyChoice::Always).into_iter().chain([StrategyChoice::Cheapest])
+        {
             let name = format!("{}, {level}, {choice:?}", subject.name);
             match (parse(&text).and_then(|parsed| parsed.derive(choice)), choice) {
                 (Ok(derived), _) => ways.push(Way { name, system: NumericSystem::new(&derived) }),
@@ -119,19 +120,25 @@ fn results(subject: &Subject, system: &NumericSystem, motion: &Motion, scale: Sc
         assert!(system.set(name, scale.of(*value, *unit)), "{}: {name}", subject.name);
     }
     let lengths = subject.units(Extent::Velocities);
-    let [q, v, a] = motion.vectors.each_ref().map(|vector| {
-        vector.iter().zip(&lengths).map(|(x, unit)| scale.of(*x, *unit)).collect::<Vec<_>>()
-    });
+    let [q, v, a] = motion
+        .vectors
+        .each_ref()
+        .map(|vector| vector.iter().zip(&lengths).map(|(x, unit)| scale.of(*x, *unit)).collect::<Vec<_>>());
     let mut results = vec![
         Results { name: "acceleration", values: system.acceleration(0.0, &q, &v), units: lengths },
-        Results { name: "multipliers", values: system.multipliers(0.0, &q, &v), units: subject.multipliers() },
+        Results {
+            name: "multipliers",
+            values: system.multipliers(0.0, &q, &v),
+            units: subject.multipliers(),
+        },
     ];
     for product in PRODUCTS {
         let values = match product {
             Product::InverseDynamics => system.inverse_dynamics(0.0, &q, &v, &a),
             _ => system.product(product, 0.0, &q, &v),
         };
-        let found = values.map(|values| Results { name: product.name(), values, units: subject.units_of(product) });
+        let found =
+            values.map(|values| Results { name: product.name(), values, units: subject.units_of(product) });
         results.extend(found);
     }
     results

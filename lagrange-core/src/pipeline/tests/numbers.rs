@@ -112,7 +112,10 @@ fn numbers_that_would_lose_digits_are_reported_where_they_stand() {
     assert!(parse(&single("2e-38")).is_ok());
     for value in ["1e-38", "1e-50"] {
         let report = parse(&single(value)).expect_err("too small").to_string();
-        assert!(report.contains("this number is too small for `f32`, where it would lose digits"), "{report}");
+        assert!(
+            report.contains("this number is too small for `f32`, where it would lose digits"),
+            "{report}"
+        );
     }
 }
 

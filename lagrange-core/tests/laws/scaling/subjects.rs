@@ -97,7 +97,13 @@ pub(super) fn free() -> Vec<Subject> {
         Subject::new("cart-pole", extreme!("cart_pole"), "mc mp: mass; l g: length", &[1, 0], &[]),
         Subject::new("spring pendulum", extreme!("spring_pendulum"), "m k: mass; l0 g: length", &[1, 0], &[]),
         Subject::new("rolling ball", extreme!("rolling_ball"), "m mc: mass; r R g: length", &[0, 0], &[]),
-        Subject::new("spherical pendulum", extreme!("spherical_pendulum"), "m: mass; l g: length", &[0, 0], &[]),
+        Subject::new(
+            "spherical pendulum",
+            extreme!("spherical_pendulum"),
+            "m: mass; l g: length",
+            &[0, 0],
+            &[],
+        ),
         Subject::new(
             "arm in space",
             extreme!("space/arm"),
@@ -317,14 +323,17 @@ impl Subject {
     /// Those of a product's entries.
     pub(super) fn units_of(&self, product: Product) -> Vec<[i32; 2]> {
         let slopes = |rows: Vec<[i32; 2]>, columns: Vec<[i32; 2]>| {
-            let row = |row: [i32; 2]| columns.iter().map(move |column| [row[0] - column[0], row[1] - column[1]]);
+            let row =
+                |row: [i32; 2]| columns.iter().map(move |column| [row[0] - column[0], row[1] - column[1]]);
             rows.into_iter().flat_map(row).collect()
         };
         let forces = Subject::forces(&self.coordinates);
         match product {
             Product::KineticEnergy | Product::PotentialEnergy | Product::Energy => vec![INERTIA],
             Product::Constraints | Product::ConstraintVelocity => self.units(Extent::Constraints),
-            Product::ConstraintJacobian => slopes(self.units(Extent::Constraints), self.units(Extent::Velocities)),
+            Product::ConstraintJacobian => {
+                slopes(self.units(Extent::Constraints), self.units(Extent::Velocities))
+            }
             Product::MassMatrix => slopes(forces, self.units(Extent::Velocities)),
             Product::Jacobian => slopes(self.units(Extent::Velocities), self.units(Extent::State)),
             Product::TangentJacobian => slopes(self.units(Extent::Velocities), self.units(Extent::Tangent)),
