@@ -226,8 +226,12 @@ pub(super) fn dependent() -> Vec<Subject> {
         Subject::new("dead point", DEAD_POINT, "m: mass; l g: length", &[0, 0], &[1, 1]).at_rest(),
         Subject::new(
             "three rods, pinned twice",
-            &rods(3, "constraint again = x1 - l/2 * sin(a1); constraint sum = x1 - l/2 * sin(a1) + y1 + l/2 * cos(a1);"),
-            "m: mass; l g: length",
+            &rods(
+                3,
+                "param c = 0.5; constraint again = (x1 - l/2 * sin(a1)) * cos(c);
+                constraint sum = (x1 - l/2 * sin(a1) + y1 + l/2 * cos(a1)) * sin(c);",
+            ),
+            "m: mass; l g: length; c: none",
             &[1, 1, 0].repeat(3),
             &[1; 8],
         ),
