@@ -115,7 +115,7 @@ fn an_acceleration_that_is_not_finite_is_named_with_its_time() {
     assert_eq!(
         beyond,
         "the acceleration `x_ddot` is NaN at time 0.0, although the state is finite: a formula is undefined or singular there, such as \
-         a root of a negative number or a negative power of zero (at time 0.0)"
+         a root of a negative number, a negative power of zero, or a function of the crate beyond the condition that guards it (at time 0.0)"
     );
     // … and where the motion reaches it, whatever the method.
     let pushed = Cart { u: 5.0, ..Cart::default() };

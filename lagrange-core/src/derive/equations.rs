@@ -79,8 +79,11 @@ impl Equations {
         }
         let (mut solution, strategy, costs) =
             Candidates { model, split: &split, forms: &mut forms }.solve(choice)?;
-        if strategy == Strategy::SumOfSquares || model.accuracy == Accuracy::Strict {
+        let is_balanced = strategy == Strategy::SumOfSquares || model.accuracy == Accuracy::Strict;
+        if is_balanced || model.products.iter().any(|product| product.is_derivative()) {
             grade_parameters(model);
+        }
+        if is_balanced {
             solution.balance(&mut model.graph);
         }
         let is_free = model.constraints.is_empty() && model.reactions.is_empty();
@@ -104,7 +107,7 @@ impl Equations {
         let mass = mass_structure(model, &split, &mut forms);
         let structure = Structure::find(model, mass);
         let labels = labels(model, forms.mass_matrix(), &solution);
-        let mut products = jacobians(model, &split, &mut forms, (&solution.values, strategy));
+        let mut products = jacobians(model, &split, &mut forms, (&solution, strategy));
         let rates = model.products.contains(&Product::MomentumRates).then(|| free_momentum_rates(model));
         let rates = rates.unwrap_or_default();
         let touching = reaction_forces(model, &reactions);
@@ -281,20 +284,21 @@ fn jacobians(
     model: &mut Model,
     split: &SplitLagrangian,
     forms: &mut Forms,
-    solution: (&[ExprId], Strategy),
+    (solution, strategy): (&Solution, Strategy),
 ) -> Vec<(Product, Vec<ExprId>)> {
     let wanted = model.products.iter().copied().filter(|product| product.is_derivative());
     let wanted = wanted.collect::<Vec<_>>();
     if wanted.is_empty() {
         return Vec::new();
     }
-    let derivatives = Derivatives::new(model, split, forms, solution);
+    let derivatives = Derivatives::new(model, split, forms, (&solution.values, strategy));
     let state = [model.positions(), model.velocities()].concat();
     let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
     let constants = constants.collect::<Vec<_>>();
     let derived = |product| {
         let arguments = if product == Product::ParameterJacobian { &constants } else { &state };
-        (product, derivatives.by(model, arguments).concat())
+        let slopes = derivatives.by(model, arguments).concat();
+        (product, solution.balanced(&mut model.graph, &slopes))
     };
     wanted.into_iter().map(derived).collect()
 }

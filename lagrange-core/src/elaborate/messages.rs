@@ -123,7 +123,7 @@ messages! {
         "derive `PartialEq` and `PartialOrd` only; as a key use the bits of a number, `to_bits()`";
     number_too_large(name, scalar) = "the default of `{name}` is too large for `{scalar}`";
     number_too_small(name, scalar) =
-        "the default of `{name}` is too small for `{scalar}`, where it would become zero";
+        "the default of `{name}` is too small for `{scalar}`, where it would lose digits";
     constrains_nothing(name) = "the constraint `{name}` does not depend on any coordinate";
     impossible_constraint(name, value) =
         "the constraint `{name}` cannot be satisfied: it does not depend on any coordinate and is {value}, not 0";
@@ -191,7 +191,7 @@ pub(super) fn excessive(is_constant: bool, scalar: &str) -> String {
 }
 
 pub(super) fn vanishing(is_constant: bool, scalar: &str) -> String {
-    format!("{} is too small for `{scalar}`, where it would become zero", number_in(is_constant))
+    format!("{} is too small for `{scalar}`, where it would lose digits", number_in(is_constant))
 }
 
 fn number_in(is_constant: bool) -> &'static str {

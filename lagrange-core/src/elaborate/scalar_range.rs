@@ -16,12 +16,11 @@ pub(super) fn largest(scalar: &ScalarType) -> (&'static str, f64) {
 pub(super) enum Misfit {
     /// It would be infinite.
     TooLarge,
-    /// It would be zero.
+    /// It would be subnormal, with fewer digits than other numbers, or zero.
     TooSmall,
 }
 
-/// Returns the misfit of a number that is rounded to the scalar; `None` if it stays finite and
-/// nonzero.
+/// Returns the misfit of a number that is rounded to the scalar; `None` if it keeps its digits.
 pub(super) fn misfit(scalar: &ScalarType, number: &Number) -> Option<Misfit> {
     misfit_of_value(scalar, number.to_f64())
         .or_else(|| (!number.is_zero() && number.to_f64() == 0.0).then_some(Misfit::TooSmall))
@@ -29,13 +28,13 @@ pub(super) fn misfit(scalar: &ScalarType, number: &Number) -> Option<Misfit> {
 
 /// Returns the misfit of a number that is in `f64` already.
 pub(super) fn misfit_of_value(scalar: &ScalarType, value: f64) -> Option<Misfit> {
-    let rounded = match scalar {
-        ScalarType::F32 => f64::from(value as f32),
-        ScalarType::F64 | ScalarType::Generic(_) => value,
+    let (rounded, least) = match scalar {
+        ScalarType::F32 => (f64::from(value as f32), f64::from(f32::MIN_POSITIVE)),
+        ScalarType::F64 | ScalarType::Generic(_) => (value, f64::MIN_POSITIVE),
     };
-    match rounded {
+    match rounded.abs() {
         _ if !rounded.is_finite() => Some(Misfit::TooLarge),
-        _ if rounded == 0.0 && value != 0.0 => Some(Misfit::TooSmall),
+        size if size < least && value != 0.0 => Some(Misfit::TooSmall),
         _ => None,
     }
 }

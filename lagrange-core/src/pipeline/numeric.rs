@@ -113,8 +113,9 @@ impl NumericSystem {
         ];
         let [accelerations, multipliers, growth, undivided, position_rates] =
             roots.map(|roots| lowered(roots));
-        let is_free = |product: &Product| !product.is_of_constraints();
-        let products = Product::ALL.into_iter().filter(is_free);
+        let is_constrained = !model.constraints.is_empty();
+        let products =
+            Product::ALL.into_iter().filter(|product| is_constrained || !product.is_of_constraints());
         let products =
             products.filter_map(|product| Some((product, lowered(&equations.product(product, model)?))));
         let products = products.collect();

@@ -41,15 +41,20 @@ pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
 }
 
 /// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if it is singular.
-fn unconstrained(mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
+fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
+    let unit = power_to_one(mass.iter().flatten().map(|entry| entry.abs()));
+    multiply(&mut mass, unit);
     let scales = equilibration(&mass);
     let factors = OrthogonalFactors::new(scaled(mass, &scales), forcing.len(), roundings(forcing.len()));
-    (factors.rank() == forcing.len())
-        .then(|| product(&scales, &factors.combination(product(&scales, forcing))))
+    let right = forcing.iter().zip(&scales).map(|(force, scale)| scale * (unit * force)).collect();
+    (factors.rank() == forcing.len()).then(|| product(&scales, &factors.combination(right)))
 }
 
-/// The matrices in coordinates whose masses are one, with the gradients of the constraints scaled to length one.
+/// The matrices in coordinates whose masses are near one, with the gradients of the constraints scaled to length one. No unit
+/// matters, as in emitted code.
 struct ScaledEquations {
+    /// Power of two by which masses and forces are multiplied.
+    unit: f64,
     mass: Vec<Vec<f64>>,
     /// Scales of coordinates: a = scales a′.
     scales: Vec<f64>,
@@ -60,24 +65,23 @@ struct ScaledEquations {
 }
 
 impl ScaledEquations {
-    fn new(mass: Vec<Vec<f64>>, jacobian: &[Vec<f64>]) -> ScaledEquations {
-        let scale = |j: usize| {
-            let column = jacobian.iter().fold(0.0, |most: f64, row| most.max(row[j].abs()));
-            reciprocal(if mass[j][j] > 0.0 { mass[j][j].sqrt() } else { column })
-        };
-        let scales = (0..mass.len()).map(scale).collect::<Vec<_>>();
+    fn new(mut mass: Vec<Vec<f64>>, jacobian: &[Vec<f64>]) -> ScaledEquations {
+        let unit = power_to_one((0..mass.len()).map(|j| mass[j][j]));
+        multiply(&mut mass, unit);
+        let scales = coordinate_scales(&mass, jacobian);
         let mut gradients = jacobian.iter().map(|row| product(row, &scales)).collect::<Vec<_>>();
         let gradient_scales = gradients.iter().map(|row| reciprocal(length(row))).collect::<Vec<_>>();
         for (row, scale) in gradients.iter_mut().zip(&gradient_scales) {
             row.iter_mut().for_each(|entry| *entry *= scale);
         }
         let factors = OrthogonalFactors::new(gradients.clone(), scales.len(), rank_tolerance());
-        ScaledEquations { mass: scaled(mass, &scales), scales, gradients, gradient_scales, factors }
+        ScaledEquations { unit, mass: scaled(mass, &scales), scales, gradients, gradient_scales, factors }
     }
 
     /// Returns the accelerations and multipliers; `None` if they are undetermined or constraints contradict each other.
     fn motion(&self, forcing: &[f64], drifts: &[f64]) -> Option<Vec<f64>> {
-        let (forcing, drifts) = (product(&self.scales, forcing), product(&self.gradient_scales, drifts));
+        let forcing = forcing.iter().zip(&self.scales).map(|(force, scale)| scale * (self.unit * force));
+        let (forcing, drifts) = (forcing.collect::<Vec<_>>(), product(&self.gradient_scales, drifts));
         let demanded = drifts.iter().map(|drift| -drift).collect::<Vec<_>>();
         let mut acceleration = self.factors.shortest(&demanded);
         let free = self.free_part(self.forces_on(&acceleration, &forcing))?;
@@ -90,6 +94,7 @@ impl ScaledEquations {
         }
         let missing = self.forces_on(&acceleration, &forcing).iter().map(|force| -force).collect();
         let multipliers = self.factors.shortest_amounts(&self.factors.inward(missing), &self.gradient_scales);
+        let multipliers = multipliers.into_iter().map(|multiplier| multiplier / self.unit).collect();
         Some([product(&self.scales, &acceleration), multipliers].concat())
     }
 
@@ -119,6 +124,44 @@ impl ScaledEquations {
         let right = unrestricted(self.factors.inward(forces));
         (factors.rank() == n).then(|| self.factors.outward(factors.combination(right)))
     }
+}
+
+/// Returns the scales of coordinates: reciprocal roots of their masses. A coordinate without one is measured by what the other
+/// coordinates do in constraints that hold it, too.
+fn coordinate_scales(mass: &[Vec<f64>], jacobian: &[Vec<f64>]) -> Vec<f64> {
+    let of_mass = |j: usize| if mass[j][j] > 0.0 { 1.0 / mass[j][j].sqrt() } else { 0.0 };
+    let scales = (0..mass.len()).map(of_mass).collect::<Vec<_>>();
+    let sizes = jacobian.iter().map(|row| length(&product(row, &scales))).collect::<Vec<_>>();
+    let scale = |j: usize| {
+        if scales[j] > 0.0 {
+            return scales[j];
+        }
+        let beside = jacobian.iter().zip(&sizes).filter(|(_, size)| **size > 0.0);
+        let most = beside.fold(0.0, |most: f64, (row, size)| most.max(row[j].abs() / size));
+        let first = || jacobian.iter().map(|row| row[j].abs()).find(|entry| *entry > 0.0);
+        reciprocal(if most > 0.0 { most } else { first().unwrap_or(1.0) })
+    };
+    (0..mass.len()).map(scale).collect()
+}
+
+/// Returns the power of two that brings the first positive value to between one and two; one if there is none.
+fn power_to_one(mut values: impl Iterator<Item = f64>) -> f64 {
+    let Some(mut left) = values.find(|value| *value > 0.0) else { return 1.0 };
+    let mut power = 1.0;
+    for exponent in [512, 256, 128, 64, 32, 16, 8, 4, 2, 1] {
+        let [large, small] = [exponent, -exponent].map(|exponent| 2_f64.powi(exponent));
+        if left >= large {
+            (left, power) = (left * small, power * small);
+        } else if left < 2.0 * small {
+            (left, power) = (left * large, power * large);
+        }
+    }
+    power
+}
+
+/// Multiplies all entries of a matrix by a number.
+fn multiply(matrix: &mut [Vec<f64>], factor: f64) {
+    matrix.iter_mut().flatten().for_each(|entry| *entry *= factor);
 }
 
 /// Returns the factors that bring the largest entry of each row of a symmetric matrix near one if columns are multiplied by

@@ -18,6 +18,9 @@ mod polynomials;
 mod printing;
 mod products;
 mod quasi_velocities;
+#[path = "../common/random.rs"]
+#[allow(dead_code, reason = "other tests draw otherwise")]
+mod random;
 mod reductions;
 mod scaling;
 mod scenes;

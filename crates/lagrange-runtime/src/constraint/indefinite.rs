@@ -1,11 +1,12 @@
 //! Accelerations where a pivot of a regular mass matrix vanishes.
 
-use crate::constraint::minimum_norm::{equilibration, finite, roundings};
+use crate::constraint::minimum_norm::{equilibration, finite, power_to_one, roundings};
 use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::scalar::Scalar;
 
 /// The accelerations a of M a = f with a symmetric mass matrix M, in rows, that need not be definite, by orthogonal factors; NaN if it
-/// is singular or not everything is finite. Rows and columns are scaled alike before the rank is decided on.
+/// is singular or not everything is finite. Rows and columns are scaled alike before the rank is decided on. A common unit does not matter:
+/// of a matrix and forces multiplied by a power of two the accelerations are the same bit by bit.
 ///
 /// ```
 /// use lagrange::constraint::indefinite_motion;
@@ -18,7 +19,9 @@ pub fn indefinite_motion<S: Scalar, const N: usize>(mass: &[[S; N]; N], forcing:
     if !(finite(mass) && finite(&[*forcing])) {
         return [S::NAN; N];
     }
-    let scales = equilibration(mass);
+    let unit = power_to_one(mass.as_flattened().iter().map(|entry| entry.abs()));
+    let (mass, forcing) = (mass.map(|row| row.map(|entry| unit * entry)), forcing.map(|force| unit * force));
+    let scales = equilibration(&mass);
     // Columns are rows: the matrix is symmetric.
     let scaled: [[S; N]; N] =
         core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * mass[i][j] * scales[j]));

@@ -56,6 +56,8 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
     if !(finite(&matrix) && finite(&[right])) {
         return [S::NAN; D];
     }
+    let unit = power_to_one(matrix.as_flattened().iter().map(|entry| entry.abs()));
+    let (matrix, right) = (matrix.map(|row| row.map(|entry| unit * entry)), right.map(|entry| unit * entry));
     let scales = equilibration(&matrix);
     let scaled: [[S; D]; D] =
         core::array::from_fn(|j| core::array::from_fn(|i| scales[i] * matrix[i][j] * scales[j]));
@@ -133,9 +135,14 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     change.unwrap_or([S::NAN; N])
 }
 
-/// The matrices in coordinates whose masses are one, with the gradients of the constraints scaled to length one.
+/// The matrices in coordinates whose masses are near one, with the gradients of the constraints scaled to length one.
+///
+/// No unit matters: if masses or lengths are multiplied by a power of two, all that is scaled keeps its bits. Masses are brought near
+/// one by a power of two first, lest their roots take half of an odd one.
 #[derive(Debug)]
 struct ScaledEquations<S, const N: usize, const D: usize> {
+    /// Power of two by which masses and forces are multiplied.
+    unit: S,
     mass: [[S; N]; N],
     /// Scales of coordinates: a = scales a′.
     scales: [S; N],
@@ -151,10 +158,9 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         if !(finite(mass) && finite(jacobian)) {
             return None;
         }
-        let scales = core::array::from_fn(|j| {
-            let column = jacobian.iter().fold(S::ZERO, |most, row| most.max(row[j].abs()));
-            reciprocal(if mass[j][j] > S::ZERO { mass[j][j].sqrt() } else { column })
-        });
+        let unit = power_to_one((0..N).map(|j| mass[j][j]));
+        let mass = mass.map(|row| row.map(|entry| unit * entry));
+        let scales = coordinate_scales(&mass, jacobian);
         let mass = core::array::from_fn(|i| core::array::from_fn(|j| scales[i] * mass[i][j] * scales[j]));
         let mut rows: [[S; N]; D] =
             core::array::from_fn(|i| core::array::from_fn(|j| jacobian[i][j] * scales[j]));
@@ -162,13 +168,8 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         for (row, scale) in rows.iter_mut().zip(row_scales) {
             *row = row.map(|entry| entry * scale);
         }
-        Some(ScaledEquations {
-            mass,
-            scales,
-            rows,
-            row_scales,
-            factors: OrthogonalFactors::new(rows, rank_tolerance()),
-        })
+        let factors = OrthogonalFactors::new(rows, rank_tolerance());
+        Some(ScaledEquations { unit, mass, scales, rows, row_scales, factors })
     }
 
     fn rank(&self) -> usize {
@@ -185,14 +186,16 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
         }
         let missing = self.forces_on(&acceleration, forcing).map(|force| -force);
         let components = self.factors.inward(missing);
-        Some((acceleration, shortest(&self.factors, &components, &self.row_scales)))
+        let multipliers = shortest(&self.factors, &components, &self.row_scales);
+        Some((acceleration, multipliers.map(|multiplier| multiplier / self.unit)))
     }
 
     /// f − M a
     fn forces_on(&self, acceleration: &[S; N], forcing: &[S; N]) -> [S; N] {
         core::array::from_fn(|i| {
             let row = self.mass[i].iter().zip(acceleration);
-            row.fold(self.scales[i] * forcing[i], |sum, (mass, part)| (-*mass).multiply_add(*part, sum))
+            let force = self.scales[i] * (self.unit * forcing[i]);
+            row.fold(force, |sum, (mass, part)| (-*mass).multiply_add(*part, sum))
         })
     }
 
@@ -219,7 +222,7 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
 
     /// True if the constraints that depend on others hold, too.
     fn agrees(&self, acceleration: &[S; N], forcing: &[S; N], drift: &[S; D]) -> bool {
-        let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * forcing[j]);
+        let scaled_forcing: [S; N] = core::array::from_fn(|j| self.scales[j] * (self.unit * forcing[j]));
         let drifts: [S; D] = core::array::from_fn(|i| self.row_scales[i] * drift[i]);
         let size = euclidean_norm(acceleration) + euclidean_norm(&scaled_forcing) + euclidean_norm(&drifts);
         let most = S::from_f64(100.0) * rank_tolerance::<S>() * size;
@@ -232,6 +235,29 @@ impl<S: Scalar, const N: usize, const D: usize> ScaledEquations<S, N, D> {
     fn in_coordinates(&self, scaled: &[S; N]) -> [S; N] {
         core::array::from_fn(|j| self.scales[j] * scaled[j])
     }
+}
+
+/// Scales of coordinates: reciprocal roots of their masses. A coordinate without one is measured by what the other coordinates do in
+/// constraints that hold it, too.
+fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
+    mass: &[[S; N]; N],
+    jacobian: &[[S; N]; D],
+) -> [S; N] {
+    let of_mass = |j: usize| if mass[j][j] > S::ZERO { S::ONE / mass[j][j].sqrt() } else { S::ZERO };
+    let scales: [S; N] = core::array::from_fn(of_mass);
+    let sizes = jacobian.map(|row| {
+        let parts: [S; N] = core::array::from_fn(|j| row[j] * scales[j]);
+        euclidean_norm(&parts)
+    });
+    core::array::from_fn(|j| {
+        if scales[j] > S::ZERO {
+            return scales[j];
+        }
+        let beside = jacobian.iter().zip(sizes).filter(|(_, size)| *size > S::ZERO);
+        let most = beside.fold(S::ZERO, |most, (row, size)| most.max(row[j].abs() / size));
+        let first = || jacobian.iter().map(|row| row[j].abs()).find(|entry| *entry > S::ZERO);
+        reciprocal(if most > S::ZERO { most } else { first().unwrap_or(S::ONE) })
+    })
 }
 
 /// The shortest x for which the columns of the factors, in the amounts x / `scales`, add up to what has these components in the
@@ -298,6 +324,22 @@ pub(super) fn equilibration<S: Scalar, const D: usize>(matrix: &[[S; D]; D]) -> 
         }
     }
     scales
+}
+
+/// The power of two that brings the first positive value to between one and two; one if there is none.
+pub(super) fn power_to_one<S: Scalar>(mut values: impl Iterator<Item = S>) -> S {
+    let Some(mut left) = values.find(|value| *value > S::ZERO) else { return S::ONE };
+    let mut power = S::ONE;
+    for exponent in [512, 256, 128, 64, 32, 16, 8, 4, 2, 1] {
+        // Beyond the range of the number these are infinity and zero, which select nothing.
+        let [large, small] = [exponent, -exponent].map(|exponent| S::from_f64(2.0).powi(exponent));
+        if left >= large {
+            (left, power) = (left * small, power * small);
+        } else if left < small + small {
+            (left, power) = (left * large, power * large);
+        }
+    }
+    power
 }
 
 /// The reciprocal; one if that is not finite.

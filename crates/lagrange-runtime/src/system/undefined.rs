@@ -195,7 +195,7 @@ impl<S: Debug> Display for Undefined<S> {
                 write!(
                     f,
                     " is {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, such as \
-                     a root of a negative number or a negative power of zero"
+                     a root of a negative number, a negative power of zero, or a function of the crate beyond the condition that guards it"
                 )
             }
             Undefined::Unknown { name, time } => write!(

@@ -42,12 +42,21 @@ impl Solution {
     /// Writes the values without products of inertias, as far as they are divided by some.
     pub(in crate::derive) fn balance(&mut self, graph: &mut Graph) {
         let roots = [&self.values[..], &self.guards].concat();
-        // What is divided by anyway.
-        let unit = self.labels.iter().find(|(_, label)| label.starts_with("pivot")).map(|(id, _)| *id);
-        let image = balanced(graph, &roots, unit);
+        let image = balanced(graph, &roots, self.divisor());
         let ids =
             self.values.iter_mut().chain(&mut self.guards).chain(self.labels.iter_mut().map(|(id, _)| id));
         ids.for_each(|id| *id = image.get(id).copied().unwrap_or(*id));
+    }
+
+    /// Returns derivatives of the values without products of inertias, as far as they are divided by some.
+    pub(in crate::derive) fn balanced(&self, graph: &mut Graph, slopes: &[ExprId]) -> Vec<ExprId> {
+        let image = balanced(graph, slopes, self.divisor());
+        slopes.iter().map(|id| image.get(id).copied().unwrap_or(*id)).collect()
+    }
+
+    /// Returns a pivot, which is divided by anyway.
+    fn divisor(&self) -> Option<ExprId> {
+        self.labels.iter().find(|(_, label)| label.starts_with("pivot")).map(|(id, _)| *id)
     }
 }
 

@@ -11,10 +11,11 @@
 //! | of tables with `outside: error` | the nearest number between their ends |
 //!
 //! On the sides themselves the values are those of the declaration, NaN included, and they are continuous across the surfaces.
-//! What is singular at its surface, as |x|^(−1/2) is, has no value beyond: no step leads across. x |x|^(−1/2) is
-//! not singular, as s |x|^(1/2) shows, nor is x |x|^(p − 1) for positive p.
+//! What is singular at its surface, as |x|^(−1/2) is, has no value beyond: no step leads across. Where max(a, x)^(−1/2) becomes a^(−1/2),
+//! nothing is singular, and the base is kept as that of roots is. x |x|^(−1/2) is not singular, as s |x|^(1/2) shows, nor is x |x|^(p − 1) for positive p.
 
 use super::Side;
+use lagrange_algebra::calculus::substitute;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::{Domain, row};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node, Relation};
@@ -55,9 +56,13 @@ impl<'a> Domains<'a> {
         match graph.node(id).clone() {
             Node::Product(factors) if is_restricted(graph, id) || has_power(graph, &factors) => {
                 let factors = self.without_removable_poles(graph, &factors, &map);
-                let kept = factors.into_iter().map(|(base, exponent)| match is_root(&exponent) {
-                    true => (self.kept(graph, id, base, Domain::FromZero, &map), exponent),
-                    false => (map(base), exponent),
+                let kept = factors.into_iter().map(|(base, exponent)| {
+                    let kept = match (exponent.is_integer(), exponent.is_negative()) {
+                        (true, _) => map(base),
+                        (false, false) => self.kept(graph, id, base, Domain::FromZero, &map),
+                        (false, true) => self.kept_off_poles(graph, id, base, &map),
+                    };
+                    (kept, exponent)
                 });
                 let kept = kept.collect::<Vec<_>>();
                 Some(graph.product(kept))
@@ -67,10 +72,10 @@ impl<'a> Domains<'a> {
                 let domain = row(function).domain;
                 let kept = self.kept(graph, id, arguments[0], domain, &map);
                 mapped[0] = match domain {
-                    // Negative powers are singular on the surface.
                     Domain::BaseAboveZero => {
-                        let zero = graph.number(0);
-                        graph.choose(Relation::Less, zero, mapped[1], kept, mapped[0])
+                        let (zero, off_poles) =
+                            (graph.number(0), self.kept_off_poles(graph, id, arguments[0], &map));
+                        graph.choose(Relation::Less, zero, mapped[1], kept, off_poles)
                     }
                     _ => kept,
                 };
@@ -131,6 +136,52 @@ impl<'a> Domains<'a> {
         }
         let inside = within(graph, mapped, domain);
         surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
+    }
+
+    /// Returns the base of a negative power on its sides, and positive beyond surfaces where it does not vanish: as declared if that is
+    /// never negative, else its magnitude.
+    fn kept_off_poles(
+        &self,
+        graph: &mut Graph,
+        id: ExprId,
+        base: ExprId,
+        map: &impl Fn(ExprId) -> ExprId,
+    ) -> ExprId {
+        let mapped = map(base);
+        let mut surfaces = self.surfaces(graph, id, base);
+        surfaces.retain(|side| !self.vanishes(graph, base, *side));
+        if surfaces.is_empty() {
+            return mapped;
+        }
+        let inside = match graph.is_nonnegative(base) {
+            true => base,
+            false => graph.call(Function::Abs, &[mapped]),
+        };
+        surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
+    }
+
+    /// True if an expression is seen to be zero on a surface, as |x| is where x is.
+    fn vanishes(&self, graph: &mut Graph, id: ExprId, side: Side) -> bool {
+        let zero = graph.number(0);
+        let mut values = HashMap::default();
+        values.insert(side.value, zero);
+        for part in graph.reachable(&[id]) {
+            if self.sides.get(&part).is_none_or(|own| own.value != side.value) {
+                continue;
+            }
+            match graph.node(part) {
+                // Both arguments are equal there.
+                Node::Call(Function::Min | Function::Max, arguments) => {
+                    let is_constant =
+                        |argument: &&ExprId| graph.dependencies(**argument).is_constant_in_motion();
+                    values.insert(part, *arguments.iter().find(is_constant).unwrap_or(&arguments[0]));
+                }
+                Node::Choose { .. } => {}
+                _ => drop(values.insert(part, zero)),
+            }
+        }
+        let there = substitute(graph, id, &values);
+        graph.is_zero(there) || multiple(graph, id, side.value).is_some()
     }
 
     /// Returns the surfaces that an argument of a node is made of, and those that choose the node.
@@ -288,11 +339,6 @@ fn beyond(graph: &mut Graph, side: Side, inside: ExprId, rest: ExprId) -> ExprId
 fn exact(graph: &mut Graph, number: f64) -> Option<ExprId> {
     let magnitude = Number::parse_decimal(&format!("{}", number.abs()))?;
     Some(graph.number(if number < 0.0 { -&magnitude } else { magnitude }))
-}
-
-/// True if a power with this exponent is a root without a pole.
-fn is_root(exponent: &Number) -> bool {
-    !exponent.is_integer() && !exponent.is_negative()
 }
 
 /// Returns the expressions of which a node chooses one.

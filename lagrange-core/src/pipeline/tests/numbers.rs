@@ -96,20 +96,27 @@ fn single_precision_holds_less() {
 }
 
 #[test]
-fn numbers_that_would_be_zero_are_reported_where_they_stand() {
-    for value in ["1e-400", "10^(-400)"] {
-        let message = "this number is too small for `f64`, where it would become zero";
+fn numbers_that_would_lose_digits_are_reported_where_they_stand() {
+    for value in ["1e-400", "10^(-400)", "1e-310"] {
+        let message = "this number is too small for `f64`, where it would lose digits";
         assert_reported(&format!("potential = {value} * x;"), value, message);
         assert_reported(&format!("force x = sqrt(x^2 + {value});"), value, message);
     }
-    let message = "a number in this expression is too small for `f64`, where it would become zero";
+    let message = "a number in this expression is too small for `f64`, where it would lose digits";
     assert_reported("potential = 1e-200 * cos(x) * 1e-200;", "1e-200 * cos(x) * 1e-200", message);
-    let message = "the default of `m` is too small for `f64`, where it would become zero";
+    let message = "the default of `m` is too small for `f64`, where it would lose digits";
     assert_reported("param m = 10^(-400);", "10^(-400)", message);
+    assert_reported("param m = 2.2e-308;", "2.2e-308", message);
+    assert_eq!(report("param m = 2.3e-308;"), "");
     let single = |value| format!("#[scalar(f32)] struct Single; {POINT} potential = {value} * x;");
-    assert!(parse(&single("1e-40")).is_ok());
-    let report = parse(&single("1e-50")).expect_err("too small").to_string();
-    assert!(report.contains("this number is too small for `f32`, where it would become zero"), "{report}");
+    assert!(parse(&single("2e-38")).is_ok());
+    for value in ["1e-38", "1e-50"] {
+        let report = parse(&single(value)).expect_err("too small").to_string();
+        assert!(
+            report.contains("this number is too small for `f32`, where it would lose digits"),
+            "{report}"
+        );
+    }
 }
 
 #[test]
