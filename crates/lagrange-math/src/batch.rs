@@ -1,7 +1,8 @@
 //! Several angles at a time.
 
+use crate::angle;
 use crate::fused::HAS_FUSED;
-use crate::{angle, precise};
+use crate::precise;
 
 /// Up to this magnitude angles are reduced with all others, in radians; beyond, one by one in integers.
 pub const LARGEST_ANGLE: f64 = 1e5;

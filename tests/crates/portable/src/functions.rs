@@ -73,13 +73,20 @@ pub(crate) fn in_lanes() -> Hash {
     for _ in 0..COUNT / 8 {
         let numbers = [(); 8].map(|()| Portable(random.number()));
         let alone = numbers.map(values);
-        let fused = values(Lanes::<_, 8, true>(numbers));
-        let apart = values(Lanes::<_, 8, false>(numbers));
-        for row in 0..fused.len() {
-            for lane in 0..numbers.len() {
-                hash.add_all([alone[lane][row], fused[row].0[lane], apart[row].0[lane]]);
+        for values in alone {
+            hash.add_all(values);
+        }
+        for lanes in [transposed(Lanes::<_, 8, true>(numbers)), transposed(Lanes::<_, 8, false>(numbers))] {
+            for values in lanes {
+                hash.add_all(values);
             }
         }
     }
     hash
+}
+
+/// The values in each lane.
+fn transposed<const FUSED: bool>(numbers: Lanes<Portable, 8, FUSED>) -> [[Portable; 14]; 8] {
+    let rows = values(numbers);
+    core::array::from_fn(|lane| rows.map(|Lanes(row)| row[lane]))
 }
