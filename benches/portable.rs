@@ -1,4 +1,4 @@
-//! What the levels of accuracy and `Portable` numbers cost on whole motions: rows of a Markdown table.
+//! The cost of accuracy levels and of `Portable` numbers on whole motions, as rows of a Markdown table.
 //!
 //!     cargo bench -p lagrange-benches --bench portable
 //!
