@@ -43,6 +43,7 @@
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
 //! | `trade` (feature) | methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
+//! | [`Portable`] | numbers with the same bits on every platform |
 //! | `Double` (feature `double`) | numbers of 106 bits |
 //!
 //! # Features
@@ -80,7 +81,7 @@ pub use lagrange_runtime::ensemble::{self, Ensembles};
 pub use lagrange_runtime::simulate::{self, Simulate};
 #[doc(inline)]
 pub use lagrange_runtime::{
-    Number, Scalar, body, constraint, contact, inertia, root, scalar, scene, system, table,
+    Number, Portable, Scalar, body, constraint, contact, inertia, root, scalar, scene, system, table,
 };
 
 /// Keeps the example of the README true.

@@ -16,9 +16,9 @@ import struct
 import sys
 from pathlib import Path
 
-from mpmath import acos, asin, atan, atan2, cosh, exp, floor, hypot, log, mp, mpf, nint, pi, sinh, sqrt, tan, tanh
+from mpmath import acos, asin, atan, atan2, cosh, exp, floor, hypot, log, mp, mpf, nint, pi, power, sinh, sqrt, tan, tanh, workprec
 
-from sin_cos import bits, horner, nearest_angles, remez
+from sin_cos import bits, horner, large_angles, nearest_angles, remez
 
 mp.prec = 300
 REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "elementary" / "reference.txt"
@@ -114,7 +114,8 @@ def halfway(draw, first, last, unit, count):
 
 def angles(draw):
     found = [x for _, _, x in nearest_angles()[:40]] + halfway(draw, 0, 200, pi / 2, 20)
-    return found + uniform(draw, -1e5, 1e5, 60) + uniform(draw, -4, 4, 120) + magnitudes(draw, -1074, 15, 60)
+    found += uniform(draw, -1e5, 1e5, 60) + uniform(draw, -4, 4, 120) + magnitudes(draw, -1074, 15, 60)
+    return found + large_angles(draw)[::5]
 
 
 def powers(draw):
@@ -143,20 +144,30 @@ def sines(draw):
 
 def hyperbolics(draw):
     found = uniform(draw, -600, 600, 60) + uniform(draw, -22, 22, 160) + uniform(draw, -1, 1, 100)
-    return found + halfway(draw, 0, 40, log(2), 20) + [600.0, -600.0] + magnitudes(draw, -1074, 8, 60)
+    found += halfway(draw, 0, 40, log(2), 20) + [600.0, -600.0] + magnitudes(draw, -1074, 8, 60)
+    return found + [y for x in uniform(draw, 600, 710.4, 80) for y in [x, -x]]
 
 
 def points(draw):
     slope = lambda: draw.choice([1.0, math.tan(math.pi / 8), draw.random(), math.ldexp(1 + draw.random(), -draw.randint(1, 60))])
     found = [(r * slope(), r) for r in magnitudes(draw, -840, 840, 160)]
     found += [(draw.choice([-1, 1]) * y, x) for x, y in found] + [(y, x) for y in [1.0, -1.0] for x in [0.0, 1.0, -1.0]]
-    return found + list(zip(uniform(draw, -2, 2, 160), uniform(draw, -2, 2, 160)))
+    found += list(zip(uniform(draw, -2, 2, 160), uniform(draw, -2, 2, 160)))
+    return found + list(zip(magnitudes(draw, -1074, 1023, 200), magnitudes(draw, -1074, 1023, 200)))
 
 
 def vectors(draw):
     found = list(zip(magnitudes(draw, -400, 490, 60), magnitudes(draw, -400, 490, 60)))
     found += [(x, x * draw.random()) for x in magnitudes(draw, -340, 480, 120)] + [(3.0, 4.0), (0.0, 2.0), (-2.0, 0.0)]
-    return found + list(zip(uniform(draw, -2, 2, 160), uniform(draw, -2, 2, 160)))
+    found += list(zip(uniform(draw, -2, 2, 160), uniform(draw, -2, 2, 160)))
+    return found + list(zip(magnitudes(draw, -1074, 1023, 100), magnitudes(draw, -1074, 1023, 100)))
+
+
+def bases_and_exponents(draw):
+    found = [(abs(x), draw.uniform(-1, 1) * 700 / (abs(math.log(abs(x))) + 1)) for x in magnitudes(draw, -1074, 1023, 200)]
+    found += list(zip(uniform(draw, 0, 4, 200), uniform(draw, -20, 20, 200)))
+    found += [(1 + s * math.ldexp(1 + draw.random(), -k), math.ldexp(draw.random(), k)) for k in range(1, 52) for s in [-1, 1]]
+    return found + [(x, float(draw.randint(-9, 9))) for x in uniform(draw, -4, 4, 80)]
 
 
 # Of each function: its name in mpmath and the arguments at which mistakes would show.
@@ -172,6 +183,7 @@ FUNCTIONS = {
     "ln": (log, logarithms),
     "atan2": (atan2, points),
     "hypot": (hypot, vectors),
+    "powf": (power, bases_and_exponents),
 }
 
 
@@ -179,16 +191,25 @@ def unit_in_last_place(x):
     return mpf(2) ** (max(math.frexp(x)[1], -1021) - 53)
 
 
+def nearest(value):
+    """The nearest double, subnormal ones too, which mpmath truncates."""
+    if 0 < abs(value) < mpf(2) ** -1021:
+        return math.ldexp(float(nint(value * mpf(2) ** 1074)), -1074)
+    return float(value)
+
+
 def data():
     lines = ["# Function, arguments, value, and what is missing of it in its units in the last place; all by their bits. See tools/elementary.py."]
     for name, (function, arguments) in FUNCTIONS.items():
         for at in sorted(set(arguments(random.Random(name)))):
             at = at if isinstance(at, tuple) else (at,)
-            value = function(*map(mpf, at))
-            high = float(value)
-            if math.isinf(high):
-                continue
-            numbers = [*at, high, float((value - mpf(high)) / unit_in_last_place(high))]
+            # A multiple of pi/2 has as many bits before the point as the angle.
+            with workprec(mp.prec + max(0, *(math.frexp(x)[1] for x in [*at, 0.0]))):
+                value = function(*map(mpf, at))
+                high = nearest(value)
+                if math.isinf(high):
+                    continue
+                numbers = [*at, high, float((value - mpf(high)) / unit_in_last_place(high))]
             lines.append(" ".join([name, *(f"{bits(number):016x}" for number in numbers)]))
     return "\n".join(lines) + "\n"
 

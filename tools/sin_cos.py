@@ -17,7 +17,7 @@ import struct
 import sys
 from pathlib import Path
 
-from mpmath import cos, floor, log, lu_solve, matrix, mp, mpf, nint, pi, sin
+from mpmath import cos, floor, log, lu_solve, matrix, mp, mpf, nint, pi, sin, workprec
 
 mp.prec = 300
 REFERENCE = Path(__file__).resolve().parent.parent / "crates" / "lagrange-math" / "tests" / "sin_cos" / "reference.txt"
@@ -183,16 +183,33 @@ def sample_angles():
         angles += [math.ldexp(1 + draw.random(), exponent) for _ in range(6)]
     angles += [LIMIT * draw.random() for _ in range(300)]
     angles += [math.nextafter(LIMIT, 0.0), LIMIT]
-    return sorted({x for x in angles if 0.0 < x <= LIMIT})
+    return sorted({x for x in angles if 0.0 < x <= LIMIT}) + large_angles(draw)
+
+
+def large_angles(draw):
+    """Angles beyond the limit: all scales, and those that are near a multiple of pi/2."""
+    angles = [math.nextafter(LIMIT, math.inf), 1e22, sys.float_info.max, *HARDEST]
+    angles += [math.ldexp(1 + draw.random(), exponent) for exponent in range(17, 1024) for _ in range(2)]
+    for exponent in range(17, 53):
+        # Halves of units are lost in rounding: the nearest doubles lie at random distances.
+        middle = [float(draw.randrange(1, 4 << exponent) * (pi / 2)) for _ in range(4)]
+        angles += [near for x in middle for near in (math.nextafter(x, 0.0), x, math.nextafter(x, math.inf))]
+    return sorted({x for x in angles if x > LIMIT})
+
+
+# The double nearest to a multiple of pi/2, at 2^-60.9 (Muller, ch. 11), and a multiple of it.
+HARDEST = [math.ldexp(6381956970095103, 797), math.ldexp(6381956970095103, 798)]
 
 
 def data():
     lines = ["# x, sin x and cos x, the latter as sums of two doubles; all by their bits. See tools/sin_cos.py."]
     for x in sample_angles():
         numbers = [x]
-        for value in [sin(mpf(x)), cos(mpf(x))]:
-            high = float(value)
-            numbers += [high, float(value - mpf(high))]
+        # A multiple of pi/2 has as many bits before the point as the angle.
+        with workprec(mp.prec + max(0, math.frexp(x)[1])):
+            for value in [sin(mpf(x)), cos(mpf(x))]:
+                high = float(value)
+                numbers += [high, float(value - mpf(high))]
         lines.append(" ".join(f"{bits(number):016x}" for number in numbers))
     return "\n".join(lines) + "\n"
 

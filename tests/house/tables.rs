@@ -122,17 +122,22 @@ const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "reading of tabl
 
 const MATH: &[Layer] = &[
     Layer {
-        modules: &["functions", "fused"],
-        purpose: "the list of elementary functions; fused multiply-add where the target has it",
+        modules: &["functions", "fused", "quarters"],
+        purpose: "the list of elementary functions; products and sums in one rounding; angles of any size in \
+                  quarter turns",
     },
-    Layer { modules: &["platform"], purpose: "functions of the standard library or `libm`" },
-    Layer { modules: &["pair", "reduction"], purpose: "double-double sums; reduction of angles modulo π/2" },
+    Layer { modules: &["pair"], purpose: "double-double sums" },
+    Layer { modules: &["reduction"], purpose: "reduction of angles modulo π/2" },
     Layer {
         modules: &["angle", "arc", "exponential", "length"],
         purpose: "branch-free functions of one number: sine and cosine; their inverses; exponential \
                   and hyperbolic functions; `hypot`",
     },
-    Layer { modules: &["logarithm", "tangent"], purpose: "the logarithm and the tangent, built from those" },
+    Layer {
+        modules: &["logarithm", "precise", "tangent"],
+        purpose: "the logarithm, sine and cosine to 0.54 ulp and the tangent, built from those",
+    },
+    Layer { modules: &["beyond"], purpose: "functions beyond the domains of the formulas" },
     Layer { modules: &["batch"], purpose: "sine and cosine of several angles at once" },
     Layer { modules: &["elementary"], purpose: "the other functions of several numbers at once" },
 ];

@@ -13,10 +13,10 @@
 
 use crate::fused::multiply_add;
 use crate::pair::Pair;
-use crate::reduction::{Reduced, reduce};
+use crate::reduction::{Reduced, reduce, reduce_large};
 
 /// p: minimax for the relative error of sin r on [0, π/4], 2^−57.9.
-const SINE: [f64; 6] = [
+pub(crate) const SINE: [f64; 6] = [
     f64::from_bits(0xbfc5_5555_5555_5548),
     f64::from_bits(0x3f81_1111_1110_f730),
     f64::from_bits(0xbf2a_01a0_19be_9215),
@@ -26,7 +26,7 @@ const SINE: [f64; 6] = [
 ];
 
 /// q: minimax for the relative error of cos r on [0, π/4], 2^−63.9.
-const COSINE: [f64; 6] = [
+pub(crate) const COSINE: [f64; 6] = [
     f64::from_bits(0x3fa5_5555_5555_554b),
     f64::from_bits(0xbf56_c16c_16c1_5015),
     f64::from_bits(0x3efa_01a0_19c8_f25a),
@@ -41,8 +41,13 @@ const SIGN: u64 = 1 << 63;
 #[inline(always)]
 pub(crate) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
     let reduced = reduce::<FUSED>(x.abs());
-    let (sine, cosine) = of_rest::<FUSED>(&reduced);
-    in_quadrant(reduced.quadrant, sine.high + sine.low, cosine.high + cosine.low, x.to_bits() & SIGN)
+    in_quadrant(reduced.quadrant, of_rest::<FUSED>(&reduced), x)
+}
+
+/// Sine and cosine of an angle of any size.
+pub(crate) fn sin_cos_large(x: f64) -> (f64, f64) {
+    let reduced = reduce_large(x.abs());
+    in_quadrant(reduced.quadrant, of_rest::<false>(&reduced), x)
 }
 
 /// Sine and cosine of the reduced angle, the second numbers up to a tenth of the first ones.
@@ -79,10 +84,11 @@ fn pair<const FUSED: bool>(coefficients: &[f64; 6], index: usize, z: f64) -> f64
     multiply_add::<FUSED>(coefficients[index + 1], z, coefficients[index])
 }
 
-/// Exchanges sine and cosine in odd quadrants and sets their signs. In bits, since on many targets a choice
-/// between numbers is a branch.
+/// Adds up sine and cosine, exchanges them in odd quadrants and sets their signs, the sine's also by that of the angle. In bits,
+/// since on many targets a choice between numbers is a branch.
 #[inline(always)]
-fn in_quadrant(quadrant: u64, sine: f64, cosine: f64, sign: u64) -> (f64, f64) {
+pub(crate) fn in_quadrant(quadrant: u64, (sine, cosine): (Pair, Pair), x: f64) -> (f64, f64) {
+    let (sine, cosine, sign) = (sine.high + sine.low, cosine.high + cosine.low, x.to_bits() & SIGN);
     let is_odd = (quadrant & 1).wrapping_neg();
     let exchange = (sine.to_bits() ^ cosine.to_bits()) & is_odd;
     let sine_sign = ((quadrant & 2) << 62) ^ sign;

@@ -2,17 +2,16 @@
 
 use crate::angle;
 use crate::fused::HAS_FUSED;
+use crate::precise;
 
-/// Up to this magnitude angles are reduced in [`sin_cos_each`] itself, in radians.
+/// Up to this magnitude angles are reduced with all others, in radians; beyond, one by one in integers.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
 /// The sine and the cosine of each angle, in radians.
 ///
-/// The error is below 0.9 units in the last place for angles of up to [`LARGEST_ANGLE`] in magnitude, whether or
-/// not products are fused; beyond, it is that of the platform's function (of `libm` without the feature `std`).
-/// What comes of an angle does not depend on the other angles, and up to [`LARGEST_ANGLE`] it is the same on
-/// every platform that fuses products, and on every one that does not. Zeros keep their sign; infinity and NaN
-/// give NaN.
+/// The error is below 0.9 units in the last place for angles of any size, whether or not products are fused.
+/// What comes of an angle does not depend on the other angles, and it is the same on every platform that
+/// fuses products, and on every one that does not. Zeros keep their sign; infinity and NaN give NaN.
 ///
 /// ```
 /// use lagrange_math::sin_cos_each;
@@ -25,9 +24,9 @@ pub const LARGEST_ANGLE: f64 = 1e5;
 #[must_use]
 pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-    formulas::<HAS_FUSED, N>(&angles, &mut sines, &mut cosines);
+    formulas(angle::sin_cos::<HAS_FUSED>, &angles, &mut sines, &mut cosines);
     if !are_small(&angles) {
-        replace_large(&angles, &mut sines, &mut cosines);
+        replace_large(angle::sin_cos_large, &angles, &mut sines, &mut cosines);
     }
     zipped(sines, cosines)
 }
@@ -46,12 +45,38 @@ pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
 #[inline(always)]
 #[must_use]
 pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    sine_and_cosine_of_each(angle::sin_cos::<FUSED>, angle::sin_cos_large, angles)
+}
+
+/// All sines and all cosines of the angles without fused products, with an error below 0.55 units in the last place for angles of any size.
+///
+/// What comes of an angle has the same bits on every platform and does not depend on the other angles. Zeros keep their sign; infinity and
+/// NaN give NaN.
+///
+/// ```
+/// use lagrange_math::precise_sines_and_cosines;
+///
+/// let ([sine], [cosine]) = precise_sines_and_cosines([1e22]);
+/// assert_eq!((sine, cosine), (-0.8522008497671888, 0.5232147853951389));
+/// ```
+#[inline(always)]
+#[must_use]
+pub fn precise_sines_and_cosines<const N: usize>(angles: [f64; N]) -> ([f64; N], [f64; N]) {
+    sine_and_cosine_of_each(precise::sin_cos, precise::sin_cos_large, angles)
+}
+
+#[inline(always)]
+fn sine_and_cosine_of_each<const N: usize>(
+    formula: impl Fn(f64) -> (f64, f64),
+    of_large: fn(f64) -> (f64, f64),
+    angles: [f64; N],
+) -> ([f64; N], [f64; N]) {
     let (mut sines, mut cosines) = ([0.0; N], [0.0; N]);
-    formulas::<FUSED, N>(&angles, &mut sines, &mut cosines);
+    formulas(formula, &angles, &mut sines, &mut cosines);
     if !are_small(&angles) {
         // Copies are lent, so that those of whoever needs no call stay out of memory.
         let (lent, mut lent_sines, mut lent_cosines) = (angles, sines, cosines);
-        replace_large(&lent, &mut lent_sines, &mut lent_cosines);
+        replace_large(of_large, &lent, &mut lent_sines, &mut lent_cosines);
         return (lent_sines, lent_cosines);
     }
     (sines, cosines)
@@ -60,7 +85,8 @@ pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) ->
 /// Sines and cosines of small angles; of others they have no meaning. Apart, so that all sines, and all cosines, lie side by side as vector
 /// instructions want them.
 #[inline(always)]
-fn formulas<const FUSED: bool, const N: usize>(
+fn formulas<const N: usize>(
+    formula: impl Fn(f64) -> (f64, f64),
     angles: &[f64; N],
     sines: &mut [f64; N],
     cosines: &mut [f64; N],
@@ -68,7 +94,7 @@ fn formulas<const FUSED: bool, const N: usize>(
     let [eights, twos] = const { cuts(N) };
     for range in [0..eights, eights..twos, twos..N] {
         for i in range {
-            (sines[i], cosines[i]) = angle::sin_cos::<FUSED>(angles[i]);
+            (sines[i], cosines[i]) = formula(angles[i]);
         }
     }
 }
@@ -124,20 +150,10 @@ fn is_small(angle: f64) -> bool {
 /// One call for all angles, so that those who never need it jump past it once.
 #[cold]
 #[inline(never)]
-fn replace_large(angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
+fn replace_large(of_large: fn(f64) -> (f64, f64), angles: &[f64], sines: &mut [f64], cosines: &mut [f64]) {
     for ((angle, sine), cosine) in angles.iter().zip(sines).zip(cosines) {
         if !is_small(*angle) {
-            (*sine, *cosine) = platform(*angle);
+            (*sine, *cosine) = of_large(*angle);
         }
     }
-}
-
-#[cfg(feature = "std")]
-fn platform(angle: f64) -> (f64, f64) {
-    angle.sin_cos()
-}
-
-#[cfg(not(feature = "std"))]
-fn platform(angle: f64) -> (f64, f64) {
-    libm::sincos(angle)
 }

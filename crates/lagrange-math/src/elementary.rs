@@ -2,10 +2,10 @@
 
 use crate::arc;
 use crate::batch::LARGEST_ANGLE;
+use crate::beyond;
 use crate::exponential::{self, LARGEST_HYPERBOLIC};
 use crate::length;
 use crate::logarithm;
-use crate::platform;
 use crate::tangent;
 
 /// Makes the enumeration of the functions that lanes compute together, and their values.
@@ -32,7 +32,7 @@ macro_rules! of_lanes {
         everywhere($x, $formula)
     };
     (@values $x:ident, $name:ident, $formula:expr, $domain:ident) => {
-        each(|i| $formula($x[i]), |i| $domain($x[i]), |i| platform::$name($x[i]))
+        each(|i| $formula($x[i]), |i| $domain($x[i]), |i| beyond::$name($x[i]))
     };
 }
 
@@ -41,17 +41,15 @@ crate::functions!(of_lanes);
 /// Values of a function at several numbers, with products that are fused or not, as for
 /// [`sines_and_cosines`](crate::sines_and_cosines).
 ///
-/// What comes of a number does not depend on the others, and is the same on every platform for each choice of FUSED, except where the
-/// function is the platform's (that of `libm` without the feature `std`). Errors in units in the last place, for all other numbers:
+/// What comes of a number does not depend on the others, and is the same on every platform for each choice of FUSED. Errors in units in
+/// the last place:
 ///
-/// | | error, fused or not | the platform's |
-/// |---|---|---|
-/// | `Tan` | 1 | beyond 10⁵ in magnitude |
-/// | `Asin`, `Acos`, `Atan` | 0.7 | |
-/// | `Sinh`, `Cosh` | 0.8 | beyond 600 in magnitude |
-/// | `Tanh` | 0.8 | |
-/// | `Exp` | 0.6, or 1.2 below 2⁻¹⁰²² | |
-/// | `Ln` | 1 | |
+/// | | error, fused or not |
+/// |---|---|
+/// | `Tan`, `Ln` | 1 |
+/// | `Asin`, `Acos`, `Atan` | 0.7 |
+/// | `Sinh`, `Cosh`, `Tanh` | 0.8 |
+/// | `Exp` | 0.6, or 1.2 below 2⁻¹⁰²² |
 ///
 /// Special values are those of IEEE 754: zeros keep their sign, and NaN stays NaN.
 ///
@@ -89,12 +87,12 @@ fn everywhere<const N: usize>(arguments: [f64; N], formula: impl Fn(f64) -> f64)
     values
 }
 
-/// Values of a formula, each by its index, and those of the platform where the formula is not meant for what it is given.
+/// Values of a formula, each by its index, and those of another function where the formula is not meant for what it is given.
 #[inline(always)]
 fn each<const N: usize>(
     formula: impl Fn(usize) -> f64,
     covers: impl Fn(usize) -> bool,
-    platform: impl Fn(usize) -> f64,
+    beyond: impl Fn(usize) -> f64,
 ) -> [f64; N] {
     let mut values = [0.0; N];
     for (i, value) in values.iter_mut().enumerate() {
@@ -104,7 +102,7 @@ fn each<const N: usize>(
     if !all_covered {
         for (i, value) in values.iter_mut().enumerate() {
             if !covers(i) {
-                *value = platform(i);
+                *value = beyond(i);
             }
         }
     }
@@ -114,7 +112,7 @@ fn each<const N: usize>(
 /// The angles in [−π, π] of several points, each with an ordinate and an abscissa.
 ///
 /// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in magnitude; other points, the origin among
-/// them, have the angle that the platform gives them, with the sides of the cut as IEEE 754 has them. All else is as for [`values`].
+/// them, have the angle that `libm` gives them, with the sides of the cut as IEEE 754 has them. All else is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
@@ -122,22 +120,34 @@ pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas:
     each(
         |i| arc::atan2::<FUSED>(y[i], x[i]),
         |i| arc::are_coordinates(y[i], x[i]),
-        |i| platform::atan2(y[i], x[i]),
+        |i| beyond::atan2(y[i], x[i]),
     )
 }
 
 /// The lengths √(x² + y²) of several vectors.
 ///
 /// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to 10¹⁵⁰ in magnitude; others have the
-/// length that the platform gives them, infinite if a component is. All else is as for [`values`].
+/// length that `libm` gives them, infinite if a component is. All else is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {
     each(
         |i| length::hypot::<FUSED>(x[i], y[i]),
         |i| length::are_components(x[i], y[i]),
-        |i| platform::hypot(x[i], y[i]),
+        |i| beyond::hypot(x[i], y[i]),
     )
+}
+
+/// A number to a real power, with an error below one unit in the last place and the same bits on every platform; NaN if either is NaN.
+///
+/// ```
+/// assert_eq!(lagrange_math::power(2.0, 0.5), 2_f64.sqrt());
+/// assert!(lagrange_math::power(-2.0, 0.5).is_nan());
+/// ```
+#[inline]
+#[must_use]
+pub fn power(base: f64, exponent: f64) -> f64 {
+    if base.is_nan() || exponent.is_nan() { f64::NAN } else { libm::pow(base, exponent) }
 }
 
 /// [`values`] in single precision, computed in double and rounded once.

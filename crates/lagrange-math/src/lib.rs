@@ -1,9 +1,9 @@
-//! Elementary functions of several numbers at a time: sine and cosine of the level of accuracy `fast`, and what numbers side by side, in
-//! the lanes of vector instructions, are given beside.
+//! Elementary functions of several numbers at a time: sine and cosine of the level of accuracy `fast`, and all functions of numbers side by
+//! side, in the lanes of vector instructions, and of numbers with the same bits on every platform.
 //!
 //! [`sin_cos_each`], [`values`] and the others have no branch that depends on a number and no table, so that the compiler inlines them and
-//! computes several numbers with each instruction where the target can. It is *not* a library for single numbers: what one
-//! of the platform does as well is left to the platform.
+//! computes several numbers with each instruction where the target can. They call nothing of the platform: without fused products, results
+//! have the same bits everywhere.
 //!
 //! The methods are the classical ones. Sine and cosine: reduction to [−π/4, π/4] with π/2 in three parts (W. J. Cody, W. Waite,
 //! *Software Manual for the Elementary Functions*, 1980, chapter 8), then one minimax polynomial each for sine
@@ -21,6 +21,7 @@ extern crate std;
 mod angle;
 mod arc;
 mod batch;
+mod beyond;
 mod elementary;
 mod exponential;
 mod functions;
@@ -28,9 +29,14 @@ mod fused;
 mod length;
 mod logarithm;
 mod pair;
-mod platform;
+mod precise;
+mod quarters;
 mod reduction;
 mod tangent;
 
-pub use batch::{LARGEST_ANGLE, sin_cos_each, sin_cos_each_f32, sines_and_cosines, sines_and_cosines_f32};
-pub use elementary::{Elementary, angles, angles_f32, lengths, lengths_f32, values, values_f32};
+pub use batch::{
+    LARGEST_ANGLE, precise_sines_and_cosines, sin_cos_each, sin_cos_each_f32, sines_and_cosines,
+    sines_and_cosines_f32,
+};
+pub use elementary::{Elementary, angles, angles_f32, lengths, lengths_f32, power, values, values_f32};
+pub use quarters::{nearest_quarter, quarter_turns};

@@ -2,7 +2,6 @@
 //! precision", Numerische Mathematik 18, 1971).
 
 use crate::fused::multiply_add;
-use crate::platform;
 
 /// The sum of two numbers, of which the second is small beside the first.
 #[derive(Clone, Copy)]
@@ -68,8 +67,18 @@ pub(crate) fn quotient<const FUSED: bool>(numerator: Pair, denominator: Pair) ->
 pub(crate) fn square_root<const FUSED: bool>(square: Pair) -> Pair {
     /// Added to what is zero only where it may as well be this.
     const NOTHING: f64 = 1e-300;
-    let high = platform::sqrt(square.high);
+    let high = root(square.high);
     let back = product::<FUSED>(high, high);
     let rest = ((square.high - back.high) - back.low) + square.low;
     Pair { high, low: rest / (2.0 * high + NOTHING) }
+}
+
+/// The square root, correctly rounded.
+#[inline(always)]
+fn root(square: f64) -> f64 {
+    #[cfg(feature = "std")]
+    let value = square.sqrt();
+    #[cfg(not(feature = "std"))]
+    let value = libm::sqrt(square);
+    value
 }

@@ -7,10 +7,15 @@
 //! How good it is depends on how near a double comes to a multiple of π/2. Of all up to 10⁵ the nearest is
 //! 45.553093477052, at 2^−60.5 from 29 π/2; at the double nearest to each of the 63 661 multiples the relative
 //! error of the rest is below 2^−63 (`tools/sin_cos.py angles`). Other doubles are farther away.
+//!
+//! Larger angles are reduced in integers. No double is nearer than 2^−61 to a multiple of π/2, so that more than 70 correct bits
+//! of the rest remain.
 
-use core::f64::consts::FRAC_2_PI;
+use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use crate::fused::multiply_add;
+use crate::pair::{Pair, normal, product};
+use crate::quarters::{nearest_quarter, quarter_turns};
 
 /// π/2 = 2^−130.5 + the sum of these.
 const HALF_PI: [f64; 3] = [
@@ -18,6 +23,9 @@ const HALF_PI: [f64; 3] = [
     f64::from_bits(0x3d86_8c23_4c4c_0000),
     f64::from_bits(0x3b29_8a2e_0370_7345),
 ];
+
+/// π/2 less the nearest double.
+const HALF_PI_REST: f64 = f64::from_bits(0x3c91_a626_3314_5c07);
 
 /// Added to a number below 2⁵¹, rounds it to an integer, which then stands in the last bits.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
@@ -40,4 +48,31 @@ pub(crate) fn reduce<const FUSED: bool>(x: f64) -> Reduced {
     // What rounding took from `high`. Where the product is the larger term, the difference is exact.
     let lost = multiply_add::<FUSED>(-n, HALF_PI[1], first - high);
     Reduced { quadrant: shifted.to_bits(), high, low: multiply_add::<FUSED>(-n, HALF_PI[2], lost) }
+}
+
+/// Reduces an angle of any size; the rest is NaN where the angle is NaN or infinite.
+pub(crate) fn reduce_large(x: f64) -> Reduced {
+    if !x.is_finite() {
+        return Reduced { quadrant: 0, high: f64::NAN, low: f64::NAN };
+    }
+    let (quadrant, is_negative, rest) = nearest_quarter(quarter_turns::<3>(x));
+    let (quarters, sign) = (leading(rest), if is_negative { -1.0 } else { 1.0 });
+    let Pair { high, low } = product::<false>(quarters.high, FRAC_PI_2);
+    let low = low + (quarters.high * HALF_PI_REST + quarters.low * FRAC_PI_2);
+    let Pair { high, low } = normal(Pair { high, low });
+    Reduced { quadrant, high: sign * high, low: sign * low }
+}
+
+/// The leading 106 bits of a fraction that begins at the point.
+fn leading([first, second, third]: [u64; 3]) -> Pair {
+    let bits = u128::from(first) << 64 | u128::from(second);
+    let zeros = bits.leading_zeros().min(63);
+    let bits = bits << zeros | u128::from(third.checked_shr(64 - zeros).unwrap_or(0));
+    let high = (bits >> 75) as f64 * power_of_two(-53 - zeros as i32);
+    let low = ((bits >> 22) as u64 & ((1 << 53) - 1)) as f64;
+    Pair { high, low: low * power_of_two(-106 - zeros as i32) }
+}
+
+fn power_of_two(exponent: i32) -> f64 {
+    f64::from_bits(((1023 + exponent) as u64) << 52)
 }

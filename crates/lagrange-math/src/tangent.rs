@@ -3,13 +3,22 @@
 
 use crate::angle::of_rest;
 use crate::pair::{Pair, normal, quotient};
-use crate::reduction::reduce;
+use crate::reduction::{Reduced, reduce, reduce_large};
 
 /// The tangent of an angle of at most 10⁵ in magnitude; of others the result has no meaning.
 #[inline(always)]
 pub(crate) fn tan<const FUSED: bool>(x: f64) -> f64 {
-    let reduced = reduce::<FUSED>(x.abs());
-    let (sine, cosine) = of_rest::<FUSED>(&reduced);
+    of_reduced::<FUSED>(&reduce::<FUSED>(x.abs()), x)
+}
+
+/// The tangent of an angle of any size.
+pub(crate) fn tan_large(x: f64) -> f64 {
+    of_reduced::<false>(&reduce_large(x.abs()), x)
+}
+
+#[inline(always)]
+fn of_reduced<const FUSED: bool>(reduced: &Reduced, x: f64) -> f64 {
+    let (sine, cosine) = of_rest::<FUSED>(reduced);
     let (sine, cosine) = (normal(sine), normal(cosine));
     let is_odd = (reduced.quadrant & 1).wrapping_neg();
     let (numerator, denominator) = (chosen(is_odd, cosine, sine), chosen(is_odd, sine, cosine));

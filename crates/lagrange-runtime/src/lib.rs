@@ -41,4 +41,4 @@ pub mod system;
 pub mod table;
 mod tolerance;
 
-pub use crate::scalar::{Number, Scalar};
+pub use crate::scalar::{Number, Portable, Scalar};

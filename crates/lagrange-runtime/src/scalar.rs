@@ -3,15 +3,17 @@
 //! [`Number`] is the contract between emitted formulas and a number type. It is no general numeric
 //! abstraction: it holds what the language of `system!` can express, nothing else. [`Scalar`] adds what runs, events
 //! and contacts need beside: an order, so that a program may branch. `f64` and `f32` are both, with the functions of
-//! the platform under the `std` feature and those of `libm` without it.
+//! the platform under the `std` feature and those of `libm` without it. [`Portable`] numbers have the same bits everywhere.
 
 mod lanes;
 mod mask;
 mod platform;
+mod portable;
 mod rough;
 
 pub use self::lanes::{LaneMask, Lanes};
 pub use self::mask::Mask;
+pub use self::portable::Portable;
 pub use lagrange_math::Elementary;
 #[doc(hidden)]
 pub use lagrange_math::functions;
@@ -106,7 +108,7 @@ pub trait Number:
     /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
     ///
     /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target can, the
-    /// error below 0.9 units in the last place for `f64` up to 10⁵ rad, and 0.5000001 for `f32`. For other
+    /// error below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For other
     /// numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better; what comes of an
     /// angle must not depend on the others.
     ///

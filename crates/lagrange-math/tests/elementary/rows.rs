@@ -1,6 +1,6 @@
 //! Functions by their names, and how far they may be off.
 
-use lagrange_math::{Elementary, angles, lengths, values};
+use lagrange_math::{Elementary, angles, lengths, power, values};
 
 pub(crate) struct Row {
     pub(crate) name: &'static str,
@@ -34,7 +34,7 @@ fn one(fused: bool, function: Elementary, x: f64) -> f64 {
     value
 }
 
-pub(crate) const ROWS: [Row; 11] = [
+pub(crate) const ROWS: [Row; 12] = [
     row!("tan", Tan, 1.0),
     row!("asin", Asin, 0.7),
     row!("acos", Acos, 0.7),
@@ -60,6 +60,7 @@ pub(crate) const ROWS: [Row; 11] = [
             if fused { lengths::<true, 1>([x], [y])[0] } else { lengths::<false, 1>([x], [y])[0] }
         },
     },
+    Row { name: "powf", of_two: true, bounds: [1.0, 1.2], of: |_, [x, y]| power(x, y) },
 ];
 
 /// The functions of one number.

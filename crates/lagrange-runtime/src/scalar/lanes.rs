@@ -16,17 +16,15 @@ use super::{Elementary, Mask, Number, Scalar};
 /// Other elementary functions are computed for all lanes together, from the same source whatever FUSED is, with errors in units in the
 /// last place of at most
 ///
-/// | `f64` | | elsewhere the function of T |
-/// |---|---|---|
-/// | `sin`, `cos` | 0.9 | beyond 10⁵ in magnitude |
-/// | `tan` | 1 | beyond 10⁵ in magnitude |
-/// | `asin`, `acos`, `atan` | 0.7 | |
-/// | `atan2` | 0.7 | at the origin, and where a coordinate other than zero is below 10⁻²⁷⁰ or above 10²⁷⁰ in magnitude |
-/// | `sinh`, `cosh` | 0.8 | beyond 600 in magnitude |
-/// | `tanh` | 0.8 | |
-/// | `exp` | 0.6, or 1.2 below 2⁻¹⁰²² | |
-/// | `ln` | 1 | |
-/// | `hypot` | 0.6 | where a component other than zero is below 10⁻¹³⁰ or above 10¹⁵⁰ in magnitude |
+/// | `f64` | |
+/// |---|---|
+/// | `sin`, `cos` | 0.9 |
+/// | `tan` | 1 |
+/// | `asin`, `acos`, `atan`, `atan2` | 0.7; `atan2` 1 where a coordinate other than zero is below 10⁻²⁷⁰ or above 10²⁷⁰ in magnitude |
+/// | `sinh`, `cosh`, `tanh` | 0.8 |
+/// | `exp` | 0.6, or 1.2 below 2⁻¹⁰²² |
+/// | `ln` | 1 |
+/// | `hypot` | 0.6 |
 ///
 /// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Special values, zeros with their signs, infinity and NaN, are
 /// those of [`Number`].

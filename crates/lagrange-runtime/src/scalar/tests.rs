@@ -1,12 +1,13 @@
-//! Every function at NaN, ±0 and ±∞ for both number types, and `libm` against the standard library.
+//! Every function at NaN, ±0 and ±∞ for all number types, and `libm` against the standard library.
 //!
 //! The first part runs against whichever of the two libraries the features select.
 
 mod least;
+mod portable;
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
-use super::{Lanes, Number, Scalar};
+use super::{Lanes, Number, Portable, Scalar};
 
 /// The numbers at which functions are most often wrong.
 struct Special<S> {
@@ -39,11 +40,13 @@ fn expect_near<S: Scalar>(found: S, wanted: f64) {
     assert!(error <= S::from_f64(1e-6), "{found:?} instead of {wanted:?}");
 }
 
-/// Runs the checks for both number types.
-macro_rules! for_both {
+/// Runs the checks for all number types.
+macro_rules! for_all {
     ($($test:ident)*) => {
         $(
             mod $test {
+                use super::super::Portable;
+
                 #[test]
                 fn f32() {
                     super::super::checks::$test::<f32>();
@@ -53,13 +56,19 @@ macro_rules! for_both {
                 fn f64() {
                     super::super::checks::$test::<f64>();
                 }
+
+                #[test]
+                fn portable() {
+                    super::super::checks::$test::<Portable<f32>>();
+                    super::super::checks::$test::<Portable>();
+                }
             }
         )*
     };
 }
 
-mod both {
-    for_both! {
+mod all {
+    for_all! {
         constants_and_conversion nan_is_never_hidden odd_functions_keep_signed_zeros
         circular_functions_at_the_edges hyperbolic_functions_at_the_edges roots_and_logarithms_at_the_edges
         atan2_follows_signs_of_zero signs_and_magnitudes extrema_propagate_nan powers multiply_add_is_a_product_and_a_sum whole_numbers_below

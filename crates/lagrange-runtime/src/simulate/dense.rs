@@ -15,7 +15,7 @@
 
 use std::vec::Vec;
 
-use crate::scalar::{Number, Scalar};
+use crate::scalar::Scalar;
 use crate::system::StateVector;
 
 /// The steps of a run, each as a polynomial.
@@ -36,9 +36,9 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
     /// For a method of this order.
     pub(super) fn new(order: u32) -> Self {
         let degree = LEAST_DEGREE.max(order + 1);
-        let angle = |j: u32| core::f64::consts::PI * f64::from(j) / f64::from(degree);
+        let angle = |j: u32| S::from_f64(core::f64::consts::PI * f64::from(j) / f64::from(degree));
         // Exact at both ends and at the middle, unlike (1 − cos)/2.
-        let points = (0..=degree).map(|j| S::from_f64(Number::powi(Number::sin(angle(j) / 2.0), 2)));
+        let points = (0..=degree).map(|j| (angle(j) / S::from_f64(2.0)).sin().powi(2));
         Dense { points: points.collect(), steps: Vec::new(), states: Vec::new() }
     }
 
