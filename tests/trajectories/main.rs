@@ -9,6 +9,7 @@ mod bricard;
 mod canonical;
 mod comet;
 mod constrained_series;
+mod damped;
 mod drift;
 mod elliptic;
 mod ends;
