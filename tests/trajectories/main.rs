@@ -10,6 +10,7 @@ mod canonical;
 mod comet;
 mod constrained_series;
 mod damped;
+mod damped_runs;
 mod drift;
 mod elliptic;
 mod ends;

@@ -53,6 +53,16 @@ fn raised<S: Scalar>(
     }
 }
 
+/// The judgement of an attempt.
+pub(super) enum Judgement<S> {
+    /// The step was taken.
+    Taken,
+    /// Its error was too large.
+    Inaccurate,
+    /// It could not be computed, or led where the system is not defined, or where constraints cannot be satisfied.
+    Lost(StepFailure<S>),
+}
+
 /// Number of consecutive negligible steps after which constraints that are about to become
 /// dependent count as blocking the motion.
 const MOST_CRAWLING: u32 = 1000;

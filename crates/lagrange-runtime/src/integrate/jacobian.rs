@@ -6,7 +6,7 @@ use crate::linalg::pivoted::Matrix;
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector};
 
-/// Where the methods of equal steps take the Jacobian from.
+/// The source of the Jacobian for methods of equal steps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Source {
     /// The system, if it knows one; fixed points do without in short steps.

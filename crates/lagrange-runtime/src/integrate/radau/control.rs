@@ -1,7 +1,7 @@
 //! The choice of the next step length.
 //!
 //! The step follows the error of the last two steps, and Newton's iterations: many of them ask for a shorter step.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8, "Step size selection".
+//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8, "Step size selection".
 
 use super::newton::MOST_ITERATIONS;
 use crate::scalar::Scalar;
@@ -23,7 +23,7 @@ const LEAST_ERROR: f64 = 1e-2;
 
 /// The controller with its memory.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Control<S> {
+pub(super) struct ReuseControl<S> {
     /// Length of the next step to try, always positive.
     pub(super) step: S,
     /// Length and error of the last step that was taken.
@@ -31,9 +31,9 @@ pub(super) struct Control<S> {
     was_rejected: bool,
 }
 
-impl<S: Scalar> Control<S> {
+impl<S: Scalar> ReuseControl<S> {
     pub(super) fn new(step: S) -> Self {
-        Control { step, last: None, was_rejected: false }
+        ReuseControl { step, last: None, was_rejected: false }
     }
 
     /// True if the last step was thrown away.

@@ -5,8 +5,8 @@
 //! those of the polynomial of the stages at its end, in this step and the one before: equal to the rates but for what Newton's method
 //! leaves, which a stiff system would magnify.
 
-use super::linear::Positions;
-use super::newton::{Stages, numbers, weighted};
+use super::linear::LeadingPositions;
+use super::newton::{StageChanges, numbers, weighted};
 use super::tableau::{END_SLOPE, NODES, POLYNOMIALS, STAGES, START_SLOPE};
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::linalg::vector::add;
@@ -15,13 +15,13 @@ use crate::system::StateVector;
 
 /// A step of the length `h` from the time `t`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Span<S, Y> {
+pub(super) struct StepTaken<S, Y> {
     pub(super) t: S,
     pub(super) h: S,
     pub(super) ends: [Y; 2],
     /// Change of the state, to more digits than the difference of the ends has.
     pub(super) change: Y,
-    pub(super) stages: Stages<Y>,
+    pub(super) stages: StageChanges<Y>,
     /// The rates at the ends.
     pub(super) rates: [Y; 2],
     pub(super) slopes: [Y; 2],
@@ -30,11 +30,19 @@ pub(super) struct Span<S, Y> {
 /// Distance of values, in parts of a step, whose differences give the slope of an interpolant.
 const DISTANCE: f64 = 0.05;
 
-impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
+impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
     /// No step, at this time and state with this rate.
     pub(super) fn none(t: S, y: Y, rate: Y) -> Self {
         let (h, none) = (S::ZERO, Y::ZERO);
-        Span { t, h, ends: [y; 2], change: none, stages: [none; STAGES], rates: [rate; 2], slopes: [rate; 2] }
+        StepTaken {
+            t,
+            h,
+            ends: [y; 2],
+            change: none,
+            stages: [none; STAGES],
+            rates: [rate; 2],
+            slopes: [rate; 2],
+        }
     }
 
     /// The slope of the polynomial of the stages at the end.
@@ -42,10 +50,10 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
         self.slope(&END_SLOPE)
     }
 
-    /// The same step with the slopes of the polynomial of the stages at both ends, which fast motions that the step does not
+    /// Returns the step with the slopes of the polynomial of the stages at both ends, which fast motions that the step does not
     /// resolve do not spoil.
     pub(super) fn smooth(&self) -> Self {
-        Span { slopes: [self.slope(&START_SLOPE), self.slope(&END_SLOPE)], ..*self }
+        StepTaken { slopes: [self.slope(&START_SLOPE), self.slope(&END_SLOPE)], ..*self }
     }
 
     fn slope(&self, parts: &[f64; STAGES]) -> Y {
@@ -56,7 +64,7 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
 
     /// The changes from the part `s` of the step to the nodes of one of the length `h` that begins there.
     #[inline(always)]
-    pub(super) fn continued(&self, s: S, h: S) -> Stages<Y> {
+    pub(super) fn continued(&self, s: S, h: S) -> StageChanges<Y> {
         let (start, ratio) = (parts(s), h / self.h);
         let mut changes = [Y::ZERO; STAGES];
         for (change, node) in changes.iter_mut().zip(NODES) {
@@ -70,8 +78,8 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
     }
 
     /// The state at the part `s` of the step.
-    pub(super) fn state(&self, positions: Positions, s: S) -> Y {
-        let Span { h, ends: [from, to], slopes: [before, after], .. } = self;
+    pub(super) fn state(&self, positions: LeadingPositions, s: S) -> Y {
+        let StepTaken { h, ends: [from, to], slopes: [before, after], .. } = self;
         let place = Place { h: *h, s };
         let mut y = cubic(place, [from, to], [before, after]);
         let mut motion = Motion { change: Y::ZERO, velocities: [Y::ZERO; 2], accelerations: [Y::ZERO; 2] };
@@ -91,7 +99,10 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
     }
 
     /// The components whose rates are others, with these: not those whose rates are others and something that depends on time.
-    fn positions(&self, Positions { count, rates }: Positions) -> impl Iterator<Item = (usize, usize)> + '_ {
+    fn positions(
+        &self,
+        LeadingPositions { count, rates }: LeadingPositions,
+    ) -> impl Iterator<Item = (usize, usize)> + '_ {
         (0..count).map(move |position| (position, rates + position)).filter(|(position, velocity)| {
             let mut ends = self.rates.iter().zip(&self.ends);
             ends.all(|(rate, y)| rate.as_ref()[*position] == y.as_ref()[*velocity])
@@ -99,7 +110,7 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
     }
 
     /// The slope of the interpolant at the part `s` of the step, by differences that are exact for quartic polynomials.
-    pub(super) fn slope_at(&self, positions: Positions, s: S) -> Y {
+    pub(super) fn slope_at(&self, positions: LeadingPositions, s: S) -> Y {
         let mut slope = Y::ZERO;
         for (steps, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
             let y = self.state(positions, S::from_f64(steps * DISTANCE) + s);
@@ -111,7 +122,7 @@ impl<S: Scalar, Y: StateVector<S>> Span<S, Y> {
     }
 }
 
-/// What the stages have of their polynomial at the part `s` of the step.
+/// Returns the weights of the stages in their polynomial at the part `s` of the step.
 #[inline(always)]
 fn parts<S: Scalar>(s: S) -> [S; STAGES] {
     let mut parts = [S::ZERO; STAGES];

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! With A = −6, B = −1, μ = 2, r = (1, 7): (2 + 1 + 3) δv = 7 − 3, so δv = 2/3 and δq = 5/6.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8, "Second order equations".
+//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8, "Second order equations".
 
 use crate::linalg::pivoted::{ComplexFactors, Factors, Matrix, product};
 use crate::scalar::Scalar;
@@ -16,24 +16,27 @@ use crate::system::StateVector;
 
 /// The components that follow from others: the first ones, as many as these, and where those begin that are their rates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Positions {
+pub(super) struct LeadingPositions {
     pub(super) count: usize,
     pub(super) rates: usize,
 }
 
-impl Positions {
+impl LeadingPositions {
     /// Finds them in a Jacobian, by rows with a single entry of one.
     fn of<S: Scalar, Y: StateVector<S>>(jacobian: &Matrix<S, Y>) -> Self {
         let rows = jacobian.0.as_ref();
-        let Some(rates) = rows.first().and_then(only_one) else { return Positions { count: 0, rates: 0 } };
+        let Some(rates) = rows.first().and_then(only_one) else {
+            return LeadingPositions { count: 0, rates: 0 };
+        };
         let is_position = |place: &usize| *place < rates && only_one(&rows[*place]) == Some(rates + *place);
-        Positions { count: (0..rows.len()).take_while(is_position).count(), rates }
+        LeadingPositions { count: (0..rows.len()).take_while(is_position).count(), rates }
     }
 
     /// Calls a function with these positions, known at compile time where they are none or half of all components.
     #[inline(always)]
-    fn known<R>(self, size: usize, call: impl Fn(Positions) -> R) -> R {
-        let (half, none) = (Positions { count: size / 2, rates: size / 2 }, Positions { count: 0, rates: 0 });
+    fn known<R>(self, size: usize, call: impl Fn(LeadingPositions) -> R) -> R {
+        let (half, none) =
+            (LeadingPositions { count: size / 2, rates: size / 2 }, LeadingPositions { count: 0, rates: 0 });
         match self {
             found if found == half => call(half),
             found if found.count == 0 => call(none),
@@ -51,24 +54,28 @@ fn only_one<S: Scalar, Y: StateVector<S>>(row: &Y) -> Option<usize> {
 
 /// A Jacobian and its structure.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Linearised<S: Scalar, Y: StateVector<S>> {
+pub(super) struct LinearSystem<S: Scalar, Y: StateVector<S>> {
     jacobian: Matrix<S, Y>,
-    positions: Positions,
+    positions: LeadingPositions,
 }
 
-impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
+impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
     pub(super) fn new(jacobian: Matrix<S, Y>) -> Self {
-        Linearised { positions: Positions::of(&jacobian), jacobian }
+        LinearSystem { positions: LeadingPositions::of(&jacobian), jacobian }
     }
 
     /// The components whose rates are others, and where these are.
-    pub(super) fn positions(&self) -> Positions {
+    pub(super) fn positions(&self) -> LeadingPositions {
         self.positions
     }
 
     /// A part of the matrix of the other components: that of μ with that of 1 / μ, and `share` of the Jacobian.
     #[inline(always)]
-    fn matrix(&self, Positions { count, rates }: Positions, [mu, reciprocal, share]: [S; 3]) -> Matrix<S, Y> {
+    fn matrix(
+        &self,
+        LeadingPositions { count, rates }: LeadingPositions,
+        [mu, reciprocal, share]: [S; 3],
+    ) -> Matrix<S, Y> {
         let mut matrix = Matrix::ZERO;
         for row in 0..matrix.rows() - count {
             for column in 0..matrix.rows() - count {
@@ -102,7 +109,7 @@ pub(super) struct RealShift<S: Scalar, Y: StateVector<S>> {
 
 impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
     /// The factors, unless the matrix is singular or not finite.
-    pub(super) fn new(linearised: &Linearised<S, Y>, mu: S) -> Option<Self> {
+    pub(super) fn new(linearised: &LinearSystem<S, Y>, mu: S) -> Option<Self> {
         let (reciprocal, size) = (S::ONE / mu, linearised.jacobian.rows());
         linearised.positions.known(
             size,
@@ -116,12 +123,12 @@ impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
 
     /// The solution for a right-hand side.
     #[inline]
-    pub(super) fn solve(&self, linearised: &Linearised<S, Y>, right: &Y) -> Y {
+    pub(super) fn solve(&self, linearised: &LinearSystem<S, Y>, right: &Y) -> Y {
         let size = linearised.jacobian.rows();
         linearised.positions.known(
             size,
             #[inline(always)]
-            |Positions { count, rates }| {
+            |LeadingPositions { count, rates }| {
                 let mut others = Y::ZERO;
                 for row in 0..size - count {
                     let known = linearised.by_positions(count, count + row, right);
@@ -152,7 +159,7 @@ pub(super) struct ComplexShift<S: Scalar, Y: StateVector<S>> {
 
 impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
     /// The factors, unless the matrix is singular or not finite.
-    pub(super) fn new(linearised: &Linearised<S, Y>, mu: (S, S)) -> Option<Self> {
+    pub(super) fn new(linearised: &LinearSystem<S, Y>, mu: (S, S)) -> Option<Self> {
         let square = mu.0 * mu.0 + mu.1 * mu.1;
         let (reciprocal, size) = ((mu.0 / square, -(mu.1 / square)), linearised.jacobian.rows());
         linearised.positions.known(
@@ -169,13 +176,13 @@ impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
 
     /// The solution for a right-hand side, with its real and its imaginary part.
     #[inline]
-    pub(super) fn solve(&self, linearised: &Linearised<S, Y>, right: (&Y, &Y)) -> (Y, Y) {
+    pub(super) fn solve(&self, linearised: &LinearSystem<S, Y>, right: (&Y, &Y)) -> (Y, Y) {
         let size = linearised.jacobian.rows();
         let at = |vectors: (&Y, &Y), place: usize| (vectors.0.as_ref()[place], vectors.1.as_ref()[place]);
         linearised.positions.known(
             size,
             #[inline(always)]
-            |Positions { count, rates }| {
+            |LeadingPositions { count, rates }| {
                 let (mut real, mut imaginary) = (Y::ZERO, Y::ZERO);
                 for row in 0..size - count {
                     let by_positions = |right| linearised.by_positions(count, count + row, right);
@@ -204,7 +211,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ComplexShift, Linearised, Positions, RealShift};
+    use super::{ComplexShift, LeadingPositions, LinearSystem, RealShift};
     use crate::linalg::pivoted::{Matrix, product};
 
     /// q̇ = v, ż of any form, v̇; then without structure, and with a first component whose rate is the second.
@@ -231,10 +238,10 @@ mod tests {
             [2.0, -9.0, 1.5, 0.3, -3.0],
         ],
     ];
-    const FOUND: [Positions; 3] = [
-        Positions { count: 2, rates: 3 },
-        Positions { count: 0, rates: 0 },
-        Positions { count: 1, rates: 1 },
+    const FOUND: [LeadingPositions; 3] = [
+        LeadingPositions { count: 2, rates: 3 },
+        LeadingPositions { count: 0, rates: 0 },
+        LeadingPositions { count: 1, rates: 1 },
     ];
 
     /// The largest entry of (μ − J) x − r.
@@ -250,7 +257,7 @@ mod tests {
     #[test]
     fn rows_of_a_single_one_are_positions() {
         for (matrix, positions) in MATRICES.iter().zip(FOUND) {
-            assert_eq!(Linearised::new(Matrix::<f64, [f64; 5]>(*matrix)).positions(), positions);
+            assert_eq!(LinearSystem::new(Matrix::<f64, [f64; 5]>(*matrix)).positions(), positions);
         }
     }
 
@@ -258,7 +265,7 @@ mod tests {
     fn solutions_satisfy_all_equations_whatever_is_eliminated() {
         let right = [[1.0, 7.0, -2.0, 0.5, 3.0], [-0.3, 0.2, 4.0, 1.0, -6.0]];
         for matrix in MATRICES {
-            let linearised = Linearised::new(Matrix::<f64, [f64; 5]>(matrix));
+            let linearised = LinearSystem::new(Matrix::<f64, [f64; 5]>(matrix));
             let real = RealShift::new(&linearised, 2.0).expect("regular").solve(&linearised, &right[0]);
             let left = residual(&matrix, (2.0, 0.0), &[real, [0.0; 5]], &[right[0], [0.0; 5]]);
             assert!(left < 1e-13, "{left}");
@@ -271,14 +278,14 @@ mod tests {
 
     #[test]
     fn half_of_the_components_are_eliminated_as_in_the_example() {
-        let linearised = Linearised::new(Matrix::<f64, [f64; 2]>([[0.0, 1.0], [-6.0, -1.0]]));
+        let linearised = LinearSystem::new(Matrix::<f64, [f64; 2]>([[0.0, 1.0], [-6.0, -1.0]]));
         let [q, v] = RealShift::new(&linearised, 2.0).expect("regular").solve(&linearised, &[1.0, 7.0]);
         assert!((v - 2.0 / 3.0).abs() < 1e-15 && (q - 5.0 / 6.0).abs() < 1e-15, "{q} {v}");
     }
 
     #[test]
     fn a_singular_matrix_has_no_factors() {
-        let linearised = Linearised::new(Matrix::<f64, [f64; 2]>([[2.0, 0.0], [0.0, 1.0]]));
+        let linearised = LinearSystem::new(Matrix::<f64, [f64; 2]>([[2.0, 0.0], [0.0, 1.0]]));
         assert!(RealShift::new(&linearised, 2.0).is_none());
     }
 }

@@ -7,7 +7,7 @@
 //! The estimate of the error has the order three, and the method the order five: the error of a motion over a given time falls with
 //! the power 5/4 of the estimate. So estimates may exceed a tolerance below 1e-4, up to its power 4/5: 2.5 times at 1e-6, 10 times at 1e-9.
 //!
-//! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8; control of steps: Gustafsson, "Control-theoretic
+//! Sources: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8; control of steps: Gustafsson, "ReuseControl-theoretic
 //! techniques for stepsize selection in implicit Runge–Kutta methods", *ACM Transactions on Mathematical Software* 20 (1994) 496–517.
 
 mod control;
@@ -89,7 +89,7 @@ impl<S: Scalar> Radau5<S> {
         Tolerated::new(self.relative, self.absolute)
     }
 
-    /// What is tolerated of estimates.
+    /// The tolerance of estimates.
     fn estimated(&self) -> Tolerated<S> {
         let Tolerated { relative, absolute } = self.tolerated();
         let loosest = relative.max(absolute);

@@ -1,9 +1,9 @@
 //! Simplified Newton iterations for the changes at the stages of a step.
 //!
 //! Unlike those of symplectic methods they end at a part of the tolerance. In the basis of the eigenvectors of A⁻¹, the equations for
-//! w = T⁻¹ z are one real and one complex system. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
+//! w = T⁻¹ z are one real and one complex system. Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8.
 
-use super::linear::{ComplexShift, Linearised, RealShift};
+use super::linear::{ComplexShift, LinearSystem, RealShift};
 use super::tableau::{BASIS, COMPLEX, INVERSE_BASIS, NODES, REAL, STAGES};
 use crate::integrate::method::Work;
 use crate::linalg::vector::add;
@@ -14,7 +14,7 @@ use crate::system::{OdeSystem, StateVector, StepFailure};
 pub(super) const MOST_ITERATIONS: u32 = 7;
 
 /// Changes of the state at the stages.
-pub(super) type Stages<Y> = [Y; STAGES];
+pub(super) type StageChanges<Y> = [Y; STAGES];
 
 /// The factors of the equations of all stages for steps of one length.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ pub(super) struct StageFactors<S: Scalar, Y: StateVector<S>> {
 
 impl<S: Scalar, Y: StateVector<S>> StageFactors<S, Y> {
     /// The factors, unless a matrix is singular or not finite.
-    pub(super) fn new(linearised: &Linearised<S, Y>, h: S) -> Option<Self> {
+    pub(super) fn new(linearised: &LinearSystem<S, Y>, h: S) -> Option<Self> {
         let mu = |eigenvalue: f64| S::from_f64(eigenvalue) / h;
         let real = RealShift::new(linearised, mu(REAL))?;
         Some(StageFactors {
@@ -39,7 +39,7 @@ impl<S: Scalar, Y: StateVector<S>> StageFactors<S, Y> {
 
 /// A step to be taken with what its equations are judged by.
 #[derive(Clone, Copy)]
-pub(super) struct Equations<'a, M: OdeSystem + ?Sized> {
+pub(super) struct StageSystem<'a, M: OdeSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
     pub(super) y: &'a M::State,
@@ -50,9 +50,9 @@ pub(super) struct Equations<'a, M: OdeSystem + ?Sized> {
     pub(super) goal: M::Scalar,
 }
 
-/// How iterations converged.
+/// The outcome of iterations that converged.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Convergence<S> {
+pub(super) struct NewtonOutcome<S> {
     pub(super) iterations: u32,
     /// The factor of the last corrections, if there were two.
     pub(super) rate: Option<S>,
@@ -60,7 +60,7 @@ pub(super) struct Convergence<S> {
     pub(super) remainder: S,
 }
 
-impl<M: OdeSystem + ?Sized> Equations<'_, M> {
+impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
     /// Solves the equations from the starting values in `stages`, given the remainder of the last step.
     ///
     /// # Errors
@@ -68,14 +68,14 @@ impl<M: OdeSystem + ?Sized> Equations<'_, M> {
     #[inline]
     pub(super) fn solve(
         &self,
-        linearised: &Linearised<M::Scalar, M::State>,
+        linearised: &LinearSystem<M::Scalar, M::State>,
         factors: &StageFactors<M::Scalar, M::State>,
-        stages: &mut Stages<M::State>,
+        stages: &mut StageChanges<M::State>,
         remainder: M::Scalar,
         work: &mut Work,
-    ) -> Result<Convergence<M::Scalar>, StepFailure<M::Scalar>> {
+    ) -> Result<NewtonOutcome<M::Scalar>, StepFailure<M::Scalar>> {
         let mut modes = product(&INVERSE_BASIS, stages);
-        let mut progress = Convergence { iterations: 0, rate: None, remainder };
+        let mut progress = NewtonOutcome { iterations: 0, rate: None, remainder };
         let mut before = M::Scalar::ZERO;
         while progress.iterations < MOST_ITERATIONS {
             progress.iterations += 1;
@@ -111,11 +111,11 @@ impl<M: OdeSystem + ?Sized> Equations<'_, M> {
     #[inline(always)]
     fn correction(
         &self,
-        linearised: &Linearised<M::Scalar, M::State>,
+        linearised: &LinearSystem<M::Scalar, M::State>,
         factors: &StageFactors<M::Scalar, M::State>,
-        (stages, modes): (&Stages<M::State>, &Stages<M::State>),
+        (stages, modes): (&StageChanges<M::State>, &StageChanges<M::State>),
         work: &mut Work,
-    ) -> Stages<M::State> {
+    ) -> StageChanges<M::State> {
         let mut rates = *stages;
         for (rate, node) in rates.iter_mut().zip(NODES) {
             let mut y = *self.y;
@@ -138,7 +138,7 @@ impl<M: OdeSystem + ?Sized> Equations<'_, M> {
 
     /// The root mean square of a correction in units of what is tolerated.
     #[inline(always)]
-    fn size(&self, correction: &Stages<M::State>) -> M::Scalar {
+    fn size(&self, correction: &StageChanges<M::State>) -> M::Scalar {
         let mut sum = M::Scalar::ZERO;
         for mode in correction {
             for (entry, weight) in mode.as_ref().iter().zip(self.weights.as_ref()) {
@@ -156,7 +156,10 @@ impl<M: OdeSystem + ?Sized> Equations<'_, M> {
 
 /// The product of a matrix with vectors in the place of entries.
 #[inline(always)]
-fn product<S: Scalar, Y: StateVector<S>>(matrix: &[[f64; STAGES]; STAGES], vectors: &Stages<Y>) -> Stages<Y> {
+fn product<S: Scalar, Y: StateVector<S>>(
+    matrix: &[[f64; STAGES]; STAGES],
+    vectors: &StageChanges<Y>,
+) -> StageChanges<Y> {
     let [one, two, three] = matrix;
     [weighted(&numbers(one), vectors), weighted(&numbers(two), vectors), weighted(&numbers(three), vectors)]
 }
@@ -171,7 +174,7 @@ pub(super) fn numbers<S: Number>([one, two, three]: &[f64; STAGES]) -> [S; STAGE
 #[inline(always)]
 pub(super) fn weighted<S: Scalar, Y: StateVector<S>>(
     [a, b, c]: &[S; STAGES],
-    [one, two, three]: &Stages<Y>,
+    [one, two, three]: &StageChanges<Y>,
 ) -> Y {
     let mut sum = *one;
     let others = two.as_ref().iter().zip(three.as_ref());

@@ -1,77 +1,61 @@
 //! The method in progress.
 
+mod equations;
+
+use self::equations::goal;
 use super::Radau5;
-use super::control::{Control, POWER};
-use super::dense::Span;
-use super::linear::Linearised;
-use super::newton::{Convergence, Equations, StageFactors, Stages, numbers, weighted};
-use super::tableau::{ERROR, STAGES};
-use crate::integrate::attempt::{Attempt, Crawling};
+use super::control::{POWER, ReuseControl};
+use super::dense::StepTaken;
+use super::linear::LinearSystem;
+use super::newton::{NewtonOutcome, StageChanges, StageFactors};
+use super::tableau::STAGES;
+use crate::integrate::attempt::{Attempt, Crawling, Judgement};
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
-use crate::integrate::jacobian::{differences, known, sizes};
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::newton::finite;
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
-use crate::linalg::vector::{add, combined, difference};
-use crate::scalar::{Number, Scalar};
+use crate::linalg::vector::{add, difference};
+use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// Newton iterations go on until this part of the tolerance is left of corrections, or its root,
-const LARGEST_REMAINDER: f64 = 0.03;
-/// but not below so many roundings.
-const ROUNDINGS: f64 = 10.0;
 /// The Jacobian is evaluated anew where corrections fall by less than this in more than two iterations.
 const SLOW: f64 = 1e-3;
-/// Factors for a step whose length differs by less than this are as good.
-const SAME_LENGTH: f64 = 1e-6;
-/// Parts of a step after which the defect of its interpolant is looked at: where it is large for cubic and for quintic ones.
-const CHECKED: [f64; 2] = [0.2, 0.55];
 
 /// An integration by [`Radau5`] in progress.
 #[derive(Clone, Debug)]
 pub struct RadauStepper<M: OdeSystem + ?Sized> {
     settings: Radau5<M::Scalar>,
-    /// What is tolerated of estimates, and of what Newton's method leaves.
+    /// The tolerances of estimates and of the remainder of Newton's method.
     estimated: Tolerated<M::Scalar>,
     goal: M::Scalar,
     /// From the start to the end that was in view there.
     span: M::Scalar,
-    control: Control<M::Scalar>,
+    control: ReuseControl<M::Scalar>,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// Clock and state before the last step.
     before: (Clock<M::Scalar>, Compensated<M::State>),
     is_at_rest: bool,
     /// The Jacobian, unless one is due.
-    linearised: Option<Linearised<M::Scalar, M::State>>,
+    linearised: Option<LinearSystem<M::Scalar, M::State>>,
     /// True if the Jacobian is that of the present state.
     is_fresh: bool,
     /// True if it is to be evaluated before the next step.
     is_due: bool,
     factors: Option<StageFactors<M::Scalar, M::State>>,
-    /// What followed the last correction of the last iterations, as a part of it.
+    /// The corrections that would follow the last one, as a part of it.
     remainder: M::Scalar,
     /// The last step, and which of its ends the present state is: the first where it was taken back.
-    last: Span<M::Scalar, M::State>,
+    last: StepTaken<M::Scalar, M::State>,
     end: usize,
     crawling: Crawling<M::Scalar>,
     work: Work,
 }
 
-/// The judgement of an attempt.
-enum Judgement<S> {
-    /// The step was taken.
-    Taken,
-    /// Its error was too large.
-    Inaccurate,
-    /// It could not be computed, or led where the system is not defined, or where constraints cannot be satisfied.
-    Lost(StepFailure<S>),
-}
-
-/// The changes at the stages of a step, and how they were found.
-type Solved<M> = (Stages<<M as OdeSystem>::State>, Convergence<<M as OdeSystem>::Scalar>);
+/// The state after a step, and the step.
+type Advanced<M> =
+    (Compensated<<M as OdeSystem>::State>, StepTaken<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>);
 
 impl<M: OdeSystem + ?Sized> RadauStepper<M> {
     pub(super) fn start(
@@ -89,7 +73,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
             estimated,
             goal: goal(&estimated),
             span: end - t,
-            control: Control::new(M::Scalar::ZERO),
+            control: ReuseControl::new(M::Scalar::ZERO),
             clock,
             state,
             before: (clock, state),
@@ -99,7 +83,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
             is_due: true,
             factors: None,
             remainder: M::Scalar::ONE,
-            last: Span::none(t, *y, M::State::ZERO),
+            last: StepTaken::none(t, *y, M::State::ZERO),
             end: 1,
             crawling: Crawling::new(t),
             work: Work::default(),
@@ -124,86 +108,6 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         Attempt::new(&self.clock, length, limit, self.settings.longest_step, self.control.was_rejected())
     }
 
-    /// Evaluates the Jacobian at the present state for steps of the length `h`.
-    #[cold]
-    fn linearise(&mut self, system: &M, h: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
-        let (t, y, rate) = (self.clock.time(), self.state.value(), &self.last.rates[self.end]);
-        let jacobian = known(system, t, y, &mut self.work).unwrap_or_else(|| {
-            let Tolerated { relative, absolute } = self.settings.tolerated();
-            let sizes = sizes(y, h, rate, (absolute / relative).min(M::Scalar::ONE));
-            differences(system, (t, y), rate, &sizes, &mut self.work)
-        });
-        if !finite(jacobian.0.as_ref()) {
-            return Err(StepFailure::NotFinite);
-        }
-        self.linearised = Some(Linearised::new(jacobian));
-        (self.is_fresh, self.is_due, self.factors) = (true, false, None);
-        Ok(())
-    }
-
-    /// Solves the equations of a step of the length `h`.
-    fn solve(&mut self, system: &M, h: M::Scalar) -> Result<Solved<M>, StepFailure<M::Scalar>> {
-        if self.is_due {
-            self.linearise(system, h)?;
-        }
-        let mut solved = self.iterate(system, h);
-        if solved.is_err() && !self.is_fresh {
-            self.linearise(system, h)?;
-            solved = self.iterate(system, h);
-        }
-        solved
-    }
-
-    /// Iterates with the Jacobian as it is.
-    fn iterate(&mut self, system: &M, h: M::Scalar) -> Result<Solved<M>, StepFailure<M::Scalar>> {
-        let Some(linearised) = &self.linearised else { return Err(StepFailure::NotFinite) };
-        let fits = |known: &StageFactors<M::Scalar, M::State>| {
-            (known.h - h).abs() <= M::Scalar::from_f64(SAME_LENGTH) * h.abs()
-        };
-        let factors = match self.factors.take().filter(fits) {
-            Some(factors) => factors,
-            None => {
-                self.work.factorisations += 1;
-                StageFactors::new(linearised, h).ok_or(StepFailure::NotConverged { iterations: 0 })?
-            }
-        };
-        let factors = self.factors.insert(factors);
-        let mut stages = [M::State::ZERO; STAGES];
-        if self.last.h != M::Scalar::ZERO {
-            stages = self.last.continued(if self.end == 0 { M::Scalar::ZERO } else { M::Scalar::ONE }, h);
-        }
-        let y = self.state.value();
-        let weights = weights(&self.estimated, y, &stages[STAGES - 1]);
-        let (t, goal) = (self.clock.time(), self.goal);
-        let equations = Equations { system, t, y, h, weights: &weights, goal };
-        let root = self.remainder.max(M::Scalar::epsilon()).sqrt();
-        let remainder = root * root.sqrt();
-        let convergence = equations.solve(linearised, factors, &mut stages, remainder, &mut self.work)?;
-        self.remainder = convergence.remainder;
-        Ok((stages, convergence))
-    }
-
-    /// The estimated error of a step relative to the tolerance.
-    fn error(&mut self, system: &M, h: M::Scalar, stages: &Stages<M::State>) -> M::Scalar {
-        let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
-            return M::Scalar::NAN;
-        };
-        let y = self.state.value();
-        let new = combined(y, M::Scalar::ONE, &stages[STAGES - 1]);
-        let mut known = weighted(&numbers(&ERROR), stages);
-        known.as_mut().iter_mut().for_each(|entry| *entry = *entry / h);
-        let filtered =
-            |rate: &M::State| factors.real.solve(linearised, &combined(rate, M::Scalar::ONE, &known));
-        let norm = |error: &M::State| self.estimated.norm(M::Scalar::ONE, error, y, &new);
-        let error = filtered(self.rate());
-        let size = norm(&error);
-        if size <= M::Scalar::ONE || !self.control.doubts() {
-            return size;
-        }
-        self.work.evaluations += 1;
-        norm(&filtered(&system.rhs(self.clock.time(), &combined(y, M::Scalar::ONE, &error))))
-    }
-
     /// Tries a step.
     fn attempt(&mut self, system: &M, Attempt { h, clock }: Attempt<M::Scalar>) -> Judgement<M::Scalar> {
         let (stages, convergence) = match self.solve(system, h) {
@@ -211,7 +115,8 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
             Err(cause) => return self.retreat(h, cause),
         };
         let error = self.error(system, h, &stages);
-        if !(error <= M::Scalar::ONE) {
+        let is_accurate = error <= M::Scalar::ONE;
+        if !is_accurate {
             self.control.reject(h.abs(), error, convergence.iterations);
             self.work.rejections += 1;
             return Judgement::Inaccurate;
@@ -228,8 +133,8 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         &self,
         system: &M,
         (h, clock): (M::Scalar, &Clock<M::Scalar>),
-        stages: Stages<M::State>,
-    ) -> Result<(Compensated<M::State>, Span<M::Scalar, M::State>), StepFailure<M::Scalar>> {
+        stages: StageChanges<M::State>,
+    ) -> Result<Advanced<M>, StepFailure<M::Scalar>> {
         let (mut state, mut change) = (self.state, stages[STAGES - 1]);
         state.add(&change);
         check_finite(clock.time(), state.value())?;
@@ -242,7 +147,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         check_finite(clock.time(), &rate)?;
         let (ends, rates) = ([*self.state.value(), *state.value()], [*self.rate(), rate]);
         let slopes = [self.last.slopes[self.end]; 2];
-        let mut span = Span { t: self.clock.time(), h, ends, change, stages, rates, slopes };
+        let mut span = StepTaken { t: self.clock.time(), h, ends, change, stages, rates, slopes };
         span.slopes[1] = span.end_slope();
         Ok((state, span))
     }
@@ -251,9 +156,9 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
     fn accept(
         &mut self,
         (clock, state): (Clock<M::Scalar>, Compensated<M::State>),
-        span: Span<M::Scalar, M::State>,
+        span: StepTaken<M::Scalar, M::State>,
         error: M::Scalar,
-        convergence: &Convergence<M::Scalar>,
+        convergence: &NewtonOutcome<M::Scalar>,
     ) {
         self.work.steps += 1;
         self.work.evaluations += 1;
@@ -272,23 +177,6 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         self.control.retreat(h.abs());
         self.work.rejections += 1;
         Judgement::Lost(cause)
-    }
-
-    /// The error of an interpolant of the last step relative to the tolerance; one is just accurate enough.
-    fn excess(&mut self, system: &M, span: &Span<M::Scalar, M::State>) -> M::Scalar {
-        let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
-            return M::Scalar::NAN;
-        };
-        let (tolerated, positions) = (self.settings.tolerated(), linearised.positions());
-        let mut most = M::Scalar::ZERO;
-        for s in CHECKED.map(M::Scalar::from_f64) {
-            let rate = system.rhs(s.multiply_add(span.h, span.t), &span.state(positions, s));
-            let defect = difference(&span.slope_at(positions, s), &rate);
-            let error = factors.real.solve(linearised, &defect);
-            most = most.max(tolerated.norm(M::Scalar::ONE, &error, &span.ends[0], &span.ends[1]));
-        }
-        self.work.evaluations += CHECKED.len() as u64;
-        most
     }
 }
 
@@ -376,10 +264,10 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for RadauStepper<M> {
                 self.estimated.first_step_of(system, (t, y), &rate, bounds, POWER)?
             }
         };
-        self.control = Control::new(step);
+        self.control = ReuseControl::new(step);
         self.clock = Clock::new(t, M::Scalar::ZERO);
         self.state = Compensated::new(*y);
-        (self.last, self.end) = (Span::none(t, *y, rate), 1);
+        (self.last, self.end) = (StepTaken::none(t, *y, rate), 1);
         (self.is_due, self.remainder) = (true, M::Scalar::ONE);
         Ok(())
     }
@@ -387,21 +275,4 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for RadauStepper<M> {
     fn work(&self) -> Work {
         self.work
     }
-}
-
-/// The part of the tolerance that Newton's method may leave.
-fn goal<S: Scalar>(tolerated: &Tolerated<S>) -> S {
-    let loosest = tolerated.relative.max(tolerated.absolute);
-    let rounding = S::from_f64(ROUNDINGS) * S::epsilon() / loosest;
-    rounding.max(S::from_f64(LARGEST_REMAINDER).min(loosest.sqrt()))
-}
-
-/// Reciprocals of what is tolerated of the components of a state that changes by about this.
-fn weights<S: Scalar, Y: StateVector<S>>(tolerated: &Tolerated<S>, y: &Y, change: &Y) -> Y {
-    let mut weights = *y;
-    for (weight, change) in weights.as_mut().iter_mut().zip(change.as_ref()) {
-        let size = weight.abs().max((*weight + *change).abs());
-        *weight = S::ONE / tolerated.relative.multiply_add(size, tolerated.absolute);
-    }
-    weights
 }

@@ -2,7 +2,7 @@
 //!
 //! Its matrix A has one real eigenvalue and a complex pair. In the basis of eigenvectors, T⁻¹ A⁻¹ T = diag(μ, [α −β; β α]), so that Newton's equations
 //! for the three stages are one real and one complex system of the size of a state.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.5 and §IV.8.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.5 and §IV.8.
 
 /// Number of stages.
 pub(super) const STAGES: usize = 3;
@@ -19,7 +19,7 @@ pub(super) const COMPLEX: (f64, f64) = (2.681_082_873_627_752, -3.050_430_199_24
 
 /// T.
 pub(super) const BASIS: [[f64; STAGES]; STAGES] = [
-    [0.094_438_762_488_975_24, -0.141_255_295_020_954_21, 0.030_029_194_105_147_42],
+    [0.094_438_762_488_975_24, -0.141_255_295_020_954_2, 0.030_029_194_105_147_42],
     [0.250_213_122_965_333_3, 0.204_129_352_293_799_94, -0.382_942_112_757_261_9],
     [1.0, 1.0, 0.0],
 ];
@@ -28,7 +28,7 @@ pub(super) const BASIS: [[f64; STAGES]; STAGES] = [
 pub(super) const INVERSE_BASIS: [[f64; STAGES]; STAGES] = [
     [4.178_718_591_551_904, 0.327_682_820_761_062_37, 0.523_376_445_499_449_5],
     [-4.178_718_591_551_904, -0.327_682_820_761_062_37, 0.476_623_554_500_550_44],
-    [0.502_872_634_945_786_8, -2.571_926_949_855_605_4, 0.596_039_204_828_224_9],
+    [0.502_872_634_945_786_8, -2.571_926_949_855_605, 0.596_039_204_828_224_9],
 ];
 
 /// Weights of the changes at the stages in the error of a step, which is (μ/h − J)⁻¹ (f(t, y) + Σ eᵢ zᵢ / h).

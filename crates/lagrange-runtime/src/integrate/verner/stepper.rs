@@ -9,7 +9,7 @@ use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
-use crate::integrate::attempt::{Attempt, Crawling};
+use crate::integrate::attempt::{Attempt, Crawling, Judgement};
 use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
@@ -66,16 +66,6 @@ enum Known {
     End,
     /// And those that the interpolant needs.
     All,
-}
-
-/// The judgement of an attempt.
-enum Judgement<S> {
-    /// The step was taken.
-    Taken,
-    /// Its error was too large.
-    Inaccurate,
-    /// It led where the system is not defined, or where constraints cannot be satisfied.
-    Lost(StepFailure<S>),
 }
 
 impl<M: OdeSystem + ?Sized> VernerStepper<M> {
