@@ -11,20 +11,22 @@
 //! |---|---|---|---|---|---|
 //! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
 //! | [`Taylor`] | with `emit { taylor }`, not stiff | 8 to 40, adaptive | no | one expansion, in time linear to quadratic in the order | errors below 1e-11 |
+//! | [`Radau5`] | any, stiff ones first of all | 5, adaptive | no | two to three iterations of 3 evaluations | stiff springs with dampers, compliant contacts, relaxation |
 //! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
 //! | [`SymplecticEuler`] | separable, or held by constraints on positions | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
 //! | [`StormerVerlet`] | separable, or held by constraints on positions | 2 | yes | 1 acceleration | long runs at moderate accuracy |
 //! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
 //! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
 //! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included; constraints enforced |
-//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | stiff systems without momenta |
+//! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | as above, without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and accelerations without
 //! velocities; emitted types say so themselves ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler
 //! refuses the others. One that constraints on positions hold, and that would be separable without them, is a
 //! [`LeapfrogSystem`](crate::system::LeapfrogSystem): [`StormerVerlet`] and [`SymplecticEuler`] keep to its constraints by
 //! themselves, as [`Variational`] does to any. The implicit methods for any mass matrix want momenta and their rates,
-//! `emit { momentum_rates }`, and iterate by Newton's method with `emit { jacobian }`.
+//! `emit { momentum_rates }`. All implicit methods iterate by Newton's method with `emit { jacobian }`. Without, difference quotients take the
+//! place of the Jacobian; methods of equal steps try fixed points first.
 //!
 //! If a system has [constraints](mod@crate::constraint), a start must nearly satisfy these and is moved onto them, and the end of
 //! every step is brought back unless the method ends there by itself; so are states within a step. A step that cannot be corrected
@@ -34,8 +36,9 @@
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
     ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method,
-    Outcome, PlainGaussLegendre, RungeKutta4, SettingError, StepFailure, Stepper, StormerVerlet, SuspectStep,
-    SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper, Work, rk4_step, undefined,
+    Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError, StepFailure, Stepper,
+    StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper,
+    Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

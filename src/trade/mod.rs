@@ -36,8 +36,8 @@ use std::vec::Vec;
 use self::contestant::{Contestant, Knob, Runner};
 use self::ladder::climb;
 use crate::integrate::{
-    BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, RungeKutta4,
-    StormerVerlet, SymplecticEuler, Variational, Verner98,
+    BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Radau5,
+    RungeKutta4, StormerVerlet, SymplecticEuler, Variational, Verner98,
 };
 use crate::scalar::Number;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
@@ -113,10 +113,24 @@ impl<'a> Trade<'a> {
             refuses_stiff: false,
             ..Verner98::tolerance(tolerance)
         })
+        .implicit(name, system)
         .by_step(name, system, |step| RungeKutta4 { step })
         .by_step(name, system, |step| ImplicitMidpoint { step }.plain())
         .by_step(name, system, |step| GaussLegendre4 { step }.plain())
         .by_step(name, system, |step| GaussLegendre6 { step }.plain())
+    }
+
+    /// A system in Radau's method, if it knows its Jacobian.
+    fn implicit<M>(self, name: &str, system: &'a M) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+    {
+        let start = contestant::rounded::<M>(&self.start);
+        match system.jacobian(M::Scalar::ZERO, &start) {
+            Some(_) => self.by_tolerance(name, system, Radau5::tolerance),
+            None => self,
+        }
     }
 
     /// A system in the methods that take coordinates and momenta.

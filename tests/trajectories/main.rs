@@ -9,6 +9,8 @@ mod bricard;
 mod canonical;
 mod comet;
 mod constrained_series;
+mod damped;
+mod damped_runs;
 mod drift;
 mod elliptic;
 mod ends;

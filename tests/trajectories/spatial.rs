@@ -115,6 +115,6 @@ fn a_stiff_governor_is_refused_where_accuracy_allows_steps_that_are_not_stable()
     let start = state::<8>("governor", Numbers::Binary, 0.0);
     let failed =
         integrate(&governor, 0.0, start, 10.0, &Verner98::tolerance(1e-8), |_, _| {}).expect_err("stiff");
-    let StepFailure::Stiff { limit } = failed.cause else { panic!("{failed}") };
+    let StepFailure::Stiff { limit, .. } = failed.cause else { panic!("{failed}") };
     assert!((3.5e-4..4.5e-4).contains(&limit), "{limit}");
 }

@@ -1,5 +1,6 @@
 //! States that methods may go on from, on the constraints of their system.
 
+use crate::integrate::compensated::Compensated;
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
@@ -30,6 +31,23 @@ pub(super) fn admitted<M: OdeSystem + ?Sized>(
     system.admit(t, &mut admitted)?;
     check_finite(t, &admitted)?;
     Ok(admitted)
+}
+
+/// Brings the end of a step onto the constraints.
+#[inline]
+pub(super) fn correct<M: OdeSystem + ?Sized>(
+    system: &M,
+    t: M::Scalar,
+    state: &mut Compensated<M::State>,
+) -> Result<(), StepFailure<M::Scalar>> {
+    if !M::IS_CONSTRAINED {
+        return Ok(());
+    }
+    let mut y = *state.value();
+    system.correct(t, &mut y)?;
+    check_finite(t, &y)?;
+    state.replace(y);
+    Ok(())
 }
 
 /// A state within a step, on the constraints if it can be brought there. It lies as near to them as the method is accurate, and

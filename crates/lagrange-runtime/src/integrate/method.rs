@@ -124,8 +124,10 @@ pub struct Work {
     pub rejections: u64,
     /// Evaluations of the right-hand side, or of momenta and their rates.
     pub evaluations: u64,
-    /// Evaluations of the Jacobian.
+    /// Evaluations of the Jacobian, by difference quotients as well.
     pub jacobians: u64,
+    /// Factorisations of the matrices of adaptive implicit methods; those of one step count once.
+    pub factorisations: u64,
     /// Iterations of implicit methods.
     pub iterations: u64,
 }

@@ -4,6 +4,7 @@
 //! with a [`StepFailure`] instead of passing on NaN or infinity, and states and times are summed with compensation, so that
 //! rounding errors do not grow with the number of steps where the method itself lets them not.
 
+mod attempt;
 mod canonical;
 mod clock;
 mod compensated;
@@ -14,10 +15,12 @@ mod error;
 mod fixed;
 mod gauss_legendre;
 mod interpolation;
+mod jacobian;
 mod lane_wise;
 mod method;
 mod newton;
 mod prediction;
+mod radau;
 mod rk4;
 mod splitting;
 mod stability;
@@ -34,6 +37,7 @@ pub use self::gauss_legendre::{
 pub use self::method::{
     LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, SuspectStep, Work,
 };
+pub use self::radau::{Radau5, RadauStepper};
 pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
 pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, StormerVerlet, SymplecticEuler};
 pub use self::taylor::{Taylor, TaylorStepper};

@@ -2,7 +2,7 @@
 //!
 //! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
 
-use core::ops::{Index, IndexMut};
+use core::ops::{Index, IndexMut, Range};
 
 use crate::linalg::vector::{StateVector, dot};
 use crate::scalar::Scalar;
@@ -95,17 +95,24 @@ pub(crate) struct Factors<S: Scalar, Y: StateVector<S>> {
 impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     /// The factors of a matrix, unless it is singular or not finite.
     #[inline]
-    pub(crate) fn new(mut matrix: Matrix<S, Y>) -> Option<Self> {
+    pub(crate) fn new(matrix: Matrix<S, Y>) -> Option<Self> {
+        Self::leading(matrix, matrix.rows())
+    }
+
+    /// The factors of the matrix in so many first rows and columns, unless it is singular or not finite.
+    #[inline(always)]
+    pub(crate) fn leading(mut matrix: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut exchanged = Y::ZERO_INDICES;
-        for (k, exchanged) in exchanged.as_mut().iter_mut().enumerate() {
-            *exchanged = largest(k..matrix.rows(), |row| matrix[(row, k)].abs());
+        let count = count.min(matrix.rows());
+        for (k, exchanged) in exchanged.as_mut().iter_mut().enumerate().take(count) {
+            *exchanged = largest(k..count, |row| matrix[(row, k)].abs());
             matrix.swap_rows(k, *exchanged);
             let reciprocal = S::ONE / matrix[(k, k)];
             if !reciprocal.is_finite() || reciprocal == S::ZERO {
                 return None;
             }
             matrix[(k, k)] = reciprocal;
-            eliminate(&mut matrix, k);
+            eliminate(&mut matrix, k..count);
         }
         Some(Factors { factors: matrix, exchanged })
     }
@@ -113,18 +120,25 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     /// The solution for a right-hand side.
     #[inline]
     pub(crate) fn solve(&self, right: &Y) -> Y {
+        self.solve_leading(right, self.factors.rows())
+    }
+
+    /// The solution for the first entries of a right-hand side, as many as there are factors for; the others stay what they are.
+    #[inline(always)]
+    pub(crate) fn solve_leading(&self, right: &Y, count: usize) -> Y {
         let mut solution = *right;
         let (x, factors) = (solution.as_mut(), &self.factors);
-        for (row, other) in self.exchanged.as_ref().iter().enumerate() {
+        let count = count.min(factors.rows());
+        for (row, other) in self.exchanged.as_ref().iter().enumerate().take(count) {
             x.swap(row, *other);
         }
-        for row in 1..factors.rows() {
+        for row in 1..count {
             for column in 0..row {
                 x[row] = (-factors[(row, column)]).multiply_add(x[column], x[row]);
             }
         }
-        for row in (0..factors.rows()).rev() {
-            for column in row + 1..factors.rows() {
+        for row in (0..count).rev() {
+            for column in row + 1..count {
                 x[row] = (-factors[(row, column)]).multiply_add(x[column], x[row]);
             }
             x[row] = x[row] * factors[(row, row)];
@@ -133,13 +147,14 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     }
 }
 
-/// Subtracts multiples of row k, whose pivot is a reciprocal already, from the rows below.
-#[inline]
-fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, k: usize) {
-    for row in k + 1..matrix.rows() {
+/// Subtracts multiples of the first of these rows, whose pivot is a reciprocal already, from the others.
+#[inline(always)]
+fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, rows: Range<usize>) {
+    let k = rows.start;
+    for row in k + 1..rows.end {
         let multiple = matrix[(row, k)] * matrix[(k, k)];
         matrix[(row, k)] = multiple;
-        for column in k + 1..matrix.rows() {
+        for column in k + 1..rows.end {
             matrix[(row, column)] = (-multiple).multiply_add(matrix[(k, column)], matrix[(row, column)]);
         }
     }
@@ -158,9 +173,16 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
     /// The factors of a matrix, unless it is singular or not finite.
     #[inline]
     pub(crate) fn new(real: Matrix<S, Y>, imaginary: Matrix<S, Y>) -> Option<Self> {
+        Self::leading(real, imaginary, real.rows())
+    }
+
+    /// The factors of the matrix in so many first rows and columns, unless it is singular or not finite.
+    #[inline(always)]
+    pub(crate) fn leading(real: Matrix<S, Y>, imaginary: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
-        for k in 0..factors.real.rows() {
-            factors.exchange(k);
+        let count = count.min(real.rows());
+        for k in 0..count {
+            factors.exchange(k..count);
             let pivot = factors.at(k, k);
             let square = pivot.0 * pivot.0 + pivot.1 * pivot.1;
             let reciprocal = (pivot.0 / square, -(pivot.1 / square));
@@ -172,7 +194,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
                 return None;
             }
             factors.put(k, k, reciprocal);
-            factors.eliminate(k);
+            factors.eliminate(k..count);
         }
         Some(factors)
     }
@@ -180,9 +202,15 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
     /// The solution for a right-hand side, with its real and its imaginary part.
     #[inline]
     pub(crate) fn solve(&self, right: (&Y, &Y)) -> (Y, Y) {
+        self.solve_leading(right, self.real.rows())
+    }
+
+    /// The solution for the first entries of a right-hand side, as many as there are factors for; the others stay what they are.
+    #[inline(always)]
+    pub(crate) fn solve_leading(&self, right: (&Y, &Y), count: usize) -> (Y, Y) {
         let mut solution = (*right.0, *right.1);
-        let rows = self.real.rows();
-        for (row, other) in self.exchanged.as_ref().iter().enumerate() {
+        let rows = count.min(self.real.rows());
+        for (row, other) in self.exchanged.as_ref().iter().enumerate().take(rows) {
             solution.0.as_mut().swap(row, *other);
             solution.1.as_mut().swap(row, *other);
         }
@@ -201,8 +229,10 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
         solution
     }
 
-    fn exchange(&mut self, k: usize) {
-        let other = largest(k..self.real.rows(), |row| {
+    #[inline(always)]
+    fn exchange(&mut self, rows: Range<usize>) {
+        let k = rows.start;
+        let other = largest(rows, |row| {
             let (x, y) = self.at(row, k);
             x.abs() + y.abs()
         });
@@ -211,11 +241,13 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
         self.exchanged.as_mut()[k] = other;
     }
 
-    fn eliminate(&mut self, k: usize) {
-        for row in k + 1..self.real.rows() {
+    #[inline(always)]
+    fn eliminate(&mut self, rows: Range<usize>) {
+        let k = rows.start;
+        for row in k + 1..rows.end {
             let multiple = product(self.at(row, k), self.at(k, k));
             self.put(row, k, multiple);
-            for column in k + 1..self.real.rows() {
+            for column in k + 1..rows.end {
                 self.put(row, column, less(self.at(row, column), multiple, self.at(k, column)));
             }
         }
@@ -235,14 +267,14 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
 
 /// The row with the largest size. What is not a number spoils the factors whichever row is taken.
 #[inline]
-fn largest<S: Scalar>(rows: core::ops::Range<usize>, size: impl Fn(usize) -> S) -> usize {
+fn largest<S: Scalar>(rows: Range<usize>, size: impl Fn(usize) -> S) -> usize {
     let first = rows.start;
     rows.fold(first, |best, row| if size(row) <= size(best) { best } else { row })
 }
 
 /// The product of two complex numbers.
 #[inline(always)]
-fn product<S: Scalar>(a: (S, S), b: (S, S)) -> (S, S) {
+pub(crate) fn product<S: Scalar>(a: (S, S), b: (S, S)) -> (S, S) {
     ((-a.1).multiply_add(b.1, a.0 * b.0), a.1.multiply_add(b.0, a.0 * b.1))
 }
 

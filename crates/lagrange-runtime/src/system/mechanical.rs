@@ -13,7 +13,7 @@ use super::{OdeSystem, StateVector};
 /// What changes positions by a small step, as [projections](crate::constraint) do, is a displacement δ, a vector like v: positions q
 /// are displaced to q + N(q) δ, and [normalised](Self::normalise). Gradients of constraints, gaps and energies are with respect to
 /// displacements, and the mass matrix measures them. Methods that need q̇ = v, all symplectic ones, refuse other systems at compile time;
-/// [`Verner98`](crate::integrate::Verner98), [`RungeKutta4`](crate::integrate::RungeKutta4) and
+/// [`Verner98`](crate::integrate::Verner98), [`Radau5`](crate::integrate::Radau5), [`RungeKutta4`](crate::integrate::RungeKutta4) and
 /// [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) take all.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms*, §3.2, §4.5.

@@ -77,19 +77,21 @@ pub(crate) fn explain<S: Debug>(
             f,
             "the limit of {limit} steps is reached; increase it, or use a larger tolerance or longer steps"
         ),
-        StepFailure::Stiff { limit } => write!(
+        StepFailure::Stiff { limit, tolerance, wants_jacobian } => write!(
             f,
-            "the system is stiff: steps longer than about {limit:?} are unstable; use an implicit method"
+            "the system is stiff: steps longer than about {limit:?} are unstable; use \
+            `.method(Radau5::tolerance({tolerance:?}))`{}",
+            if *wants_jacobian { ", and add `emit { jacobian }` to the declaration for speed" } else { "" }
         ),
         StepFailure::StepTooLong { step, limit } => write!(
             f,
             "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, by \
-            the largest eigenvalue of the linearised equations; use shorter steps, or an implicit method"
+            the largest eigenvalue of the linearised equations; use shorter steps, or an implicit method, `Radau5` if the \
+            fast motion is damped"
         ),
         StepFailure::NotConverged { iterations } => write!(
             f,
-            "an implicit step did not converge in {iterations} iterations; use shorter steps, or add `emit {{ \
-            jacobian }}` to the declaration"
+            "an implicit step did not converge in {iterations} iterations; use shorter steps, or `Radau5`, which adapts them"
         ),
         StepFailure::SingularMassMatrix => {
             f.write_str("the mass matrix is singular: velocities do not follow from momenta here")

@@ -117,7 +117,8 @@ pub trait OdeSystem {
     }
 
     /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the declaration says
-    /// `emit { jacobian }`. Implicit methods iterate by Newton's method where it is and by fixed points elsewhere.
+    /// `emit { jacobian }`. Implicit methods iterate by Newton's method. Where it is not known,
+    /// difference quotients take its place; methods of equal steps try fixed points first.
     #[inline]
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None

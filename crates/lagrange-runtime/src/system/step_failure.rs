@@ -45,6 +45,10 @@ pub enum StepFailure<S> {
     Stiff {
         /// About the longest step that is stable.
         limit: S,
+        /// The larger tolerance of the method.
+        tolerance: S,
+        /// True if the declaration may emit the Jacobian, and does not.
+        wants_jacobian: bool,
     },
     /// A method in steps of given length whose step is longer than stability allows.
     StepTooLong {

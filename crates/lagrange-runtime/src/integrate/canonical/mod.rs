@@ -16,8 +16,8 @@ mod pencil;
 mod velocities;
 
 use crate::integrate::canonical::constrained::constrained_velocities;
+use crate::integrate::jacobian::Source;
 use crate::integrate::method::Work;
-use crate::integrate::newton::finite;
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
@@ -146,6 +146,7 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         &self,
         step: &Step<'_, M>,
         v: &M::Coordinates,
+        source: Source,
         work: &mut Work,
     ) -> Result<Derivatives<M>, StepFailure<M::Scalar>> {
         let h = step.h;
@@ -153,15 +154,10 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         let mass = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(half, self.mass[(i, j)]));
         let mut q = step.q;
         add(&mut q, half, v);
-        let Some(jacobian) = step.system.jacobian(step.t + half, &join::<M>(&q, v)) else {
+        let Some(jacobian) = source.jacobian(step.system, (step.t + half, &join::<M>(&q, v)), h, work) else {
             return Ok(Pencil { constant: mass, derivatives: None });
         };
-        work.jacobians += 1;
-        if !finite(jacobian.as_ref()) {
-            // The rates may be smooth enough for fixed points where their slopes are not defined.
-            return Ok(Pencil { constant: mass, derivatives: None });
-        }
-        let (jacobian, n) = (Matrix::<M::Scalar, M::State>(jacobian), mass.rows());
+        let n = mass.rows();
         let by_q = mass.times(&Matrix::of(|i, j| h * h * jacobian[(n + i, j)]));
         let by_v = mass.times(&Matrix::of(|i, j| h * jacobian[(n + i, n + j)]));
         let by_v = Matrix::of(|i, j| self.mass_rate[(i, j)].multiply_add(h, by_v[(i, j)]));

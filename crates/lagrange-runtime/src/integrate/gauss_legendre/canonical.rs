@@ -14,6 +14,7 @@ use crate::integrate::fixed::Formula;
 use crate::integrate::gauss_legendre::dense;
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
+use crate::integrate::jacobian::Source;
 use crate::integrate::method::Work;
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::{Prediction, sum, weights};
@@ -77,7 +78,8 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Formula<M> for Canonical<M, K>
         let start = [self.reached.velocities; K];
         let predicted = self.prediction.slopes(&self.reached.velocities, h);
         let step = Step { system, t, q, p, h };
-        self.solve(&step, predicted, work).or_else(|_| self.solve(&step, start, work))
+        let first = self.solve(&step, predicted, Source::System, work);
+        first.or_else(|_| self.solve(&step, start, Source::Differences, work))
     }
 
     fn state(
@@ -120,13 +122,14 @@ impl<M: CanonicalSystem + ?Sized, const K: usize> Canonical<M, K> {
         &mut self,
         step: &Step<'_, M>,
         mut stages: CanonicalStages<M, K>,
+        source: Source,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
         let mut mean = Vector::<M>::ZERO;
         for (weight, stage) in self.tableau.b.iter().zip(&stages) {
             add(&mut mean, *weight, stage);
         }
-        let pencil = self.reached.derivatives(step, &mean, work)?;
+        let pencil = self.reached.derivatives(step, &mean, source, work)?;
         let Some(linearised) = Linearised::new(&pencil, &self.tableau) else {
             return Err(factors(&pencil.constant).err().unwrap_or(StepFailure::NotFinite));
         };

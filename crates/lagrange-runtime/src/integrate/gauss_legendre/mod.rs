@@ -35,7 +35,7 @@ pub type GaussLegendre6<S> = GaussLegendre<S, 3>;
 ///
 /// An iteration evaluates momenta and their rates K times. With the Jacobian that `emit { jacobian }` provides, a step takes
 /// it once and four to seven iterations by Newton's method, for any stiffness; without, fixed-point iterations, hardly more
-/// in short steps, but steps must stay shorter than the time scale of the fastest motion. On a double pendulum a step costs
+/// in short steps, and difference quotients where those do not converge. On a double pendulum a step costs
 /// as much as 15 (K = 1) to 30 (K = 3) evaluations of the right-hand side.
 ///
 /// States within a step have the order of the method for K = 1 (a straight line) and K = 2 (a cubic), and the order five in

@@ -8,8 +8,9 @@ use crate::integrate::fixed::Formula;
 use crate::integrate::gauss_legendre::dense;
 use crate::integrate::gauss_legendre::linearised::Linearised;
 use crate::integrate::gauss_legendre::tableau::{Coefficients, Tableau};
+use crate::integrate::jacobian::Source;
 use crate::integrate::method::Work;
-use crate::integrate::newton::{self, Equations, finite};
+use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::Prediction;
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::vector::add;
@@ -68,7 +69,8 @@ impl<M: OdeSystem + ?Sized, const K: usize> Formula<M> for Plain<M, K> {
         work.evaluations += 1;
         let predicted = self.prediction.slopes(&slope, h);
         let step = Step { system, t, y, h };
-        self.solve(&step, predicted, work).or_else(|_| self.solve(&step, [slope; K], work))
+        let first = self.solve(&step, predicted, Source::System, work);
+        first.or_else(|_| self.solve(&step, [slope; K], Source::Differences, work))
     }
 
     fn accept(&mut self, _t: M::Scalar) {
@@ -102,9 +104,10 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         &mut self,
         step: &Step<'_, M>,
         mut stages: Stages<M, K>,
+        source: Source,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>> {
-        let pencil = self.pencil(step, &stages, work)?;
+        let pencil = self.pencil(step, &stages, source, work);
         let tableau = &self.tableau;
         let linearised = Linearised::new(&pencil, tableau).ok_or(StepFailure::NotFinite)?;
         let mut equations = StageEquations { step, tableau, pencil, linearised };
@@ -122,24 +125,17 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         &self,
         step: &Step<'_, M>,
         stages: &Stages<M, K>,
+        source: Source,
         work: &mut Work,
-    ) -> Result<StageDerivatives<M>, StepFailure<M::Scalar>> {
+    ) -> StageDerivatives<M> {
         let half = step.h / M::Scalar::from_f64(2.0);
         let mut y = *step.y;
         for (weight, slope) in self.tableau.b.iter().zip(stages) {
             add(&mut y, half * *weight, slope);
         }
-        let Some(jacobian) = step.system.jacobian(step.t + half, &y) else {
-            return Ok(Pencil { constant: Matrix::identity(), derivatives: None });
-        };
-        work.jacobians += 1;
-        if !finite(jacobian.as_ref()) {
-            // The rates may be smooth enough for fixed points where their slopes are not defined.
-            return Ok(Pencil { constant: Matrix::identity(), derivatives: None });
-        }
-        let jacobian = Matrix::<M::Scalar, M::State>(jacobian);
-        let linear = Matrix::of(|i, j| step.h * jacobian[(i, j)]);
-        Ok(Pencil { constant: Matrix::identity(), derivatives: Some((linear, Matrix::ZERO)) })
+        let jacobian = source.jacobian(step.system, (step.t + half, &y), step.h, work);
+        let linear = jacobian.map(|jacobian| Matrix::of(|i, j| step.h * jacobian[(i, j)]));
+        Pencil { constant: Matrix::identity(), derivatives: linear.map(|linear| (linear, Matrix::ZERO)) }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::{Taylor, widest};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
-use crate::integrate::corrected::{admitted, check_finite, corrected};
+use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::linalg::vector::combined;
@@ -198,13 +198,9 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         }
         let mut state = self.state;
         state.add(&self.ahead().change(self.order, h));
-        let mut y = *state.value();
-        check_finite(clock.time(), &y)?;
-        if M::IS_CONSTRAINED {
-            system.correct(clock.time(), &mut y)?;
-            check_finite(clock.time(), &y)?;
-            state.replace(y);
-        }
+        check_finite(clock.time(), state.value())?;
+        correct(system, clock.time(), &mut state)?;
+        let y = *state.value();
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
         if self.fits(h) {

@@ -27,6 +27,7 @@ mod linearised;
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::{Formula, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
+use crate::integrate::jacobian::Source;
 use crate::integrate::method::{Method, Work};
 use crate::integrate::newton::{self, Equations};
 use crate::integrate::prediction::Prediction;
@@ -111,9 +112,10 @@ impl<M: CanonicalSystem + ?Sized> Discrete<M> {
         &mut self,
         step: &Step<'_, M>,
         mut ends: [Vector<M>; 2],
+        source: Source,
         work: &mut Work,
     ) -> Result<M::State, StepFailure<ScalarOf<M>>> {
-        let derivatives = self.reached.derivatives(step, &mean(&ends), work)?;
+        let derivatives = self.reached.derivatives(step, &mean(&ends), source, work)?;
         if M::SAYS_CONSTRAINTS {
             return self.solve_held(step, derivatives, &ends, work);
         }
@@ -179,7 +181,8 @@ impl<M: CanonicalSystem + ?Sized> Formula<M> for Discrete<M> {
         let (q, p) = split::<M>(variables);
         let (start, predicted) = ([self.reached.velocities; 2], self.predict(h));
         let step = Step { system, t, q, p, h };
-        self.solve(&step, predicted, work).or_else(|_| self.solve(&step, start, work))
+        let first = self.solve(&step, predicted, Source::System, work);
+        first.or_else(|_| self.solve(&step, start, Source::Differences, work))
     }
 
     fn state(

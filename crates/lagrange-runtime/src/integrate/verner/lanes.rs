@@ -4,6 +4,7 @@
 //! may have come farther, and that lengths of steps are found to three digits. A motion that looks stiff is given up: one of its own tells.
 
 use super::Verner98;
+use super::control::POWER;
 use super::lanes_control::LanesControl;
 use super::lanes_dense::{StepEnd, VernerLastStep};
 use super::stage::{STAGES, Stage, TableauRow};
@@ -138,7 +139,7 @@ impl<S: Number> Settings<S> {
             }
         }
         let [rate, ahead] = &rates;
-        (self.tolerated.first_step(y, [rate, ahead], trial, longest), longest)
+        (self.tolerated.first_step(y, [rate, ahead], trial, (longest, POWER)), longest)
     }
 }
 

@@ -1,7 +1,7 @@
 //! The pair in progress.
 
 use super::Verner98;
-use super::control::Control;
+use super::control::{Control, POWER};
 use super::dense::{Span, complete, defect, interpolate};
 use super::stage::RATES;
 use super::stiffness::{STABLE, Stiffness};
@@ -9,20 +9,17 @@ use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
 };
-use crate::constraint::UNDETERMINED;
-use crate::integrate::clock::{Clock, least_step};
+use crate::integrate::attempt::{Attempt, Crawling, Judgement};
+use crate::integrate::clock::Clock;
 use crate::integrate::compensated::Compensated;
-use crate::integrate::corrected::{admitted, check_finite, corrected};
+use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
 use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
-use crate::scalar::{Number, Scalar};
+use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector, StepFailure};
 use crate::tolerance::DEFECT;
 
-/// Number of consecutive negligible steps after which constraints that are about to become
-/// dependent count as blocking the motion.
-const MOST_CRAWLING: u32 = 1000;
 /// Steps longer than this part of the longest stable one are limited by it.
 const NEAR: f64 = 0.7;
 /// An eigenvalue is fast beside a motion whose rates are smaller than the state times it by this,
@@ -42,7 +39,6 @@ pub(super) const END: usize = 16;
 #[derive(Clone, Debug)]
 pub struct VernerStepper<M: OdeSystem + ?Sized> {
     settings: Verner98<M::Scalar>,
-    start: M::Scalar,
     /// From the start to the end that was in view there.
     span: M::Scalar,
     control: Control<M::Scalar>,
@@ -57,8 +53,7 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     rates: [M::State; RATES],
     /// Number of known rates of the last step.
     known: Known,
-    /// Number of consecutive steps that are negligible beside the time.
-    crawled: u32,
+    crawling: Crawling<M::Scalar>,
     work: Work,
 }
 
@@ -73,23 +68,6 @@ enum Known {
     All,
 }
 
-/// The judgement of an attempt.
-enum Judgement<S> {
-    /// The step was taken.
-    Taken,
-    /// Its error was too large.
-    Inaccurate,
-    /// It led where the system is not defined, or where constraints cannot be satisfied.
-    Lost(StepFailure<S>),
-}
-
-/// The length of a step and the clock after it.
-#[derive(Clone, Copy)]
-struct Attempt<S> {
-    h: S,
-    clock: Clock<S>,
-}
-
 impl<M: OdeSystem + ?Sized> VernerStepper<M> {
     pub(super) fn start(
         settings: Verner98<M::Scalar>,
@@ -102,7 +80,6 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let (clock, state) = (Clock::new(t, M::Scalar::ZERO), Compensated::new(*y));
         let mut stepper = VernerStepper {
             settings,
-            start: t,
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
             stiffness: Stiffness::default(),
@@ -113,48 +90,18 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             last: Span { t, y: *y, h: M::Scalar::ZERO },
             rates: [M::State::ZERO; RATES],
             known: Known::End,
-            crawled: 0,
+            crawling: Crawling::new(t),
             work: Work::default(),
         };
         stepper.restart(system, t, y)?;
         Ok(stepper)
     }
 
-    /// Counts steps below ε^(3/4) of the time that has passed under constraints. Nothing moves that
-    /// fast; what asks for such steps is noise, which constraints magnify where they are about to
-    /// depend on each other.
-    fn look_for_crawling(&mut self, h: M::Scalar) {
-        let root = M::Scalar::epsilon().sqrt();
-        let passed = (self.clock.time() - self.start).abs();
-        let is_crawling = M::IS_CONSTRAINED && h.abs() < root * root.sqrt() * passed;
-        self.crawled = if is_crawling { self.crawled + 1 } else { 0 };
-    }
-
-    /// The next step to try, or that it is lost in rounding. Only a step that reaches the limit is
-    /// shorter than the least that counts in the rounding of time.
+    /// The next step to try, or that it is lost in rounding.
     fn next(&self, limit: M::Scalar) -> Result<Attempt<M::Scalar>, StepFailure<M::Scalar>> {
-        let least = least_step(self.clock.time());
-        let mut length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
-        if length < least {
-            length = self.raised(length, least)?;
-        }
-        let mut clock = self.clock.with_step(length);
-        let h = clock.advance(limit);
-        let is_step = length > M::Scalar::ZERO;
-        if !is_step || self.clock.is_stopped(&clock) {
-            return Err(StepFailure::StepUnderflow { step: length });
-        }
-        Ok(Attempt { h, clock })
-    }
-
-    /// The least step instead of a shorter one, unless it was thrown away or is longer than may be.
-    #[cold]
-    fn raised(&self, length: M::Scalar, least: M::Scalar) -> Result<M::Scalar, StepFailure<M::Scalar>> {
-        match self.settings.longest_step.filter(|longest| *longest < least) {
-            Some(step) => Err(StepFailure::StepLost { step, time: self.clock.time() }),
-            None if self.control.was_rejected() => Err(StepFailure::StepUnderflow { step: length }),
-            None => Ok(least),
-        }
+        let length = self.control.step.min(self.settings.longest(self.span, self.is_at_rest));
+        let (longest, was_rejected) = (self.settings.longest_step, self.control.was_rejected());
+        Attempt::new(&self.clock, length, limit, longest, was_rejected)
     }
 
     /// Evaluates the stages of a step and returns the last two of them, which lie at its end.
@@ -280,7 +227,13 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         // A motion that is slower than its tolerance, or has ended, may take the steps that stability leaves.
         let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
         let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
-        if is_at_limit && goes_on && is_fast { Err(StepFailure::Stiff { limit }) } else { Ok(()) }
+        if !(is_at_limit && goes_on && is_fast) {
+            return Ok(());
+        }
+        let tolerance = self.settings.relative.max(self.settings.absolute);
+        let has_contacts = M::EVENTS.iter().any(|event| event.is_switch && !event.is_side);
+        let wants_jacobian = !has_contacts && system.jacobian(t, self.state.value()).is_none();
+        Err(StepFailure::Stiff { limit, tolerance, wants_jacobian })
     }
 
     /// The state after a step of length `h` whose stages are known.
@@ -305,9 +258,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
-        if self.crawled >= MOST_CRAWLING {
-            return Err(StepFailure::Stuck(UNDETERMINED));
-        }
+        self.crawling.check()?;
         self.rates[0] = self.end_rate(system);
         self.forget_last();
         let mut lost = None;
@@ -318,7 +269,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt, limit)? {
                 Judgement::Taken => {
-                    self.look_for_crawling(attempt.h);
+                    self.crawling.look(attempt.h, self.clock.time(), M::IS_CONSTRAINED);
                     return Ok(());
                 }
                 Judgement::Inaccurate => None,
@@ -377,7 +328,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             None => {
                 self.work.evaluations += 1;
                 let bounds = (self.settings.longest(self.span, self.is_at_rest), self.span < M::Scalar::ZERO);
-                self.settings.first_step(system, (t, y), &rate, bounds)?
+                self.settings.tolerated().first_step_of(system, (t, y), &rate, bounds, POWER)?
             }
         };
         self.control = Control::new(step);
@@ -392,21 +343,4 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
     fn work(&self) -> Work {
         self.work
     }
-}
-
-/// Brings the end of a step onto the constraints.
-#[inline]
-fn correct<M: OdeSystem + ?Sized>(
-    system: &M,
-    t: M::Scalar,
-    state: &mut Compensated<M::State>,
-) -> Result<(), StepFailure<M::Scalar>> {
-    if !M::IS_CONSTRAINED {
-        return Ok(());
-    }
-    let mut y = *state.value();
-    system.correct(t, &mut y)?;
-    check_finite(t, &y)?;
-    state.replace(y);
-    Ok(())
 }

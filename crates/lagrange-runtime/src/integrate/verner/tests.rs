@@ -290,7 +290,7 @@ fn stiff_systems_are_refused_with_the_stable_step() {
     let relaxation = Equation(|t: f64, y: f64| -1e6 * (y - t.cos()));
     let method = Verner98::tolerance(1e-6);
     let error = integrate(&relaxation, 0.0, [1.0], 10.0, &method, |_, _| {}).expect_err("stiff");
-    let StepFailure::Stiff { limit } = error.cause else { panic!("{error:?}") };
+    let StepFailure::Stiff { limit, .. } = error.cause else { panic!("{error:?}") };
     assert!(limit > 1e-6 && limit < 1e-5, "{limit}");
     assert!(error.time < 0.1);
     let patient = Verner98 { refuses_stiff: false, ..method };

@@ -17,7 +17,7 @@ pub(in crate::integrate) struct Tolerated<S> {
 impl<S: Number> Tolerated<S> {
     /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
     #[inline(always)]
-    pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
+    pub(in crate::integrate) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
         let mut sum = S::ZERO;
         for (error, (from, to)) in error.as_ref().iter().zip(ends) {
@@ -46,21 +46,21 @@ impl<S: Number> Tolerated<S> {
         guess.min(longest)
     }
 
-    /// A first step whose error is small in all likelihood, not longer than `longest`, given the rates at the state and after an Euler step of
-    /// the length `trial` from there; NaN if there is none because errors measured by the tolerance are no numbers.
+    /// A first step whose error, which grows with the `power` of its length, is small in all likelihood, not longer than `longest`, given the
+    /// rates at the state and after an Euler step of the length `trial` from there; NaN if there is none because errors measured by the tolerance are no numbers.
     #[inline(always)]
     pub(super) fn first_step<Y: StateVector<S>>(
         &self,
         y: &Y,
         [rate, ahead]: [&Y; 2],
         trial: S,
-        longest: S,
+        (longest, power): (S, f64),
     ) -> S {
         let speed = self.norm(S::ONE, rate, y, y);
         let bend = self.norm(S::ONE / trial, &combined(ahead, -S::ONE, rate), y, y);
         let fastest = speed.max(bend);
         let slow = (trial * S::from_f64(1e-3)).max(S::from_f64(1e-6));
-        let length = (S::from_f64(0.01) / fastest).powf(S::from_f64(1.0 / 9.0));
+        let length = (S::from_f64(0.01) / fastest).powf(S::from_f64(1.0 / power));
         let length = S::select(fastest.less_equal(S::from_f64(1e-15)), slow, length);
         let length = length.min(S::from_f64(100.0) * trial).min(longest);
         // The trial may have left the domain of the system.
@@ -73,6 +73,32 @@ impl<S: Scalar> Tolerated<S> {
     /// The tolerance, with rounding as the minimum.
     pub(in crate::integrate) fn new(relative: S, absolute: S) -> Self {
         Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute }
+    }
+
+    /// A first step whose error, which grows with the `power` of its length, is small in all likelihood, not longer than `longest`, from a
+    /// state at this rate.
+    ///
+    /// # Errors
+    /// If there is none because errors measured by the tolerance are no numbers.
+    pub(in crate::integrate) fn first_step_of<M>(
+        &self,
+        system: &M,
+        (t, y): (S, &M::State),
+        rate: &M::State,
+        (longest, is_backwards): (S, bool),
+        power: f64,
+    ) -> Result<S, StepFailure<S>>
+    where
+        M: OdeSystem<Scalar = S> + ?Sized,
+    {
+        let trial = self.trial(y, rate, longest);
+        let h = if is_backwards { -trial } else { trial };
+        let ahead = system.rhs(t + h, &combined(y, h, rate));
+        let first = self.first_step(y, [rate, &ahead], trial, (longest, power));
+        if first > S::ZERO {
+            return Ok(first);
+        }
+        Err(StepFailure::NoFirstStep { relative: self.relative, absolute: self.absolute })
     }
 }
 
@@ -119,30 +145,5 @@ impl<S: Scalar> Verner98<S> {
     /// True if a step of the length `h` at this rate changes the state by next to nothing.
     pub(super) fn is_at_rest<Y: StateVector<S>>(&self, h: S, rate: &Y, y: &Y) -> bool {
         self.tolerated().is_at_rest(h, rate, y)
-    }
-
-    /// A first step whose error is small in all likelihood, not longer than `longest`, from a state at this rate.
-    ///
-    /// # Errors
-    /// If there is none because errors measured by the tolerance are no numbers.
-    pub(super) fn first_step<M>(
-        &self,
-        system: &M,
-        (t, y): (S, &M::State),
-        rate: &M::State,
-        (longest, is_backwards): (S, bool),
-    ) -> Result<S, StepFailure<S>>
-    where
-        M: OdeSystem<Scalar = S> + ?Sized,
-    {
-        let tolerated = self.tolerated();
-        let trial = tolerated.trial(y, rate, longest);
-        let h = if is_backwards { -trial } else { trial };
-        let ahead = system.rhs(t + h, &combined(y, h, rate));
-        let first = tolerated.first_step(y, [rate, &ahead], trial, longest);
-        if first > S::ZERO {
-            return Ok(first);
-        }
-        Err(StepFailure::NoFirstStep { relative: self.relative, absolute: self.absolute })
     }
 }

@@ -1,0 +1,113 @@
+//! Jacobians for implicit methods: those that systems know, and difference quotients of others.
+
+use crate::integrate::method::Work;
+use crate::integrate::newton::finite;
+use crate::linalg::pivoted::Matrix;
+use crate::scalar::{Number, Scalar};
+use crate::system::{OdeSystem, StateVector};
+
+/// The source of the Jacobian for methods of equal steps.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Source {
+    /// The system, if it knows one; fixed points do without in short steps.
+    System,
+    /// Difference quotients, if the system knows none: where fixed points do not converge.
+    Differences,
+}
+
+impl Source {
+    /// ∂f/∂y at this time and state, for a step of the length `h`, if it is finite.
+    pub(super) fn jacobian<M>(
+        self,
+        system: &M,
+        (t, y): (M::Scalar, &M::State),
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Option<Jacobian<M>>
+    where
+        M: OdeSystem + ?Sized,
+    {
+        let known = known(system, t, y, work);
+        if known.is_some() || self == Source::System {
+            return known;
+        }
+        let rate = system.rhs(t, y);
+        work.evaluations += 1;
+        let jacobian = differences(system, (t, y), &rate, &sizes(y, h, &rate, Number::ONE), work);
+        finite(jacobian.0.as_ref()).then_some(jacobian)
+    }
+}
+
+/// The matrix of derivatives of a system's right-hand side.
+type Jacobian<M> = Matrix<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
+
+/// ∂f/∂y as the system knows it, if that is finite.
+pub(super) fn known<M>(system: &M, t: M::Scalar, y: &M::State, work: &mut Work) -> Option<Jacobian<M>>
+where
+    M: OdeSystem + ?Sized,
+{
+    let jacobian = system.jacobian(t, y)?;
+    work.jacobians += 1;
+    // The rates may be smooth enough where their slopes are not defined.
+    finite(jacobian.as_ref()).then_some(Matrix(jacobian))
+}
+
+/// ∂f/∂y by difference quotients at the state `y`, whose rate this is, over changes of the components by half of the digits of their
+/// `sizes`.
+pub(super) fn differences<M>(
+    system: &M,
+    (t, y): (M::Scalar, &M::State),
+    rate: &M::State,
+    sizes: &M::State,
+    work: &mut Work,
+) -> Jacobian<M>
+where
+    M: OdeSystem + ?Sized,
+{
+    let mut jacobian = Matrix::ZERO;
+    for (column, size) in sizes.as_ref().iter().enumerate() {
+        let width = M::Scalar::epsilon().sqrt() * *size;
+        let mut quotients = quotients(system, (t, y), rate, (column, width));
+        work.evaluations += 1;
+        if !finite(&[quotients]) {
+            // The domain of the system may end here.
+            quotients = self::quotients(system, (t, y), rate, (column, -width));
+            work.evaluations += 1;
+        }
+        for (row, quotient) in quotients.as_ref().iter().enumerate() {
+            jacobian[(row, column)] = *quotient;
+        }
+    }
+    work.jacobians += 1;
+    jacobian
+}
+
+/// The derivatives by one component.
+fn quotients<M>(
+    system: &M,
+    (t, y): (M::Scalar, &M::State),
+    rate: &M::State,
+    (component, width): (usize, M::Scalar),
+) -> M::State
+where
+    M: OdeSystem + ?Sized,
+{
+    let mut moved = *y;
+    moved.as_mut()[component] = y.as_ref()[component] + width;
+    // As far as the component moved, rounded.
+    let width = moved.as_ref()[component] - y.as_ref()[component];
+    let mut quotients = system.rhs(t, &moved);
+    for (quotient, rate) in quotients.as_mut().iter_mut().zip(rate.as_ref()) {
+        *quotient = (*quotient - *rate) / width;
+    }
+    quotients
+}
+
+/// Sizes of the components of a state that changes at this rate over a step of the length `h`, with a least size.
+pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S) -> Y {
+    let mut sizes = *y;
+    for (size, rate) in sizes.as_mut().iter_mut().zip(rate.as_ref()) {
+        *size = size.abs().max((h * *rate).abs()).max(least);
+    }
+    sizes
+}

@@ -1,0 +1,91 @@
+//! The choice of the next step length.
+//!
+//! The step follows the error of the last two steps, and Newton's iterations: many of them ask for a shorter step.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8, "Step size selection".
+
+use super::newton::MOST_ITERATIONS;
+use crate::scalar::Scalar;
+
+/// The estimate of the error of a step grows with this power of its length.
+pub(super) const POWER: f64 = 4.0;
+/// Steps are shorter than what would just do by this factor.
+const SAFETY: f64 = 0.9;
+/// No step is shorter than the one before by more than this factor,
+const MOST_SHRINKING: f64 = 0.2;
+/// and none is longer by more than this.
+const MOST_GROWTH: f64 = 10.0;
+/// Steps that would grow by less than this stay, for the sake of the factors.
+const WORTHWHILE: f64 = 1.2;
+/// Factor of the step length where Newton's method does not converge.
+const RETREAT: f64 = 0.5;
+/// Errors are remembered as no smaller than this.
+const LEAST_ERROR: f64 = 1e-2;
+
+/// The controller with its memory.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ReuseControl<S> {
+    /// Length of the next step to try, always positive.
+    pub(super) step: S,
+    /// Length and error of the last step that was taken.
+    last: Option<(S, S)>,
+    was_rejected: bool,
+}
+
+impl<S: Scalar> ReuseControl<S> {
+    pub(super) fn new(step: S) -> Self {
+        ReuseControl { step, last: None, was_rejected: false }
+    }
+
+    /// True if the last step was thrown away.
+    pub(super) fn was_rejected(&self) -> bool {
+        self.was_rejected
+    }
+
+    /// True if an error above one is to be doubted: that of a first step, or of one after a rejection.
+    pub(super) fn doubts(&self) -> bool {
+        self.was_rejected || self.last.is_none()
+    }
+
+    /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
+    pub(super) fn accept(&mut self, taken: S, error: S, iterations: u32) {
+        let mut wanted = wanted(error, iterations);
+        if let Some((before, error_before)) = self.last {
+            let trend = taken / before * fourth_root(error_before / error);
+            wanted = if trend < S::ONE { wanted * trend } else { wanted };
+        }
+        let most = if self.was_rejected { S::ONE } else { S::from_f64(MOST_GROWTH) };
+        let growth = if wanted < most { wanted.max(S::from_f64(MOST_SHRINKING)) } else { most };
+        let is_kept = S::ONE <= growth && growth < S::from_f64(WORTHWHILE);
+        let next = if is_kept { taken } else { taken * growth };
+        self.step = if taken < self.step { next.max(self.step) } else { next };
+        self.last = Some((taken, error.max(S::from_f64(LEAST_ERROR))));
+        self.was_rejected = false;
+    }
+
+    /// A step of length `taken` had an error above one.
+    pub(super) fn reject(&mut self, taken: S, error: S, iterations: u32) {
+        let wanted = wanted(error, iterations);
+        let shrinking =
+            if error.is_finite() { wanted.max(S::from_f64(MOST_SHRINKING)) } else { S::from_f64(RETREAT) };
+        self.step = taken * shrinking;
+        self.was_rejected = true;
+    }
+
+    /// A step of length `taken` could not be computed.
+    pub(super) fn retreat(&mut self, taken: S) {
+        self.step = taken * S::from_f64(RETREAT);
+        self.was_rejected = true;
+    }
+}
+
+/// The factor of a step with this error that would just do.
+fn wanted<S: Scalar>(error: S, iterations: u32) -> S {
+    let most = f64::from(MOST_ITERATIONS);
+    let safety = SAFETY * (2.0 * most + 1.0) / (2.0 * most + f64::from(iterations));
+    S::from_f64(safety) / fourth_root(error)
+}
+
+/// The root that undoes [`POWER`].
+fn fourth_root<S: Scalar>(x: S) -> S {
+    x.sqrt().sqrt()
+}
