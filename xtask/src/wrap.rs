@@ -1,4 +1,5 @@
-//! `cargo xtask wrap`: wraps the comments of Rust files and the paragraphs of pages as the house rules require.
+//! `cargo xtask wrap`: wraps the comments of Rust files and the paragraphs of pages as the house
+//! rules require.
 //! `cargo xtask sentences`: lists the sentences that are too long for them.
 
 use std::path::Path;

@@ -46,7 +46,6 @@ fn joint_of(load: &Load) -> &str {
 
 #[cfg(test)]
 mod tests {
-
     use super::load_label;
     use crate::load::{Load, Value};
     use crate::snapshot::Snapshot;
@@ -81,6 +80,10 @@ mod tests {
         rod.loads.push(force("foot", LoadOrigin::Joint));
         assert_eq!(load_label(&rod.loads[0], &rod), "F_{hinge}", "there are several joints now");
         assert_eq!(load_label(&rod.loads[3], &rod), "N_{foot}");
-        assert_eq!(load_label(&force("S", LoadOrigin::Joint), &rod), "S", "nothing is known of it");
+        assert_eq!(
+            load_label(&force("S", LoadOrigin::Joint), &rod),
+            "S",
+            "the scene has no joint of that name"
+        );
     }
 }

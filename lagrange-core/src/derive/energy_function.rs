@@ -5,8 +5,9 @@ use lagrange_algebra::calculus::{gradient, homogeneity};
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7).
-/// A term of L that is homogeneous of degree k in the velocities contributes k − 1 times itself (Euler).
+/// The energy function h = v·∂L/∂v − L (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed.,
+/// §2.7). A term of L that is homogeneous of degree k in the velocities contributes k − 1 times
+/// itself (Euler).
 pub(super) fn energy_function(model: &mut Model) -> ExprId {
     let graph = &mut model.graph;
     if let Energies::Separate { kinetic, potential } = model.energies

@@ -119,7 +119,7 @@ impl Candidates<'_> {
         best.map(|(solution, strategy, _)| (solution, strategy, costs)).ok_or(SingularMassMatrix)
     }
 
-    /// Nothing is more accurate than what needs no elimination. Otherwise squares come first; where they lead nowhere, the
+    /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise squares come first; where they lead nowhere, the
     /// mass matrix if what cancels in it can be looked for, and elimination body by body if it is too large for that:
     /// this adds up less before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {

@@ -12,7 +12,7 @@ use lagrange_expr::number::Number;
 use lagrange_expr::opaque::Axis;
 use lagrange_language::syntax::ast::{AstId, Expression};
 
-/// True if one can go on with a value; reports it if not.
+/// True if elaboration can continue with a value; reports it if not.
 pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     is_short(evaluator, value, id) && is_real(evaluator, value, id)
 }

@@ -2,8 +2,8 @@
 
 /// Writes a table of messages, all with the visibility on its first line.
 ///
-/// A row without gaps is a constant. One with gaps is a function that fills them with anything that can be displayed;
-/// behind the words are values for `{}`, as in `format!`.
+/// A row without gaps is a constant. One with gaps is a function that fills them with anything that
+/// can be displayed; behind the words are values for `{}`, as in `format!`.
 ///
 /// ```
 /// mod words {

@@ -1,7 +1,7 @@
 //! Functions that are known by their values alone: those of the user's crate, tables, and solutions of equations.
 //!
-//! Nothing is assumed of those of the crate but that equal arguments give equal values. A derivative is a function of its own, which the
-//! user names or which has the name that [`default_name`] gives it; what it is worth is known at run time only. Tables are differentiated
+//! Functions of the crate are only assumed to give equal values for equal arguments. A derivative is another function, which the user
+//! names or which has the name that [`default_name`] gives it; its values are known at run time only. Tables are differentiated
 //! piece by piece, and emitted code has functions of the same default names for them. Solutions of equations have derivatives with a
 //! formula, by implicit differentiation (`calculus::implicit`).
 

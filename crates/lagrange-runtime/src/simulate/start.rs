@@ -1,6 +1,6 @@
 //! The possible starts of a run.
 
-/// Something that stands for a state Y: the array `[q…, v…]`, the emitted type with named fields, or whatever else converts into the
+/// A state Y in any form: the array `[q…, v…]`, the emitted type with named fields, or another type that converts into the
 /// array.
 #[diagnostic::on_unimplemented(
     message = "a run cannot start from `{Self}`: the state is `{Y}`",
