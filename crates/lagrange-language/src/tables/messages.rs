@@ -13,6 +13,10 @@ pub(super) const UNITS_HELP: &str = "choose larger units";
 pub(super) const UTF_16: &str = "it is in UTF-16; save it as UTF-8";
 pub(super) const BINARY: &str = "it contains NUL characters and is not UTF-8 text";
 
+pub(super) fn file_too_large(most: u64) -> String {
+    format!("it is larger than {most} bytes, too large for a table")
+}
+
 pub(super) fn not_utf_8(line: usize) -> String {
     format!("line {line} is not in UTF-8; save it as UTF-8")
 }

@@ -27,12 +27,6 @@ pub(in crate::elaborate) const REDUCED_HELP: &str =
     "remove the `reduce`, or declare the reduced system separately";
 pub(in crate::elaborate) const ASSIGNED_HERE: &str = "first assigned here";
 
-pub(in crate::elaborate) fn too_many_events(most: usize) -> String {
-    format!("a system can have at most {most} events")
-}
-
-pub(in crate::elaborate) const TOO_MANY_EVENTS_HELP: &str = "dry friction also counts as one event, unless it is `smooth`; events that do not belong to the system can be watched by a simulation";
-
 pub(in crate::elaborate) const REDUCED_EVENTS: &str =
     "a system with events or friction cannot be reduced yet";
 pub(in crate::elaborate) const EVENT_IS_HERE: &str = "one is declared here";
