@@ -6,9 +6,10 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
-use lagrange_core::tables::{FileText, MAX_BYTES, decoded};
+use lagrange_core::limits::MAX_FILE_BYTES;
+use lagrange_core::tables::{FileText, decoded};
 
-/// Reads a regular file of a folder, of at most [`MAX_BYTES`].
+/// Reads a regular file of a folder, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
 /// The reason why it cannot be read.
@@ -22,18 +23,11 @@ pub(crate) fn read(folder: &Path, path: &str) -> Result<FileText, String> {
     if !metadata.is_file() {
         return Err("it is not a regular file, but a device, a pipe or a socket".to_owned());
     }
-    let too_large = || format!("it is larger than {} MB, too large for a table", MAX_BYTES >> 20);
-    if metadata.len() > MAX_BYTES {
-        return Err(too_large());
-    }
     let mut bytes = Vec::new();
     if metadata.len() > 0 {
         // It may grow while it is read.
         let file = File::open(&path).map_err(|error| error.to_string())?;
-        file.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
-    }
-    if bytes.len() as u64 > MAX_BYTES {
-        return Err(too_large());
+        file.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes).map_err(|error| error.to_string())?;
     }
     let path = path.into_os_string().into_string().map_err(|_| "its path is not in UTF-8".to_owned())?;
     Ok(FileText { path, text: decoded(bytes)? })

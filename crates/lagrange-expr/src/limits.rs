@@ -15,17 +15,26 @@ pub const MAX_LITERAL_LENGTH: usize = 5_000;
 /// Decimal exponent of a number: no scalar can represent more.
 pub const MAX_DECIMAL_EXPONENT: i64 = 5_000;
 
+/// Bits of an exact number; the longest literals need fewer.
+pub const MAX_NUMBER_BITS: u64 = 20_000;
+
 /// Exponent of a unit.
 pub const MAX_UNIT_EXPONENT: i64 = 99;
 
-/// Statements, terms and elements that loops, sums and arrays stand for.
+/// Statements and terms that loops and sums stand for.
 pub const MAX_WRITTEN_OUT: u64 = 200_000;
+
+/// Elements of arrays, most of which are fields of the emitted type and names in its methods.
+pub const MAX_ELEMENTS: u64 = 20_000;
 
 /// Terms that calls of functions stand for.
 pub const MAX_INLINED: u64 = 200_000;
 
 /// Points of a table.
 pub const MAX_POINTS: usize = 100_000;
+
+/// Bytes of a table file: enough for the largest table, and read by an unoptimised macro in seconds.
+pub const MAX_FILE_BYTES: u64 = 16 << 20;
 
 /// Steps of Newton's method for an algebraic unknown.
 pub const MAX_ITERATIONS: i32 = 1_000;
@@ -36,11 +45,20 @@ pub const MAX_EVENTS: usize = 32;
 /// Events and switches together that runs can look for; more switches are stepped across.
 pub const MAX_LOCATED: usize = 64;
 
-/// Velocities: a list of all pairs of more takes minutes to walk through.
-pub const MAX_VELOCITIES: usize = 4_000;
+/// Velocities, as matrices have an entry for each pair of them.
+pub const MAX_VELOCITIES: usize = 2_000;
 
 /// First-order states, each of which has an equation as velocities do.
-pub const MAX_STATES: usize = 4_000;
+pub const MAX_STATES: usize = 2_000;
+
+/// Constraints, which are compared with each other.
+pub const MAX_CONSTRAINTS: usize = 1_000;
+
+/// Constraints beyond the number of velocities: all of them are coupled with each other.
+pub const MAX_DEPENDENT_CONSTRAINTS: usize = 20;
+
+/// Outputs, each of which is a method.
+pub const MAX_OUTPUTS: usize = 5_000;
 
 /// Operations of emitted code: reading more takes minutes and as much memory as many machines have.
 pub const MAX_OPERATIONS: usize = 2_000_000;

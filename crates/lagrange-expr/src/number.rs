@@ -14,12 +14,10 @@ use num_bigint::BigInt;
 use num_rational::{BigRational, Ratio};
 use num_traits::{CheckedAdd, CheckedMul, One, Pow, Signed, ToPrimitive, Zero};
 
-use crate::limits::MAX_DECIMAL_EXPONENT;
+use crate::limits::{MAX_DECIMAL_EXPONENT, MAX_NUMBER_BITS};
 
 /// Powers whose result would need more bits than this are left unevaluated.
 const LARGEST_POWER_BITS: u64 = 4096;
-/// Numbers that need more bits than this are of no use; the longest literals need fewer.
-const MAX_BITS: u64 = 20_000;
 
 /// A rational number in lowest terms, with a positive denominator.
 ///
@@ -130,7 +128,7 @@ impl Number {
     pub fn is_short(&self) -> bool {
         match &self.0 {
             Repr::Word(_) => true,
-            Repr::Big(big) => big.numer().bits().max(big.denom().bits()) <= MAX_BITS,
+            Repr::Big(big) => big.numer().bits().max(big.denom().bits()) <= MAX_NUMBER_BITS,
         }
     }
 

@@ -3,7 +3,7 @@
 use super::constraints::{check_reduced_constraints, is_constrained};
 use super::damping::with_limits;
 use super::elaborator::{Elaborator, SourceTerm};
-use super::events::{check_event_count, check_reduced_events};
+use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
@@ -64,7 +64,6 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_names_of_bodies(elaborator);
     check_reduced_constraints(elaborator);
     check_stabilisation(elaborator);
-    check_event_count(elaborator);
     check_reduced_events(elaborator);
 }
 

@@ -13,9 +13,8 @@ use super::states::state_named;
 use crate::model::{Action, Assignment};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
-use lagrange_expr::limits::MAX_EVENTS;
 use lagrange_expr::symbol::Symbol;
-use lagrange_language::syntax::ast::{self, AstId, Expression, Name, StatementKind};
+use lagrange_language::syntax::ast::{self, AstId, Expression, Name};
 
 pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
     let (value, action) = match &event.action {
@@ -135,19 +134,6 @@ fn entry_of_state(elaborator: &Elaborator<'_>, name: &str, is_rate: bool) -> Opt
         (Some(_), true) => velocity(),
         (Some(index), false) => Some(index),
         (None, is_rate) => velocity().filter(|_| !is_rate),
-    }
-}
-
-/// Friction that sticks and slips is an event, too.
-pub(super) fn check_event_count(elaborator: &mut Elaborator<'_>) {
-    let names = elaborator.declaration.statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Event(event) => Some(&event.name),
-        StatementKind::Friction(friction) if friction.width.is_none() => Some(&friction.name),
-        _ => None,
-    });
-    if let Some(name) = names.into_iter().nth(MAX_EVENTS) {
-        let error = elaborator.evaluator.report.error(name.span, messages::too_many_events(MAX_EVENTS));
-        error.help(messages::TOO_MANY_EVENTS_HELP);
     }
 }
 

@@ -29,13 +29,15 @@ pub struct NumericSystem {
     position_rates: Program,
     /// The functions whose signs are the sides of the switches.
     switches: Program,
+    /// Accelerations, followed by the growth of rounding errors in their computation, as emitted code computes them.
     accelerations: Program,
+    /// Multipliers, followed by the same.
     multipliers: Program,
+    /// The number of these values of growth.
+    growths: usize,
     /// True if some constraints always follow from others, which leaves multipliers to the second way.
     is_redundant: bool,
-    /// Growth of rounding errors in the computation; empty if there is none.
-    growth: Program,
-    /// Matrices and vectors that the second way starts from; nothing for large systems.
+    /// Matrices and vectors that the second way starts from; nothing if there is none.
     undivided: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
@@ -55,10 +57,16 @@ struct Instant<'a> {
 /// Systems with more coordinates have no second way here: writing down their matrices may cost more than all else.
 const LARGEST_SECOND_WAY: usize = 40;
 
-/// M and A in rows, f and b; nothing for large systems.
+/// Values whose size is the growth of rounding errors, beyond which the second way is taken.
+fn growth(equations: &Equations) -> Vec<ExprId> {
+    equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect()
+}
+
+/// M and A in rows, f and b; nothing for large systems and where no pivot can vanish.
 fn undivided(equations: &Equations) -> Vec<ExprId> {
     let Equations { mass_matrix, forcing, constraints, .. } = equations;
-    if forcing.len() > LARGEST_SECOND_WAY {
+    let may_fail = !constraints.drifts.is_empty() || equations.pivot_growth.is_some();
+    if !may_fail || forcing.len() > LARGEST_SECOND_WAY {
         return Vec::new();
     }
     let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
@@ -102,17 +110,15 @@ impl NumericSystem {
         let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
         let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
         let rates = model.position_rates();
-        let growth: Vec<ExprId> =
-            equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect();
+        let growth = growth(equations);
+        let with_growth = |roots: &[ExprId]| [roots, &growth].concat();
         let roots = [
-            &equations.accelerations,
-            &equations.constraints.multipliers,
-            &growth,
-            &undivided(equations),
-            &rates,
+            with_growth(&equations.accelerations),
+            with_growth(&equations.constraints.multipliers),
+            undivided(equations),
+            rates,
         ];
-        let [accelerations, multipliers, growth, undivided, position_rates] =
-            roots.map(|roots| lowered(roots));
+        let [accelerations, multipliers, undivided, position_rates] = roots.map(|roots| lowered(&roots));
         let is_constrained = !model.constraints.is_empty();
         let products =
             Product::ALL.into_iter().filter(|product| is_constrained || !product.is_of_constraints());
@@ -128,8 +134,8 @@ impl NumericSystem {
             switches,
             accelerations,
             multipliers,
+            growths: growth.len(),
             is_redundant: equations.constraints.is_redundant,
-            growth,
             undivided,
             products,
             outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
@@ -173,12 +179,11 @@ impl NumericSystem {
 
     fn programs(&self) -> impl Iterator<Item = &Program> {
         let of_motion = [&self.position_rates, &self.switches, &self.accelerations, &self.multipliers];
-        let of_second_way = [&self.growth, &self.undivided];
         let products = self.products.iter().map(|(_, program)| program);
         let outputs = self.outputs.iter().map(|(_, program)| program);
         of_motion
             .into_iter()
-            .chain(of_second_way)
+            .chain([&self.undivided])
             .chain(products)
             .chain(outputs)
             .chain(self.callables.programs())
@@ -217,37 +222,57 @@ impl NumericSystem {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
         match self.straight_way(at) {
             Some(found) => found,
-            None => self.second_way(at).0,
+            None => {
+                let [accelerations, _] = self.second_way(at);
+                accelerations
+            }
         }
     }
 
     /// The multipliers in the order of the constraints.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
-        let found = self.run(&self.multipliers, at);
-        match found.is_empty() || are_finite(&found) && self.straight_way(at).is_some() {
-            true => found,
-            false => self.second_way(at).1,
+        match self.trusted(&self.multipliers, at) {
+            Some(found) if self.straight_way(at).is_some() => found,
+            _ => {
+                let [_, multipliers] = self.second_way(at);
+                multipliers
+            }
         }
     }
 
     /// The accelerations by elimination, if they are finite and their digits can be trusted.
     fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
-        let found = self.run(&self.accelerations, at);
-        let is_trusted = || self.run(&self.growth, at).iter().all(|&growth| is_regular(growth));
-        (!self.is_redundant && are_finite(&found) && is_trusted()).then_some(found)
+        let found = self.trusted(&self.accelerations, at)?;
+        (!self.is_redundant).then_some(found)
     }
 
-    /// Accelerations and multipliers from the undivided equations.
-    fn second_way(&self, at: Instant<'_>) -> (Vec<f64>, Vec<f64>) {
+    /// Results by elimination, if they are finite and their digits can be trusted.
+    fn trusted(&self, program: &Program, at: Instant<'_>) -> Option<Vec<f64>> {
+        let [found, growth] = self.eliminated(program, at);
+        (are_finite(&found) && growth.into_iter().all(is_regular)).then_some(found)
+    }
+
+    /// Results by elimination, and the growth of their rounding errors.
+    fn eliminated(&self, program: &Program, at: Instant<'_>) -> [Vec<f64>; 2] {
+        let mut found = self.run(program, at);
+        let growth = found.split_off(found.len() - self.growths);
+        [found, growth]
+    }
+
+    /// Accelerations and multipliers from the undivided equations; by elimination all the same where there are none.
+    fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
         let values = self.run(&self.undivided, at);
         if values.is_empty() {
-            return (self.run(&self.accelerations, at), self.run(&self.multipliers, at));
+            return [&self.accelerations, &self.multipliers].map(|program| {
+                let [found, _] = self.eliminated(program, at);
+                found
+            });
         }
         let n = self.size[1];
         let mut motion = motion(n, values.len() / (n + 1) - n, &values);
         let multipliers = motion.split_off(n);
-        (motion, multipliers)
+        [motion, multipliers]
     }
 
     /// ẏ = [q̇, v̇] for y = [q, v].

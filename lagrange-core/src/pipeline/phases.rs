@@ -34,13 +34,13 @@ pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (De
         // What would be found wrong without what could not be written out is not said.
         return (declaration, None);
     }
-    if emit::report_too_many_unknowns(&declaration, report).is_none() {
+    if emit::report_too_many(&declaration, report).is_none() {
         return (declaration, None);
     }
     let mut declaration = without_functions(declaration, report);
     let measured = in_coherent_units(&mut declaration, report);
     let plain = plain(declaration, report);
-    if emit::report_too_many_unknowns(&plain.declaration, report).is_none() {
+    if emit::report_too_many(&plain.declaration, report).is_none() {
         return (plain.without(&[]), None);
     }
     let mut model = elaborate(&plain, report);

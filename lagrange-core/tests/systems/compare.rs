@@ -56,17 +56,23 @@ pub(crate) fn verdict(system: &NumericSystem, reference: &Declaration, at: &(Sta
     let Some(exact) = question.results(&mut Field::exact(BITS[0])) else {
         return Verdict::Undecided("no value");
     };
-    let first = judged(system, &question, &exact, REPETITIONS[0]);
-    if first.differs() { judged(system, &question, &exact, REPETITIONS[1]) } else { first }
+    let first = judged(system, at, &question, &exact, REPETITIONS[0]);
+    if first.differs() { judged(system, at, &question, &exact, REPETITIONS[1]) } else { first }
 }
 
-fn judged(system: &NumericSystem, question: &Question<'_>, exact: &Results, repetitions: u64) -> Verdict {
+fn judged(
+    system: &NumericSystem,
+    at: &(State, Vec<f64>),
+    question: &Question<'_>,
+    exact: &Results,
+    repetitions: u64,
+) -> Verdict {
     let noisy = (0..repetitions).map(|seed| question.results(&mut Field::noisy(BITS[1], NOISE, seed)));
     let Some(noisy) = noisy.collect::<Option<Vec<_>>>() else { return Verdict::Undecided("no value nearby") };
     let mut judgements = Vec::new();
     let free = exact.iter().find(|(name, _)| name == FREE).map_or(0.0, |(_, free)| largest(free));
     for (index, (name, exact)) in exact.iter().enumerate() {
-        let Some(found) = found(system, question, name, exact.len()) else { continue };
+        let Some(found) = found(system, at, name, exact.len()) else { continue };
         if found.len() != exact.len() {
             return Verdict::Differs(format!("{name}: {} numbers, not {}", found.len(), exact.len()));
         }
@@ -143,8 +149,12 @@ impl Kind<'_> {
 }
 
 /// What the interpreter has of a kind of results.
-fn found(system: &NumericSystem, question: &Question<'_>, name: &str, count: usize) -> Option<Vec<f64>> {
-    let State { t, q, v } = question.state;
+pub(crate) fn found(
+    system: &NumericSystem,
+    (State { t, q, v }, wanted): &(State, Vec<f64>),
+    name: &str,
+    count: usize,
+) -> Option<Vec<f64>> {
     let product = |product| system.product(product, *t, q, v);
     match name {
         "accelerations" => Some(system.acceleration(*t, q, v)),
@@ -160,7 +170,7 @@ fn found(system: &NumericSystem, question: &Question<'_>, name: &str, count: usi
         "forcing" => product(Product::Forcing),
         "kinetic energy" => product(Product::KineticEnergy),
         "potential energy" => product(Product::PotentialEnergy),
-        "inverse dynamics" => system.inverse_dynamics(*t, q, v, question.wanted),
+        "inverse dynamics" => system.inverse_dynamics(*t, q, v, wanted),
         _ => system.output(name.strip_prefix("output ")?, *t, q, v),
     }
 }

@@ -38,7 +38,10 @@ impl Layout {
                 Statement::Coordinate { name, count: Some(count), .. } => {
                     (0..*count).for_each(|i| layout.add_coordinate(element(name, i)));
                 }
-                Statement::State { name, .. } => layout.states.push(name.clone()),
+                Statement::State { name, count: None, .. } => layout.states.push(name.clone()),
+                Statement::State { name, count: Some(count), .. } => {
+                    layout.states.extend((0..*count).map(|i| element(name, i)));
+                }
                 Statement::Quaternion(name) => layout.add_orientation(name),
                 Statement::Joint(joint) if joint.kind == "ball" => layout.add_orientation(&joint.names[0]),
                 Statement::Joint(joint) => {

@@ -17,6 +17,7 @@
 //! What fails is made as small as it can be and printed with the number of its case.
 
 mod compare;
+mod compiled;
 #[path = "../common/digits.rs"]
 mod digits;
 mod elementary;
@@ -30,6 +31,8 @@ mod linear;
 mod numbered;
 mod orientations;
 mod parts;
+#[path = "../common/project.rs"]
+mod project;
 #[path = "../common/random.rs"]
 #[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
@@ -124,7 +127,7 @@ fn systems_agree_with_their_energies() {
 }
 
 /// What declarations must hold, so that a sweep sees it.
-const DRAWN: [&str; 53] = [
+const DRAWN: [&str; 57] = [
     "(standard)",
     "(fast)",
     "(strict)",
@@ -133,6 +136,10 @@ const DRAWN: [&str; 53] = [
     "input ",
     "coord ",
     "state ",
+    "state z",
+    "]) = ",
+    "gibbs = ",
+    "% 2 == 0 && i >= 0",
     "\ndot(",
     "quaternion ",
     "let ",

@@ -30,6 +30,7 @@ impl Expr {
             | Expr::Point(_, of)
             | Expr::Direction(_, of) => of.iter_mut().collect(),
             Expr::Choose { operands, .. } => operands.iter_mut().collect(),
+            Expr::EveryNth(_, operands) => operands.iter_mut().collect(),
         }
     }
 }

@@ -71,6 +71,10 @@ impl Display for Expr {
                 let relation = if *or_equal { "<=" } else { "<" };
                 write!(f, "(if {a} {relation} {b} {{ {then} }} else {{ {otherwise} }})")
             }
+            Expr::EveryNth(n, operands) => {
+                let [then, otherwise] = &**operands;
+                write!(f, "(if i % {n} == 0 && i >= 0 {{ {then} }} else {{ {otherwise} }})")
+            }
             Expr::Sum(count, term) => write!(f, "sum(i in 0..{count}, {term})"),
             Expr::Vector(components) => write!(f, "({})", list(components)),
             Expr::Component(a, k) => write!(f, "{a}.{}", ["x", "y", "z"][*k]),
@@ -116,8 +120,14 @@ impl Display for Statement {
                 let count = count.map_or_else(String::new, |count| format!("[{count}]"));
                 write!(f, "coord {name}{count}{};", said(unit.as_ref()))
             }
-            Statement::State { name, unit } => write!(f, "state {name}{};", said(unit.as_ref())),
-            Statement::StateRate { name, rate } => write!(f, "dot({name}) = {rate};"),
+            Statement::State { name, unit, count } => {
+                let count = count.map_or_else(String::new, |count| format!("[{count}]"));
+                write!(f, "state {name}{count}{};", said(unit.as_ref()))
+            }
+            Statement::StateRate { name, index: None, rate } => write!(f, "dot({name}) = {rate};"),
+            Statement::StateRate { name, index: Some(index), rate } => {
+                write!(f, "dot({name}[{index}]) = {rate};")
+            }
             Statement::Quaternion(name) => write!(f, "quaternion {name};"),
             Statement::Let(name, value) => write!(f, "let {name} = {value};"),
             Statement::LetElement(name, index, value) => write!(f, "let {name}[{index}] = {value};"),
@@ -138,6 +148,7 @@ impl Display for Statement {
                 write!(f, "solve {name}{}: 0 = {residual}{start};", said(unit.as_ref()))
             }
             Statement::Energy(word, value) => write!(f, "{word} = {value};"),
+            Statement::Gibbs(function, stated) => write!(f, "gibbs = {function}, for: {stated};"),
             Statement::Force(name, force) => write!(f, "force {name} = {force};"),
             Statement::ForceAlong(force, velocity) => write!(f, "force {force} along {velocity};"),
             Statement::ForceAt(force, point) => write!(f, "force {force} at {point};"),

@@ -53,6 +53,8 @@ pub(crate) enum Expr {
         or_equal: bool,
         operands: Box<[Expr; 4]>,
     },
+    /// The first where the variable of a loop is a multiple of a number, else the second.
+    EveryNth(i64, Box<[Expr; 2]>),
     /// Σ for i from 0 to a number.
     Sum(i64, Box<Expr>),
     Vector(Vec<Expr>),
@@ -162,9 +164,12 @@ pub(crate) enum Statement {
     State {
         name: String,
         unit: Option<Unit>,
+        count: Option<i64>,
     },
+    /// The rate of a state, or of an element of many.
     StateRate {
         name: String,
+        index: Option<Index>,
         rate: Expr,
     },
     Quaternion(String),
@@ -180,6 +185,8 @@ pub(crate) enum Statement {
     },
     /// `kinetic`, `potential`, `lagrangian` or `dissipation`.
     Energy(&'static str, Expr),
+    /// A Gibbs function, and the part of the Lagrangian whose equations it states a second time.
+    Gibbs(Expr, Expr),
     Force(String, Expr),
     ForceAlong(Expr, Expr),
     ForceAt(Expr, Expr),

@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use lagrange_core::tables::MAX_BYTES;
+use lagrange_core::limits::MAX_FILE_BYTES;
 
 use super::read;
 
@@ -53,8 +53,8 @@ fn files_larger_than_a_table_are_refused() {
     let file = fs::File::create(folder.0.join("huge.csv")).expect("a file");
     // Without its bytes on the disk.
     file.set_len(1 << 40).expect("a length");
-    assert!(folder.read("huge.csv").is_err_and(|reason| reason.contains("16 MB")));
-    file.set_len(MAX_BYTES).expect("a length");
+    assert!(folder.read("huge.csv").is_err_and(|reason| reason.contains("larger than 16777216 bytes")));
+    file.set_len(MAX_FILE_BYTES).expect("a length");
     assert!(folder.read("huge.csv").is_err_and(|reason| reason.contains("NUL")));
 }
 

@@ -177,8 +177,9 @@ fn slopes(graph: &Graph, node: &Node) -> Vec<ExprId> {
 
 fn is_slope_of_sum(graph: &Graph, terms: &[(ExprId, Number)], of: ExprId) -> bool {
     let has_slope = |term: ExprId| graph.slope_factors(term).contains(&of);
-    // In |x| − x = s (x − |x|) it would be one again and again.
-    let is_mixed = terms.iter().any(|(term, _)| !has_slope(*term));
-    let ends = !is_mixed || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of));
-    ends && terms.iter().all(|(term, _)| has_slope(*term) || graph.has_odd_power(*term, of))
+    // First what fails at one of the first terms of a sum of many different magnitudes.
+    terms.iter().all(|(term, _)| has_slope(*term) || graph.has_odd_power(*term, of))
+        // In |x| − x = s (x − |x|) it would be one again and again.
+        && (terms.iter().all(|(term, _)| has_slope(*term))
+            || terms.iter().any(|(term, _)| graph.has_bare_slope(*term, of)))
 }

@@ -3,7 +3,7 @@
 use super::complaints::Complaints;
 use super::messages;
 use crate::syntax::ast::{ArrayExpression, AstId, Expression, Expressions};
-use lagrange_expr::limits::MAX_WRITTEN_OUT;
+use lagrange_expr::limits::MAX_ELEMENTS;
 
 /// The number of elements of an array; nothing if one of its sizes is none.
 pub(super) fn count(sizes: &[i64]) -> Option<u64> {
@@ -18,7 +18,7 @@ pub(super) fn positions(sizes: &[i64]) -> Vec<Vec<i64>> {
         positions.iter().flat_map(|position| (0..*size).map(move |index| with(position, index))).collect()
     };
     match count(sizes) {
-        Some(count) if count <= MAX_WRITTEN_OUT => sizes.iter().fold(vec![Vec::new()], longer),
+        Some(count) if count <= MAX_ELEMENTS => sizes.iter().fold(vec![Vec::new()], longer),
         _ => Vec::new(),
     }
 }

@@ -14,7 +14,7 @@ use crate::syntax::ast::{ArrayElement, DeclaredArray, Expressions, Name, Stateme
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::limits::MAX_WRITTEN_OUT;
+use lagrange_expr::limits::MAX_ELEMENTS;
 
 /// All elements of a declaration.
 #[derive(Default)]
@@ -188,9 +188,9 @@ impl Collector<'_, '_> {
         for (name, _) in statement.kind.written_names() {
             let sizes = if name.indices.is_empty() { None } else { self.indices(name, scope) };
             self.count = self.count.saturating_add(sizes.and_then(|sizes| count(&sizes)).unwrap_or(0));
-            if self.count > MAX_WRITTEN_OUT {
+            if self.count > MAX_ELEMENTS {
                 let error =
-                    self.complaints.report.error(name.span, messages::too_many_elements(MAX_WRITTEN_OUT));
+                    self.complaints.report.error(name.span, messages::too_many_elements(MAX_ELEMENTS));
                 error.help(messages::SIZE_HELP);
                 return false;
             }

@@ -15,6 +15,7 @@ messages! {
     UNITS_HELP = "choose larger units";
     UTF_16 = "it is in UTF-16; save it as UTF-8";
     BINARY = "it contains NUL characters and is not UTF-8 text";
+    file_too_large(most) = "it is larger than {most} bytes, too large for a table";
     not_utf_8(line) = "line {line} is not in UTF-8; save it as UTF-8";
     unreadable(path, reason) = "`{path}` cannot be read: {reason}";
     on_line(line, path, complaint) = "line {line} of `{path}`: {complaint}";

@@ -10,6 +10,7 @@ mod tests;
 
 use crate::syntax::ast::{Declaration, Name, StatementKind, TableFile, TableSource};
 use lagrange_expr::diagnostics::Report;
+use lagrange_expr::limits::MAX_FILE_BYTES;
 
 /// A file as it was read.
 #[derive(Clone, Debug)]
@@ -20,17 +21,17 @@ pub struct FileText {
     pub text: String,
 }
 
-/// Bytes of a file at most: enough for the largest table, and read by an unoptimised macro in seconds.
-pub const MAX_BYTES: u64 = 16 << 20;
-
 /// Mark with which some programs begin a text in UTF-8.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// Returns the text of a file in UTF-8.
+/// Returns the text of a file in UTF-8, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
 /// What the bytes are instead, in words that follow the name of the file.
 pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return Err(messages::file_too_large(MAX_FILE_BYTES));
+    }
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(messages::UTF_16.to_owned());
     }

@@ -20,9 +20,6 @@ messages! {
     ASSIGNED_TWICE_HELP = "remove one of them: all values are assigned at once";
     REDUCED_HELP = "remove the `reduce`, or declare the reduced system separately";
     ASSIGNED_HERE = "first assigned here";
-    too_many_events(most) = "a system can have at most {most} events";
-    TOO_MANY_EVENTS_HELP =
-        "dry friction also counts as one event, unless it is `smooth`; events that do not belong to the system can be watched by a simulation";
 
     REDUCED_EVENTS = "a system with events or friction cannot be reduced yet";
     EVENT_IS_HERE = "one is declared here";
@@ -78,11 +75,3 @@ messages! {
     negative_rate(value) = "the rate of stabilisation {value} is negative, so constraint errors would grow";
     NEGATIVE_RATE_HELP = "residuals decay like exp(-rate * t): choose a positive rate, in units of 1 / time";
 }
-
-// Events.
-
-// Contacts.
-
-// Friction.
-
-// Stabilisation.

@@ -21,12 +21,24 @@ pub(in crate::emit) fn hopeless(limit: usize) -> String {
 }
 
 pub(in crate::emit) fn too_many(given: usize, kind: &str, most: usize) -> String {
-    format!("this system has {given} {kind}, and equations of more than {most} take minutes to derive")
+    format!(
+        "this system has {given} {kind}, and with more than {most} it takes too long to derive and to compile"
+    )
 }
 
-pub(in crate::emit) fn fewer_unknowns() -> &'static str {
-    "declare a part of it, and compute forces between many such parts in a loop that passes them as inputs"
+pub(in crate::emit) const FEWER_HELP: &str =
+    "declare a part of it, and compute forces between many such parts in a loop that passes them as inputs";
+
+pub(in crate::emit) const FEWER_CONSTRAINTS_HELP: &str = "leave out constraints that follow from others";
+
+pub(in crate::emit) const FEWER_OUTPUTS_HELP: &str =
+    "compute what depends on an index in a function of your crate, from the state";
+
+pub(in crate::emit) fn too_many_events(most: usize) -> String {
+    format!("a system can have at most {most} events")
 }
+
+pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "dry friction also counts as one event, unless it is `smooth`; events that do not belong to the system can be watched by a simulation";
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(

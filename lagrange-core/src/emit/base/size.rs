@@ -8,8 +8,11 @@ use crate::derive::most_coupled;
 use crate::model::{Model, Product};
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::diagnostics::Report;
-use lagrange_expr::limits::{MANY_OPERATIONS, MAX_OPERATIONS, MAX_STATES, MAX_VELOCITIES};
-use lagrange_language::syntax::ast::{Declaration, StatementKind};
+use lagrange_expr::limits::{
+    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS, MAX_OUTPUTS,
+    MAX_STATES, MAX_VELOCITIES,
+};
+use lagrange_language::syntax::ast::{Declaration, Name, StatementKind};
 
 /// Seconds of an unoptimised `cargo check` for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
@@ -44,34 +47,77 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
-/// Reports more velocities or first-order states than can be derived, at the first one too many, before anything is found out
-/// about them.
-pub fn report_too_many_unknowns(declaration: &Declaration, report: &mut Report) -> Option<()> {
-    let statements = declaration.statements.iter();
-    let velocities = statements.clone().flat_map(|statement| match &statement.kind {
+/// Reports more of a kind than can be derived, at the first one too many, before anything is found out about them.
+pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
+    let names = |of: fn(&StatementKind) -> Vec<&Name>| {
+        declaration.statements.iter().flat_map(|statement| of(&statement.kind)).collect::<Vec<_>>()
+    };
+    let kinds = [
+        (names(velocities), "velocities", MAX_VELOCITIES, messages::FEWER_HELP),
+        (names(states), "states", MAX_STATES, messages::FEWER_HELP),
+        (names(constraints), "constraints", MAX_CONSTRAINTS, messages::FEWER_HELP),
+        (names(outputs), "outputs", MAX_OUTPUTS, messages::FEWER_OUTPUTS_HELP),
+        (names(events), "events", MAX_EVENTS, messages::FEWER_EVENTS_HELP),
+    ];
+    let excess = kinds.into_iter().find(|(names, _, most, _)| names.len() > *most);
+    let Some((names, kind, most, help)) = excess else { return Some(()) };
+    let message = match kind {
+        "events" => messages::too_many_events(most),
+        _ => messages::too_many(names.len(), kind, most),
+    };
+    report.error(names[most].span, message).help(help);
+    None
+}
+
+fn velocities(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
         StatementKind::Coordinates(names) => names.iter().collect(),
         StatementKind::Quaternion(quaternion) => quaternion.velocities.iter().collect(),
         _ => Vec::new(),
-    });
-    let states = statements.flat_map(|statement| match &statement.kind {
+    }
+}
+
+fn states(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
         StatementKind::States(names) => names.iter().collect(),
         _ => Vec::new(),
-    });
-    let kinds = [
-        (velocities.collect::<Vec<_>>(), "velocities", MAX_VELOCITIES),
-        (states.collect(), "states", MAX_STATES),
-    ];
-    let excess = kinds.into_iter().find(|(names, _, most)| names.len() > *most);
-    let Some((names, kind, most)) = excess else { return Some(()) };
-    let message = messages::too_many(names.len(), kind, most);
-    report.error(names[most].span, message).help(messages::fewer_unknowns());
-    None
+    }
+}
+
+fn constraints(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
+        StatementKind::Constraint(name, _) => vec![name],
+        _ => Vec::new(),
+    }
+}
+
+fn outputs(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
+        StatementKind::Output(name, _) => vec![name],
+        _ => Vec::new(),
+    }
+}
+
+/// Friction that sticks and slips is an event, too.
+fn events(kind: &StatementKind) -> Vec<&Name> {
+    match kind {
+        StatementKind::Event(event) => vec![&event.name],
+        StatementKind::Friction(friction) if friction.width.is_none() => vec![&friction.name],
+        _ => Vec::new(),
+    }
 }
 
 /// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
 /// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
 /// every two velocities that move the same part. `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
+    let excess = model.constraints.len().saturating_sub(model.speeds.len());
+    if excess > MAX_DEPENDENT_CONSTRAINTS {
+        let message =
+            messages::too_many(excess, "constraints more than velocities", MAX_DEPENDENT_CONSTRAINTS);
+        report.error(declaration.name.span, message).help(messages::FEWER_CONSTRAINTS_HELP);
+        return None;
+    }
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
     let jacobians =

@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::fields::{Field, fields};
 use super::shape::{Shape, identifier, length};
+use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{ArrayElement, DeclaredArray, Name, ScalarType, StateVelocity};
 
 impl Shape<'_> {
@@ -52,10 +53,11 @@ impl Shape<'_> {
     /// Names of the entries of the state: positions, then velocities.
     pub(in crate::emit) fn state_names(&self) -> Vec<Name> {
         let positions = self.coordinates.iter().map(|name| (*name).clone());
+        let taken = self.coordinates.iter().map(|name| name.text.as_str()).collect::<HashSet<_>>();
         let velocities = self.velocities.iter().map(|velocity| {
             let mut name = velocity.name.clone();
             // Where that is a coordinate, which is a mistake, the skeleton has another field.
-            while self.coordinates.iter().any(|other| other.text == name.text) {
+            while taken.contains(name.text.as_str()) {
                 name.text.push('_');
             }
             name

@@ -48,7 +48,13 @@ impl Generator {
         let stretch = subtract(Expr::Element(x.clone(), next), at(&x));
         let kinetic = Expr::KineticEnergy(Box::new(at(&m)), Box::new(rate(at(&x))));
         let springs = if is_ring { count } else { count - 1 };
-        let spring = Expr::SpringEnergy(Box::new(at(&k)), Box::new(stretch.clone()));
+        let stiffness_here = if self.chance(3) {
+            let stiffer = multiply(number("1.5"), at(&k));
+            Expr::EveryNth(2 + self.random.below(2) as i64, Box::new([stiffer, at(&k)]))
+        } else {
+            at(&k)
+        };
+        let spring = Expr::SpringEnergy(Box::new(stiffness_here), Box::new(stretch.clone()));
         if self.chance(2) {
             self.say(Statement::Energy("kinetic", Expr::Sum(count, Box::new(kinetic))));
             self.say(Statement::Energy("potential", Expr::Sum(springs, Box::new(spring))));
@@ -68,12 +74,40 @@ impl Generator {
         if self.chance(2) {
             self.say(Statement::Loop(count, vec![Statement::Energy("kinetic", coupled)]));
         }
+        if self.chance(3) {
+            let acceleration = rate(rate(at(&x)));
+            let function = Expr::KineticEnergy(Box::new(at(&m)), Box::new(acceleration));
+            let stated = Expr::KineticEnergy(Box::new(at(&m)), Box::new(rate(at(&x))));
+            self.say(Statement::Loop(count, vec![Statement::Gibbs(function, stated)]));
+        }
+        if self.chance(3) {
+            self.filters(&x, count);
+        }
         if self.chance(3) && count > 2 {
             let [first, last] = [0, count - 1].map(|offset| Index { is_variable: false, offset, ring: None });
             let sum = add(Expr::Element(x.clone(), first), Expr::Element(x, last));
             let held = self.fresh("hold");
             self.say(Statement::Constraint { name: held, holds_rates: false, zero: sum });
         }
+    }
+
+    /// Declares states that follow the coordinates, each with a force on its coordinate.
+    fn filters(&mut self, x: &str, count: i64) {
+        let z = self.fresh("z");
+        let unit = self.coherent_unit(Dimension::LENGTH);
+        self.say(Statement::State { name: z.clone(), unit, count: Some(count) });
+        let at = |array: &str| Expr::Element(array.to_owned(), Index::VARIABLE);
+        let lag = subtract(at(x), at(&z));
+        let time = self.quantity(Dimension::TIME, 0.5, 2.0);
+        let change = divide(lag.clone(), multiply(time, add(number("1"), Expr::Variable)));
+        let stiffness = self.quantity(Dimension::FORCE.over(Dimension::LENGTH), 0.5, 2.0);
+        let pull = Expr::Negative(Box::new(multiply(stiffness, lag)));
+        let index = Some(Index::VARIABLE);
+        let statements = vec![
+            Statement::StateRate { name: z, index, rate: change },
+            Statement::ForceAlong(pull, rate(at(x))),
+        ];
+        self.say(Statement::Loop(count, statements));
     }
 
     /// Links that hang from each other, by angles against the vertical or against each other.
@@ -101,9 +135,14 @@ impl Generator {
         let statements = vec![
             Statement::LetElement(b, next, angle),
             Statement::LetElement(p.clone(), next, add(at(&p), step)),
-            Statement::Energy("kinetic", Expr::KineticEnergy(Box::new(at(&m)), Box::new(velocity))),
+            Statement::Energy("kinetic", Expr::KineticEnergy(Box::new(at(&m)), Box::new(velocity.clone()))),
             Statement::Energy("potential", multiply(multiply(at(&m), gravity), height)),
         ];
+        let gibbs = Statement::Gibbs(
+            Expr::KineticEnergy(Box::new(at(&m)), Box::new(rate(velocity.clone()))),
+            Expr::KineticEnergy(Box::new(at(&m)), Box::new(velocity)),
+        );
+        let statements = statements.into_iter().chain(self.chance(3).then_some(gibbs)).collect();
         self.say(Statement::Loop(count, statements));
         let tip = Expr::Element(p, Index { is_variable: false, offset: count, ring: None });
         self.say(Statement::Output("tip".to_owned(), rate(rate(tip.clone()))));

@@ -60,7 +60,7 @@ impl Generator {
         }
         for (state, dimension) in states {
             let value = self.scalar(dimension.rate(), Level::Force);
-            self.say(Statement::StateRate { name: state, rate: value });
+            self.say(Statement::StateRate { name: state, index: None, rate: value });
         }
         for _ in 0..self.random.below(3) {
             self.output(&points);
@@ -321,7 +321,7 @@ impl Generator {
         let state = self.fresh("s");
         let dimension = *self.random.choice(&[Dimension::NONE, Dimension::FORCE, Dimension::LENGTH]);
         let unit = self.coherent_unit(dimension);
-        self.say(Statement::State { name: state.clone(), unit });
+        self.say(Statement::State { name: state.clone(), unit, count: None });
         let atom = super::Atom { expression: name(&state), dimension, level: Level::Potential };
         self.atoms.push(atom);
         (state, dimension)
