@@ -1,15 +1,17 @@
-//! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a Markdown table.
+//! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a
+//! Markdown table.
 //!
-//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed form, each sine
-//! and cosine once, and an LDLᵀ factorisation of the whole system for accelerations and multipliers on the stack,
-//! its loops unrolled,
+//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed
+//! form, each sine and cosine once, and an LDLᵀ factorisation of the whole system for accelerations
+//! and multipliers on the stack, its loops unrolled,
 //!
 //! ```text
 //! ⎡ M  Aᵀ ⎤ ⎡  a ⎤   ⎡  f ⎤
 //! ⎣ A  0  ⎦ ⎣ −λ ⎦ = ⎣ −γ ⎦ ,    γ = c̈ at zero acceleration.
 //! ```
 //!
-//! No pivots are looked for: M is definite, and so is A M⁻¹ Aᵀ. Times are minima, ratios medians (`timing.rs`).
+//! No pivots are looked for: M is definite, and so is A M⁻¹ Aᵀ. Times are minima, ratios medians
+//! (`timing.rs`).
 
 #[path = "../tests/mechanisms/four_bar.rs"]
 mod four_bar;
@@ -25,7 +27,8 @@ use handwritten::solve_in_place;
 use squeezer::{Squeezer, SqueezerState};
 use timing::in_turns;
 
-/// Accelerations from the system above: N coordinates, K unknowns in all, the upper triangle of the matrix.
+/// Accelerations from the system above: N coordinates, K unknowns in all, the upper triangle of the
+/// matrix.
 #[inline(always)]
 fn solved<const N: usize, const K: usize>(mut matrix: [[f64; K]; K], mut right: [f64; K]) -> [f64; N] {
     solve_in_place(&mut matrix, &mut right);

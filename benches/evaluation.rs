@@ -1,7 +1,8 @@
 //! Time per evaluation of the accelerations: emitted code beside hand-written code.
 //!
-//! Every evaluation waits for the one before, as in an integrator, so that latency counts. All parameters are
-//! read anew in each call; what depends on nothing else is not carried over from call to call.
+//! Every evaluation waits for the one before, as in an integrator, so that latency counts. All
+//! parameters are read anew in each call; what depends on nothing else is not carried over from
+//! call to call.
 
 #[macro_use]
 #[path = "chains/declared.rs"]

@@ -1,8 +1,8 @@
 //! The cost of event detection: a double pendulum for ten seconds with the adaptive method, without
 //! events, with some that are smooth along steps, and with one that is much faster than the motion.
 //!
-//! Steps that no event looks into need no interpolant; each that one looks into needs eleven further evaluations of the right-hand side, and
-//! at least eight of the event functions.
+//! Steps that no event looks into need no interpolant; each that one looks into needs eleven
+//! further evaluations of the right-hand side, and at least eight of the event functions.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,8 +1,10 @@
 //! Right-hand sides of motions side by side: nanoseconds a motion, as rows of a Markdown table.
 //!
-//! Every row is a number type and a number of lanes. Columns are what the build is for, with products fused where it has that, and then levels of
-//! instructions that are found at run time, as ensembles do. 64 states are evaluated one after the other, each group of lanes by itself, all
-//! cells in turns; times are minima. Then what ensembles add to a loop of lanes by hand, as the median of ratios.
+//! Every row is a number type and a number of lanes. Columns are what the build is for, with
+//! products fused where it has that, and then levels of instructions that are found at run time, as
+//! ensembles do. 64 states are evaluated one after the other, each group of lanes by itself, all
+//! cells in turns; times are minima. Then what ensembles add to a loop of lanes by hand, as the
+//! median of ratios.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -192,7 +194,8 @@ fn start(motion: usize) -> [f64; 4] {
     [2.0 + 1e-3 * motion as f64, 1.0, 0.0, 0.0]
 }
 
-/// Ends of all motions, eight at a time, by a loop that knows nothing of what an ensemble does beside.
+/// Ends of all motions, eight at a time, by a loop that knows nothing of what an ensemble does
+/// beside.
 struct Loop<'a, M>(&'a M, &'a mut f64);
 
 impl<M> NullaryFnOnce for Loop<'_, M>

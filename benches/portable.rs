@@ -1,9 +1,11 @@
-//! The cost of accuracy levels and of `Portable` numbers on whole motions, as rows of a Markdown table.
+//! The cost of accuracy levels and of `Portable` numbers on whole motions, as rows of a Markdown
+//! table.
 //!
 //!     cargo bench -p lagrange-benches --bench portable
 //!
-//! Chains of point masses on massless rods, in equal steps and in steps by a tolerance. All variants run in turns; times are minima, in
-//! microseconds for a motion, and those of other variants are also divided by the time of `standard`.
+//! Chains of point masses on massless rods, in equal steps and in steps by a tolerance. All
+//! variants run in turns. Times are minima, in microseconds for a motion, also divided by the time
+//! of `standard`.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,7 +1,7 @@
 //! Steps of equal length beside loops that are written by hand for one system.
 //!
-//! The loops take the same emitted right-hand sides and do what one would write: no compensated sums, no check for
-//! NaN, no look at stability. Each case is ten thousand steps.
+//! The loops take the same emitted right-hand sides and do what one would write: no compensated
+//! sums, no check for NaN, no look at stability. Each case is ten thousand steps.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! Stiff motions by `Radau5`: a row for each, with its error, the seconds it took and what it evaluated.
+//! Stiff motions by `Radau5`: a row for each, with its error, the seconds it took and what it
+//! evaluated.
 //!
 //! `tools/stiff_peers.py` alternates it with other tools.
 

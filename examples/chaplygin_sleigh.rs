@@ -1,16 +1,18 @@
 //! Chaplygin's sleigh: a body on a blade that does not slide sideways.
 //!
-//! The constraint ẏ cos θ − ẋ sin θ = 0 restricts velocities and no positions: it is nonholonomic. The centre of
-//! mass is ahead of the blade by a. Let go with a spin Ω and no speed, the sleigh speeds up along its blade and
-//! stops turning,
+//! The constraint ẏ cos θ − ẋ sin θ = 0 restricts velocities and no positions: it is nonholonomic.
+//! The centre of mass is ahead of the blade by a. Let go with a spin Ω and no speed, the sleigh
+//! speeds up along its blade and stops turning,
 //!
 //! ```text
 //! u = U tanh(τ),  θ̇ = Ω sech(τ),  τ = a Ω² t/U,  U = Ω sqrt((J + m a²)/m)
 //! ```
 //!
-//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). No work is done, since the blade pushes across its path.
+//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). No work is done, since the blade pushes
+//! across its path.
 //!
-//! Look for heading and speed, and for the side force of the blade, m (u θ̇ + a θ̈): the multiplier.
+//! Look for heading and speed, and for the side force of the blade, m (u θ̇ + a θ̈): the
+//! multiplier.
 
 mod common;
 

@@ -1,10 +1,11 @@
 //! Two point masses on massless rods, released at rest with both rods horizontal.
 //!
-//! The motion is chaotic: deviations, rounding errors among them, grow exponentially with time. The reference
-//! states were computed in 160-bit arithmetic with two step counts that agree in all printed digits.
+//! The motion is chaotic: deviations, rounding errors among them, grow exponentially with time. The
+//! reference states were computed in 160-bit arithmetic with two step counts that agree in all
+//! printed digits.
 //!
-//! Look for the errors, which grow a hundredfold in ten seconds, and for the drift of the energy, which is all
-//! that can be watched where no reference is known.
+//! Look for the errors, which grow a hundredfold in ten seconds, and for the drift of the energy,
+//! which is all that can be watched where no reference is known.
 
 mod common;
 

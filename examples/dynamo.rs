@@ -1,10 +1,14 @@
-//! A weight turns a dynamo that feeds a resistor through a diode: the voltage across the diode is an algebraic unknown.
+//! A weight turns a dynamo that feeds a resistor through a diode: the voltage across the diode is
+//! an algebraic unknown.
 //!
-//! The voltage k ω of the dynamo is that across the diode, u, and that across the resistor, R i; the diode obeys i = I (exp(u/U) − 1) (Shockley). No
-//! formula of elementary functions solves that for u. Three answers are known:
+//! The voltage k ω of the dynamo is that across the diode, u, and that across the resistor, R i;
+//! the diode obeys i = I (exp(u/U) − 1) (Shockley). No formula of elementary functions solves that
+//! for u. Three answers are known:
 //!
-//! - the state 3 s after the weight was thrown up, by `tools/control.py` in multi-precision arithmetic: the diode blocks until it falls;
-//! - in the end the current holds the weight, k i = m g r, at the speed (u + R i)/k with u = U ln(1 + i/I);
+//! - the state 3 s after the weight was thrown up, by `tools/control.py` in multi-precision
+//!   arithmetic: the diode blocks until it falls;
+//! - in the end the current holds the weight, k i = m g r, at the speed (u + R i)/k with u = U ln(1 +
+//!   i/I);
 //! - what the weight loses is in the motion or has become heat.
 
 mod common;

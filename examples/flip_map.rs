@@ -1,14 +1,18 @@
-//! Double pendulums let go at rest, at every angle of a grid: when does the lower rod of each first go over the top?
+//! Double pendulums let go at rest, at every angle of a grid: when does the lower rod of each first
+//! go over the top?
 //!
-//! The map shows the time until the lower angle passes ±π, white where it has not in 20 s. Within the line the energy is too small
-//! for that whatever happens. In areas of one colour neighbours move alike; where colours mix, motions are chaotic.
+//! The map shows the time until the lower angle passes ±π, white where it has not in 20 s. Within
+//! the line the energy is too small for that whatever happens. In areas of one colour neighbours
+//! move alike; where colours mix, motions are chaotic.
 //!
-//! A hundred starts within a thousandth of a radian show what that means: their angles agree for five seconds, in the
-//! next five their quantiles come apart by whole turns.
+//! A hundred starts within a thousandth of a radian show what that means: their angles agree for
+//! five seconds, in the next five their quantiles come apart by whole turns.
 //!
-//! References: `tools/flip_map.py`, SciPy's DOP853 with the equations written by hand, and the energy.
+//! References: `tools/flip_map.py`, SciPy's DOP853 with the equations written by hand, and the
+//! energy.
 //!
-//! With `--release` the map has 1000 × 1000 cells and takes some minutes on two processors, else 16 × 16; the number behind `--` is another.
+//! With `--release` the map has 1000 × 1000 cells and takes some minutes on two processors, else 16
+//! × 16; the number behind `--` is another.
 
 mod common;
 #[path = "common/gallery.rs"]

@@ -1,14 +1,16 @@
 //! A system that is read while the program runs: a spring pendulum, a mass on an elastic rod.
 //!
-//! The computer algebra behind the macro is a library, `lagrange-core`. It takes a declaration as text,
-//! derives the equations and evaluates them with an interpreter: for tools, and for systems that are not
-//! known when the program is compiled. The interpreter is much slower than compiled code.
+//! The computer algebra behind the macro is a library, `lagrange-core`. It takes a declaration as
+//! text, derives the equations and evaluates them with an interpreter: for tools, and for systems
+//! that are not known when the program is compiled. The interpreter is much slower than compiled
+//! code.
 //!
-//! Without an argument the declaration below takes both ways, and the accelerations are compared. Look for
-//! the equations, the structure and the cost, which are also the documentation of the emitted struct, and for
-//! the accelerations, which agree to rounding.
+//! Without an argument the declaration below takes both ways, and the accelerations are compared.
+//! Look for the equations, the structure and the cost, which are also the documentation of the
+//! emitted struct, and for the accelerations, which agree to rounding.
 //!
-//! `cargo run --features symbolic --example from_text -- FILE` takes the first way for the declaration in a file.
+//! `cargo run --features symbolic --example from_text -- FILE` takes the first way for the
+//! declaration in a file.
 
 mod common;
 
@@ -42,7 +44,8 @@ compiled_with_text! {
 fn main() -> ExitCode {
     let result = env::args().nth(1).map_or_else(both_ways, |path| of_file(&path));
     if let Err(error) = &result {
-        // Mistakes of a declaration are written for people: every one with its line, its column and help.
+        // Mistakes of a declaration are written for people: every one with its line, its column and
+        // help.
         eprintln!("{error}");
     }
     ExitCode::from(u8::from(result.is_err()))

@@ -1,9 +1,10 @@
 //! The graph of expressions behind an acceleration, in the dot language of Graphviz.
 //!
-//! Expressions are stored once, however often they are used. Look for shared operands, for coefficients and exponents at
-//! the edges, and for the double frame around the root.
+//! Expressions are stored once, however often they are used. Look for shared operands, for
+//! coefficients and exponents at the edges, and for the double frame around the root.
 //!
-//! `cargo run --features symbolic --example graphviz -- FILE | dot -Tsvg` draws all accelerations of the declaration in a file.
+//! `cargo run --features symbolic --example graphviz -- FILE | dot -Tsvg` draws all accelerations
+//! of the declaration in a file.
 
 use std::collections::HashMap;
 use std::error::Error;
@@ -51,7 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Writes the graph of the roots, operands below; edges carry coefficients and exponents other than one.
+/// Writes the graph of the roots, operands below; edges carry coefficients and exponents other than
+/// one.
 ///
 /// Nodes are numbered from the leaves, so that equal systems give equal text.
 fn graph(graph: &Graph, roots: &[ExprId]) -> String {

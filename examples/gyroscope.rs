@@ -1,12 +1,13 @@
 //! A gyroscope: a disk on an axle whose end is held, let go at 60° from the vertical.
 //!
-//! It falls, and in falling precesses; that lifts it again. The axis so nods between two angles while it goes around. Both angles, the
-//! time of a nod and how far the axis goes around in it follow from energy and two angular momenta by quadratures (Goldstein, Poole,
-//! Safko, *Classical Mechanics*, §5.7), computed with twenty digits by `tools/spatial_examples.py`. Declared are a body and a ball
-//! joint; the state has a quaternion, so that no position of the axis is special.
+//! It falls, and in falling precesses; that lifts it again. The axis so nods between two angles
+//! while it goes around. Both angles, the time of a nod and how far the axis goes around in it
+//! follow from energy and two angular momenta by quadratures (Goldstein, Poole, Safko, *Classical
+//! Mechanics*, §5.7), computed with twenty digits by `tools/spatial_examples.py`. Declared are a
+//! body and a ball joint; the state has a quaternion, so that no position of the axis is special.
 //!
-//! Look for the axis after one nod: at rest again, and turned about the vertical by the precession of the reference. In the picture
-//! its end draws the cusps at which it rests.
+//! Look for the axis after one nod: at rest again, and turned about the vertical by the precession
+//! of the reference. In the picture its end draws the cusps at which it rests.
 
 #[path = "common/gallery.rs"]
 mod gallery;
@@ -39,7 +40,8 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// Angles from the vertical between which the axis nods, the time of a nod, and how far it goes around.
+/// Angles from the vertical between which the axis nods, the time of a nod, and how far it goes
+/// around.
 const LEAST: f64 = 1.047_197_551_196_597_7;
 const MOST: f64 = 1.550_191_274_704_819;
 const PERIOD: f64 = 0.397_596_435_589_004_5;

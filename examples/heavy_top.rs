@@ -1,12 +1,13 @@
 //! A fast symmetric top about a fixed point, let go at an angle of 0.5 rad.
 //!
-//! The Euler angles of precession φ and spin ψ are cyclic: their momenta are conserved, the vertical and the
-//! axial component of the angular momentum. With the energy that makes three conserved quantities for three
-//! coordinates, so that the motion is regular: it precesses slowly and nods fast. The reference state at
-//! t = 10 s was computed in 160-bit arithmetic with two step counts that agree in all printed digits.
+//! The Euler angles of precession φ and spin ψ are cyclic: their momenta are conserved, the
+//! vertical and the axial component of the angular momentum. With the energy that makes three
+//! conserved quantities for three coordinates, so that the motion is regular: it precesses slowly
+//! and nods fast. The reference state at t = 10 s was computed in 160-bit arithmetic with two step
+//! counts that agree in all printed digits.
 //!
-//! Look for the range of θ: the top, released without precession, falls a little, and the spin lifts it back
-//! to where it started, again and again.
+//! Look for the range of θ: the top, released without precession, falls a little, and the spin
+//! lifts it back to where it started, again and again.
 
 mod common;
 

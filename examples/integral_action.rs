@@ -1,10 +1,14 @@
-//! A cart balances a pendulum in wind. What it forgets of the wind, an integral learns: a first-order state of the declaration.
+//! A cart balances a pendulum in wind. What it forgets of the wind, an integral learns: a
+//! first-order state of the declaration.
 //!
-//! The force on the cart is u = 4.7 x − 39.7 (θ − π) + 5.3 ẋ − 8.3 θ̇ + K z, with ż = x. Without the integral, K = 0, the cart ends where
-//! the feedback of its position holds the wind, at x = −w/4.7; with it at zero, and the integral holds the wind, z = −w/K (Åström, Hägglund,
-//! *Advanced PID Control*, §3.2). The state at 5 s is computed by `tools/control.py` in multi-precision arithmetic.
+//! The force on the cart is u = 4.7 x − 39.7 (θ − π) + 5.3 ẋ − 8.3 θ̇ + K z, with ż = x. Without
+//! the integral, K = 0, the cart ends where the feedback of its position holds the wind, at x =
+//! −w/4.7; with it at zero, and the integral holds the wind, z = −w/K (Åström, Hägglund, *Advanced
+//! PID Control*, §3.2). The state at 5 s is computed by `tools/control.py` in multi-precision
+//! arithmetic.
 //!
-//! The gains place the poles of the motion linearised about the upright position at −1.06, −1.34 ± 0.10 i and −4.00 ± 0.67 i s⁻¹.
+//! The gains place the poles of the motion linearised about the upright position at −1.06, −1.34 ±
+//! 0.10 i and −4.00 ± 0.67 i s⁻¹.
 
 mod common;
 
@@ -15,7 +19,8 @@ use common::compare;
 use lagrange::Simulate;
 
 lagrange::system! {
-    /// A cart that carries a pendulum, in wind, with its controller; θ is measured from the lower position.
+    /// A cart that carries a pendulum, in wind, with its controller; θ is measured from the lower
+    /// position.
     #[derive(Clone, Debug)]
     pub struct Balanced;
 

@@ -1,17 +1,18 @@
 //! Kapitza's pendulum: a pivot that vibrates fast enough makes the upright position stable.
 //!
-//! The pivot of a pendulum of length l moves as a cos ωt along the vertical. Averaged over a fast vibration
-//! the upright position is a minimum of the effective potential if
+//! The pivot of a pendulum of length l moves as a cos ωt along the vertical. Averaged over a fast
+//! vibration the upright position is a minimum of the effective potential if
 //!
 //! ```text
 //! a² ω² > 2 g l,
 //! ```
 //!
 //! and small deviations from it then oscillate with Ω² = a² ω²/(2 l²) − g/l (Landau, Lifshitz, *Mechanics*,
-//! §30). Here l = 1 m and a = 0.1 m, so that the bound is ω = 44.3 rad/s. The reference states at t = 5 s
-//! were computed in 200-bit arithmetic with two step counts that agree in all printed digits.
+//! §30). Here l = 1 m and a = 0.1 m, so that the bound is ω = 44.3 rad/s. The reference states at t =
+//! 5 s were computed in 200-bit arithmetic with two step counts that agree in all printed digits.
 //!
-//! Look for the largest deviation from upright, θ = π: small for ω = 60 rad/s, several turns for 30 rad/s.
+//! Look for the largest deviation from upright, θ = π: small for ω = 60 rad/s, several turns for 30
+//! rad/s.
 
 mod common;
 

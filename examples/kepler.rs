@@ -1,14 +1,15 @@
 //! A planet on an ellipse of eccentricity 0.6 around a fixed sun, in polar coordinates.
 //!
-//! The reference is the analytic solution: with the semi-major axis 1 and the gravitational parameter 1, the
-//! mean anomaly is the time t, the eccentric anomaly E solves Kepler's equation t = E − e sin E, and
+//! The reference is the analytic solution: with the semi-major axis 1 and the gravitational
+//! parameter 1, the mean anomaly is the time t, the eccentric anomaly E solves Kepler's equation t =
+//! E − e sin E, and
 //!
 //! ```text
 //! r = 1 − e cos E,    tan(φ/2) = sqrt((1 + e)/(1 − e)) tan(E/2).
 //! ```
 //!
-//! φ is cyclic, so that its momentum r² φ̇ = sqrt(1 − e²) is conserved, as is the energy −1/2. Look for the
-//! errors after one period, 2π: the planet is back where it started, one turn further.
+//! φ is cyclic, so that its momentum r² φ̇ = sqrt(1 − e²) is conserved, as is the energy −1/2. Look
+//! for the errors after one period, 2π: the planet is back where it started, one turn further.
 
 mod common;
 

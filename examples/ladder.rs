@@ -1,19 +1,21 @@
 //! A ladder that slides down, and leaves the wall before it lands.
 //!
-//! A uniform ladder of length l stands at the angle θ₀ to a smooth floor against a smooth wall. Both ends
-//! slide, and the multipliers of these joints are the forces that push the ladder away. The wall pushes until
+//! A uniform ladder of length l stands at the angle θ₀ to a smooth floor against a smooth wall.
+//! Both ends slide, and the multipliers of these joints are the forces that push the ladder away.
+//! The wall pushes until
 //!
 //! ```text
 //! sin θ = 2/3 sin θ₀,
 //! ```
 //!
-//! where its multiplier changes sign: an event (Beer, Johnston, *Vector Mechanics for Engineers: Dynamics*, chapter
-//! 17). From there on the ladder keeps to the floor only, its centre moves sideways at the speed ⅓ sqrt(g l sin³
-//! θ₀), and energy alone gives the rate at which it lands. Times are integrals over the angle, computed with 40
-//! digits. A second declaration has floor and wall as contacts that only push, and runs through from the start to
-//! the landing.
+//! where its multiplier changes sign: an event (Beer, Johnston, *Vector Mechanics for Engineers:
+//! Dynamics*, chapter 17). From there on the ladder keeps to the floor only, its centre moves
+//! sideways at the speed ⅓ sqrt(g l sin³ θ₀), and energy alone gives the rate at which it lands.
+//! Times are integrals over the angle, computed with 40 digits. A second declaration has floor and
+//! wall as contacts that only push, and runs through from the start to the landing.
 //!
-//! Look for the floor's force when the ladder leaves the wall, which is a quarter of its weight, whatever θ₀.
+//! Look for the floor's force when the ladder leaves the wall, which is a quarter of its weight,
+//! whatever θ₀.
 
 mod common;
 
@@ -92,7 +94,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     whole_motion(start, sideways)
 }
 
-/// The ladder from where it is let go to where it lands: its contacts see for themselves when they end.
+/// The ladder from where it is let go to where it lands: its contacts see for themselves when they
+/// end.
 fn whole_motion(start: [f64; 6], sideways: f64) -> Result<(), Box<dyn Error>> {
     let ladder = Ladder::default();
     let motion = ladder.simulate(start).until(2.0).tolerance(1e-13).run()?;

@@ -1,10 +1,12 @@
-//! A crane that pays only for the motion that it shows: the whole crane while it travels, two pendulums while the
-//! brake holds the trolley, linear equations once they have nearly come to rest, and back.
+//! A crane that pays only for the motion that it shows: the whole crane while it travels, two
+//! pendulums while the brake holds the trolley, linear equations once they have nearly come to
+//! rest, and back.
 //!
-//! The reference is the whole crane all the way through, its trolley held by the servo of its drive instead of by
-//! the brake. Look for the states, which agree to what the brake and the linear equations leave out; for the energies
-//! at each change of type; and for the operations of one evaluation, counted by a number type that counts. Most of
-//! what the scene saves is evaluations, for the brake does away with the servo, which is stiff.
+//! The reference is the whole crane all the way through, its trolley held by the servo of its drive
+//! instead of by the brake. Look for the states, which agree to what the brake and the linear
+//! equations leave out; for the energies at each change of type; and for the operations of one
+//! evaluation, counted by a number type that counts. Most of what the scene saves is evaluations,
+//! for the brake does away with the servo, which is stiff.
 
 mod common;
 #[path = "common/counted.rs"]
@@ -19,7 +21,8 @@ use lagrange::integrate::{Method, Stepper, Verner98};
 use lagrange::system::{OdeSystem, Wrapper};
 
 lagrange::system! {
-    /// An overhead crane: a trolley, a hook on ropes and a load on slings; angles from the vertical.
+    /// An overhead crane: a trolley, a hook on ropes and a load on slings; angles from the
+    /// vertical.
     #[derive(Clone, Debug)]
     pub struct Crane<S>;
 
@@ -148,7 +151,8 @@ fn advance<M: OdeSystem<Scalar = f64>>(
     state: M::State,
     end: f64,
 ) -> Result<(M::State, u64), Box<dyn Error>> {
-    // The servo is stiff beside the swing, but not so stiff that an implicit method would be worth it.
+    // The servo is stiff beside the swing, but not so stiff that an implicit method would be worth
+    // it.
     let method = Verner98 { refuses_stiff: false, ..Verner98::tolerance(1e-10) };
     let mut stepper = method.start(system, t, &state, end).map_err(|cause| cause.to_string())?;
     while stepper.time() != end {

@@ -1,14 +1,15 @@
 //! Velocity and acceleration of a point of a moving body, seen from another one.
 //!
-//! A plate flies through the plane. Its own axes start in the corner P; Q is one of its points, ρ leads from P to Q.
-//! With e_z × (x, y) = (−y, x)
+//! A plate flies through the plane. Its own axes start in the corner P; Q is one of its points, ρ
+//! leads from P to Q. With e_z × (x, y) = (−y, x)
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ,    a_Q = a_P + ω̇ e_z × ρ − ω² ρ
 //! ```
 //!
-//! (Meriam, Kraige, *Engineering Mechanics: Dynamics*, §5/4 and §5/6). The declaration differentiates the place of Q;
-//! the formulas are written out beside it. Look for the picture, in which the arrows of v_P and ω e_z × ρ add up to v_Q.
+//! (Meriam, Kraige, *Engineering Mechanics: Dynamics*, §5/4 and §5/6). The declaration
+//! differentiates the place of Q; the formulas are written out beside it. Look for the picture, in
+//! which the arrows of v_P and ω e_z × ρ add up to v_Q.
 //!
 //! `cargo run --example moving_frame --features draw`
 

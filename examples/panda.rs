@@ -1,18 +1,22 @@
 //! An arm with seven joints, whose hand runs around a tilted circle, pointing down all the way.
 //!
-//! Masses and joints are those of the Franka Emika Panda as its public description has them. Seven joints for six freedoms of the hand
-//! leave one: with the twist (ω, ẋ) that is wanted of the hand and its Jacobian J, rates of the joints are
+//! Masses and joints are those of the Franka Emika Panda as its public description has them. Seven
+//! joints for six freedoms of the hand leave one: with the twist (ω, ẋ) that is wanted of the hand
+//! and its Jacobian J, rates of the joints are
 //!
 //! ```text
 //! v = z + Jᵀ (J Jᵀ)⁻¹ (twist − J z),   z = κ (q₀ − q),
 //! ```
 //!
-//! those among all that move the hand so which are nearest to z, a motion back to a comfortable posture q₀ (Siciliano, Sciavicco, Villani,
-//! Oriolo, *Robotics*, §3.5). A thousand times a second a controller computes torques that would let deviations e of the joints decay as
-//! ë + 2 ω ė + ω² e = 0 (§8.5.2 there), if it knew what the hand carries. It does not: the load makes accelerations d of its own, and
+//! those among all that move the hand so which are nearest to z, a motion back to a comfortable
+//! posture q₀ (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5). A thousand times a second
+//! a controller computes torques that would let deviations e of the joints decay as ë + 2 ω ė + ω²
+//! e = 0 (§8.5.2 there), if it knew what the hand carries. It does not: the load makes
+//! accelerations d of its own, and
 //! |e| ≤ max |d| / ω², since the response of a critically damped oscillator to an impulse never changes its sign.
 //!
-//! Torques and the motion of the hand are compared with Pinocchio's (`tools/robots.py`). Look for the deviations beside their bound.
+//! Torques and the motion of the hand are compared with Pinocchio's (`tools/robots.py`). Look for
+//! the deviations beside their bound.
 //!
 //! `cargo run --example panda --features draw`
 
@@ -79,7 +83,8 @@ const HOME: [f64; 7] = [0.0, -FRAC_PI_4, 0.0, -3.0 * FRAC_PI_4, 0.0, FRAC_PI_2, 
 const Q: [f64; 7] = [0.25, -0.5, 0.375, -2.125, -0.25, 1.75, 0.5];
 const V: [f64; 7] = [0.5, -0.25, 0.75, 1.0, -1.25, 0.5, 2.0];
 const A: [f64; 7] = [1.0, 2.0, -1.5, 0.5, 3.0, -2.5, 1.25];
-/// Torques at rest in the posture, torques of the motion, the place of the hand, its angular velocity and velocity, by Pinocchio 4.1.
+/// Torques at rest in the posture, torques of the motion, the place of the hand, its angular
+/// velocity and velocity, by Pinocchio 4.1.
 const HOLDING: [f64; 7] = [
     0.0,
     -3.9878158574251565,
@@ -196,7 +201,8 @@ fn rates(arm: &Panda, t: f64, q: &[f64; 7]) -> [f64; 7] {
     const MOMENT: f64 = 1e-5;
     let (axes, place) = arm.hand_frame(t, q);
     let wanted = circle(t);
-    // Half the sum of cross products of the axes that it has with those it should have: X ahead, Z down.
+    // Half the sum of cross products of the axes that it has with those it should have: X ahead, Z
+    // down.
     let should = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
     let column = |matrix: &[[f64; 3]; 3], i: usize| [matrix[0][i], matrix[1][i], matrix[2][i]];
     let turns = [0, 1, 2].map(|i| cross(column(&axes, i), column(&should, i)));
@@ -214,7 +220,8 @@ fn rates(arm: &Panda, t: f64, q: &[f64; 7]) -> [f64; 7] {
     std::array::from_fn(|i| comfortable[i] + (0..6).map(|row| jacobian[row][i] * shares[row]).sum::<f64>())
 }
 
-/// The motion under torques that are computed without knowledge of the load, and held between instants.
+/// The motion under torques that are computed without knowledge of the load, and held between
+/// instants.
 fn follow(arm: &Panda, plan: &[Joints]) -> Result<Trajectory<Panda>, Box<dyn Error>> {
     let known = Panda::default();
     let control = |_: &Panda, t: f64, state: PandaState| {
@@ -249,7 +256,8 @@ fn bounds(loaded: &Panda, run: &Trajectory<Panda>) -> [f64; 7] {
     })
 }
 
-/// Prints deviations without load, which are there since torques are held for a period, and with load beside their bound.
+/// Prints deviations without load, which are there since torques are held for a period, and with
+/// load beside their bound.
 ///
 /// # Panics
 /// If a deviation is larger than the bound and what it is without load.

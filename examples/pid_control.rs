@@ -6,11 +6,14 @@
 //! u = Kp e + I − Kd ẋ,   I ← I + Ki h e,   e = 1 − x,
 //! ```
 //!
-//! which the actuator limits to ±15 N. While it does, the integral waits: otherwise it would go on growing and the slide overshoot
-//! (Åström, Hägglund, *Advanced PID Control*, §3.5, "windup"). Three answers are known:
+//! which the actuator limits to ±15 N. While it does, the integral waits: otherwise it would go on
+//! growing and the slide overshoot (Åström, Hägglund, *Advanced PID Control*, §3.5, "windup").
+//! Three answers are known:
 //!
-//! - as long as the force is saturated from the start on, the slide is a damped oscillator under a constant force;
-//! - the integral leaves no error at rest: the slide comes to rest at 1 m, where the spring takes k · 1 m = 10 N;
+//! - as long as the force is saturated from the start on, the slide is a damped oscillator under a
+//!   constant force;
+//! - the integral leaves no error at rest: the slide comes to rest at 1 m, where the spring takes k
+//!   · 1 m = 10 N;
 //! - the state at 6 s, by `tools/control.py` in multi-precision arithmetic.
 
 mod common;

@@ -1,17 +1,18 @@
 //! A quadcopter that takes off, steps aside while it turns, and flips over.
 //!
-//! A free body has no singular orientation: upside down is a place like any other. It is made of a block, two rods across and four disks,
-//! the rotors, whose thrusts f are its inputs, along its own Z; each rotor turns the frame backwards by a moment d f. By hand, about
-//! the centre of mass,
+//! A free body has no singular orientation: upside down is a place like any other. It is made of a
+//! block, two rods across and four disks, the rotors, whose thrusts f are its inputs, along its own
+//! Z; each rotor turns the frame backwards by a moment d f. By hand, about the centre of mass,
 //!
 //! ```text
 //! m r̈ = −m g e_z + R e_z Σf,   J ω̇ + ω × J ω = (a (f₂ − f₄), a (f₃ − f₁), d (f₁ − f₂ + f₃ − f₄)).
 //! ```
 //!
-//! The reference is the solution of these equations under scripted thrusts, with twenty digits (`tools/quadcopter.py`). Then 250 times a
-//! second a geometric controller (Lee, Leok, McClamroch, "Geometric tracking control of a quadrotor UAV on SE(3)", 2010) computes the
-//! thrusts: along R e_z the force that leads back to the path, and moments that turn R e_z into its direction. During the flip it follows
-//! a turn about its own X instead.
+//! The reference is the solution of these equations under scripted thrusts, with twenty digits
+//! (`tools/quadcopter.py`). Then 250 times a second a geometric controller (Lee, Leok, McClamroch,
+//! "Geometric tracking control of a quadrotor UAV on SE(3)", 2010) computes the thrusts: along R
+//! e_z the force that leads back to the path, and moments that turn R e_z into its direction.
+//! During the flip it follows a turn about its own X instead.
 //!
 //! Look for thrusts that point downwards while it is upside down, and end at m g/4 each.
 //!
@@ -206,7 +207,8 @@ fn wanted(t: f64) -> Wanted {
 const PLACE_RATE: f64 = 5.0;
 const TURN_RATE: f64 = 24.0;
 
-/// Thrusts by the state: force along the axis of the rotors, and moments by the deviation of the orientation.
+/// Thrusts by the state: force along the axis of the rotors, and moments by the deviation of the
+/// orientation.
 fn thrusts(copter: &Quadcopter, t: f64, body: &SpatialMotion<f64>) -> QuadcopterInputs {
     let (axes, weight) = (body.rotation, body.mass * copter.g);
     let (orientation, force, rates, accelerations) = match wanted(t) {
@@ -252,7 +254,8 @@ fn upright(direction: Vector, azimuth: f64) -> Matrix {
     [0, 1, 2].map(|row| [x[row], y[row], z[row]])
 }
 
-/// Half the vector of the antisymmetric part of Dᵀ R: for small turns the angle from D to R, along the axes of the body.
+/// Half the vector of the antisymmetric part of Dᵀ R: for small turns the angle from D to R, along
+/// the axes of the body.
 fn deviation(wanted: &Matrix, axes: &Matrix) -> Vector {
     let entry = |i: usize, j: usize| inner(column(wanted, i), column(axes, j));
     [entry(2, 1) - entry(1, 2), entry(0, 2) - entry(2, 0), entry(1, 0) - entry(0, 1)].map(|twice| 0.5 * twice)

@@ -1,16 +1,18 @@
 //! A quadruped that hangs from a spring, bounces, and swings its legs.
 //!
-//! Masses, centres of mass and joints are those of the Unitree Go2 as its public description has them: a trunk that is free, and four legs of
-//! three links with springs and dampers in their joints, eighteen freedoms. The spring that holds the trunk ends in (0, 0, 1), so that no
-//! force has a moment about the vertical through there: angular momentum about it is kept, be there damping or not. Of the energy the
-//! dampers take what they dissipate,
+//! Masses, centres of mass and joints are those of the Unitree Go2 as its public description has
+//! them: a trunk that is free, and four legs of three links with springs and dampers in their
+//! joints, eighteen freedoms. The spring that holds the trunk ends in (0, 0, 1), so that no force
+//! has a moment about the vertical through there: angular momentum about it is kept, be there
+//! damping or not. Of the energy the dampers take what they dissipate,
 //!
 //! ```text
 //! E(t) + ∫ c Σ q̇ᵢ² dt = E(0),   Σ over the twelve joints.
 //! ```
 //!
-//! Accelerations, energy and angular momentum of a state are compared with Pinocchio's (`tools/robots.py`), where the spring is an external
-//! force and joints have torques. Look for both balances.
+//! Accelerations, energy and angular momentum of a state are compared with Pinocchio's
+//! (`tools/robots.py`), where the spring is an external force and joints have torques. Look for
+//! both balances.
 //!
 //! `cargo run --example quadruped --features draw`
 
@@ -88,7 +90,8 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// A state: position and orientation of the trunk, then the joints, and velocities in the same order.
+/// A state: position and orientation of the trunk, then the joints, and velocities in the same
+/// order.
 const Q: [f64; 19] = [
     0.0625, -0.125, 0.25, 0.8, 0.2, -0.4, 0.4, 0.25, 0.75, -1.25, -0.125, 1.0, -1.5, 0.125, 0.5, -1.75,
     -0.25, 0.875, -1.0,

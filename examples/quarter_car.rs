@@ -1,12 +1,15 @@
-//! A quarter of a car on a measured road: the car and a wheel, between them a spring and a damper, below a tyre.
+//! A quarter of a car on a measured road: the car and a wheel, between them a spring and a damper,
+//! below a tyre.
 //!
-//! The road is a table of heights every 0.25 m, in the file `examples/data/road.csv`, which is read while this is compiled. Between the
-//! points it is a natural cubic spline: the force of the tyre is continuous in its second derivative. Masses are displaced from where
-//! they rest on a level road, so that no weight appears; at 20 m/s the car passes all 50 m in 2.5 s.
+//! The road is a table of heights every 0.25 m, in the file `examples/data/road.csv`, which is read
+//! while this is compiled. Between the points it is a natural cubic spline: the force of the tyre
+//! is continuous in its second derivative. Masses are displaced from where they rest on a level
+//! road, so that no weight appears; at 20 m/s the car passes all 50 m in 2.5 s.
 //!
-//! References: `tools/quarter_car.py`, by SciPy's spline and Runge–Kutta method, and by matrix exponentials, which agree in 12 digits.
-//! Look for the car, which the springs hold at a sixth of the acceleration of the wheel, and for the tyre, which carries less than
-//! it does at rest but never leaves the road.
+//! References: `tools/quarter_car.py`, by SciPy's spline and Runge–Kutta method, and by matrix
+//! exponentials, which agree in 12 digits. Look for the car, which the springs hold at a sixth of
+//! the acceleration of the wheel, and for the tyre, which carries less than it does at rest but
+//! never leaves the road.
 
 mod common;
 

@@ -1,14 +1,14 @@
 //! One body seen from two reference points: the angular velocity is the same.
 //!
-//! A rod with a plate at its end swings. The velocity of its point Q is put together once from the point P and once from
-//! the point P′,
+//! A rod with a plate at its end swings. The velocity of its point Q is put together once from the
+//! point P and once from the point P′,
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ = v_P′ + ω′ e_z × ρ′,
 //! ```
 //!
-//! and the velocities of any two points give back ω = (e_z × ρ)·(v_Q − v_P)/ρ². Look for ω′, which is ω from every
-//! reference point, whereas both parts of v_Q differ.
+//! and the velocities of any two points give back ω = (e_z × ρ)·(v_Q − v_P)/ρ². Look for ω′, which
+//! is ω from every reference point, whereas both parts of v_Q differ.
 //!
 //! `cargo run --example reference_points --features draw`
 

@@ -1,10 +1,13 @@
 //! A robot arm with six joints, declared in a line for each body and one for each joint.
 //!
-//! Masses, centroids and joints are those of the UR5 as its public description has them. Accelerations without torques are compared with
-//! those of Pinocchio's articulated-body algorithm. Then the arm follows a path of its joints under computed torques: inverse dynamics of
-//! what it should do, and springs and dampers on what it does wrong, with a load in its hand that the controller does not know.
+//! Masses, centroids and joints are those of the UR5 as its public description has them.
+//! Accelerations without torques are compared with those of Pinocchio's articulated-body algorithm.
+//! Then the arm follows a path of its joints under computed torques: inverse dynamics of what it
+//! should do, and springs and dampers on what it does wrong, with a load in its hand that the
+//! controller does not know.
 //!
-//! Look for how little the hand is off its path, and how far it would fall behind without the feedback.
+//! Look for how little the hand is off its path, and how far it would fall behind without the
+//! feedback.
 
 mod common;
 
@@ -107,7 +110,8 @@ fn path(t: f64) -> [[f64; 6]; 3] {
     [std::array::from_fn(|i| from[i] + by[i] * (1.0 - cos)), along(rate * sin), along(rate * rate * cos)]
 }
 
-/// Computed torques (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §8.5.2) of a controller that knows the arm but not its load.
+/// Computed torques (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §8.5.2) of a controller
+/// that knows the arm but not its load.
 fn torques(t: f64, state: RobotArmState, (stiffness, damping): (f64, f64)) -> RobotArmInputs {
     let (q, v) = (state.coordinates(), state.velocities());
     let [wanted, rate, acceleration] = path(t);

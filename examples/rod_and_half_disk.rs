@@ -7,8 +7,9 @@
 //! half-disk:  s = 4 r/(3 π),    J_M = m r²/2,    J_S = J_M − m s² = (1/2 − 16/(9 π²)) m r²,
 //! ```
 //!
-//! where M is the centre of the circle and s its distance from the centre of mass S (Meriam, Kraige, *Engineering Mechanics:
-//! Dynamics*, table D/4). m s² is taken away on the way from M to S, since J_S is the smallest moment of inertia of all.
+//! where M is the centre of the circle and s its distance from the centre of mass S (Meriam,
+//! Kraige, *Engineering Mechanics: Dynamics*, table D/4). m s² is taken away on the way from M to
+//! S, since J_S is the smallest moment of inertia of all.
 //!
 //! The half-disk then rocks on a floor, without slipping. For small angles
 //!

@@ -1,21 +1,22 @@
 //! A coin that rolls on a table without slipping.
 //!
-//! Coordinates are the point of contact x, y, the heading φ of the track, the tilt θ of the axis from the vertical,
-//! and the coin's own turns ψ. Rolling is two constraints on velocities, of which no function of the coordinates is
-//! what is left, so that the coin reaches any place in any direction; their multipliers are the friction of the
-//! table.
+//! Coordinates are the point of contact x, y, the heading φ of the track, the tilt θ of the axis
+//! from the vertical, and the coin's own turns ψ. Rolling is two constraints on velocities, of
+//! which no function of the coordinates is what is left, so that the coin reaches any place in any
+//! direction; their multipliers are the friction of the table.
 //!
-//! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit the rate n of
-//! the heading,
+//! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit
+//! the rate n of the heading,
 //!
 //! ```text
 //! A n² sin θ cos θ − (C + m r²) n sin θ ω₃ = m g r cos θ,    ω₃ = ψ̇ + n cos θ
 //! ```
 //!
-//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). Any other start wobbles; the reference for one of them
-//! comes from Newton's and Euler's equations in 40-digit arithmetic.
+//! (Neimark, Fufaev, *Dynamics of Nonholonomic Systems*). Any other start wobbles; the reference
+//! for one of them comes from Newton's and Euler's equations in 40-digit arithmetic.
 //!
-//! Look for the place after a full circle, which is the start, and for the energy, which rolling does not use up.
+//! Look for the place after a full circle, which is the start, and for the energy, which rolling
+//! does not use up.
 
 mod common;
 
@@ -90,7 +91,8 @@ fn circle(coin: &Coin) -> Result<(), Box<dyn Error>> {
     let (q, v) = (end.coordinates(), end.velocities());
     let t = trajectory.end_time();
     let [friction_x, friction_y] = coin.multipliers(t, &q, &v);
-    // What keeps the centre on its circle about the middle of the track, towards which the coin leans.
+    // What keeps the centre on its circle about the middle of the track, towards which the coin
+    // leans.
     let radius = r * (start.psi_dot / rate).abs() - r * cosine;
     let rows = [
         ("x, m", end.x, 0.0),

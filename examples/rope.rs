@@ -1,8 +1,9 @@
-//! A cylinder rolls down a slope and pulls a cuboid along a floor that is smooth at first and rough from there on.
+//! A cylinder rolls down a slope and pulls a cuboid along a floor that is smooth at first and rough
+//! from there on.
 //!
-//! Both have the mass m; the rope runs over a massless pulley. The cuboid, 2 r long, is on smooth floor up to s =
-//! l1; then the friction grows with the part of it that is on rough floor, to μ m g. The cylinder may meet a wall
-//! at s = l3. From rest
+//! Both have the mass m; the rope runs over a massless pulley. The cuboid, 2 r long, is on smooth
+//! floor up to s = l1; then the friction grows with the part of it that is on rough floor, to μ m
+//! g. The cylinder may meet a wall at s = l3. From rest
 //!
 //! ```text
 //! 5/4 v² = g s sin α                                on smooth floor,
@@ -12,10 +13,11 @@
 //!
 //! so that it comes to rest at s = μ (l1 + r)/(μ − sin α), unless that is beyond the wall.
 //!
-//! The rolling is a joint, the rope a constraint of its own; their multipliers are the friction below the cylinder and the
-//! force of the rope. One more coordinate, w, has no inertia and a constraint on its velocity: it is the work of the
-//! friction, integrated along with the motion. Look for T + V − w, which stays what it is at the start, and for
-//! both ends: at rest for μ = 0.8, at the wall for μ = 0.6.
+//! The rolling is a joint, the rope a constraint of its own; their multipliers are the friction
+//! below the cylinder and the force of the rope. One more coordinate, w, has no inertia and a
+//! constraint on its velocity: it is the work of the friction, integrated along with the motion.
+//! Look for T + V − w, which stays what it is at the start, and for both ends: at rest for μ = 0.8,
+//! at the wall for μ = 0.6.
 //!
 //! `cargo run --example rope --features draw,plot`
 
@@ -32,7 +34,8 @@ use lagrange::draw::{Drawing, Moment, Picture, Sketch};
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
-    /// The cuboid at s, the cylinder at x down the slope, turned by phi; the pulley is near the edge, the origin.
+    /// The cuboid at s, the cylinder at x down the slope, turned by phi; the pulley is near the
+    /// edge, the origin.
     #[derive(Clone, Debug)]
     pub struct Rope;
 

@@ -1,16 +1,18 @@
 //! A cuboid slides after a cylinder that rolls, down the same slope, and catches up with it.
 //!
-//! Both have the mass m. The cuboid slides without friction and starts a distance d above the cylinder, which rolls
-//! without slipping, its friction slowing it down. That both stay on the slope and that the cylinder rolls are joints,
-//! whose forces are those of a free-body diagram:
+//! Both have the mass m. The cuboid slides without friction and starts a distance d above the
+//! cylinder, which rolls without slipping, its friction slowing it down. That both stay on the
+//! slope and that the cylinder rolls are joints, whose forces are those of a free-body diagram:
 //!
 //! ```text
 //! N = m g cos α  (both bodies),    H = m g sin α/3,    a = 2/3 g sin α  and  g sin α,    t = sqrt(6 d/(g sin α)).
 //! ```
 //!
-//! The bodies touch where the distance between them, a function of the state, falls to zero: an event.
+//! The bodies touch where the distance between them, a function of the state, falls to zero: an
+//! event.
 //!
-//! The statements in the place of bodies and joints are printed first: they are what is differentiated.
+//! The statements in the place of bodies and joints are printed first: they are what is
+//! differentiated.
 //!
 //! Look for the time, which is the same for every mass, and for the two free-body diagrams.
 //!
@@ -28,7 +30,8 @@ use lagrange::Simulate;
 use lagrange::draw::{Drawing, Moment, Picture, Sketch};
 
 lagrange::system! {
-    /// Cuboid and cylinder, each by the place of its centre; phi turns clockwise, as the cylinder does.
+    /// Cuboid and cylinder, each by the place of its centre; phi turns clockwise, as the cylinder
+    /// does.
     #[derive(Clone, Debug)]
     pub struct Slope;
 

@@ -1,12 +1,13 @@
-//! Andrews' squeezing mechanism: seven bodies, three closed loops, and a motor that speeds it up within 30 ms.
+//! Andrews' squeezing mechanism: seven bodies, three closed loops, and a motor that speeds it up
+//! within 30 ms.
 //!
-//! It is the standard test of programs for mechanisms (Schiehlen, *Multibody Systems Handbook*; Hairer, Wanner,
-//! *Solving Ordinary Differential Equations II*, 2nd ed., §VII.7). Six constraints leave one degree of freedom, and
-//! their multipliers are the forces in the joints. The references at t = 0.03 s were computed in more than 160-bit
-//! arithmetic with two step counts.
+//! It is the standard test of programs for mechanisms (Schiehlen, *Multibody Systems Handbook*;
+//! Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.7). Six constraints
+//! leave one degree of freedom, and their multipliers are the forces in the joints. The references
+//! at t = 0.03 s were computed in more than 160-bit arithmetic with two step counts.
 //!
-//! Motor and spring are all that does work, so that T + V − M β is conserved. Look for it, for the residuals of the
-//! constraints, and for the crank, which makes two and a half turns.
+//! Motor and spring are all that does work, so that T + V − M β is conserved. Look for it, for the
+//! residuals of the constraints, and for the crank, which makes two and a half turns.
 
 mod common;
 #[path = "../tests/mechanisms/squeezer.rs"]

@@ -1,17 +1,19 @@
 //! A step ladder that slips, and the circle on which its instantaneous centre runs.
 //!
-//! Both halves have the length l; the left foot is fixed at O, the right one slips along the floor. With φ the angle of the
-//! left half to the floor, the hinge is at (l cos φ, l sin φ) and the right foot at (2 l cos φ, 0). The left half turns
-//! about its foot. The normals to the velocities of hinge and right foot meet in
+//! Both halves have the length l; the left foot is fixed at O, the right one slips along the floor.
+//! With φ the angle of the left half to the floor, the hinge is at (l cos φ, l sin φ) and the right
+//! foot at (2 l cos φ, 0). The left half turns about its foot. The normals to the velocities of
+//! hinge and right foot meet in
 //!
 //! ```text
 //! M = (2 l cos φ, 2 l sin φ),
 //! ```
 //!
-//! the instantaneous centre of the right half: a circle of radius 2 l about O. The man on top does not turn: he moves on an
-//! arc of radius l about the point at his height above O.
+//! the instantaneous centre of the right half: a circle of radius 2 l about O. The man on top does
+//! not turn: he moves on an arc of radius l about the point at his height above O.
 //!
-//! Look for the circle, for the man, who has no instantaneous centre, and for the energy, which stays what it was.
+//! Look for the circle, for the man, who has no instantaneous centre, and for the energy, which
+//! stays what it was.
 //!
 //! `cargo run --example step_ladder --features draw`
 

@@ -1,9 +1,11 @@
-//! A handle in the shape of a T turns in space without forces, about the axis of its middle moment of inertia.
+//! A handle in the shape of a T turns in space without forces, about the axis of its middle moment
+//! of inertia.
 //!
-//! That turning is unstable: a disturbance of a thousandth grows until the handle turns over, and over again, as cosmonaut Dzhanibekov
-//! saw it of a wing nut. From one flip to the next passes 2 K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*,
-//! §37), computed with twenty digits by `tools/spatial_examples.py`; after two of them the angular velocity in the axes of the handle is what
-//! it was. The declaration says of which cylinders it is made.
+//! That turning is unstable: a disturbance of a thousandth grows until the handle turns over, and
+//! over again, as cosmonaut Dzhanibekov saw it of a wing nut. From one flip to the next passes 2
+//! K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*, §37), computed
+//! with twenty digits by `tools/spatial_examples.py`; after two of them the angular velocity in the
+//! axes of the handle is what it was. The declaration says of which cylinders it is made.
 //!
 //! Look for energy and angular momentum, which are kept to rounding over ten flips.
 

@@ -3,8 +3,9 @@
 //!
 //!     cargo run --release --features trade --example trade
 //!
-//! rewrites `docs/trade.md` and the tables and diagrams in `docs/trade/`. Given a directory, it writes there instead. Look
-//! for the fastest method of each accuracy, and for where curves bend upwards: there rounding begins.
+//! rewrites `docs/trade.md` and the tables and diagrams in `docs/trade/`. Given a directory, it
+//! writes there instead. Look for the fastest method of each accuracy, and for where curves bend
+//! upwards: there rounding begins.
 
 #[path = "../tests/references/mod.rs"]
 mod references;

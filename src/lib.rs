@@ -1,7 +1,7 @@
 //! Equations of motion from energies, derived and specialised at compile time.
 //!
-//! Write down generalised coordinates and energies; [`system!`] differentiates them symbolically while
-//! your crate compiles and emits allocation-free Rust for the Euler–Lagrange equations
+//! Write down generalised coordinates and energies; [`system!`] differentiates them symbolically
+//! while your crate compiles and emits allocation-free Rust for the Euler–Lagrange equations
 //!
 //! ```text
 //! d/dt ∂L/∂v − ∂L/∂q = Q,    L(q, v, t) = T − V.
@@ -48,11 +48,13 @@
 //!
 //! # Features
 //!
-//! `std` (default) takes elementary functions from the platform. Without it they come from `libm`, and
-//! the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let trajectories save to Parquet and
-//! plot to SVG and PNG. `ensemble` computes many motions over threads and processes. `draw` makes pictures and films of rigid bodies,
-//! in the plane and in space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits.
-//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run time.
+//! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
+//! and the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let
+//! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
+//! threads and processes. `draw` makes pictures and films of rigid bodies, in the plane and in
+//! space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits.
+//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
+//! time.
 #![no_std]
 #![forbid(unsafe_code)]
 

@@ -28,7 +28,8 @@ pub fn matrix<S: Number, const N: usize, const M: usize>(entries: &[(usize, usiz
     matrix
 }
 
-/// One value where a number is less than another, a second one where it is not, and NaN where one of the two is.
+/// One value where a number is less than another, a second one where it is not, and NaN where one
+/// of the two is.
 #[inline(always)]
 pub fn if_less<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
     let or_otherwise = S::select(right.less_equal(left), otherwise, S::NAN);

@@ -1,4 +1,5 @@
-//! Every example runs to its end, which means that it agrees with its reference. One does not: it measures for minutes.
+//! Every example runs to its end, which means that it agrees with its reference. One does not: it
+//! measures for minutes.
 
 use std::env;
 use std::fs::read_dir;

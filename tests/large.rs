@@ -1,6 +1,7 @@
 //! Chains of a hundred links compile, and compute what the interpreter computes.
 //!
-//! `RUSTFLAGS="--cfg large" cargo test -p lagrange-tests --test large` does the same for two hundred.
+//! `RUSTFLAGS="--cfg large" cargo test -p lagrange-tests --test large` does the same for two
+//! hundred.
 
 #[macro_use]
 #[path = "../benches/chains/declared.rs"]

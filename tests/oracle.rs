@@ -1,5 +1,5 @@
-//! Compiled systems against reference values that an independent derivation computed with many digits (see
-//! `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
+//! Compiled systems against reference values that an independent derivation computed with many
+//! digits (see `tests/oracle/README.md`) and, bit for bit, against the interpreter of programs.
 
 #[path = "oracle/complex.rs"]
 mod complex;
@@ -22,10 +22,10 @@ trait Compiled: Subject {
     fn both_rhs(&self, t: f64, y: &[f64]) -> [Vec<f64>; 2];
 }
 
-/// A system, compiled at two levels of accuracy, as tests of its own: `declare! { name, energies: …,
-/// mass_matrix: …; statements }`. The two words say which methods it has: `kinetic_energy` and
-/// `potential_energy` only for `separate` energies, and `mass_matrix` as a function of the `positions` or of the
-/// whole `state`.
+/// A system, compiled at two levels of accuracy, as tests of its own:
+/// `declare! { name, energies: …, mass_matrix: …; statements }`. The two words say which methods it
+/// has: `kinetic_energy` and `potential_energy` only for `separate` energies, and `mass_matrix` as
+/// a function of the `positions` or of the whole `state`.
 macro_rules! declare {
     ($name:ident, energies: $energies:ident, mass_matrix: $mass_matrix:ident; $($declaration:tt)*) => {
         mod $name {
@@ -181,7 +181,8 @@ fn check(name: &str, level: &str, declaration: &str, compiled: &impl Compiled) {
     }
 }
 
-/// Holds the type for numbers side by side to the bits of the system at a state, and where one of its entries is zero or no number.
+/// Holds the type for numbers side by side to the bits of the system at a state, and where one of
+/// its entries is zero or no number.
 fn check_lanes(compiled: &impl Compiled, t: f64, y: &[f64]) {
     let others =
         (0..y.len()).flat_map(|entry| [0.0, -0.0, f64::NAN, f64::INFINITY].map(|value| (entry, value)));
@@ -240,8 +241,9 @@ fn check_jacobians(name: &str, compiled: &impl Differentiated) {
     }
 }
 
-/// The derivative of the right-hand side by entry `j` of the state: the imaginary part of it at a state with a tiny
-/// imaginary part there, over that. Nothing is subtracted, so that it is exact to rounding (Squire and Trapp 1998).
+/// The derivative of the right-hand side by entry `j` of the state: the imaginary part of it at a
+/// state with a tiny imaginary part there, over that. Nothing is subtracted, so that it is exact to
+/// rounding (Squire and Trapp 1998).
 fn complex_slope(compiled: &impl Differentiated, t: f64, y: &[f64], j: usize) -> Vec<f64> {
     const STEP: f64 = 1e-100;
     let mut at = y.iter().map(|&y| Complex::from_real(y)).collect::<Vec<_>>();

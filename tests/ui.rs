@@ -1,4 +1,5 @@
-//! What the compiler says about mistakes: each file of `ui/`, in the folder of the rule that it breaks.
+//! What the compiler says about mistakes: each file of `ui/`, in the folder of the rule that it
+//! breaks.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +16,8 @@ fn missing_features_are_named() {
     trybuild::TestCases::new().compile_fail("ui_without_features/*.rs");
 }
 
-/// Each declaration in the folder `one_mistake` holds one, of which the compiler makes no second error.
+/// Each declaration in the folder `one_mistake` holds one, of which the compiler makes no second
+/// error.
 #[test]
 fn one_mistake_is_one_error() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("ui/one_mistake");

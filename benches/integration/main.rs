@@ -1,10 +1,13 @@
-//! Whole integrations by this crate and by others, each in the setting that reaches a stated error fastest.
+//! Whole integrations by this crate and by others, each in the setting that reaches a stated error
+//! fastest.
 //!
-//! `cargo bench -p lagrange-benches --bench integration -- table` prints what each solver needs for the error at the end to be no more than
-//! stated, all solvers in turns in one run. Without `table` criterion times the same runs one after the other.
+//! `cargo bench -p lagrange-benches --bench integration -- table` prints what each solver needs for
+//! the error at the end to be no more than stated, all solvers in turns in one run. Without `table`
+//! criterion times the same runs one after the other.
 //!
-//! The other crates get a right-hand side that is simplified by hand, with constants folded and one sine and cosine
-//! for each angle. This crate gets what it emits for a declaration; all solvers return the last state only.
+//! The other crates get a right-hand side that is simplified by hand, with constants folded and one
+//! sine and cosine for each angle. This crate gets what it emits for a declaration; all solvers
+//! return the last state only.
 
 #[path = "../../tests/references/mod.rs"]
 mod references;

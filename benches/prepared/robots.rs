@@ -25,7 +25,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// `panda` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.
+    /// `panda` of `lagrange-core/tests/spatial/models`; what is known of its inertia are
+    /// parameters.
     pub(crate) struct Panda;
     param p0 = 4.970684, p1 = 0.003875, p2 = 0.002081, p3 = -0.04762, p4 = 0.70337, p5 = 0.70661;
     param p6 = 0.009117, p7 = -0.000139, p8 = 0.006772, p9 = 0.019169, p10 = 0.646926, p11 = -0.003141;

@@ -3,7 +3,8 @@
 /// Prints computed values beside their references.
 ///
 /// # Panics
-/// If a value differs from its reference by more than `tolerance` times the larger of 1 and the reference.
+/// If a value differs from its reference by more than `tolerance` times the larger of 1 and the
+/// reference.
 #[track_caller]
 pub(crate) fn compare(title: &str, tolerance: f64, rows: &[(&str, f64, f64)]) {
     println!("{title}\n{:>16} {:>24} {:>24} {:>10}", "", "computed", "reference", "error");

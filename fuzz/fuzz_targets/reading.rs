@@ -1,4 +1,5 @@
-//! Whatever the text, it is read and checked within the limits of time and memory that the command sets.
+//! Whatever the text, it is read and checked within the limits of time and memory that the command
+//! sets.
 #![no_main]
 
 use lagrange_core::pipeline::parse;

@@ -1,5 +1,5 @@
-//! Whatever the bytes of a file that a table names, they are refused with words, or the table goes through its points. The kind of table goes
-//! by their number.
+//! Whatever the bytes of a file that a table names, they are refused with words, or the table goes
+//! through its points. The kind of table goes by their number.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -1,4 +1,5 @@
-//! Whatever the text of a robot, it is refused with words, or what is imported compiles. Options go by its length.
+//! Whatever the text of a robot, it is refused with words, or what is imported compiles. Options go
+//! by its length.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

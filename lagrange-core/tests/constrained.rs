@@ -1,4 +1,5 @@
-//! Constrained systems, interpreted, against reference values that an independent derivation computed with many digits.
+//! Constrained systems, interpreted, against reference values that an independent derivation
+//! computed with many digits.
 
 use std::fs;
 use std::path::Path;
@@ -76,7 +77,8 @@ fn hanging_rods(n: usize) -> String {
     text
 }
 
-/// `n` windows of four bars each, by the positions of their joints: neighbours share a bar, whose mass couples them.
+/// `n` windows of four bars each, by the positions of their joints: neighbours share a bar, whose
+/// mass couples them.
 fn windows(n: usize) -> String {
     let mut text =
         "param m = 1.0, g = 9.81;\nlet (x0, y0) = (0, 1);\nlet (u0, w0) = (0 * t, 0 * t);\n".to_owned();
@@ -115,9 +117,10 @@ fn chains_of_constrained_bodies_cost_in_proportion_to_their_length() {
     }
 }
 
-/// Three constraints hold one direction, which depends on a parameter: in space along an axis, by one joint and by two, and as
-/// plain statements, with and without inertia, beside other bodies and alone, where constraints outnumber coordinates. The motion
-/// is that of one constraint, and of all forces the smallest are taken.
+/// Three constraints hold one direction, which depends on a parameter: in space along an axis, by
+/// one joint and by two, and as plain statements, with and without inertia, beside other bodies and
+/// alone, where constraints outnumber coordinates. The motion is that of one constraint, and of all
+/// forces the smallest are taken.
 #[test]
 fn constraints_that_always_depend_on_each_other_share_their_force() {
     const BODY: &str = "mass: 1; inertia: (1, 1, 1);";

@@ -1,7 +1,8 @@
 //! Output of every stage for the declarations in `golden`, as text that is reviewed.
 //!
-//! A test is a directory with a `declaration.lag`. `UPDATE_GOLDEN=1` writes the other files. The emitted code of
-//! six systems is kept whole, one for each kind of output; of the others, a line of counts for each method.
+//! A test is a directory with a `declaration.lag`. `UPDATE_GOLDEN=1` writes the other files. The
+//! emitted code of six systems is kept whole, one for each kind of output; of the others, a line of
+//! counts for each method.
 
 #[path = "common/methods.rs"]
 mod methods;
@@ -16,8 +17,8 @@ use lagrange_core::pipeline::{Derived, parse};
 use lagrange_core::program::{Labels, OperationCounts, listing, lower, optimise};
 use quote::quote;
 
-/// Systems whose emitted code is kept whole: a plain one, constraints with bodies in space, friction, kernels, lanes
-/// and prepared parameters.
+/// Systems whose emitted code is kept whole: a plain one, constraints with bodies in space,
+/// friction, kernels, lanes and prepared parameters.
 const WHOLE: [&str; 6] =
     ["double_pendulum", "friction_patch", "hung_arm", "kernel_pendulum", "lanes_winch", "prepared_pendulum"];
 

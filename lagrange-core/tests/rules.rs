@@ -9,8 +9,8 @@ struct Source {
     code: String,
 }
 
-/// A loop over tokens that forgets to take one asks for memory until there is none. So all of them are in
-/// `Cursor` and in `Parser::turns`, which see to it; others empty a stack.
+/// A loop over tokens that forgets to take one asks for memory until there is none. So all of them
+/// are in `Cursor` and in `Parser::turns`, which see to it; others empty a stack.
 #[test]
 fn loops_over_tokens_are_in_one_place() {
     let mut wrong = Vec::new();

@@ -1,6 +1,7 @@
 //! Files that a declaration names, read from the package that is compiled.
 //!
-//! A build must come to an end, whatever a path leads to: pipes and devices would be waited for, or never end.
+//! A build must come to an end, whatever a path leads to: pipes and devices would be waited for, or
+//! never end.
 
 use std::fs::{self, File};
 use std::io::Read;
@@ -19,7 +20,8 @@ pub(crate) fn read(folder: &Path, path: &str) -> Result<FileText, String> {
     if metadata.is_dir() {
         return Err("it is a folder".to_owned());
     }
-    // Also what only looks like a file: those of the kernel have no length, and some are waited for.
+    // Also what only looks like a file: those of the kernel have no length, and some are waited
+    // for.
     if !metadata.is_file() {
         return Err("it is not a regular file, but a device, a pipe or a socket".to_owned());
     }

@@ -1,7 +1,7 @@
 //! The procedural macro of `lagrange`.
 //!
-//! A shell: everything is done by `lagrange-core`, which works on the same tokens and can be tested from
-//! text. Use the macro as `lagrange::system!`, which is where its language is documented.
+//! A shell: everything is done by `lagrange-core`, which works on the same tokens and can be tested
+//! from text. Use the macro as `lagrange::system!`, which is where its language is documented.
 #![forbid(unsafe_code)]
 
 mod files;

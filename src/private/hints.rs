@@ -1,8 +1,9 @@
 //! Compiler messages for products that a declaration does not emit.
 //!
-//! Each row makes two traits: one with the name of the product, implemented for all types that implement the other, which none does.
-//! Declarations bring the first into scope, without its name. So the compiler finds these items nowhere, prefers any other
-//! of the name, and where there is none, it reports the message and the notes of the row. Nothing here ever runs.
+//! Each row makes two traits: one with the name of the product, implemented for all types that
+//! implement the other, which none does. Declarations bring the first into scope, without its name.
+//! So the compiler finds these items nowhere, prefers any other of the name, and where there is
+//! none, it reports the message and the notes of the row. Nothing here ever runs.
 
 /// Makes the traits of each row. The macro at the end of the file brings them into scope.
 macro_rules! hints {
@@ -112,7 +113,8 @@ hints! {
         "add `emit {{ parameter_jacobian }}` to the declaration: these are the names of its columns";
 }
 
-/// Something with a default value. Only modules with a system that has none know of it, and what is said is true of other types, too.
+/// Something with a default value. Only modules with a system that has none know of it, and what is
+/// said is true of other types, too.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no default value",
     label = "no default value",

@@ -39,7 +39,8 @@ pub(super) fn length<M: OdeSystem>() -> usize {
     M::State::ZERO.as_ref().len()
 }
 
-/// Runs of a system from the time zero; `restrict` and `expand` lead from and to the states of the whole system.
+/// Runs of a system from the time zero; `restrict` and `expand` lead from and to the states of the
+/// whole system.
 pub(super) fn run<'a, M, K>(
     system: &'a M,
     method: impl Fn(M::Scalar) -> K + 'a,

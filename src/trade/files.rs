@@ -10,8 +10,8 @@ use crate::simulate::PlotError;
 use lagrange_files::save_bytes;
 
 impl Report {
-    /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a directory, in files named for
-    /// the title; makes the directory if there is none.
+    /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a
+    /// directory, in files named for the title; makes the directory if there is none.
     ///
     /// # Errors
     /// What the operating system says, or why the diagram could not be drawn.

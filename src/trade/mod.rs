@@ -1,9 +1,10 @@
 //! The price of every digit: methods, number types and variants of a system measured against each
 //! other.
 //!
-//! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the time it took, and
-//! reports which one is the fastest for an accuracy. `cargo run --release --features trade --example trade` does it for four
-//! known systems; this is how to do it for a system of one's own:
+//! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the
+//! time it took, and reports which one is the fastest for an accuracy.
+//! `cargo run --release --features trade --example trade` does it for four known systems; this is
+//! how to do it for a system of one's own:
 //!
 //! ```no_run
 //! lagrange::system! {
@@ -59,8 +60,8 @@ pub struct Trade<'a> {
 const LONGEST: f64 = 0.2;
 
 impl<'a> Trade<'a> {
-    /// The motion of `system` from the state `start` at the time zero to the time `end`, in all methods that take any
-    /// system.
+    /// The motion of `system` from the state `start` at the time zero to the time `end`, in all
+    /// methods that take any system.
     pub fn new<M>(title: &str, system: &'a M, start: M::State, end: M::Scalar) -> Self
     where
         M: OdeSystem,
@@ -78,8 +79,8 @@ impl<'a> Trade<'a> {
         trade.variant("standard", system)
     }
 
-    /// The state at the end. If it is not given, the finest run of [`Verner98`] on the first system takes its place, so
-    /// that errors close to rounding are not to be trusted.
+    /// The state at the end. If it is not given, the finest run of [`Verner98`] on the first system
+    /// takes its place, so that errors close to rounding are not to be trusted.
     ///
     /// # Panics
     /// If it is no longer or shorter than the state at the start.
@@ -150,10 +151,11 @@ impl<'a> Trade<'a> {
             .by_step(&name, system, |step| Variational { step })
     }
 
-    /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by tolerance and without.
+    /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by
+    /// tolerance and without.
     ///
-    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of its end: so the error that
-    /// the reduction itself makes is in the account.
+    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of
+    /// its end: so the error that the reduction itself makes is in the account.
     #[must_use]
     pub fn reduced<M>(
         mut self,

@@ -25,7 +25,8 @@ impl Report {
         &self.title
     }
 
-    /// All runs, in the order in which they were made; none if there was no reference and the finest run failed.
+    /// All runs, in the order in which they were made; none if there was no reference and the
+    /// finest run failed.
     pub fn rows(&self) -> &[Row] {
         &self.rows
     }

@@ -1,8 +1,9 @@
 //! A system in the hands of the crate `differential-equations`: two trait methods, to copy.
 //!
-//! Its solvers take anything that implements [`ODE`]. Implicit ones receive the Jacobian that is emitted for
-//! `emit { jacobian }`, and differences without it. Constraints and the length of unit quaternions are kept as accurately as that
-//! crate integrates: nothing is projected. Look for the energy, which both solvers keep.
+//! Its solvers take anything that implements [`ODE`]. Implicit ones receive the Jacobian that is
+//! emitted for `emit { jacobian }`, and differences without it. Constraints and the length of unit
+//! quaternions are kept as accurately as that crate integrates: nothing is projected. Look for the
+//! energy, which both solvers keep.
 
 use std::error::Error;
 

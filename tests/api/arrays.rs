@@ -1,4 +1,5 @@
-//! Types of declarations with arrays beside those that are written out: arrays in their fields, the same bits in their results.
+//! Types of declarations with arrays beside those that are written out: arrays in their fields, the
+//! same bits in their results.
 
 use lagrange::Simulate;
 use lagrange::system::{ControlledSystem, Equations, KernelSystem, LanesSystem, MechanicalSystem};
@@ -74,7 +75,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Every array is used somewhere, and every constant counts something: warnings are errors here.
+    /// Every array is used somewhere, and every constant counts something: warnings are errors
+    /// here.
     #[deny(unused_variables)]
     struct Used;
 

@@ -1,6 +1,8 @@
-//! The laws of Newton and Euler for every body of random scenes: what is handed out to be drawn are all the forces there are.
+//! The laws of Newton and Euler for every body of random scenes: what is handed out to be drawn are
+//! all the forces there are.
 //!
-//! With ρ from P to the centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P for any point P of the body.
+//! With ρ from P to the centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P for any point P of
+//! the body.
 
 use lagrange::body::Motion;
 use lagrange::scene::{Item, Plane, Scene};
@@ -101,7 +103,8 @@ fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// What acts on one body: the force, the moment about a place, and how large what is summed there is.
+/// What acts on one body: the force, the moment about a place, and how large what is summed there
+/// is.
 #[derive(Default)]
 struct Load {
     force: [f64; 2],

@@ -1,4 +1,5 @@
-//! How bodies move and what there is to draw of them, by what is emitted for `motion` and `drawing`.
+//! How bodies move and what there is to draw of them, by what is emitted for `motion` and
+//! `drawing`.
 
 use lagrange::Scalar;
 use lagrange::body::Motion;
@@ -69,7 +70,8 @@ fn crane() -> Crane<f64> {
     Crane { u: 0.7, ..Crane::default() }
 }
 
-/// The state a short while later by a step of Runge and Kutta, whose error of fifth order is below rounding here.
+/// The state a short while later by a step of Runge and Kutta, whose error of fifth order is below
+/// rounding here.
 fn later(system: &Crane<f64>, time: f64) -> [f64; 6] {
     let moved = |by: &[f64; 6], h: f64| std::array::from_fn(|i| STATE[i] + h * by[i]);
     let half = TIME + 0.5 * time;
@@ -90,7 +92,8 @@ fn halves([x, a, b, dx, da, db]: [f64; 6]) -> ([f64; 3], [f64; 3]) {
     ([x, a, b], [dx, da, db])
 }
 
-/// The rate of a function of the motion of a body along the motion of the system, by differences of sixth order.
+/// The rate of a function of the motion of a body along the motion of the system, by differences of
+/// sixth order.
 fn rate<const N: usize>(motion: Method, f: impl Fn(&Motion<f64>) -> [f64; N]) -> [f64; N] {
     const STEP: f64 = 1e-3;
     let system = crane();

@@ -1,4 +1,5 @@
-//! A box that is dropped, slides and tumbles on a rough floor: eight corners with redundant contacts and friction.
+//! A box that is dropped, slides and tumbles on a rough floor: eight corners with redundant
+//! contacts and friction.
 
 use lagrange::Simulate;
 

@@ -1,4 +1,5 @@
-//! Runs by default settings where neighbouring times are far apart: right as far as times can tell, or refused with words.
+//! Runs by default settings where neighbouring times are far apart: right as far as times can tell,
+//! or refused with words.
 
 use lagrange::Simulate;
 use lagrange::event::Direction;
@@ -43,8 +44,9 @@ lagrange::system! {
     potential = 9.81 * y;
 }
 
-/// Checks a run of three seconds, in which bodies fall by one metre, from each power of ten on: with errors as long as a
-/// motion takes in some roundings of time, or refused. Nothing is refused up to `finest`, everything is from `coarsest` on.
+/// Checks a run of three seconds, in which bodies fall by one metre, from each power of ten on:
+/// with errors as long as a motion takes in some roundings of time, or refused. Nothing is refused
+/// up to `finest`, everything is from `coarsest` on.
 macro_rules! check_runs {
     ($($system:ident<$scalar:ty>, $method:expr, $finest:expr, $coarsest:expr;)*) => {
         $(

@@ -1,5 +1,6 @@
-//! Compiled systems under constraints against reference values that an independent derivation computed with many digits. The
-//! statements are those of `tests/constrained/*.lag`, which `lagrange-core/tests/constrained.rs` interprets.
+//! Compiled systems under constraints against reference values that an independent derivation
+//! computed with many digits. The statements are those of `tests/constrained/*.lag`, which
+//! `lagrange-core/tests/constrained.rs` interprets.
 
 use std::fs;
 use std::path::Path;

@@ -165,7 +165,8 @@ lagrange::system! {
     friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
 }
 
-/// A foot in the air changes nothing, however rough the floor and whatever its friction would do there.
+/// A foot in the air changes nothing, however rough the floor and whatever its friction would do
+/// there.
 #[test]
 fn an_open_contact_takes_no_part() {
     let mut seed = 0_u64;
@@ -226,7 +227,8 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_an_error() {
     for (e, share) in [(1.0, 1.0), (0.0, 1.0), (-0.5, -1.0), (2.0, 0.5)] {
         assert!(cause(Restituted { e, share, ..Restituted::default() }, [0.5, 0.0]).is_ok(), "{e} {share}");
     }
-    // Downwards its formula for the ceiling exceeds one, upwards at 4 m/s it is −1 for the second of these.
+    // Downwards its formula for the ceiling exceeds one, upwards at 4 m/s it is −1 for the second
+    // of these.
     assert!(cause(Restituted::default(), [0.5, -1.0]).is_ok());
     let refused = cause(Restituted { loss: 0.5, ..Restituted::default() }, [0.0, 6.0]);
     let Err((StepFailure::Restitution { contact: "ceiling", value }, _, time)) = refused else {

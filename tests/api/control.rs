@@ -30,7 +30,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two links of 1 m with point masses at their ends, angles relative to each other, torques in the joints.
+    /// Two links of 1 m with point masses at their ends, angles relative to each other, torques in
+    /// the joints.
     #[derive(Clone, Debug)]
     struct Arm;
 
@@ -171,7 +172,8 @@ lagrange::system! {
     event level = y, rising => stop;
 }
 
-/// From rest below it is pushed the way in which it moves, on the circle all the time, up to the level.
+/// From rest below it is pushed the way in which it moves, on the circle all the time, up to the
+/// level.
 #[test]
 fn constraints_and_stops_are_kept_under_control() {
     let bead = Bead::default();
@@ -241,7 +243,8 @@ fn friction_breaks_loose_when_a_law_says_so() {
     assert_eq!(motion.system_at_end().map(|crate_| crate_.side), Some(0.0));
 }
 
-/// Held forces: nothing for a second, 16 N for a second, which slides with 3 m/s², 30 N upwards, which lifts with 5 m/s².
+/// Held forces: nothing for a second, 16 N for a second, which slides with 3 m/s², 30 N upwards,
+/// which lifts with 5 m/s².
 #[test]
 fn contacts_and_friction_follow_held_inputs_that_jump() {
     let forces = |_: &Crate, t: f64, _: CrateState| match t.round() as u32 {
@@ -343,7 +346,8 @@ fn instants_go_with_restarts_and_jumps_at_the_same_times() {
     }
 }
 
-/// A force that saturates in the declaration is found where it does: the order of a fixed step is kept.
+/// A force that saturates in the declaration is found where it does: the order of a fixed step is
+/// kept.
 #[test]
 fn saturation_that_is_declared_is_located() {
     lagrange::system! {
@@ -504,7 +508,8 @@ fn friction_feels_forces_on_the_right_side_of_their_limits() {
     assert!(motion.events().is_empty(), "{:?}", motion.events());
 }
 
-/// A controller may ask the system what other inputs would do, beyond the limits of the present ones.
+/// A controller may ask the system what other inputs would do, beyond the limits of the present
+/// ones.
 #[test]
 fn controllers_see_a_system_with_its_sides_free() {
     lagrange::system! {
@@ -524,7 +529,8 @@ fn controllers_see_a_system_with_its_sides_free() {
     assert!(motion.column("u").expect("an input").iter().all(|u| *u == 2.0));
 }
 
-/// An event that a jump of inputs makes happens although another one replaced the state at the same instant.
+/// An event that a jump of inputs makes happens although another one replaced the state at the same
+/// instant.
 #[test]
 fn events_by_jumps_are_found_beside_others() {
     use lagrange::event::{Action, Direction};

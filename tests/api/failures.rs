@@ -1,4 +1,5 @@
-//! What runs of emitted systems say when they fail: parameters, components, events and coordinates by name, with values and times.
+//! What runs of emitted systems say when they fail: parameters, components, events and coordinates
+//! by name, with values and times.
 
 use lagrange::event::{Action, Direction, Occurrence, integrate_with_events};
 use lagrange::integrate::{RungeKutta4, Verner98, integrate};

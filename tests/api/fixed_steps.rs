@@ -70,7 +70,8 @@ where
     ]
 }
 
-/// Where the swing from the lowest point leads in two seconds, by a method tested elsewhere, with short steps.
+/// Where the swing from the lowest point leads in two seconds, by a method tested elsewhere, with
+/// short steps.
 fn swing_end() -> [f64; 2] {
     let method = RungeKutta4 { step: 2.5e-4 };
     integrate(&Pendulum::default(), 0.0, [0.0, 2.0], 2.0, &method, |_, _| {}).expect("an ordinary motion")

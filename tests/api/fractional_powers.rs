@@ -1,4 +1,5 @@
-//! Fractional powers, roots and logarithms of what switches: runs pass through zero, by every method.
+//! Fractional powers, roots and logarithms of what switches: runs pass through zero, by every
+//! method.
 
 use lagrange::Simulate;
 use lagrange::integrate::{
@@ -52,7 +53,8 @@ fn valleys_of_every_power_are_crossed_in_their_period_by_every_method() {
             after_a_period(p, period, &StormerVerlet { step }),
             after_a_period(p, period, &BlanesMoan4 { step }),
         ];
-        // The slope of a force |x|^(1/5) is infinite at zero: a step there errs by h^(6/5) at least.
+        // The slope of a force |x|^(1/5) is infinite at zero: a step there errs by h^(6/5) at
+        // least.
         let allowed = if p < 2.0 { 2e-3 } else { 1e-4 };
         assert!(errors.iter().all(|error| *error < allowed), "{p}: {errors:?}");
     }
@@ -71,7 +73,8 @@ fn valleys_are_crossed_in_single_precision_too() {
 }
 
 lagrange::system! {
-    /// The same valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle where n < 1.
+    /// The same valley by its force x |x|ⁿ⁻¹, whose factors are 0 and infinite in the middle where
+    /// n < 1.
     #[derive(Clone, Debug)]
     struct Pulled<S>;
 

@@ -50,7 +50,8 @@ fn frames_are_where_geometry_puts_them() {
     let (rotation, origin) = arm.tool_frame(0.0, &Q);
     let along = [sin_lift * cos, sin_lift * sin, cos_lift];
     assert_near(origin, [0.8 * along[0], 0.8 * along[1], 0.3 + 0.8 * along[2]], 1e-15);
-    // Turned by a quarter about x: its y-axis is the rod, its z-axis against that of the rod's y-axis.
+    // Turned by a quarter about x: its y-axis is the rod, its z-axis against that of the rod's
+    // y-axis.
     assert_near(rotation.map(|row| row[1]), along, 1e-15);
     assert_near(rotation.map(|row| row[2]), [sin, -cos, 0.0], 1e-15);
     assert_eq!(arm.column_frame(0.0, &Q).1, [0.0; 3]);

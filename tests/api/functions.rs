@@ -1,4 +1,5 @@
-//! Every elementary function has a name in emitted code and stands in the description of the language.
+//! Every elementary function has a name in emitted code and stands in the description of the
+//! language.
 
 use std::collections::BTreeSet;
 

@@ -209,7 +209,8 @@ fn balls_come_to_rest_wherever_the_floor_is_and_however_they_bounce() {
         let Some(EventKind::Closed { at, .. }) = trajectory.events().last().map(|event| event.kind) else {
             panic!("{:?} for {e}", trajectory.events().last())
         };
-        // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later bounces carry on.
+        // Heights are rounded to 10⁻¹⁵, which small speeds turn into longer times, and later
+        // bounces carry on.
         assert!((at - rest(e)).abs() < 2e-9 / (1.0 - e), "{at} for {e}");
         assert_eq!(trajectory.last(), [5.0, 0.0]);
     }

@@ -1,4 +1,5 @@
-//! Moments of inertia, derived by integration: functions of Rust, of the language, and the laws that they obey.
+//! Moments of inertia, derived by integration: functions of Rust, of the language, and the laws
+//! that they obey.
 
 mod compound;
 mod derived;

@@ -1,4 +1,5 @@
-//! Systems whose equations are evaluated for several motions side by side. Bits of more declarations are held in `tests/oracle.rs`.
+//! Systems whose equations are evaluated for several motions side by side. Bits of more
+//! declarations are held in `tests/oracle.rs`.
 
 mod pair;
 
@@ -64,7 +65,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Tables of one and of two arguments, with points evenly spaced and not, and a function of the crate.
+    /// Tables of one and of two arguments, with points evenly spaced and not, and a function of the
+    /// crate.
     struct Hoist;
 
     table motor(rate) = [(0, 90), (1, 140), (2, 120), (3, 60)], interpolation: monotone, outside: clamp;

@@ -225,7 +225,8 @@ fn a_brick_bounces_and_events_change_its_spin() {
         q[2] + 0.1 * third[0] + 0.05 * third[1] - 0.05 * third[2]
     });
     assert!(lowest.fold(f64::MAX, f64::min) > -1e-9);
-    // 0.1 N m on 0.025 kg m² reach 3 rad/s after 0.75 s, unless it was hit before: in the air it falls for 0.3 s.
+    // 0.1 N m on 0.025 kg m² reach 3 rad/s after 0.75 s, unless it was hit before: in the air it
+    // falls for 0.3 s.
     assert!(trajectory.states().all(|y| y[12] < 3.0 + 1e-9));
 }
 

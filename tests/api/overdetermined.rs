@@ -1,4 +1,5 @@
-//! Systems with as many constraints as coordinates or more: supports that share a load, and states that nothing satisfies.
+//! Systems with as many constraints as coordinates or more: supports that share a load, and states
+//! that nothing satisfies.
 
 use lagrange::Simulate;
 use lagrange::integrate::{GaussLegendre4, RungeKutta4, Variational};

@@ -85,7 +85,8 @@ fn plates_at_rest_stay() {
 }
 
 lagrange::system! {
-    /// A crate on a floor, with a limit that may be anything, and a guide that is pressed from either side.
+    /// A crate on a floor, with a limit that may be anything, and a guide that is pressed from
+    /// either side.
     #[derive(Clone, Debug)]
     struct Limited;
 

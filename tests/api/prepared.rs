@@ -132,7 +132,8 @@ fn prepared_systems_move_as_they_do_unprepared() {
     assert_eq!(Ur5Prepared::COORDINATES, Ur5::COORDINATES);
 }
 
-/// Values of other parameters would be others: those that are prepared are used, and not those of the system.
+/// Values of other parameters would be others: those that are prepared are used, and not those of
+/// the system.
 #[test]
 fn parameters_are_those_of_the_time_of_preparing() {
     let mut pendulum = Pendulum::default();

@@ -106,8 +106,8 @@ fn small_swings_are_harmonic() {
     }
 }
 
-/// (mc + mp) ẍ + mp l θ̈ = u and ẍ + l θ̈ = −g θ; upright, with the tilt, θ̈ and g have the other sign (Ogata, *Modern
-/// Control Engineering*, chapter 3).
+/// (mc + mp) ẍ + mp l θ̈ = u and ẍ + l θ̈ = −g θ; upright, with the tilt, θ̈ and g have the other
+/// sign (Ogata, *Modern Control Engineering*, chapter 3).
 #[test]
 fn the_linearised_cart_is_that_of_the_textbook() {
     let cart = CartPole { u: 0.8, c: 0.0, ..CartPole::default() };
@@ -174,7 +174,8 @@ fn quadratic_drag_vanishes_to_first_order_and_acts_on_what_drifts() {
     assert!((x + 0.5 * (4.0 + 0.005)).abs() < 1e-6 && (y + 0.1).abs() < 1e-6, "{x} {y}");
 }
 
-/// The difference falls with the square of the amplitude, and faster where the whole system is symmetric.
+/// The difference falls with the square of the amplitude, and faster where the whole system is
+/// symmetric.
 #[test]
 fn reduced_accelerations_approach_those_of_the_whole_system() {
     let (double, near) = (Double::<f64>::default(), Nearby::<f64>::default());

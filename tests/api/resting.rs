@@ -80,7 +80,8 @@ fn a_ball_at_rest_goes_on_from_where_its_run_ended() {
     assert!(Ball::default().simulate([-1e-12, 0.0]).until(1.0).run().is_err());
 }
 
-/// Nothing presses the point against the wall at first, and what rounding leaves of the gap does not keep hitting it.
+/// Nothing presses the point against the wall at first, and what rounding leaves of the gap does
+/// not keep hitting it.
 #[test]
 fn a_point_that_touches_without_pressing_is_left_alone() {
     let corner = Corner { push: 0.0, ..Corner::default() };
@@ -121,7 +122,8 @@ fn velocities_that_are_rounding_do_not_turn_into_nan() {
     assert!(velocities.iter().all(|v| v.abs() < 1e-15), "{velocities:?}");
 }
 
-/// Half of what holds the rod and the floor hold together would be too much for friction: it is at its limit, and does not slip.
+/// Half of what holds the rod and the floor hold together would be too much for friction: it is at
+/// its limit, and does not slip.
 #[test]
 fn friction_at_its_limit_where_a_contact_holds_the_slip_is_left_alone() {
     let start = [0.6, -0.8, 0.8, 0.6];
@@ -167,7 +169,8 @@ lagrange::system! {
     event shelf = y + c - (a + b), falling => impact(1/2);
 }
 
-/// Rounding of lengths that are parameters is all that is left of the gap where the coordinates are zero.
+/// Rounding of lengths that are parameters is all that is left of the gap where the coordinates are
+/// zero.
 #[test]
 fn a_start_where_all_coordinates_are_zero_may_be_rounding_below_the_floor() {
     for (a, b, c) in [(0.1, 0.2, 0.3), (0.1, 0.7, 0.8), (1.1, 2.2, 3.3), (0.3, 0.3, 0.6)] {
@@ -196,8 +199,9 @@ lagrange::system! {
     friction rub_right = dot(floor.along(block.point(a, -b))), mu * right;
 }
 
-/// A block that rocks without slipping keeps the part r = 1 − 3/2 sin² α of its rate at each impact, where α is the angle at its
-/// corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963) 403–417), and so comes to rest on both feet after infinitely many.
+/// A block that rocks without slipping keeps the part r = 1 − 3/2 sin² α of its rate at each
+/// impact, where α is the angle at its corner (Housner, *Bull. Seismol. Soc. Am.* 53 (1963)
+/// 403–417), and so comes to rest on both feet after infinitely many.
 #[test]
 fn a_block_that_rocks_from_foot_to_foot_comes_to_rest_on_both() {
     for (a, mu) in [(0.3_f64, 1.0), (0.3, 2.0), (0.15, 0.8), (0.15, 1.2)] {

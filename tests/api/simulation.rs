@@ -85,7 +85,8 @@ lagrange::system! {
     potential = -g * l * cos(theta);
 }
 
-/// The state at 2 s from a start at −1 s, at rest at 1 rad, by a method with samples between its steps.
+/// The state at 2 s from a start at −1 s, at rest at 1 rad, by a method with samples between its
+/// steps.
 fn swing(method: impl Method<Pendulum>) -> Trajectory<Pendulum> {
     let pendulum = Pendulum::default();
     let simulation = pendulum.simulate([1.0, 0.0]).from(-1.0).until(2.0).method(method);

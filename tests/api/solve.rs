@@ -1,4 +1,5 @@
-//! Algebraic unknowns: emitted code against the interpreter, in every number type, side by side, and where there is no solution.
+//! Algebraic unknowns: emitted code against the interpreter, in every number type, side by side,
+//! and where there is no solution.
 
 use lagrange::Simulate;
 use lagrange::scalar::Lanes;

@@ -1,5 +1,5 @@
-//! What there is to draw in space, by emitted code: the laws of Newton and Euler for bodies that joints do not hold, and a scene whose
-//! places, axes and loads are known.
+//! What there is to draw in space, by emitted code: the laws of Newton and Euler for bodies that
+//! joints do not hold, and a scene whose places, axes and loads are known.
 //!
 //! With the centre of mass S of a body, m a_S = F and J ω̇ + ω × J ω = M_S.
 
@@ -155,7 +155,8 @@ fn forces_on_free_bodies_are_those_that_move_them() {
 }
 
 lagrange::system! {
-    /// A crane: a column that turns, a trolley on its boom, and a load that hangs from a universal joint.
+    /// A crane: a column that turns, a trolley on its boom, and a load that hangs from a universal
+    /// joint.
     #[accuracy(strict)]
     struct Crane<S>;
 

@@ -1,4 +1,5 @@
-//! First-order states of emitted systems: names, runs, events, kinks, reductions, and all that beside constraints and contacts.
+//! First-order states of emitted systems: names, runs, events, kinks, reductions, and all that
+//! beside constraints and contacts.
 
 use lagrange::Simulate;
 use lagrange::integrate::{GaussLegendre, RungeKutta4, Verner98};

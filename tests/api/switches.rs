@@ -260,7 +260,8 @@ fn a_square_wave_switches_in_every_half_period() {
 }
 
 lagrange::system! {
-    /// A bead on a rod that leans on a stop of its own: a constraint, a jump in the state and one in time.
+    /// A bead on a rod that leans on a stop of its own: a constraint, a jump in the state and one
+    /// in time.
     #[derive(Clone, Debug)]
     struct Leaning;
 
@@ -323,7 +324,8 @@ lagrange::system! {
 #[test]
 fn contacts_friction_and_events_go_with_switches() {
     let run = Blown::default().simulate([0.0, 0.0, 3.0, 0.0]).until(2.5).tolerance(1e-11).run().unwrap();
-    // Slips with −µ g, then −µ (g + 1) from t = 1/2, gets the push f from x = 1 on, and is thrown back by the wall.
+    // Slips with −µ g, then −µ (g + 1) from t = 1/2, gets the push f from x = 1 on, and is thrown
+    // back by the wall.
     let weight = [9.81, 10.81].map(|g| 0.2 * g);
     let meets = (3.0 - (9.0_f64 - 2.0 * weight[0]).sqrt()) / weight[0];
     let speed = 3.0 - weight[0] * meets;

@@ -1,7 +1,9 @@
-//! Runs over spans of time cut anywhere: frames of a simulation in real time, and spans far from zero.
+//! Runs over spans of time cut anywhere: frames of a simulation in real time, and spans far from
+//! zero.
 //!
-//! A ball under gravity is the reference: methods of order two and more are exact for it but for rounding, and so are its
-//! bounces. Times are numbers of the scalar, so that what counts as rounding is the distance between neighbouring times.
+//! A ball under gravity is the reference: methods of order two and more are exact for it but for
+//! rounding, and so are its bounces. Times are numbers of the scalar, so that what counts as
+//! rounding is the distance between neighbouring times.
 
 use lagrange::event::Direction;
 use lagrange::integrate::{
@@ -112,13 +114,15 @@ impl<S: Scalar + Into<f64>> Spans<S> {
         Spans { times, phase, step: S::from_f64(step) }
     }
 
-    /// What rounding makes of a height or a speed here: of the times that each step and bounce is found at, and of themselves.
+    /// What rounding makes of a height or a speed here: of the times that each step and bounce is
+    /// found at, and of themselves.
     fn rounding(&self) -> f64 {
         let farthest = self.times.iter().fold(0.0_f64, |most, time| most.max((*time).into().abs()));
         32.0 * self.times.len() as f64 * S::epsilon().into() * (2.0 + 10.0 * farthest)
     }
 
-    /// Goes over all spans one after the other, or over the whole at once, and checks every state that is seen.
+    /// Goes over all spans one after the other, or over the whole at once, and checks every state
+    /// that is seen.
     fn check<M, K>(&self, name: &str, method: &K, system: &M, exact: fn(f64) -> [f64; 2], slack: f64)
     where
         M: OdeSystem<Scalar = S, State = [S; 2]>,
@@ -136,7 +140,8 @@ impl<S: Scalar + Into<f64>> Spans<S> {
                     let [found, wanted] = [(*y).map(Into::into), exact(self.phase + (t.into() - start))];
                     let error = (found[0] - wanted[0]).abs().max((found[1].abs() - wanted[1].abs()).abs());
                     assert!(error <= tolerance, "{what}: {found:?} at {t:?}, not {wanted:?} ({error:e})");
-                    // An event shows the state before and after it, and the latter belongs to the same time.
+                    // An event shows the state before and after it, and the latter belongs to the
+                    // same time.
                     let advances =
                         last.is_none_or(|(before, [_, v])| before < t || (before == t && v == -y[1]));
                     assert!(advances && t <= span[1], "{what}: {t:?} after {last:?}");
@@ -178,7 +183,8 @@ impl<S: Scalar + Into<f64>> Spans<S> {
     }
 }
 
-/// The ball reaches the floor one rounding before the end of a step, where short numbers are too far apart to tell.
+/// The ball reaches the floor one rounding before the end of a step, where short numbers are too
+/// far apart to tell.
 #[test]
 fn a_zero_at_the_end_of_a_step_is_found_in_short_numbers() {
     let (start, end) = (f32::from_bits(0x4013_3333), f32::from_bits(0x4014_4444));

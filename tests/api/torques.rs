@@ -45,7 +45,8 @@ fn omitted<M: Scene<Scalar = f64>>(system: &M, q: &M::Coordinates, v: &M::Veloci
     names
 }
 
-/// J α = Σ M of every body, whose other sides are found in different ways: the one by the equations of motion, the other as it is drawn.
+/// J α = Σ M of every body, whose other sides are found in different ways: the one by the equations
+/// of motion, the other as it is drawn.
 #[test]
 fn moments_add_up_to_those_of_euler() {
     for trial in 0..40 {

@@ -1,4 +1,5 @@
-//! Types that contain a system and change its equations keep its constraints, events, contacts and friction.
+//! Types that contain a system and change its equations keep its constraints, events, contacts and
+//! friction.
 
 use lagrange::Simulate;
 use lagrange::contact::{Contact, Friction};

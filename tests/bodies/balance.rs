@@ -1,4 +1,5 @@
-//! T₂ + V₂ = T₁ + V₁ + W₁₂: what loads that are not conservative do, W₁₂ = ∫ F·dr + ∫ M dφ, is what the energy grows by.
+//! T₂ + V₂ = T₁ + V₁ + W₁₂: what loads that are not conservative do, W₁₂ = ∫ F·dr + ∫ M dφ, is what
+//! the energy grows by.
 
 use lagrange::integrate::{Verner98, integrate};
 use lagrange::system::OdeSystem;
@@ -6,7 +7,8 @@ use lagrange::system::OdeSystem;
 use crate::assert_within;
 
 lagrange::system! {
-    /// Two plates on a pivot, with springs, a motor, a brake, a dashpot and a steady pull on a corner.
+    /// Two plates on a pivot, with springs, a motor, a brake, a dashpot and a steady pull on a
+    /// corner.
     #[derive(Clone, Debug)]
     struct Plates;
 

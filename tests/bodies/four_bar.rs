@@ -1,5 +1,5 @@
-//! A four-bar linkage of three bodies with coordinates of their own and four pins, against a trajectory of 30 digits that was
-//! computed from three angles and two constraints.
+//! A four-bar linkage of three bodies with coordinates of their own and four pins, against a
+//! trajectory of 30 digits that was computed from three angles and two constraints.
 
 use std::f64::consts::FRAC_PI_3;
 

@@ -1,4 +1,5 @@
-//! Forces of joints as vectors: on the body that is named first, and where the source is a free-body diagram.
+//! Forces of joints as vectors: on the body that is named first, and where the source is a
+//! free-body diagram.
 
 use lagrange::Simulate;
 
@@ -36,7 +37,8 @@ fn states(plates: &Plates) -> impl Iterator<Item = ([f64; 6], [f64; 6])> + '_ {
     })
 }
 
-/// m a = F of all forces: the pin at the ground, that of the hinge with the opposite sign, the weight, the spring.
+/// m a = F of all forces: the pin at the ground, that of the hinge with the opposite sign, the
+/// weight, the spring.
 #[test]
 fn forces_of_pins_and_springs_accelerate_the_centers() {
     let plates = Plates::default();
@@ -63,7 +65,8 @@ fn forces_of_pins_turn_the_bodies() {
         let (pivot, hinge) = (plates.on_upper(0.0, &q, &v), plates.on_lower(0.0, &q, &v));
         let top = |angle: f64| [-plates.b / 2.0 * angle.sin(), plates.b / 2.0 * angle.cos()];
         let moment = |arm: [f64; 2], force: [f64; 2]| arm[0] * force[1] - arm[1] * force[0];
-        // The hinge pulls the lower end of the upper plate by the opposite force, on the opposite arm.
+        // The hinge pulls the lower end of the upper plate by the opposite force, on the opposite
+        // arm.
         let upper = moment(top(q[2]), pivot) + moment(top(q[2]), hinge);
         assert_within(1e-12, j(plates.m1) * a[2], upper);
         assert_within(1e-12, j(plates.m2) * a[5], moment(top(q[5]), hinge));
@@ -119,7 +122,8 @@ fn a_block_presses_less_on_a_wedge_that_gives_way() {
     assert_within(1e-14, wedge.along(0.0, &q, &[0.0; 3]), 0.0);
     assert_within(1e-14, wedge.away(0.0, &q, &[0.0; 3]), wedge.a / 2.0);
 
-    // Along the wedge it accelerates at (m₁ + m₂) g sin α/(m₁ + m₂ sin² α), the wedge at −N sin α/m₁.
+    // Along the wedge it accelerates at (m₁ + m₂) g sin α/(m₁ + m₂ sin² α), the wedge at −N sin
+    // α/m₁.
     let run = wedge.simulate(start).until(1.0).tolerance(1e-13).run().expect("it runs");
     let state = WedgeState::from(run.last());
     let (q, v) = (state.coordinates(), state.velocities());

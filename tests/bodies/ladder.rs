@@ -1,4 +1,5 @@
-//! A step ladder of two halves of length l: the left foot is fixed at the origin, the right one slips along the floor.
+//! A step ladder of two halves of length l: the left foot is fixed at the origin, the right one
+//! slips along the floor.
 
 use std::f64::consts::PI;
 
@@ -6,7 +7,8 @@ use crate::assert_within;
 use crate::pairs::Random;
 
 lagrange::system! {
-    /// By the angle of the left half to the floor; joints and floor are fulfilled by the coordinate.
+    /// By the angle of the left half to the floor; joints and floor are fulfilled by the
+    /// coordinate.
     #[derive(Debug)]
     struct Ladder;
 
@@ -69,7 +71,8 @@ fn the_center_of_the_right_half_runs_on_a_circle_about_the_left_foot() {
     }
 }
 
-/// The normal to the velocity of the toe is vertical, that to the velocity of the hinge goes through the left foot.
+/// The normal to the velocity of the toe is vertical, that to the velocity of the hinge goes
+/// through the left foot.
 #[test]
 fn the_center_is_where_the_normals_to_two_velocities_meet() {
     let ladder = Ladder::default();

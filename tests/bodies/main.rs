@@ -1,4 +1,5 @@
-//! Systems of plane rigid bodies, declared with bodies: the same motions as by hand, and the values of textbooks.
+//! Systems of plane rigid bodies, declared with bodies: the same motions as by hand, and the values
+//! of textbooks.
 
 mod balance;
 mod four_bar;

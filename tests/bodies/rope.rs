@@ -1,5 +1,5 @@
-//! A cylinder that rolls down a slope pulls a cuboid over a floor that turns rough. Values from the balance of energy,
-//! ½ m v² + ½ (m + J/r²) v² = m g s sin α − ∫ F_R ds with J = m r²/2.
+//! A cylinder that rolls down a slope pulls a cuboid over a floor that turns rough. Values from the
+//! balance of energy, ½ m v² + ½ (m + J/r²) v² = m g s sin α − ∫ F_R ds with J = m r²/2.
 
 use lagrange::Simulate;
 use lagrange::simulate::Trajectory;
@@ -41,7 +41,8 @@ fn run(rope: &Rope) -> Trajectory<Rope> {
     rope.simulate([0.0; 8]).until(10.0).tolerance(1e-13).every(0.02).run().expect("it runs")
 }
 
-/// Along the motion: the system in its modes has to be asked for forces, so accelerations are observed.
+/// Along the motion: the system in its modes has to be asked for forces, so accelerations are
+/// observed.
 fn pulls(rope: &Rope) -> Trajectory<Rope> {
     let observed = |rope: &Rope, t: f64, y: &[f64; 8]| {
         let state = RopeState::from(*y);

@@ -1,5 +1,6 @@
-//! A cuboid that slides and a cylinder that rolls down a slope, both of mass m and from rest, the cuboid a distance d above.
-//! Source of the values: Newton's laws for both bodies, m ẍ = m g sin α − H and J φ̈ = H r with J = m r²/2.
+//! A cuboid that slides and a cylinder that rolls down a slope, both of mass m and from rest, the
+//! cuboid a distance d above. Source of the values: Newton's laws for both bodies, m ẍ = m g sin α
+//! − H and J φ̈ = H r with J = m r²/2.
 
 use lagrange::Simulate;
 
@@ -96,7 +97,8 @@ fn they_touch_at_the_same_time_whatever_their_mass() {
     }
 }
 
-/// N stays what it is all along the motion, and T + V, since the friction that makes it roll does no work.
+/// N stays what it is all along the motion, and T + V, since the friction that makes it roll does
+/// no work.
 #[test]
 fn forces_are_constant_and_energy_is_conserved() {
     let slope = Slope::default();

@@ -5,7 +5,8 @@ use lagrange::draw::Drawing;
 use crate::marks::paths;
 
 lagrange::system! {
-    /// Two masses that hang below each other and a cart between a wall, a point at rest and a point that is driven.
+    /// Two masses that hang below each other and a cart between a wall, a point at rest and a point
+    /// that is driven.
     struct Springs;
 
     param m = 1.0, k = 30.0, c = 0.5, g = 9.81;

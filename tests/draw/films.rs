@@ -122,7 +122,8 @@ lagrange::system! {
     emit { drawing }
 }
 
-/// The forces in a film are those of the inputs that a control set, not those that the system has by itself.
+/// The forces in a film are those of the inputs that a control set, not those that the system has
+/// by itself.
 #[test]
 fn show_the_forces_that_a_control_set() {
     let trolley = Trolley::default();

@@ -53,7 +53,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A block on a rail that is a hand-written constraint, pulled by a spring that is a hand-written energy.
+    /// A block on a rail that is a hand-written constraint, pulled by a spring that is a
+    /// hand-written energy.
     struct Block;
 
     param m = 2.0, k = 50.0, g = 9.81;

@@ -123,7 +123,8 @@ fn documents_tell_what_they_show() {
 fn every_item_has_its_marks() {
     let count =
         |drawing: Drawing<'_, Puppet>| paths(&drawing.picture(0.0, &[0.9, -1.0]).expect("draws").svg()).len();
-    // Two rods of two paths each, the floor and its hatching, three for the foot on the ground, a pin and a sliding foot.
+    // Two rods of two paths each, the floor and its hatching, three for the foot on the ground, a
+    // pin and a sliding foot.
     assert_eq!(count(Drawing::of(&LADDER)), 2 * 2 + 2 + 3 + 1 + 1);
     assert_eq!(count(Drawing::of(&LADDER).velocities()), 11 + 2);
     assert_eq!(count(Drawing::of(&LADDER).velocities().accelerations()), 11 + 4);
@@ -172,7 +173,8 @@ fn a_free_body_has_nothing_around_it() {
 
 #[test]
 fn the_normal_force_on_a_free_body_ends_at_its_contact() {
-    // The only body is a disk on a floor; its rim and the tip of the force from below are the same point.
+    // The only body is a disk on a floor; its rim and the tip of the force from below are the same
+    // point.
     const DISK: Puppet = Puppet(|_, visit| {
         visit(Item::Body {
             name: "disk",

@@ -9,7 +9,8 @@ use crate::marks::{numbers, paths, texts};
 use crate::scenes::{Puppet, part, still};
 
 lagrange::system! {
-    /// A block between a spring and a damper, with a wheel on a torsion spring and a torsion damper.
+    /// A block between a spring and a damper, with a wheel on a torsion spring and a torsion
+    /// damper.
     struct Block;
 
     param k = 100, c = 2;
@@ -50,8 +51,9 @@ fn a_spring_and_a_damper_are_drawn_side_by_side_throughout_a_film() {
     assert!(heights(&alone("slow")).is_empty() && heights(&alone("soft")).is_empty(), "one alone is no pair");
 }
 
-/// A spring and a damper from the origin to a point at this angle, 0.8 away, or from there if declared against each other; beside them two far
-/// points, so that the picture has a size of its own.
+/// A spring and a damper from the origin to a point at this angle, 0.8 away, or from there if
+/// declared against each other; beside them two far points, so that the picture has a size of its
+/// own.
 const PAIR: Puppet = Puppet(|angle, visit| {
     let tip = [0.8 * angle.cos(), 0.8 * angle.sin()];
     pair(tip, visit);
@@ -68,7 +70,8 @@ fn pair(tip: [f64; 2], visit: &mut dyn FnMut(Item<'_, f64>)) {
     visit(Item::Connector { name: "d", kind: Connector::Damper, from: tip, to: [0.0, 0.0], tension: 0.0 });
 }
 
-/// The points of the connectors of a picture, which are the paths without areas that start where a third one does.
+/// The points of the connectors of a picture, which are the paths without areas that start where a
+/// third one does.
 fn drawn(system: &Puppet, s: f64) -> [Vec<[f64; 2]>; 2] {
     let svg = |hidden: &[&str]| {
         let drawing = hidden.iter().fold(Drawing::of(system).nameless(), |drawing, name| drawing.hide(name));

@@ -64,7 +64,8 @@ pub(crate) fn part(outline: Outline<'_, f64>) -> Part<'_, f64> {
     Part { shape: outline, at: [0.0, 0.0], rotation: 0.0, is_hole: false }
 }
 
-/// Half a step ladder each, the left foot at rest; the coordinate is the angle φ to the floor, φ̇ = −1.
+/// Half a step ladder each, the left foot at rest; the coordinate is the angle φ to the floor, φ̇ =
+/// −1.
 pub(crate) const LADDER: Puppet = Puppet(|phi, visit| {
     let (sin, cos) = phi.sin_cos();
     visit(Item::Line(Line { name: "floor", body: None, through: [0.0, 0.0], angle: 0.0 }));
@@ -104,7 +105,8 @@ pub(crate) fn ladder() -> Drawing<'static, Puppet> {
         })
 }
 
-/// A cylinder that rolls down a slope behind a cuboid that slides; the coordinate is how far the cylinder has come.
+/// A cylinder that rolls down a slope behind a cuboid that slides; the coordinate is how far the
+/// cylinder has come.
 pub(crate) const SLOPE: Puppet = Puppet(|s, visit| {
     let (alpha, radius) = (FRAC_PI_6, 0.5);
     let (along, up) = ([alpha.cos(), -alpha.sin()], [alpha.sin(), alpha.cos()]);

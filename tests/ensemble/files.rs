@@ -220,7 +220,8 @@ fn a_full_disk_that_grows_is_gone_on_with() {
     on_a_small_disk(&Folder::new("disk"), "files::a_full_disk_that_grows_is_gone_on_with");
 }
 
-/// A test once more as a process whose folder is a disk of its own, of 100 kilobytes, if one can be mounted.
+/// A test once more as a process whose folder is a disk of its own, of 100 kilobytes, if one can be
+/// mounted.
 #[cfg(target_os = "linux")]
 pub(crate) fn on_a_small_disk(folder: &Folder, test: &str) {
     let namespace = |script: &str| {

@@ -1,4 +1,5 @@
-//! Folders that would lie: parts of another declaration, damaged or misplaced, and locks of processes that live.
+//! Folders that would lie: parts of another declaration, damaged or misplaced, and locks of
+//! processes that live.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -23,14 +24,16 @@ macro_rules! fall {
             struct Ball;
             $($declaration)*
         }
-        // Nothing moves at first, and nothing reaches the ground: neither starts nor rates show what is declared.
+        // Nothing moves at first, and nothing reaches the ground: neither starts nor rates show
+        // what is declared.
         let ball = Ball { g: 9.81, c: 0.5, ..Ball::default() };
         let falls = ball.ensemble(8).start(|i, _| [1.0 + i as f64, 0.0]).until(0.1);
         falls.method(RungeKutta4 { step: 0.1 / 1024.0 }).motions_per_part(4).save_parquet($folder)
     }};
 }
 
-/// Types of one name in one function: as a declaration that was changed between two runs of a program.
+/// Types of one name in one function: as a declaration that was changed between two runs of a
+/// program.
 #[test]
 fn a_declaration_that_was_changed_does_not_go_on() {
     let folder = Folder::new("declaration");

@@ -1,4 +1,5 @@
-//! Many motions of one declaration: the same bits however they are computed, and what is said when something is wrong.
+//! Many motions of one declaration: the same bits however they are computed, and what is said when
+//! something is wrong.
 #![cfg(feature = "ensemble")]
 
 mod bits;

@@ -43,7 +43,8 @@ fn quantiles_are_those_of_the_motions_that_are_there() {
     let samples = bodies();
     assert_eq!((samples.times(), samples.failures().count()), (&[0.0, 0.5, 1.0, 1.5, 2.0][..], 1));
     let found = samples.quantiles("x", &[0.0, 0.25, 0.5, 1.0]).expect("a column");
-    // Of speeds from 0 to 10 a quarter is up to 2.5. At 1.5 s those from 8 on have stopped, at 2 s those from 6 on, or may have.
+    // Of speeds from 0 to 10 a quarter is up to 2.5. At 1.5 s those from 8 on have stopped, at 2 s
+    // those from 6 on, or may have.
     let wanted = [[0.0, 0.0, 0.0], [0.0, 1.25, 2.5], [0.0, 2.5, 5.0], [0.0, 5.0, 10.0]];
     for (found, wanted) in found.iter().zip(wanted) {
         let near = found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9);

@@ -10,7 +10,8 @@ use crate::robots::{panda, universal_5, universal_10, ur5};
 const TOLERANCE: f64 = 1e-12;
 const STATES: u64 = 50;
 
-/// A number between −2 and 2 (Steele, Lea, Flood, *Fast splittable pseudorandom number generators*).
+/// A number between −2 and 2 (Steele, Lea, Flood, *Fast splittable pseudorandom number
+/// generators*).
 fn random(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let mut bits = *state;

@@ -1,4 +1,5 @@
-//! Habits that show in the text of a file: explicit imports, no `unwrap`, no code that is unsafe, short files.
+//! Habits that show in the text of a file: explicit imports, no `unwrap`, no code that is unsafe,
+//! short files.
 
 use crate::imports::Crate;
 use crate::sources::File;

@@ -1,4 +1,5 @@
-//! Imports from file to file: what `use` items and paths in code lead to, and where called methods are.
+//! Imports from file to file: what `use` items and paths in code lead to, and where called methods
+//! are.
 
 use crate::methods::Methods;
 use crate::names::{Item, Names};

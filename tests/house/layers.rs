@@ -1,7 +1,9 @@
-//! Layers of the top-level modules of a crate: each imports only from earlier layers, not from its own.
+//! Layers of the top-level modules of a crate: each imports only from earlier layers, not from its
+//! own.
 //!
-//! What a path names and what it leads to must both be below: a re-export does not make an import downward.
-//! The root of a crate is above all layers, so that no module imports what the root itself defines.
+//! What a path names and what it leads to must both be below: a re-export does not make an import
+//! downward. The root of a crate is above all layers, so that no module imports what the root
+//! itself defines.
 
 use std::collections::BTreeMap;
 

@@ -1,15 +1,18 @@
-//! The house rules, most of which only show between files, read from the sources of every crate of the workspace.
+//! The house rules, most of which only show between files, read from the sources of every crate of
+//! the workspace.
 //!
 //! 1. No circle of files ([`circles`]).
-//! 2. Every top-level module is in one layer and imports only from earlier layers ([`layers`]); the table of
-//!    layers ([`tables`]) is the one that `ARCHITECTURE.md` shows ([`architecture`]).
+//! 2. Every top-level module is in one layer and imports only from earlier layers ([`layers`]); the
+//!    table of layers ([`tables`]) is the one that `ARCHITECTURE.md` shows ([`architecture`]).
 //! 3. Few types of one crate share a name ([`homonyms`]).
-//! 4. Imports are explicit, failures are handled, files are short, and no code is unsafe ([`habits`]).
-//! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs ([`prose`]).
+//! 4. Imports are explicit, failures are handled, files are short, and no code is unsafe
+//!    ([`habits`]).
+//! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs
+//!    ([`prose`]).
 //!
-//! Sources become files and modules ([`sources`]), these become items and what names mean ([`names`],
-//! [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds what each file needs of
-//! which other ([`imports`]). Tests are left out.
+//! Sources become files and modules ([`sources`]), these become items and what names mean
+//! ([`names`], [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds
+//! what each file needs of which other ([`imports`]). Tests are left out.
 
 mod architecture;
 mod circles;

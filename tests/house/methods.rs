@@ -1,5 +1,5 @@
-//! Methods of the crate's own types, by name: where one type has `impl` blocks in several files, a call leads
-//! to the file of the method, not to that of the type.
+//! Methods of the crate's own types, by name: where one type has `impl` blocks in several files, a
+//! call leads to the file of the method, not to that of the type.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,8 +8,8 @@ use syn::{ImplItem, ItemImpl, Type};
 use crate::names::{Names, Target};
 use crate::sources::Sources;
 
-/// Files in which a type has a method, by the name of the method and the type. Methods of traits are left
-/// out: whoever calls one imports its trait.
+/// Files in which a type has a method, by the name of the method and the type. Methods of traits
+/// are left out: whoever calls one imports its trait.
 #[derive(Default)]
 pub(crate) struct Methods(BTreeMap<String, BTreeSet<(usize, usize)>>);
 

@@ -1,5 +1,6 @@
-//! Items of a crate, and what a path means in a module: `use` items and re-exports are followed to the file
-//! that defines an item. Names that macros make, local variables and generic parameters are not known.
+//! Items of a crate, and what a path means in a module: `use` items and re-exports are followed to
+//! the file that defines an item. Names that macros make, local variables and generic parameters
+//! are not known.
 
 use std::collections::BTreeMap;
 
@@ -160,8 +161,8 @@ impl<'ast> Visit<'ast> for Uses<'_> {
     }
 }
 
-/// Name of what an item defines, and whether that is a type, an alias or a trait. Macros for other crates are
-/// left out, since they are named by paths from outside.
+/// Name of what an item defines, and whether that is a type, an alias or a trait. Macros for other
+/// crates are left out, since they are named by paths from outside.
 fn definition(item: &syn::Item) -> Option<(&Ident, bool)> {
     Some(match item {
         syn::Item::Enum(item) => (&item.ident, true),

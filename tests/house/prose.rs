@@ -1,7 +1,8 @@
 //! Paragraphs of comments and pages: how they are wrapped, and their sentences.
 //!
-//! `cargo xtask wrap` applies [`wrapped`], so that the rule and the tool agree. Code, tables, headings, quotes and links
-//! that stand alone are no paragraphs; an item of a list is one, with its later lines under its text.
+//! `cargo xtask wrap` applies [`wrapped`], so that the rule and the tool agree. Code, tables,
+//! headings, quotes and links that stand alone are no paragraphs; an item of a list is one, with
+//! its later lines under its text.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -37,7 +38,8 @@ pub(crate) fn wrapped(file: &str, is_rust: bool) -> String {
     wrapped.join("\n")
 }
 
-/// Returns the line numbers, counted from one, of sentences with more than [`MAX_WORDS`] words, with their beginnings.
+/// Returns the line numbers, counted from one, of sentences with more than [`MAX_WORDS`] words,
+/// with their beginnings.
 pub(crate) fn long_sentences(file: &str, is_rust: bool) -> Vec<(usize, String)> {
     let lines = file.split('\n').collect::<Vec<_>>();
     let long = paragraphs(&lines, is_rust).into_iter().flat_map(|paragraph| {
@@ -129,7 +131,8 @@ fn paragraphs<'t>(lines: &[&'t str], is_rust: bool) -> Vec<Paragraph<'t>> {
     found
 }
 
-/// Splits a line at its comment marker: the marker with the indentation before it, empty if there is none, and the text.
+/// Splits a line at its comment marker: the marker with the indentation before it, empty if there
+/// is none, and the text.
 fn comment(line: &str) -> (&str, &str) {
     let start = line.len() - line.trim_start().len();
     let marker = ["///", "//!", "//"].into_iter().find(|marker| line[start..].starts_with(marker));

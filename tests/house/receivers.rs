@@ -1,5 +1,6 @@
-//! Types of the receivers of calls, as far as declarations show them: `self`, parameters and variables, fields,
-//! and what functions return. What stands behind a reference, a box, an option or a result counts as itself.
+//! Types of the receivers of calls, as far as declarations show them: `self`, parameters and
+//! variables, fields, and what functions return. What stands behind a reference, a box, an option
+//! or a result counts as itself.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
-//! Methods of iterators, options, collections, text and numbers: a call of one of them on a receiver of unknown
-//! type says nothing about the crate's own types.
+//! Methods of iterators, options, collections, text and numbers: a call of one of them on a
+//! receiver of unknown type says nothing about the crate's own types.
 
 const METHODS: &str = "\
     abs all any append as_deref as_mut as_ref as_slice as_str borrow bytes ceil chain chars chunks clear \

@@ -1,5 +1,6 @@
-//! The layers of every crate: the one place to edit when a module is added, removed or moved. After a change,
-//! `UPDATE_ARCHITECTURE=1 cargo test -p lagrange-tests --test house` writes the tables to `ARCHITECTURE.md`.
+//! The layers of every crate: the one place to edit when a module is added, removed or moved. After
+//! a change, `UPDATE_ARCHITECTURE=1 cargo test -p lagrange-tests --test house` writes the tables to
+//! `ARCHITECTURE.md`.
 
 /// The layers of one package, lowest first; empty if the crate is one file.
 pub(crate) struct Library {

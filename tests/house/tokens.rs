@@ -11,7 +11,8 @@ pub(crate) struct TokenPath {
     pub(crate) receiver: Option<String>,
 }
 
-/// Paths in the tokens, those in brackets, too. Paths from outside, which begin with `::`, are left out.
+/// Paths in the tokens, those in brackets, too. Paths from outside, which begin with `::`, are left
+/// out.
 pub(crate) fn paths(tokens: &TokenStream) -> Vec<TokenPath> {
     let mut found = Vec::new();
     let tokens = tokens.clone().into_iter().collect::<Vec<_>>();

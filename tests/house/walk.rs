@@ -238,8 +238,8 @@ impl Walk<'_> {
         self.variables.truncate(before);
     }
 
-    /// Imports methods of one name in the crate, where their type is named in the file, and counts calls that
-    /// may be of methods in several files.
+    /// Imports methods of one name in the crate, where their type is named in the file, and counts
+    /// calls that may be of methods in several files.
     fn calls(&mut self) {
         for Call { from, method, line } in std::mem::take(&mut self.calls) {
             let is_named = |item| self.named.contains(&(from, item));
@@ -253,8 +253,8 @@ impl Walk<'_> {
         }
     }
 
-    /// Whether a `use` item does nothing but hand out what is in the module's own folder, which it may do
-    /// without depending on it.
+    /// Whether a `use` item does nothing but hand out what is in the module's own folder, which it
+    /// may do without depending on it.
     fn passes_on(&self, found: &Use) -> bool {
         let own = self.known.sources.path(self.module);
         let is_within = |(target, _): &Found| {

@@ -7,7 +7,8 @@ use std::sync::LazyLock;
 use crate::imports::Crate;
 use crate::tables::LIBRARIES;
 
-/// All crates: libraries and `xtask` by the names of their packages, examples and benchmarks by their paths.
+/// All crates: libraries and `xtask` by the names of their packages, examples and benchmarks by
+/// their paths.
 pub(crate) struct Workspace {
     pub(crate) root: PathBuf,
     pub(crate) crates: Vec<Crate>,

@@ -3,8 +3,8 @@
 lagrange::system! {
     /// Two rods with balls on a turning shaft; stiff springs and dampers hold them to a slider.
     ///
-    /// Benchmark A05 of the IFToMM library (González, Dopico, Naya, Cuadrado, *A benchmarking system for MBS simulation software*,
-    /// Multibody System Dynamics 16, 2006).
+    /// Benchmark A05 of the IFToMM library (González, Dopico, Naya, Cuadrado, *A benchmarking
+    /// system for MBS simulation software*, Multibody System Dynamics 16, 2006).
     #[derive(Clone, Debug)]
     pub(crate) struct Governor;
 

@@ -1,9 +1,11 @@
 //! Andrews' squeezing mechanism.
 
 lagrange::system! {
-    /// Seven bodies that six joints close to three loops; a motor turns the first, a spring holds the third.
+    /// Seven bodies that six joints close to three loops; a motor turns the first, a spring holds
+    /// the third.
     ///
-    /// Declaration and data are those of Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.7.
+    /// Declaration and data are those of Hairer, Wanner, *Solving Ordinary Differential Equations
+    /// II*, 2nd ed., §VII.7.
     #[derive(Clone, Debug)]
     pub(crate) struct Squeezer;
 

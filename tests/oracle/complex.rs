@@ -5,8 +5,9 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use lagrange::{Number, Scalar};
 
-/// A complex number whose imaginary part is so small that its square is nothing beside the real part: elementary
-/// functions are taken to first order in it. Order and branches are those of the real part.
+/// A complex number whose imaginary part is so small that its square is nothing beside the real
+/// part: elementary functions are taken to first order in it. Order and branches are those of the
+/// real part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Complex {
     pub(crate) real: f64,

@@ -1,5 +1,5 @@
-//! The references of this directory, and how a derived system is compared with them. A module of every
-//! test that does so.
+//! The references of this directory, and how a derived system is compared with them. A module of
+//! every test that does so.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -15,7 +15,8 @@ pub(crate) trait Subject {
     /// q̈
     fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64>;
 
-    /// `forcing` or a quantity under its key in the files, matrices row by row; `None` if there is none.
+    /// `forcing` or a quantity under its key in the files, matrices row by row; `None` if there is
+    /// none.
     fn quantity(&self, key: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>>;
 
     /// The generalised forces that must be added to produce accelerations.

@@ -1,5 +1,5 @@
-//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py` compute, and of 20 digits by `tools/control.py` and
-//! `tools/spatial_mechanisms.py`.
+//! Reference trajectories of 30 digits, which `tools/references.py` and `tools/mechanisms.py`
+//! compute, and of 20 digits by `tools/control.py` and `tools/spatial_mechanisms.py`.
 
 const TABLES: [&str; 4] = [
     include_str!("states.csv"),

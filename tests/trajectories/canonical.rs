@@ -1,4 +1,5 @@
-//! Methods in coordinates and momenta over millions of steps, where the mass matrix depends on the coordinates.
+//! Methods in coordinates and momenta over millions of steps, where the mass matrix depends on the
+//! coordinates.
 
 use lagrange::integrate::{GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Variational, integrate};
 use lagrange::system::{CanonicalSystem, EnergyFunction, OdeSystem, split};
@@ -56,7 +57,8 @@ lagrange::system! {
 /// One state of so many is looked at.
 const INTERVAL: u32 = 1009;
 
-/// The error of the energy over time, and the largest error of each momentum, relative if it was not zero.
+/// The error of the energy over time, and the largest error of each momentum, relative if it was
+/// not zero.
 fn errors<M, K>(system: &M, start: M::State, step: f64, steps: u32, method: &K) -> (Line, Vec<f64>)
 where
     M: OdeSystem<Scalar = f64> + CanonicalSystem + EnergyFunction,
@@ -145,8 +147,8 @@ fn angular_momentum_in_cartesian_coordinates_is_kept() {
     assert!(gauss < 1e-13 && variational < 1e-13, "{gauss:e} {variational:e}");
 }
 
-/// A step is fifty periods of the spring. The derived Jacobian makes the methods stable; they keep the energy and leave the
-/// spring at its length.
+/// A step is fifty periods of the spring. The derived Jacobian makes the methods stable; they keep
+/// the energy and leave the spring at its length.
 #[test]
 fn a_stiff_spring_does_not_limit_steps() {
     fn check(method: &impl Method<StiffPendulum>) {

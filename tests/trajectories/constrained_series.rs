@@ -29,7 +29,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two bodies that a rod connects, one on a crank and one in a slide, with damping and a state that follows.
+    /// Two bodies that a rod connects, one on a crank and one in a slide, with damping and a state
+    /// that follows.
     #[derive(Clone, Debug)]
     struct SliderCrank;
 
@@ -95,7 +96,8 @@ fn a_bob_in_single_precision_stays_on_its_rod() {
     assert!(residual < 1e-6, "{residual:e}");
 }
 
-/// Rates of positions and of velocities alike agree with the equations of motion, at rest and in motion.
+/// Rates of positions and of velocities alike agree with the equations of motion, at rest and in
+/// motion.
 #[test]
 fn coefficients_begin_with_the_accelerations() {
     for speed in [0.0, 1.3] {

@@ -62,7 +62,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A mass on a rod, to which a stiff spring with a damper holds another one; without a Jacobian.
+    /// A mass on a rod, to which a stiff spring with a damper holds another one; without a
+    /// Jacobian.
     #[derive(Clone, Debug)]
     struct Whip;
 
@@ -83,7 +84,8 @@ fn references(motion: &str) -> Vec<(f64, Vec<f64>)> {
     rows.map(|row| (number(&row[1]), row[2..].iter().map(number).collect())).collect()
 }
 
-/// Runs to all reference times, and checks that the error stays within ten tolerances in parts of `sizes` and the state.
+/// Runs to all reference times, and checks that the error stays within ten tolerances in parts of
+/// `sizes` and the state.
 #[track_caller]
 fn assert_keeps<M, const N: usize>(
     system: &M,
@@ -212,7 +214,8 @@ fn difference_quotients_take_the_place_of_a_jacobian() {
     assert!(unknown.evaluations < known.evaluations + 300, "{known:?} {unknown:?}");
 }
 
-/// ẏ = Q Λ Q⁻¹ (y − p(t)) + ṗ(t) with fast and slow eigenvalues, for which y = p + Q e^(Λt) Q⁻¹ (y₀ − p₀).
+/// ẏ = Q Λ Q⁻¹ (y − p(t)) + ṗ(t) with fast and slow eigenvalues, for which y = p + Q e^(Λt) Q⁻¹ (y₀
+/// − p₀).
 struct Linear {
     basis: [[f64; 4]; 4],
     values: [f64; 4],

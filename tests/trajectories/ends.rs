@@ -83,8 +83,8 @@ fn motions_end_where_more_digits_say() {
     assert_reaches(&Top::default(), "heavy_top", &[10.0], 2e-13);
 }
 
-/// Seven bodies with close encounters. End of the Pleiades problem in the ODE test sets (Hairer, Nørsett, Wanner,
-/// *Solving Ordinary Differential Equations I*, §II.10), in 15 digits.
+/// Seven bodies with close encounters. End of the Pleiades problem in the ODE test sets (Hairer,
+/// Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.10), in 15 digits.
 #[test]
 fn seven_stars_meet() {
     let mut start = [0.0; 28];

@@ -1,4 +1,5 @@
-//! Bodies in free flight over a million steps: momenta and energy change by rounding only, and quaternions keep their length.
+//! Bodies in free flight over a million steps: momenta and energy change by rounding only, and
+//! quaternions keep their length.
 
 use lagrange::integrate::{RungeKutta4, integrate};
 
@@ -22,7 +23,8 @@ lagrange::system! {
 type State = [f64; 22];
 
 const STEPS: u32 = 1_000_000;
-/// So small that what the method itself changes in all steps together, a few 1e-15, is less than what rounding does.
+/// So small that what the method itself changes in all steps together, a few 1e-15, is less than
+/// what rounding does.
 const STEP: f64 = 1.0 / 4096.0;
 /// One state of so many is looked at.
 const INTERVAL: u32 = 1009;
@@ -84,9 +86,10 @@ fn follow(moving: &Flyer, steps: u32, step: f64) -> Seen {
     Seen { energies, momenta, end }
 }
 
-/// The change that a fitted line makes over all the time, beside the most that a line makes of a random walk with the same changes from
-/// one point to the next. Of a walk of n changes with the variance s² the line changes with the variance 6/5 n s², and three times its
-/// root is exceeded once in four hundred walks.
+/// The change that a fitted line makes over all the time, beside the most that a line makes of a
+/// random walk with the same changes from one point to the next. Of a walk of n changes with the
+/// variance s² the line changes with the variance 6/5 n s², and three times its root is exceeded
+/// once in four hundred walks.
 fn trend(points: &[(f64, f64)]) -> (f64, f64) {
     let count = points.len() as f64;
     let [time, value] =
@@ -102,7 +105,8 @@ fn length(quaternion: &[f64]) -> f64 {
     quaternion.iter().map(|component| component * component).sum::<f64>().sqrt()
 }
 
-/// Each step rounds the velocities, and with them what is kept, by about a rounding of its size to either side: √n of them after n steps.
+/// Each step rounds the velocities, and with them what is kept, by about a rounding of its size to
+/// either side: √n of them after n steps.
 fn walk(steps: u32) -> f64 {
     f64::from(steps).sqrt() * ROUNDING
 }
@@ -133,7 +137,8 @@ fn a_body_that_is_a_little_different_does_not_keep_them() {
     assert!(seen.momenta[1] > 1e-8 && largest > 1e-8, "{:?}, {largest:e}", seen.momenta);
 }
 
-/// Sixty-four times the step: what the method loses has a slope, and in a tenth of the steps it is more than what rounding does in all.
+/// Sixty-four times the step: what the method loses has a slope, and in a tenth of the steps it is
+/// more than what rounding does in all.
 #[test]
 fn a_trend_of_the_energy_is_seen() {
     let seen = follow(&Flyer::default(), STEPS / 10, 64.0 * STEP);

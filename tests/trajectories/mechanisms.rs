@@ -1,4 +1,5 @@
-//! Mechanisms over many turns: constraints hold to rounding and energy stays bounded, whatever the method.
+//! Mechanisms over many turns: constraints hold to rounding and energy stays bounded, whatever the
+//! method.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -115,8 +116,9 @@ fn a_pendulum_in_cartesian_coordinates_is_where_it_is_in_an_angle() {
     seen.assert(1e-15, 1e-14, 1e-11);
 }
 
-/// The cranks pass the line of their joints ten times in ten seconds. Rounding is magnified there, the more so the
-/// nearer to the line a step ends; corrections leave alone there what they would only magnify.
+/// The cranks pass the line of their joints ten times in ten seconds. Rounding is magnified there,
+/// the more so the nearer to the line a step ends; corrections leave alone there what they would
+/// only magnify.
 #[test]
 fn forty_windows_pass_the_line_where_their_constraints_depend_on_each_other() {
     let (windows, start) = (Windows::default(), n_four_bar::state(FRAC_PI_2, -1.0));

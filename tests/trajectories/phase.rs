@@ -1,7 +1,7 @@
 //! A single pendulum over a million seconds: how far it is behind or ahead of its time.
 //!
-//! Its period is 4 K(sin(θ₀/2))/ω₀ = 2 π/(ω₀ M(1, cos(θ₀/2))) with the complete elliptic integral K and the
-//! arithmetic–geometric mean M. Source: Landau, Lifshitz, *Mechanics*, §11.
+//! Its period is 4 K(sin(θ₀/2))/ω₀ = 2 π/(ω₀ M(1, cos(θ₀/2))) with the complete elliptic integral K
+//! and the arithmetic–geometric mean M. Source: Landau, Lifshitz, *Mechanics*, §11.
 
 use std::f64::consts::TAU;
 
@@ -24,7 +24,8 @@ fn lead<K: Method<Pendulum>>(method: &K, seconds: f64) -> f64 {
     let pendulum = Pendulum::default();
     let frequency = (pendulum.g / pendulum.l).sqrt();
     let period = TAU / (frequency * mean(1.0, (AMPLITUDE / 2.0).cos()));
-    // A quarter of a period after a turning point it passes the lowest point at full speed, backwards.
+    // A quarter of a period after a turning point it passes the lowest point at full speed,
+    // backwards.
     let end = ((seconds / period).round() + 0.25) * period;
     let [theta, rate] =
         integrate(&pendulum, 0.0, [AMPLITUDE, 0.0], end, method, |_, _| {}).expect("a finite motion");

@@ -1,4 +1,5 @@
-//! Mechanisms in space: one whose loop has a constraint too many, a slider-crank in two declarations, a stiff governor.
+//! Mechanisms in space: one whose loop has a constraint too many, a slider-crank in two
+//! declarations, a stiff governor.
 
 use lagrange::constraint::project;
 use lagrange::integrate::{Method, PlainGaussLegendre, RungeKutta4, StepFailure, Verner98, integrate};
@@ -42,7 +43,8 @@ fn bricards_mechanism_stays_closed_in_steps_of_equal_length() {
     seen.assert(1e-14, 1e-13, 1e-9);
 }
 
-/// Off the curve of closed loops no constraint follows from the others any more. On it every second angle is the same.
+/// Off the curve of closed loops no constraint follows from the others any more. On it every second
+/// angle is the same.
 #[test]
 fn bricards_mechanism_is_closed_from_a_place_where_it_is_open() {
     let mechanism = Bricard::default();
@@ -56,7 +58,8 @@ fn bricards_mechanism_is_closed_from_a_place_where_it_is_open() {
     }
 }
 
-/// The same state with the orientation of the rod in the axes of the crank: `a` about x, then `b` about y.
+/// The same state with the orientation of the rod in the axes of the crank: `a` about x, then `b`
+/// about y.
 fn with_ball([crank, x, a, b, rate, x_rate, a_rate, b_rate]: [f64; 8]) -> [f64; 11] {
     assert_eq!(crank, 0.0);
     let ((sa, ca), (sb, cb)) = ((a / 2.0).sin_cos(), (b / 2.0).sin_cos());

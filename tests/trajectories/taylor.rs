@@ -31,7 +31,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Everything that a formula may hold: time, an input, damping, a state, roots, quotients and functions of velocities.
+    /// Everything that a formula may hold: time, an input, damping, a state, roots, quotients and
+    /// functions of velocities.
     #[derive(Clone, Debug)]
     struct Mixture<S>;
 
@@ -90,7 +91,8 @@ fn a_hundred_orbits_lose_as_much_as_rounding_makes_of_the_period() {
     assert!(error < 2e-12, "{error:e}");
 }
 
-/// Starts at which coefficients vanish in turn, where rules that look at two coefficients take far too long steps.
+/// Starts at which coefficients vanish in turn, where rules that look at two coefficients take far
+/// too long steps.
 #[test]
 fn symmetric_starts_keep_their_tolerance_at_every_order() {
     use std::f64::consts::{FRAC_PI_2, PI};
@@ -264,7 +266,8 @@ fn events_and_switches_are_met_as_by_other_methods() {
 }
 
 lagrange::system! {
-    /// A mass at rest that is pushed for a short time, whose series show nothing of the push before it.
+    /// A mass at rest that is pushed for a short time, whose series show nothing of the push before
+    /// it.
     #[derive(Clone, Debug)]
     struct Pushed;
 

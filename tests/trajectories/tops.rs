@@ -1,4 +1,5 @@
-//! Tops in unit quaternions, whose motions are known: the free one of Euler, one that tumbles, and the heavy one that precesses steadily.
+//! Tops in unit quaternions, whose motions are known: the free one of Euler, one that tumbles, and
+//! the heavy one that precesses steadily.
 //!
 //! Sources: Landau, Lifshitz, *Mechanics*, §§ 35 and 37; Whittaker, *Analytical Dynamics*, § 69.
 
@@ -61,8 +62,9 @@ fn error(found: [f64; 3], known: [f64; 3]) -> f64 {
     found.iter().zip(known).fold(0.0, |largest, (found, known)| (found - known).abs().max(largest))
 }
 
-/// The angular velocity of a free body along its principal axes, whose second component is zero at first: (37.10), and with the first axis
-/// and the third exchanged if the angular momentum turns about the first.
+/// The angular velocity of a free body along its principal axes, whose second component is zero at
+/// first: (37.10), and with the first axis and the third exchanged if the angular momentum turns
+/// about the first.
 struct FreeTop {
     inertia: [f64; 3],
     amplitudes: [f64; 3],
@@ -97,8 +99,8 @@ impl FreeTop {
         found
     }
 
-    /// The angle by which a period turns the body about the angular momentum: (37.17) by the trapezoidal rule, which converges faster than
-    /// any power for what is periodic.
+    /// The angle by which a period turns the body about the angular momentum: (37.17) by the
+    /// trapezoidal rule, which converges faster than any power for what is periodic.
     fn turn_in_a_period(&self) -> f64 {
         let points = 128;
         let rate = |index: i32| {
@@ -155,7 +157,8 @@ fn a_free_top_turns_by_elliptic_functions() {
     }
 }
 
-/// The moments of [`Handle`] along y, z, x, from the smallest, and the place of its centre of mass on the stem.
+/// The moments of [`Handle`] along y, z, x, from the smallest, and the place of its centre of mass
+/// on the stem.
 fn moments_of_handle() -> ([f64; 3], f64) {
     let (bar, stem) = (0.3, 0.1);
     let across = |mass: f64, r: f64, h: f64| mass * (3.0 * r * r + h * h) / 12.0;
@@ -167,7 +170,8 @@ fn moments_of_handle() -> ([f64; 3], f64) {
     ([y, bar_across + along(stem, 0.01), bar_across + stem_across + offsets], center)
 }
 
-/// A rotation about the stem, with a little about x: the times of the first flips, between which 2 K pass.
+/// A rotation about the stem, with a little about x: the times of the first flips, between which 2
+/// K pass.
 fn flips_of(handle: &Handle, [spin, aside]: [f64; 2], until: f64) -> Vec<f64> {
     let (_, center) = moments_of_handle();
     let w = [aside, 0.0, spin];
@@ -208,8 +212,9 @@ fn a_handle_tumbles_with_the_period_of_elliptic_functions() {
     assert!(other > 1e-8, "{other}");
 }
 
-/// Largest errors of a steady precession over two of its turns, of angular velocities as parts of the spin and of orientations. Its rate ψ̇
-/// satisfies A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0, with the angle θ and the spin ω₃.
+/// Largest errors of a steady precession over two of its turns, of angular velocities as parts of
+/// the spin and of orientations. Its rate ψ̇ satisfies A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0, with the
+/// angle θ and the spin ω₃.
 fn errors_of_precession(top: &Spinning, theta: f64, spin: f64, is_fast: bool) -> [f64; 2] {
     let (about_tip, along, weight) = (0.05 + 1.25 * 0.4 * 0.4, 0.02, 1.25 * 9.81 * 0.4);
     let (a, b) = (about_tip * theta.cos(), along * spin);

@@ -1,10 +1,9 @@
-//! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only Rust.
-//! `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of docs/performance.md;
-//! `cargo xtask performance spatial` does so for bodies in space alone.
-//! `cargo xtask size [REVISION]`: counts lines of library code by crate.
-//! `cargo xtask wrap`: wraps comments and pages at 100 columns.
-//! `cargo xtask sentences`: lists sentences of more than 25 words.
-//! `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
+//! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only
+//! Rust. `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of
+//! docs/performance.md; `cargo xtask performance spatial` does so for bodies in space alone.
+//! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask wrap`: wraps
+//! comments and pages at 100 columns. `cargo xtask sentences`: lists sentences of more than 25
+//! words. `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
 #![forbid(unsafe_code)]
 
 mod performance;

@@ -1,7 +1,8 @@
-//! `cargo xtask size [REVISION]`: lines of library code by crate, and how many more or fewer than at a revision of git.
+//! `cargo xtask size [REVISION]`: lines of library code by crate, and how many more or fewer than
+//! at a revision of git.
 //!
-//! A line counts if it has a token of code on it. Comments, documentation, tests, test doubles and what is compiled
-//! for tests only do not count.
+//! A line counts if it has a token of code on it. Comments, documentation, tests, test doubles and
+//! what is compiled for tests only do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

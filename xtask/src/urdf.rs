@@ -1,4 +1,5 @@
-//! `cargo xtask urdf robot.urdf`: the declaration of a robot to standard output, mistakes with file and line to standard error.
+//! `cargo xtask urdf robot.urdf`: the declaration of a robot to standard output, mistakes with file
+//! and line to standard error.
 
 use std::fs;
 

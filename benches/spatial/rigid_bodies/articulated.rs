@@ -1,8 +1,9 @@
 //! Forward dynamics by articulated bodies.
 //!
-//! The inertia of an articulated body is kept in three blocks: with motion (α, a) it answers with the moment A α + B a and the force
-//! Bᵀ α + C a beside its bias. A joint about z that transmits no torque leaves nothing in row 2 of A and B, so that only a corner of A
-//! and two rows of B are turned.
+//! The inertia of an articulated body is kept in three blocks: with motion (α, a) it answers with
+//! the moment A α + B a and the force Bᵀ α + C a beside its bias. A joint about z that transmits no
+//! torque leaves nothing in row 2 of A and B, so that only a corner of A and two rows of B are
+//! turned.
 
 use crate::handwritten::{SinCos, fma};
 
@@ -19,7 +20,8 @@ struct Swept {
     coriolis: [f64; 4],
     /// Moment about the joint and force at zero acceleration.
     bias: [Vector; 2],
-    /// Acceleration of the joint for unit accelerations of the link before in these axes, negated; but for rotation about z.
+    /// Acceleration of the joint for unit accelerations of the link before in these axes, negated;
+    /// but for rotation about z.
     factor: [f64; 5],
     /// Acceleration of the joint when the link before does not accelerate.
     free: f64,
@@ -34,7 +36,8 @@ struct Articulated {
     bias: [Vector; 2],
 }
 
-/// The inertia of an articulated body that its joint holds no longer: nothing answers to rotation about z.
+/// The inertia of an articulated body that its joint holds no longer: nothing answers to rotation
+/// about z.
 struct Freed {
     /// xx, xy and yy of A.
     corner: [f64; 3],
@@ -180,7 +183,8 @@ impl Freed {
     }
 }
 
-/// (r × row j of B) i + (r × row i of B') j: what the rotary inertia gains when moments are taken about −r, where B becomes B'.
+/// (r × row j of B) i + (r × row i of B') j: what the rotary inertia gains when moments are taken
+/// about −r, where B becomes B'.
 #[inline(always)]
 fn about([x, y, z]: Vector, b: &Matrix, c: &Matrix) -> Symmetric {
     Symmetric {
@@ -194,7 +198,8 @@ fn about([x, y, z]: Vector, b: &Matrix, c: &Matrix) -> Symmetric {
 }
 
 impl Swept {
-    /// The acceleration of the joint, from the motion of the link before, which becomes that of this link.
+    /// The acceleration of the joint, from the motion of the link before, which becomes that of
+    /// this link.
     #[inline(always)]
     fn accelerate(&self, [angular, linear]: &mut [Vector; 2], at: Vector) -> f64 {
         let [u, v, x, y] = self.coriolis;

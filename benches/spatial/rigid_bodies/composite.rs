@@ -1,8 +1,10 @@
 //! The mass matrix by composite rigid bodies.
 //!
-//! About the origin of the world and in its axes rather than in those of the links: there inertias and forces need not be handed on
-//! from link to link, which costs more than to turn each link's inertia once, at twenty joints more than twice as much. A joint's axis
-//! z at the place p moves what it carries with z and p × z at the origin; entry (i, j) is the power of the force for joint j there.
+//! About the origin of the world and in its axes rather than in those of the links: there inertias
+//! and forces need not be handed on from link to link, which costs more than to turn each link's
+//! inertia once, at twenty joints more than twice as much. A joint's axis z at the place p moves
+//! what it carries with z and p × z at the origin; entry (i, j) is the power of the force for joint
+//! j there.
 
 use std::array::from_fn;
 
@@ -21,7 +23,8 @@ struct Composite {
     inertia: Symmetric,
 }
 
-/// For each joint what its unit rate is at the origin, components apart: several joints are handled in one instruction.
+/// For each joint what its unit rate is at the origin, components apart: several joints are handled
+/// in one instruction.
 struct Motions<const N: usize> {
     angular: [[f64; N]; 3],
     linear: [[f64; N]; 3],

@@ -1,14 +1,17 @@
 //! Dynamics of chains of revolute joints by hand: what an expert would write for any such chain.
 //!
-//! A module, not a bench of its own. The algorithms are those of Featherstone, *Rigid Body Dynamics Algorithms* (2008): recursive
-//! Newton–Euler (table 5.1), the composite-rigid-body algorithm (table 6.2) and the articulated-body algorithm (table 7.1), the first and the
-//! last in the axes of the links, composite bodies in those of the world. They are written for speed: arrays on the stack, the number of joints
-//! known to the compiler, transforms as a rotation and a place, symmetric matrices by their six entries, and every joint turns about
-//! the z of its link, so that its motion subspace picks a component. The first link has no velocity but its own rate and nothing to
-//! hand on, and is written apart.
+//! A module, not a bench of its own. The algorithms are those of Featherstone, *Rigid Body Dynamics
+//! Algorithms* (2008): recursive Newton–Euler (table 5.1), the composite-rigid-body algorithm
+//! (table 6.2) and the articulated-body algorithm (table 7.1), the first and the last in the axes
+//! of the links, composite bodies in those of the world. They are written for speed: arrays on the
+//! stack, the number of joints known to the compiler, transforms as a rotation and a place,
+//! symmetric matrices by their six entries, and every joint turns about the z of its link, so that
+//! its motion subspace picks a component. The first link has no velocity but its own rate and
+//! nothing to hand on, and is written apart.
 //!
-//! Numbers of the chain are run-time values, as in every library of dynamics: unlike emitted code, none of this knows which of them are
-//! 0 or 1, or that a link has no mass. Not for branches, prismatic joints or contact.
+//! Numbers of the chain are run-time values, as in every library of dynamics: unlike emitted code,
+//! none of this knows which of them are 0 or 1, or that a link has no mass. Not for branches,
+//! prismatic joints or contact.
 
 mod articulated;
 mod composite;
@@ -20,7 +23,8 @@ use std::array::from_fn;
 use crate::handwritten::{SinCos, fma};
 use vectors::{Matrix, Symmetric, Vector, cross_sum, dot, product, scaled, transposed_product};
 
-/// A joint and the link that it carries, in the axes of that link, as descriptions of robots state it.
+/// A joint and the link that it carries, in the axes of that link, as descriptions of robots state
+/// it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Joint {
     /// Position of the joint on the previous link.
@@ -109,7 +113,8 @@ impl Link {
     }
 }
 
-/// Sines and cosines of all joints, before anything else: calls in between would push all that is at work out of the registers.
+/// Sines and cosines of all joints, before anything else: calls in between would push all that is
+/// at work out of the registers.
 #[inline(always)]
 fn sines<F: SinCos, const N: usize>(q: &[f64; N]) -> [(f64, f64); N] {
     let waves = F::of(*q);

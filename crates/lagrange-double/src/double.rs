@@ -36,7 +36,8 @@ impl Double {
         (self.upper, self.lower)
     }
 
-    /// The sum of two doubles, or the plain result where that is zero or no number: there it has the right sign and kind.
+    /// The sum of two doubles, or the plain result where that is zero or no number: there it has
+    /// the right sign and kind.
     #[inline(always)]
     fn joined(upper: f64, lower: f64, plain: f64) -> Self {
         let is_sum = lower.is_finite() && upper.is_finite() && upper != 0.0;

@@ -1,6 +1,7 @@
 //! [`Double`], a real number of about 106 bits: the sum of two doubles.
 //!
-//! It is a [`Scalar`](lagrange_runtime::Scalar), so that declarations with a type parameter run in it, such as `struct Pendulum<S>;`.
+//! It is a [`Scalar`](lagrange_runtime::Scalar), so that declarations with a type parameter run in
+//! it, such as `struct Pendulum<S>;`.
 //!
 //! | operation | error, in units of 2⁻¹⁰⁶ of the result | source |
 //! |---|---|---|
@@ -10,14 +11,16 @@
 //! | `sqrt` | at most 3.125 | Lefèvre, Louvet, Muller, Picot, Rideau |
 //! | other functions | at most 0.48 of 1678 values, not proven | `tools/double.py`, `tests/functions.rs` |
 //!
-//! Sources: M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic",
-//! *ACM TOMS* 44 (2017), 15res; J.-M. Muller, L. Rideau, "Formalization of double-word arithmetic, and comments on …", *ACM TOMS* 48 (2022), 9;
-//! V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate calculation of Euclidean norms using double-word arithmetic",
-//! *ACM TOMS* 49 (2023), 1.
+//! Sources: M. Joldes, J.-M. Muller, V. Popescu, "Tight and rigorous error bounds for basic
+//! building blocks of double-word arithmetic", *ACM TOMS* 44 (2017), 15res; J.-M. Muller, L.
+//! Rideau, "Formalization of double-word arithmetic, and comments on …", *ACM TOMS* 48 (2022), 9;
+//! V. Lefèvre, N. Louvet, J.-M. Muller, J. Picot, L. Rideau, "Accurate calculation of Euclidean
+//! norms using double-word arithmetic", *ACM TOMS* 49 (2023), 1.
 //!
-//! The bounds hold while neither the result nor an intermediate result is below 2⁻⁹⁶⁹ or close to overflow; beyond, results keep
-//! the 53 bits of a double. Functions compute with 192 bits in integers. They use no library of the platform. All results are the
-//! same bits with and without fused products.
+//! The bounds hold while neither the result nor an intermediate result is below 2⁻⁹⁶⁹ or close to
+//! overflow; beyond, results keep the 53 bits of a double. Functions compute with 192 bits in
+//! integers. They use no library of the platform. All results are the same bits with and without
+//! fused products.
 #![no_std]
 #![forbid(unsafe_code)]
 

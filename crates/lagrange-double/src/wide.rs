@@ -4,7 +4,8 @@ use core::cmp::Ordering;
 
 use crate::double::Double;
 
-/// A number ± 0.m · 2ᵉ: zero, or one whose first bit after the point is set. Results are truncated, to a relative error of 2⁻¹⁸⁹.
+/// A number ± 0.m · 2ᵉ: zero, or one whose first bit after the point is set. Results are truncated,
+/// to a relative error of 2⁻¹⁸⁹.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wide {
     pub(crate) is_negative: bool,
@@ -112,7 +113,8 @@ impl Wide {
         Wide::normalised(self.is_negative, self.exponent, quotient)
     }
 
-    /// This divided by a number other than zero: Newton's iteration for the reciprocal, which doubles the digits.
+    /// This divided by a number other than zero: Newton's iteration for the reciprocal, which
+    /// doubles the digits.
     pub(crate) fn divided_by(self, divisor: Wide) -> Wide {
         let divisor_mantissa = Wide { exponent: 0, ..divisor };
         let mut reciprocal = Wide::of(1.0 / divisor_mantissa.rough());
@@ -123,7 +125,8 @@ impl Wide {
         self.times(reciprocal).scaled(-divisor.exponent)
     }
 
-    /// The nearest number of 185 bits, which takes the truncation of a few operations back where the result has fewer bits.
+    /// The nearest number of 185 bits, which takes the truncation of a few operations back where
+    /// the result has fewer bits.
     pub(crate) fn rounded(self) -> Wide {
         let half = Wide { is_negative: self.is_negative, ..Wide::power_of_two(self.exponent - 186) };
         let mut rounded = self.plus(half);
@@ -193,7 +196,8 @@ impl Wide {
     }
 }
 
-/// value · 2ᵖ with one rounding: in two steps, the first of which is exact unless the result is subnormal.
+/// value · 2ᵖ with one rounding: in two steps, the first of which is exact unless the result is
+/// subnormal.
 fn times_power(value: i128, power: i32) -> f64 {
     let bits = 128 - value.leading_zeros() as i32;
     // Below the last bit of subnormal numbers nothing is kept but that there was something.

@@ -1,8 +1,9 @@
 //! Detection of ends of springs and dampers that are fixed to the ground.
 //!
-//! A scene says where a connector ends, and on which bodies it pulls. An end on no body is at rest if it is in the same place at
-//! every moment of the film and also in another configuration at another time; there it needs something to hold it, unless a
-//! line or a joint is drawn there already.
+//! A scene says where a connector ends, and on which bodies it pulls. An end on no body is at rest
+//! if it is in the same place at every moment of the film and also in another configuration at
+//! another time; there it needs something to hold it, unless a line or a joint is drawn there
+//! already.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -13,7 +14,8 @@ use crate::snapshot::{Snapshot, Span};
 use crate::stretch::coordinates;
 use lagrange_runtime::scene::{Connector, LoadOrigin};
 
-/// The angles of short walls at the ends of connectors, by name and number of the end. The connector is on the left of its wall.
+/// The angles of short walls at the ends of connectors, by name and number of the end. The
+/// connector is on the left of its wall.
 pub(super) type Anchored = BTreeMap<(String, usize), f64>;
 
 /// Relative distance, in lengths of a connector, below which points coincide.
@@ -60,7 +62,8 @@ fn is_held(at: Point, ends: &[Point; 2], snapshot: &Snapshot) -> bool {
     on_line || snapshot.joints.iter().any(|joint| length(subtract(joint.at, at)) <= close)
 }
 
-/// The direction of a level or upright wall from which a connector leads away on the left, as the mean of the film has it.
+/// The direction of a level or upright wall from which a connector leads away on the left, as the
+/// mean of the film has it.
 fn wall(name: &str, end: usize, film: &[Snapshot]) -> Option<f64> {
     let away =
         film.iter().filter_map(|snapshot| snapshot.ends(name)).map(|ends| subtract(ends[1 - end], ends[end]));

@@ -1,5 +1,5 @@
-//! Colours of drawings: those of Okabe and Ito, *Color Universal Design* (2008), which people with any colour vision tell
-//! apart.
+//! Colours of drawings: those of Okabe and Ito, *Color Universal Design* (2008), which people with
+//! any colour vision tell apart.
 
 use crate::picture::Colour;
 

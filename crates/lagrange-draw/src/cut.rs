@@ -6,10 +6,12 @@ use crate::picture::{Point, Segment};
 /// Straight pieces to a curve where areas overlap in part.
 const PIECES: usize = 16;
 
-/// The lines around what a hole cuts out of a part: the hole itself if it lies inside, nothing if it lies outside.
+/// The lines around what a hole cuts out of a part: the hole itself if it lies inside, nothing if
+/// it lies outside.
 ///
-/// In between, one of the two must be convex: the other is then cut by its sides one after another (Sutherland, Hodgman,
-/// *Communications of the ACM* 17, 1974). Where neither is, less is cut out than both share.
+/// In between, one of the two must be convex: the other is then cut by its sides one after another
+/// (Sutherland, Hodgman, *Communications of the ACM* 17, 1974). Where neither is, less is cut out
+/// than both share.
 pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {
     let (outer, inner) = (flattened(part, PIECES), flattened(hole, PIECES));
     if inner.iter().all(|p| contains(&outer, *p)) {

@@ -50,15 +50,16 @@ pub trait DrawnSpace: Stored {
 
 /// Pictures of a system of rigid bodies in the plane or in space, as it declares itself.
 ///
-/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are requested. One window shows all that is ever
-/// drawn, on one scale, and arrows of one kind have one scale.
+/// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are requested.
+/// One window shows all that is ever drawn, on one scale, and arrows of one kind have one scale.
 ///
-/// In the plane x points to the right and y upwards. Springs and dampers that end where nothing is and nothing moves get a short wall there,
-/// and those between the same points lie side by side. The longest arrow is a quarter of the picture. Positions, angles and vectors are those of
-/// the declaration.
+/// In the plane x points to the right and y upwards. Springs and dampers that end where nothing is
+/// and nothing moves get a short wall there, and those between the same points lie side by side.
+/// The longest arrow is a quarter of the picture. Positions, angles and vectors are those of the
+/// declaration.
 ///
-/// In space z points upwards. Solids are shaded and hide what is behind them; bodies that are given by numbers only are drawn as rods between
-/// their joints.
+/// In space z points upwards. Solids are shaded and hide what is behind them; bodies that are given
+/// by numbers only are drawn as rods between their joints.
 ///
 /// ```
 /// use lagrange::draw::Drawing;
@@ -131,11 +132,14 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds forces and moments that have names: those that are declared, weights, those of springs and dampers, and those by which joints
-    /// uphold their constraints. In space moments have two heads. Torques on angles act on the bodies that turn as the angles do. A line below the
-    /// picture names what of this cannot be drawn: the forces of joints that the coordinates fulfil by themselves, and torques on angles that
-    /// do not tell which bodies they turn; [`hide`](Self::hide) takes a name out of it. Hand-written constraints and potentials, contacts and dry
-    /// friction act, too, without having such names; in the plane [`free_body`](Self::free_body) shows what all of them amount to.
+    /// Adds forces and moments that have names: those that are declared, weights, those of springs
+    /// and dampers, and those by which joints uphold their constraints. In space moments have two
+    /// heads. Torques on angles act on the bodies that turn as the angles do. A line below the
+    /// picture names what of this cannot be drawn: the forces of joints that the coordinates fulfil
+    /// by themselves, and torques on angles that do not tell which bodies they turn;
+    /// [`hide`](Self::hide) takes a name out of it. Hand-written constraints and potentials,
+    /// contacts and dry friction act, too, without having such names; in the plane
+    /// [`free_body`](Self::free_body) shows what all of them amount to.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
@@ -159,7 +163,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds the path of a point, given at a time and a state `[q…, v…]`, through all moments so far.
+    /// Adds the path of a point, given at a time and a state `[q…, v…]`, through all moments so
+    /// far.
     pub fn trace(
         mut self,
         label: &str,
@@ -169,7 +174,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds moments before those of the pictures, for traces; in the plane the window shows what is drawn then, too.
+    /// Adds moments before those of the pictures, for traces; in the plane the window shows what is
+    /// drawn then, too.
     pub fn past(mut self, states: impl IntoIterator<Item = (M::Scalar, M::State)>) -> Self {
         self.past.extend(states);
         self
@@ -179,17 +185,18 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
 impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
     /// Draws nothing but one body and the forces and moments that act on it.
     ///
-    /// What acts besides those of [`forces`](Self::forces) follows from the motion. Its resultant is drawn in dark grey at the centre
-    /// of mass: the force R = m a − Σ F, and the moment M_R = J α − Σ M about the centre of mass, unless only rounding is left of
-    /// them. [`Moment::force`] knows R by this name.
+    /// What acts besides those of [`forces`](Self::forces) follows from the motion. Its resultant
+    /// is drawn in dark grey at the centre of mass: the force R = m a − Σ F, and the moment M_R = J
+    /// α − Σ M about the centre of mass, unless only rounding is left of them. [`Moment::force`]
+    /// knows R by this name.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;
         self.forces()
     }
 
-    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. Where a body does not turn there is
-    /// none; one that is far away is indicated by its ray.
+    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. Where
+    /// a body does not turn there is none; one that is far away is indicated by its ray.
     pub fn centers(mut self) -> Self {
         self.wanted.centers = true;
         self
@@ -203,8 +210,8 @@ impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
 }
 
 impl<M: Scene<Space = Spatial>> Drawing<'_, M> {
-    /// Sets the direction in which the eye is, in radians: the azimuth from x towards y, and the elevation above the plane of both; −60° and 25°
-    /// without this.
+    /// Sets the direction in which the eye is, in radians: the azimuth from x towards y, and the
+    /// elevation above the plane of both; −60° and 25° without this.
     pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
         self.look.direction = Direction { azimuth, elevation, ..self.look.direction };
         self
@@ -239,10 +246,12 @@ impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Draws the picture at a time and a state `[q…, v…]`, with forces under the inputs that the system has.
+    /// Draws the picture at a time and a state `[q…, v…]`, with forces under the inputs that the
+    /// system has.
     ///
     /// # Errors
-    /// If a number is not finite, the scene lacks the free body or what is to be hidden, there is nothing to draw, or the picture is too small.
+    /// If a number is not finite, the scene lacks the free body or what is to be hidden, there is
+    /// nothing to draw, or the picture is too small.
     pub fn picture(&self, t: M::Scalar, y: &M::State) -> Result<Picture, DrawError> {
         self.pictures([(t, *y)])?.pop().ok_or(DrawError::NothingToDraw)
     }

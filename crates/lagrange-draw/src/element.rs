@@ -34,10 +34,11 @@ pub(super) enum Layer {
 pub(super) enum Shape {
     /// A body whose own coordinates are placed so, with its centre of mass.
     Body { place: Place, center: Point, pieces: Vec<Piece> },
-    /// A line with hatching on its right, along these stretches from a point of it, whose ends may be infinite; these points of
-    /// it are to be seen.
+    /// A line with hatching on its right, along these stretches from a point of it, whose ends may
+    /// be infinite; these points of it are to be seen.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
-    /// A spring or damper, `lane` places on the left of the line between its ends; for torsion, around as many others.
+    /// A spring or damper, `lane` places on the left of the line between its ends; for torsion,
+    /// around as many others.
     Connector { kind: Connector, ends: [Point; 2], lane: f64 },
     /// Two bodies turn about it.
     Pin { at: Point },
@@ -96,11 +97,13 @@ pub(super) struct Reach {
     pub(super) room: f64,
 }
 
-/// Room for joints, connectors and bodies around their points, for hatching, and for arcs of moments and angles.
+/// Room for joints, connectors and bodies around their points, for hatching, and for arcs of
+/// moments and angles.
 const ROOM: f64 = 9.0;
 const GROUND: f64 = 16.0;
 const ROUND: f64 = 30.0;
-/// From one connector to the next between the same points, and by how much one about a point is wider than that within it.
+/// From one connector to the next between the same points, and by how much one about a point is
+/// wider than that within it.
 pub(super) const LANE: f64 = 20.0;
 pub(super) const WIDER: f64 = 0.6;
 /// From one arc about a point to the next.
@@ -123,7 +126,8 @@ impl Element {
         numbers
     }
 
-    /// The places that must be in the picture, if so many pixels stand for a unit of what is measured.
+    /// The places that must be in the picture, if so many pixels stand for a unit of what is
+    /// measured.
     pub(super) fn reaches(&self, pixels: &dyn Fn(Measure) -> f64) -> Vec<Reach> {
         let point = |at: Point, room: f64| Reach { at, offset: [0.0, 0.0], room };
         let all = |points: &[Point]| points.iter().map(|at| point(*at, ROOM)).collect();

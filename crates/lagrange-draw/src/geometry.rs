@@ -49,7 +49,8 @@ pub(super) fn mix<const N: usize>(a: [f64; N], b: [f64; N], part: f64) -> [f64; 
     add(a, times(part, subtract(b, a)))
 }
 
-/// Returns the smallest and the largest coordinates of points along each axis; of no points, ∞ and −∞.
+/// Returns the smallest and the largest coordinates of points along each axis; of no points, ∞ and
+/// −∞.
 pub(super) fn bounds<const N: usize>(points: impl IntoIterator<Item = [f64; N]>) -> [[f64; N]; 2] {
     points.into_iter().fold([[f64::INFINITY; N], [f64::NEG_INFINITY; N]], |[low, high], point| {
         [from_fn(|k| low[k].min(point[k])), from_fn(|k| high[k].max(point[k]))]
@@ -98,8 +99,9 @@ pub(super) fn polyline(points: impl IntoIterator<Item = Point>, is_closed: bool)
     segments
 }
 
-/// An arc of an ellipse about the origin, without a start: Bézier curves for at most a right angle each, whose control points
-/// are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer Aided Geometric Design* 8 (1991).
+/// An arc of an ellipse about the origin, without a start: Bézier curves for at most a right angle
+/// each, whose control points are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer Aided
+/// Geometric Design* 8 (1991).
 pub(super) fn arc(radii: Point, from: f64, to: f64) -> Vec<Segment> {
     let count = arc_pieces(to - from);
     let step = (to - from) / count as f64;
@@ -149,7 +151,8 @@ fn bezier([a, b, c, d]: [Point; 4], s: f64) -> Point {
     mix(mix(ab, bc, s), mix(bc, cd, s), s)
 }
 
-/// The part of a segment inside a box, if there is one (Liang, Barsky, *ACM Transactions on Graphics* 3, 1984).
+/// The part of a segment inside a box, if there is one (Liang, Barsky, *ACM Transactions on
+/// Graphics* 3, 1984).
 pub(super) fn clipped([a, b]: [Point; 2], [low, high]: [Point; 2]) -> Option<[Point; 2]> {
     let along = subtract(b, a);
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);

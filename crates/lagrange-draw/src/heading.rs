@@ -1,4 +1,5 @@
-//! Titles above pictures and notes below them: in several lines or smaller letters if they are long.
+//! Titles above pictures and notes below them: in several lines or smaller letters if they are
+//! long.
 
 use crate::colour::{INK, REST};
 use crate::picture::Mark;
@@ -75,7 +76,8 @@ pub(super) fn lines(title: &str, [across, down]: [f64; 2]) -> Heading {
     }
 }
 
-/// Broken at blanks where a line would be longer than this in letters of size 1, each line with its width.
+/// Broken at blanks where a line would be longer than this in letters of size 1, each line with its
+/// width.
 fn wrapped(words: &[Word<'_>], longest: f64) -> Vec<(String, f64)> {
     let mut lines: Vec<(String, f64)> = Vec::new();
     let mut braces = 0;

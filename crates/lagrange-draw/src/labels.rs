@@ -1,7 +1,8 @@
 //! Placement of labels that overlap neither each other nor lines.
 //!
-//! Each label keeps one of eight sides of its place through a whole film, so that it never jumps. Labels are placed one after
-//! another, each where it is least in the way; those of bodies come last, and stay away where there is no room.
+//! Each label keeps one of eight sides of its place through a whole film, so that it never jumps.
+//! Labels are placed one after another, each where it is least in the way; those of bodies come
+//! last, and stay away where there is no room.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -25,7 +26,8 @@ pub(super) struct Sheet {
     pub(super) areas: Vec<(usize, Vec<Point>)>,
 }
 
-/// Angles from the wanted direction, the better ones first, and from the horizontal where no direction is wanted.
+/// Angles from the wanted direction, the better ones first, and from the horizontal where no
+/// direction is wanted.
 const ALONG: [f64; 8] = [0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75, 1.0];
 const AROUND: [f64; 8] = [0.25, 0.75, -0.25, -0.75, 0.0, 1.0, 0.5, -0.5];
 /// Distances in pixels that are tried for a label if no place nearby is free.
@@ -144,7 +146,8 @@ fn is_elsewhere(index: usize, place: Point, sheet: &Sheet) -> bool {
     sheet.areas.iter().any(|(body, area)| *body != index && contains(area, place))
 }
 
-/// The middle of a label at one of its places: on its point, if that is possible, or on one of eight sides.
+/// The middle of a label at one of its places: on its point, if that is possible, or on one of
+/// eight sides.
 fn middle(tag: &Tag, place: usize) -> Point {
     let (side, ring) = (place % AROUND.len(), place / AROUND.len());
     let angle = match tag.side {

@@ -25,8 +25,8 @@ struct Key {
 /// An element at one moment.
 type Drawn = (Vec<Mark>, Option<Tag>);
 
-/// Pictures of a film: at each moment the time and the elements. The longest arrow of each kind takes this part of the smaller side of what is
-/// within the margins.
+/// Pictures of a film: at each moment the time and the elements. The longest arrow of each kind
+/// takes this part of the smaller side of what is within the margins.
 pub(super) fn pictures(
     film: &[(f64, Vec<Element>)],
     paper: &Paper,

@@ -1,7 +1,8 @@
 //! Pictures and films of systems of rigid bodies in the plane and in space.
 //!
-//! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into [`Picture`]s. Nothing is computed of the motion
-//! here, and nothing needs tuning: window, scales, colours and places of labels follow from what is drawn.
+//! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into
+//! [`Picture`]s. Nothing is computed of the motion here, and nothing needs tuning: window, scales,
+//! colours and places of labels follow from what is drawn.
 //!
 //! ```
 //! use std::f64::consts::FRAC_PI_2;

@@ -1,7 +1,7 @@
 //! Labels of forces and moments.
 //!
-//! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H, moments M. Names stand as subscripts
-//! where there are several.
+//! Weights are G, forces of springs, dampers and pins F, normal forces N, friction forces H,
+//! moments M. Names stand as subscripts where there are several.
 
 use std::collections::BTreeSet;
 

@@ -1,7 +1,8 @@
 //! Detection of coincident springs and dampers, and the offset with which they are drawn.
 //!
-//! A spring and a damper between the same two points, as in every textbook on oscillations, are drawn side by side; a torsion damper
-//! about the place of a torsion spring is drawn around it. What merely meets at one moment stays where it is.
+//! A spring and a damper between the same two points, as in every textbook on oscillations, are
+//! drawn side by side; a torsion damper about the place of a torsion spring is drawn around it.
+//! What merely meets at one moment stays where it is.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +11,9 @@ use crate::picture::Point;
 use crate::snapshot::{Snapshot, Span};
 use lagrange_runtime::scene::Connector;
 
-/// The place of connectors among those that would lie on each other, by name. Between points: so many places on the left of the
-/// middle between them, going from its first end to the second. About a point: so many are within it. What lies alone has none.
+/// The place of connectors among those that would lie on each other, by name. Between points: so
+/// many places on the left of the middle between them, going from its first end to the second.
+/// About a point: so many are within it. What lies alone has none.
 pub(super) type Lanes = BTreeMap<String, f64>;
 
 /// Distance, as a fraction of the scene, below which points coincide.
@@ -122,7 +124,8 @@ mod tests {
         assert!(found(&[apart]).is_empty());
     }
 
-    /// At one moment the ends meet, but for a rounding; at another they lie on the other side of each other.
+    /// At one moment the ends meet, but for a rounding; at another they lie on the other side of
+    /// each other.
     #[test]
     fn a_pair_stays_side_by_side_while_its_ends_pass_each_other() {
         let at = |x: f64, off: f64| {

@@ -12,7 +12,8 @@ pub struct Picture {
     pub(crate) size: [f64; 2],
     /// Description in words, for readers who cannot see the picture.
     pub(crate) title: String,
-    /// From back to front. Pictures of one film have the same marks in the same order; those without anything to show are empty.
+    /// From back to front. Pictures of one film have the same marks in the same order; those
+    /// without anything to show are empty.
     pub(crate) marks: Vec<Mark>,
 }
 

@@ -92,7 +92,8 @@ impl Snapshot {
     pub(super) fn free_body(mut self, name: &str) -> Self {
         self.bodies.retain(|body| body.name == name);
         self.loads.retain(|load| load.body.as_deref() == Some(name));
-        // What is not known of a free body is its remainder. Joints stay, for they tell what a force is.
+        // What is not known of a free body is its remainder. Joints stay, for they tell what a
+        // force is.
         Snapshot { lines: Vec::new(), connectors: Vec::new(), omitted: Vec::new(), ..self }
     }
 }

@@ -126,7 +126,8 @@ mod tests {
         })
     }
 
-    /// An anchor of the document is the start, the middle or the end of the text, and its height the base line.
+    /// An anchor of the document is the start, the middle or the end of the text, and its height
+    /// the base line.
     #[test]
     fn letters_are_where_the_document_has_them() {
         let wide = Label::parse("HEH_2").width(20.0);

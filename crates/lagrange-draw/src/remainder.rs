@@ -1,8 +1,9 @@
 //! The resultant of unnamed forces.
 //!
-//! By Newton's law and the axiom of angular momentum all forces on a body sum up to m a and all moments about its centre of mass
-//! to J α. What is named may be less: joints that the coordinates fulfil by themselves, hand-written constraints and
-//! potentials, contacts and friction hand out no force. The rest is known all the same,
+//! By Newton's law and the axiom of angular momentum all forces on a body sum up to m a and all
+//! moments about its centre of mass to J α. What is named may be less: joints that the coordinates
+//! fulfil by themselves, hand-written constraints and potentials, contacts and friction hand out no
+//! force. The rest is known all the same,
 //!
 //! ```text
 //! R = m a − Σ F,    M_R = J α − Σ (M + r × F).
@@ -56,7 +57,8 @@ impl Remainder {
                 }
             }
         }
-        // Accelerations lose digits in the elimination of the others. Half of all digits is more than a picture can show.
+        // Accelerations lose digits in the elimination of the others. Half of all digits is more
+        // than a picture can show.
         let half = epsilon.sqrt();
         let gyration = (motion.inertia / motion.mass).abs().sqrt();
         let gyration = if gyration.is_finite() { gyration } else { 0.0 };
@@ -81,7 +83,8 @@ mod tests {
 
     const EPSILON: f64 = f64::EPSILON;
 
-    /// A rod of mass 3 and length 2 that swings about its end in the origin, level at this moment: α = −3 g/(2 l).
+    /// A rod of mass 3 and length 2 that swings about its end in the origin, level at this moment:
+    /// α = −3 g/(2 l).
     const ROD: Motion<f64> = Motion {
         mass: 3.0,
         inertia: 1.0,

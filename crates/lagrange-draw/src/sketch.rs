@@ -7,8 +7,9 @@ use lagrange_plot::notation::formula;
 
 /// A sheet over a picture, in the coordinates of the scene.
 ///
-/// Points and lengths are those of the scene, angles in radians counterclockwise. Labels are written as in formulas: `v_P`, `J_{SP}`,
-/// `phi` for φ; an empty label is none. What is drawn at some moments of a film only is not seen at the others.
+/// Points and lengths are those of the scene, angles in radians counterclockwise. Labels are
+/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label is none. What is drawn at
+/// some moments of a film only is not seen at the others.
 #[derive(Debug)]
 pub struct Sketch {
     pub(super) elements: Vec<Element>,
@@ -20,8 +21,8 @@ impl Sketch {
         Sketch { elements: Vec::new(), ink: INK }
     }
 
-    /// The colour of what follows: 0 dark grey, then blue, vermilion, green, purple, orange, light blue. Velocities, accelerations and
-    /// forces have colours of their own.
+    /// The colour of what follows: 0 dark grey, then blue, vermilion, green, purple, orange, light
+    /// blue. Velocities, accelerations and forces have colours of their own.
     pub fn ink(&mut self, number: usize) -> &mut Self {
         self.ink = ink(number);
         self
@@ -82,7 +83,8 @@ impl Sketch {
         self.add(label, Shape::Angle { at, from, to })
     }
 
-    /// A line with arrowheads that tells a distance, on the left as one goes from one point to the other.
+    /// A line with arrowheads that tells a distance, on the left as one goes from one point to the
+    /// other.
     pub fn dimension(&mut self, from: [f64; 2], to: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Dimension { ends: [from, to] })
     }

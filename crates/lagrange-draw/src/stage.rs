@@ -26,7 +26,8 @@ pub(super) struct Fixed {
 
 /// Length of the axes of a body in pixels.
 const AXIS: f64 = 42.0;
-/// A body that turns slower than by this part of the fastest one of a film has no centre that could be drawn.
+/// A body that turns slower than by this part of the fastest one of a film has no centre that could
+/// be drawn.
 const TURNING: f64 = 1e-9;
 
 /// All elements of a scene.

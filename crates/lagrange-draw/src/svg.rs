@@ -1,4 +1,5 @@
-//! Pictures as SVG: a document of paths and texts without script, style sheet or anything from elsewhere.
+//! Pictures as SVG: a document of paths and texts without script, style sheet or anything from
+//! elsewhere.
 
 use crate::beside::SEPARATOR;
 use crate::picture::{Colour, Mark, Picture, Segment, Style};
@@ -12,8 +13,8 @@ pub(crate) fn document(picture: &Picture) -> String {
     format!("{}{marks}</svg>\n", opening(picture))
 }
 
-/// The start of the document: its size, title and description, and what all marks share. Blanks at the ends of pieces of a text stay, which
-/// some viewers leave out otherwise.
+/// The start of the document: its size, title and description, and what all marks share. Blanks at
+/// the ends of pieces of a text stay, which some viewers leave out otherwise.
 pub(crate) fn opening(picture: &Picture) -> String {
     let [width, height] = picture.size.map(number);
     format!(

@@ -43,7 +43,8 @@ pub(super) enum Side {
 
 /// The size of labels.
 pub(super) const FONT: f64 = 15.0;
-/// The part of the width of a picture that a label may take, unless its letters were smaller than these.
+/// The part of the width of a picture that a label may take, unless its letters were smaller than
+/// these.
 const WIDEST: f64 = 0.5;
 const SMALLEST: f64 = 8.0;
 const GAP: f64 = 4.0;
@@ -86,7 +87,8 @@ fn reach(shape: &Shape, view: &View) -> f64 {
     view.length(rim.map(length).fold(0.0, f64::max))
 }
 
-/// The size of the letters of a label, and its width: smaller where it would take more than a part of the room.
+/// The size of the letters of a label, and its width: smaller where it would take more than a part
+/// of the room.
 fn fitting(label: &str, room: f64) -> (f64, f64) {
     let width = Label::parse(label).width(1.0);
     let size = FONT.min((WIDEST * room / width).max(SMALLEST)).min(room / (LEEWAY * width));

@@ -14,7 +14,8 @@ pub(super) const BORDER: f64 = 2.0;
 pub(super) struct View {
     /// Pixels to a unit of length.
     scale: f64,
-    /// A point of the world, and its pixel: numbers near each other keep their digits when they are subtracted.
+    /// A point of the world, and its pixel: numbers near each other keep their digits when they are
+    /// subtracted.
     base: Point,
     origin: Point,
     /// The corners of what may be drawn on, in pixels.
@@ -27,7 +28,8 @@ pub(super) struct View {
 const ROUNDS: usize = 60;
 /// If all that is shown is in one place, this part of the smaller side stands for a unit of length.
 const UNIT: f64 = 0.25;
-/// A window is wider than this many distances of neighbouring numbers, so that what is in it has a place.
+/// A window is wider than this many distances of neighbouring numbers, so that what is in it has a
+/// place.
 const NEIGHBOURS: f64 = 4096.0;
 /// Smaller extents have no reciprocal.
 const TINY: f64 = 1e-300;

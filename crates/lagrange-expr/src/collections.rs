@@ -1,8 +1,8 @@
 //! Maps and sets whose order never depends on a hash.
 //!
-//! Generated code must be the same to the byte in every process. So the only containers in this crate
-//! that can be iterated keep insertion order; [`HashMap`] and [`HashSet`] can be
-//! looked up but not iterated.
+//! Generated code must be the same to the byte in every process. So the only containers in this
+//! crate that can be iterated keep insertion order; [`HashMap`] and [`HashSet`] can be looked up
+//! but not iterated.
 
 use std::borrow::Borrow;
 use std::hash::Hash;

@@ -1,9 +1,10 @@
 //! The elementary functions, one row each.
 //!
 //! A row holds everything the other modules know of a function; adding one is adding a variant to
-//! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which numbers take their methods. Derivatives are
-//! those of Abramowitz and Stegun, *Handbook of Mathematical Functions*, chapter 4; derivatives of piecewise
-//! functions are taken branch by branch.
+//! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which
+//! numbers take their methods. Derivatives are those of Abramowitz and Stegun, *Handbook of
+//! Mathematical Functions*, chapter 4; derivatives of piecewise functions are taken branch by
+//! branch.
 
 mod domain;
 
@@ -37,7 +38,8 @@ pub enum Function {
     Max,
     Power,
     Hypot,
-    /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of f(|x|) are right at 0.
+    /// The slope of `abs`: the sign, but with a square that is one, so that second derivatives of
+    /// f(|x|) are right at 0.
     MagnitudeSlope,
 }
 

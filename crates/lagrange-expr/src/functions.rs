@@ -9,8 +9,8 @@ use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;
 
-/// The constructor of function values: uses parity and known values, and writes roots and powers with
-/// numeric exponents as products.
+/// The constructor of function values: uses parity and known values, and writes roots and powers
+/// with numeric exponents as products.
 ///
 /// `arguments` must be as many as the function's arity.
 pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> ExprId {

@@ -1,12 +1,15 @@
 //! Largest numbers and sizes that a declaration may have, all in one place.
 //!
-//! Each is checked before the work that it bounds. The table in the description of the language lists them with their messages, and a
-//! test provokes every one of these. Not for budgets inside algorithms, beyond which something is left as it is.
+//! Each is checked before the work that it bounds. The table in the description of the language
+//! lists them with their messages, and a test provokes every one of these. Not for budgets inside
+//! algorithms, beyond which something is left as it is.
 
-/// Bracket groups and conditions inside each other: nothing else is read by recursion, but for the few tokens that are handed to `syn`.
+/// Bracket groups and conditions inside each other: nothing else is read by recursion, but for the
+/// few tokens that are handed to `syn`.
 pub const MAX_NESTING: u32 = 64;
 
-/// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by recursion.
+/// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by
+/// recursion.
 pub const MAX_INDICES: usize = 8;
 
 /// Characters of a number, whose value is kept exactly.
@@ -33,7 +36,8 @@ pub const MAX_INLINED: u64 = 200_000;
 /// Points of a table.
 pub const MAX_POINTS: usize = 100_000;
 
-/// Bytes of a table file: enough for the largest table, and read by an unoptimised macro in seconds.
+/// Bytes of a table file: enough for the largest table, and read by an unoptimised macro in
+/// seconds.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
 
 /// Steps of Newton's method for an algebraic unknown.

@@ -100,7 +100,8 @@ impl Number {
         self.to_integer() == Some(1)
     }
 
-    /// The value, if it is an integer that fits a word: most are, and their arithmetic needs no gcd.
+    /// The value, if it is an integer that fits a word: most are, and their arithmetic needs no
+    /// gcd.
     pub fn to_integer(&self) -> Option<i64> {
         match &self.0 {
             Repr::Word(ratio) if *ratio.denom() == 1 => Some(*ratio.numer()),
@@ -150,8 +151,8 @@ impl Number {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
-    /// The digits of an unsigned decimal and how many of them stand behind the point; `None` if the decimal does
-    /// not end or the number is negative.
+    /// The digits of an unsigned decimal and how many of them stand behind the point; `None` if the
+    /// decimal does not end or the number is negative.
     pub fn decimal(&self) -> Option<(String, usize)> {
         let big = self.to_big();
         let (ten, five) = (BigInt::from(10), BigInt::from(5));
@@ -191,8 +192,8 @@ impl Number {
         })
     }
 
-    /// The largest number with the sign of `self` of which both are integer multiples: 3/2 of 9/2 and −6. It is `self` if the other is
-    /// zero.
+    /// The largest number with the sign of `self` of which both are integer multiples: 3/2 of 9/2
+    /// and −6. It is `self` if the other is zero.
     pub fn common_divisor(&self, other: &Number) -> Number {
         // p = g n and q = g d, where n/d is p/q in lowest terms.
         let ratio = other.reciprocal().map(|inverse| (self * &inverse).to_big());
@@ -205,7 +206,8 @@ impl Number {
         )
     }
 
-    /// `self` to an integer power; `None` for a negative power of zero and for results too long to be useful.
+    /// `self` to an integer power; `None` for a negative power of zero and for results too long to
+    /// be useful.
     pub fn power(&self, exponent: i32) -> Option<Number> {
         if exponent == 1 || self.is_one() {
             return Some(self.clone());

@@ -1,10 +1,12 @@
 //! Solids with known moments of inertia: one row each.
 //!
-//! The coordinates of a solid are those of `lagrange::scene::Outline`. Moments of inertia are about the axis through the
-//! centre of mass that is normal to the plane, for a mass of one: squares of lengths.
+//! The coordinates of a solid are those of `lagrange::scene::Outline`. Moments of inertia are about
+//! the axis through the centre of mass that is normal to the plane, for a mass of one: squares of
+//! lengths.
 //!
-//! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4, for all but polygons; for those Steger, *On the
-//! calculation of arbitrary moments of polygons* (1996). `tests/api/inertia.rs` of `lagrange` derives each by integration.
+//! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4, for all but polygons; for
+//! those Steger, *On the calculation of arbitrary moments of polygons* (1996).
+//! `tests/api/inertia.rs` of `lagrange` derives each by integration.
 
 mod polygon;
 
@@ -24,8 +26,9 @@ pub struct Solid {
     pub name: &'static str,
     /// Dimensions that give its size.
     pub dimensions: Dimensions,
-    /// Moment of inertia about the centre of mass for a mass of one, from as many scalars as there are dimensions; of corners
-    /// from their coordinates, one corner after the other, in either orientation.
+    /// Moment of inertia about the centre of mass for a mass of one, from as many scalars as there
+    /// are dimensions; of corners from their coordinates, one corner after the other, in either
+    /// orientation.
     pub inertia: Formula<ExprId>,
     /// Centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<Formula<[ExprId; 2]>>,
@@ -33,7 +36,8 @@ pub struct Solid {
     pub is_impossible: fn(&[f64]) -> bool,
     /// Condition that must hold instead, in the user's words.
     pub condition: &'static str,
-    /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same dimensions.
+    /// The variant of `lagrange::scene::Outline` that it is drawn as, which takes the same
+    /// dimensions.
     pub outline: &'static str,
     /// The dimension that is the radius on which it rolls, if it is round.
     pub radius: Option<usize>,
@@ -88,7 +92,8 @@ impl Solid {
         format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
     }
 
-    /// The name of the function that gives its centre of mass, if that is not the origin: `triangle_center`.
+    /// The name of the function that gives its centre of mass, if that is not the origin:
+    /// `triangle_center`.
     pub fn center_function(&self) -> Option<String> {
         self.centroid.map(|_| format!("{}{CENTER_SUFFIX}", self.name))
     }
@@ -312,7 +317,8 @@ fn sum_of_squares(graph: &mut Graph, x: &[ExprId], numerator: i64, denominator: 
     fraction(graph, numerator, sum, denominator)
 }
 
-/// r²/2 − s²: a sector of a disk is like the disk about the centre of the circle, which is s away from its centre of mass.
+/// r²/2 − s²: a sector of a disk is like the disk about the centre of the circle, which is s away
+/// from its centre of mass.
 fn about_center(graph: &mut Graph, r: ExprId, s: ExprId) -> ExprId {
     let about_circle = sum_of_squares(graph, &[r], 1, 2);
     let square = graph.square(s);
@@ -334,7 +340,8 @@ fn sector_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     [graph.divide(scaled, x[1]), graph.number(0)]
 }
 
-/// A third of the sum of the corners (0, 0), (a, 0) and (p, q): p = (a² − b² + c²)/2a, and q = √(c² − p²) as by Heron.
+/// A third of the sum of the corners (0, 0), (a, 0) and (p, q): p = (a² − b² + c²)/2a, and q = √(c²
+/// − p²) as by Heron.
 fn triangle_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     let [a, b, c] = [x[0], x[1], x[2]];
     let [a2, b2, c2] = [a, b, c].map(|side| graph.square(side));

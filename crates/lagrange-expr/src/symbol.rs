@@ -17,7 +17,8 @@ pub enum Role {
     Time,
     /// A position: a generalised coordinate, or a component of a unit quaternion.
     Coordinate(u32),
-    /// A first-order state, a position that no velocity displaces; the number is its index among all positions.
+    /// A first-order state, a position that no velocity displaces; the number is its index among
+    /// all positions.
     State(u32),
     /// A generalised velocity: the rate of a coordinate, or a component of an angular velocity.
     Velocity(u32),
@@ -27,7 +28,8 @@ pub enum Role {
     Multiplier(u32),
     /// The force of the contact or of the friction with the same index.
     Reaction(u32),
-    /// Side of the switch with the same index on which an expression is evaluated: 1 or −1, or 0 on the surface itself.
+    /// Side of the switch with the same index on which an expression is evaluated: 1 or −1, or 0 on
+    /// the surface itself.
     Side(u32),
     /// An argument of an algebraic unknown, or the unknown itself, in the equation that defines it.
     Operand(u32),
@@ -42,7 +44,8 @@ pub struct Symbol {
     pub name: String,
     /// The role.
     pub role: Role,
-    /// Number of dots over the name: how often what it names is differentiated with respect to time.
+    /// Number of dots over the name: how often what it names is differentiated with respect to
+    /// time.
     pub dots: u8,
 }
 
@@ -84,7 +87,8 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// The symbol in `role`, added under `name` if it is new; velocities and accelerations as rates of what has that name.
+    /// The symbol in `role`, added under `name` if it is new; velocities and accelerations as rates
+    /// of what has that name.
     pub fn intern(&mut self, name: &str, role: Role) -> SymbolId {
         self.intern_dotted(name, role, role.dots())
     }

@@ -1,7 +1,8 @@
 //! Files that are saved as a whole or not at all, and cells of tables in text.
 //!
-//! A file is written beside its place, under another name, and takes its place when the disk has all of it. Readers find the older file
-//! or the new one, whatever stops the writer: an error, a full disk, a signal or a power cut.
+//! A file is written beside its place, under another name, and takes its place when the disk has
+//! all of it. Readers find the older file or the new one, whatever stops the writer: an error, a
+//! full disk, a signal or a power cut.
 #![forbid(unsafe_code)]
 
 use std::borrow::Cow;
@@ -14,10 +15,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Ends the names of files that are not whole.
 pub const UNFINISHED: &str = ".unfinished";
 
-/// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is after an error.
+/// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is
+/// after an error.
 ///
-/// The new file has the permissions of the older one. Of a link the file that it leads to is replaced. A pipe or a device is written
-/// to directly. `wrong` makes an error of what the operating system says.
+/// The new file has the permissions of the older one. Of a link the file that it leads to is
+/// replaced. A pipe or a device is written to directly. `wrong` makes an error of what the
+/// operating system says.
 ///
 /// # Errors
 /// Those of `write`, and what the operating system says.
@@ -45,7 +48,8 @@ pub fn save_bytes(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     save(path, |error| error, |mut file| file.write_all(bytes.as_ref()))
 }
 
-/// Returns a text as a cell of comma-separated values (RFC 4180), with an apostrophe before what spreadsheets would take for a formula.
+/// Returns a text as a cell of comma-separated values (RFC 4180), with an apostrophe before what
+/// spreadsheets would take for a formula.
 pub fn csv_cell(text: &str) -> Cow<'_, str> {
     let is_formula = text.starts_with(['=', '+', '-', '@', '\t', '\r']);
     let text = if is_formula { format!("'{text}").into() } else { Cow::from(text) };
@@ -127,7 +131,8 @@ impl Drop for Unfinished {
     }
 }
 
-/// Has the disk keep the names in the folder of this file. Not every system can; the file itself is whole.
+/// Has the disk keep the names in the folder of this file. Not every system can; the file itself is
+/// whole.
 fn sync_folder(path: &Path) {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     drop(File::open(folder.unwrap_or(Path::new("."))).and_then(|folder| folder.sync_all()));

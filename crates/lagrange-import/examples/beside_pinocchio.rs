@@ -1,8 +1,10 @@
-//! A URDF file beside what Pinocchio computes from it: the tool behind `docs/robots.md`, called by `tools/urdf.py --robots`.
+//! A URDF file beside what Pinocchio computes from it: the tool behind `docs/robots.md`, called by
+//! `tools/urdf.py --robots`.
 //!
-//! `cargo run --release -p lagrange-import --example beside_pinocchio -- robot.urdf reference.txt [--free] [--trust-inertia]` prints freedoms,
-//! constraints, operations of the accelerations, the largest relative difference from the reference, and how many links have inertia that no
-//! body has; or why nothing is imported. Without files it takes one of the tests.
+//! `cargo run --release -p lagrange-import --example beside_pinocchio -- robot.urdf reference.txt [--free] [--trust-inertia]`
+//! prints freedoms, constraints, operations of the accelerations, the largest relative difference
+//! from the reference, and how many links have inertia that no body has; or why nothing is
+//! imported. Without files it takes one of the tests.
 
 #[path = "../tests/import/reference.rs"]
 mod reference;

@@ -1,6 +1,7 @@
 //! Decimals: numbers of a file as people wrote them, with the values that they have.
 //!
-//! What a declaration takes over stays as exact as it was in the file, and is written short: without zeros that say nothing.
+//! What a declaration takes over stays as exact as it was in the file, and is written short:
+//! without zeros that say nothing.
 
 use std::fmt;
 

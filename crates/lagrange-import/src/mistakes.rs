@@ -28,7 +28,8 @@ impl Mistake {
 /// Errors, and warnings, that a listing shows at most.
 const MAX_LISTED: usize = 50;
 
-/// Lists mistakes as compilers do, each behind the name of the file, with the number of those that are too many to read.
+/// Lists mistakes as compilers do, each behind the name of the file, with the number of those that
+/// are too many to read.
 pub fn listing(file: &str, mistakes: &[Mistake]) -> String {
     let mut counts = [0, 0];
     let mut lines = String::new();

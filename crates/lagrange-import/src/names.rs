@@ -20,9 +20,11 @@ pub(crate) struct Identifiers {
 }
 
 impl Identifiers {
-    /// Takes an identifier like a name; `kind`, such as `link`, is put to those that would not be one or are taken.
+    /// Takes an identifier like a name; `kind`, such as `link`, is put to those that would not be
+    /// one or are taken.
     ///
-    /// What stands in `endings` is taken with it, behind an underscore, for names that are made of it.
+    /// What stands in `endings` is taken with it, behind an underscore, for names that are made of
+    /// it.
     pub(crate) fn take(&mut self, name: &str, kind: &str, endings: &[&str]) -> String {
         let base = identifier(name, kind);
         let with_kind = format!("{base}_{kind}");
@@ -33,7 +35,8 @@ impl Identifiers {
         identifier
     }
 
-    /// Counts on from the number that was given last, so that many equal names take no longer than others.
+    /// Counts on from the number that was given last, so that many equal names take no longer than
+    /// others.
     fn numbered(&mut self, name: &str, endings: &[&str]) -> String {
         let first = self.numbers.get(name).copied().unwrap_or(2);
         let mut numbered = (first..).map(|number| (number, format!("{name}_{number}")));
@@ -80,7 +83,8 @@ pub(crate) fn type_name(name: &str) -> String {
     if is_name { name } else { format!("Robot{name}") }
 }
 
-/// Stretches of letters and digits in small letters; a capital begins a new one behind a small letter, or in front of one.
+/// Stretches of letters and digits in small letters; a capital begins a new one behind a small
+/// letter, or in front of one.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let letters = name.chars().collect::<Vec<_>>();

@@ -1,11 +1,14 @@
-//! Robots: links and the joints between them, as a tree that has been checked, and nothing of how a file says so.
+//! Robots: links and the joints between them, as a tree that has been checked, and nothing of how a
+//! file says so.
 
 use crate::decimal::Decimal;
 
-/// Products of moments of inertia below this fraction of the largest ones may be what is left of numbers that cancel.
+/// Products of moments of inertia below this fraction of the largest ones may be what is left of
+/// numbers that cancel.
 const NEGLIGIBLE: f64 = 1e-12;
 
-/// A tree of links. Joints stand in an order in which each is carried by the root or by what one before it places.
+/// A tree of links. Joints stand in an order in which each is carried by the root or by what one
+/// before it places.
 #[derive(Clone, Debug)]
 pub(crate) struct Robot {
     pub(crate) name: String,
@@ -149,7 +152,8 @@ impl Robot {
         fixed
     }
 
-    /// The first link that moves and that has, with all that is fixed to it, no inertia about some axis.
+    /// The first link that moves and that has, with all that is fixed to it, no inertia about some
+    /// axis.
     ///
     /// Without such a link every motion has inertia.
     pub(crate) fn first_without_moment(&self, is_free: bool) -> Option<usize> {

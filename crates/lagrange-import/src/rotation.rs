@@ -1,6 +1,7 @@
 //! Rotations: by roll, pitch and yaw, of directions and of tensors of inertia.
 //!
-//! Entries of a rotation within [`SNAPPED`] of 0, 1 and −1 are these numbers if all of their row or column are, as in the language itself.
+//! Entries of a rotation within [`SNAPPED`] of 0, 1 and −1 are these numbers if all of their row or
+//! column are, as in the language itself.
 
 use crate::decimal::Decimal;
 
@@ -8,7 +9,8 @@ use crate::decimal::Decimal;
 pub(crate) const SNAPPED: f64 = 1e-9;
 /// More quarter turns are no angle that anyone writes.
 const MAX_QUARTERS: f64 = 8.0;
-/// Fraction of the largest entry of a tensor below which an entry is what is left of numbers that cancel.
+/// Fraction of the largest entry of a tensor below which an entry is what is left of numbers that
+/// cancel.
 const NEGLIGIBLE: f64 = 1e-15;
 
 /// A rotation in rows.
@@ -100,7 +102,8 @@ pub(crate) fn angle(angle: &Decimal) -> String {
     }
 }
 
-/// R J Rᵀ of a tensor xx, yy, zz, xy, xz, yz; the numbers that were written, where R is made of quarter turns.
+/// R J Rᵀ of a tensor xx, yy, zz, xy, xz, yz; the numbers that were written, where R is made of
+/// quarter turns.
 pub(crate) fn turned_tensor(rotation: Rotation, tensor: &[Decimal; 6]) -> [Decimal; 6] {
     const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
     const INDEX: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];

@@ -1,9 +1,10 @@
 //! The language of `lagrange`: from tokens or text to plain statements.
 //!
-//! 1. [`syntax`] reads a [`Declaration`](syntax::ast::Declaration), with all mistakes reported together, and writes it
-//!    as text again;
+//! 1. [`syntax`] reads a [`Declaration`](syntax::ast::Declaration), with all mistakes reported
+//!    together, and writes it as text again;
 //! 2. [`expand`] unrolls arrays, loops and sums;
-//! 3. [`inline`] replaces calls of declared functions by their bodies, and [`tables`] reads table files;
+//! 3. [`inline`] replaces calls of declared functions by their bodies, and [`tables`] reads table
+//!    files;
 //! 4. [`dimensions`] checks and converts units;
 //! 5. [`bodies`] translates statements about rigid bodies into plain ones.
 //!

@@ -1,6 +1,8 @@
-//! Nanoseconds a number for elementary functions of eight numbers at a time, beside the functions of the standard library one by one.
+//! Nanoseconds a number for elementary functions of eight numbers at a time, beside the functions
+//! of the standard library one by one.
 //!
-//! Products are fused if the target that this is compiled for has that: `RUSTFLAGS="-C target-cpu=native"`.
+//! Products are fused if the target that this is compiled for has that:
+//! `RUSTFLAGS="-C target-cpu=native"`.
 
 use std::array::from_fn;
 use std::hint::black_box;

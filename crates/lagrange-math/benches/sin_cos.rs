@@ -1,7 +1,8 @@
-//! Nanoseconds for the sines and cosines of a number of angles, beside the function of the standard library.
+//! Nanoseconds for the sines and cosines of a number of angles, beside the function of the standard
+//! library.
 //!
-//! Each evaluation waits for the one before, as in an integrator, so that latency counts. The results enter a
-//! recursion like those of mechanics, in which nothing invites vector instructions.
+//! Each evaluation waits for the one before, as in an integrator, so that latency counts. The
+//! results enter a recursion like those of mechanics, in which nothing invites vector instructions.
 
 use std::array::from_fn;
 use std::hint::black_box;

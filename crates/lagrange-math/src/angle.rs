@@ -6,10 +6,11 @@
 //! sin(r + δ) ≈ r + (r z p(z) + δ (1 − z/2)),    cos(r + δ) ≈ 1 − z/2 + (z² q(z) − r δ),
 //! ```
 //!
-//! where the first term is exact, or its rounding error is added back, and what follows is at most a tenth of
-//! it. In units in the last place the error is at most 0.5 of the last sum, 0.34 of the rounding of what follows
-//! (the sine at r = π/4, where six roundings of terms near 0.08 meet a unit of 2⁻⁵³), 0.04 of the polynomial and
-//! 0.01 of the reduction. The polynomials are added up so that few operations wait for each other.
+//! where the first term is exact, or its rounding error is added back, and what follows is at most
+//! a tenth of it. In units in the last place the error is at most 0.5 of the last sum, 0.34 of the
+//! rounding of what follows (the sine at r = π/4, where six roundings of terms near 0.08 meet a
+//! unit of 2⁻⁵³), 0.04 of the polynomial and 0.01 of the reduction. The polynomials are added up so
+//! that few operations wait for each other.
 
 use crate::fused::multiply_add;
 use crate::pair::Pair;
@@ -84,8 +85,8 @@ fn pair<const FUSED: bool>(coefficients: &[f64; 6], index: usize, z: f64) -> f64
     multiply_add::<FUSED>(coefficients[index + 1], z, coefficients[index])
 }
 
-/// Adds up sine and cosine, exchanges them in odd quadrants and sets their signs, the sine's also by that of the angle. In bits,
-/// since on many targets a choice between numbers is a branch.
+/// Adds up sine and cosine, exchanges them in odd quadrants and sets their signs, the sine's also
+/// by that of the angle. In bits, since on many targets a choice between numbers is a branch.
 #[inline(always)]
 pub(crate) fn in_quadrant(quadrant: u64, (sine, cosine): (Pair, Pair), x: f64) -> (f64, f64) {
     let (sine, cosine, sign) = (sine.high + sine.low, cosine.high + cosine.low, x.to_bits() & SIGN);

@@ -1,6 +1,7 @@
 //! Angles with a given tangent, sine or cosine, without a branch.
 //!
-//! The angle of a point is found in an eighth of the plane first, from the smaller and the larger of its coordinates in magnitude, a ≤ b:
+//! The angle of a point is found in an eighth of the plane first, from the smaller and the larger
+//! of its coordinates in magnitude, a ≤ b:
 //!
 //! ```text
 //! arctan(a/b) = arctan t,           t = a / b                 if a ≤ b tan(π/8),
@@ -8,8 +9,9 @@
 //! arctan t ≈ t + t z A(z),          z = t²,  |t| ≤ tan(π/8),
 //! ```
 //!
-//! and is then taken from, or added to, a multiple of π/4. t is a sum of two doubles, and so is that of the multiple and t. For arcsine and
-//! arccosine the other coordinate is √(1 − x²), a sum of two doubles, too.
+//! and is then taken from, or added to, a multiple of π/4. t is a sum of two doubles, and so is
+//! that of the multiple and t. For arcsine and arccosine the other coordinate is √(1 − x²), a sum
+//! of two doubles, too.
 
 use core::f64::consts::FRAC_PI_4;
 
@@ -37,7 +39,8 @@ const TAIL: [f64; 11] = [
     f64::from_bits(0xbf92_56a6_0d99_b473),
 ];
 
-/// Coordinates other than zero are from the first to the second in magnitude, so that nothing here overflows or gets lost.
+/// Coordinates other than zero are from the first to the second in magnitude, so that nothing here
+/// overflows or gets lost.
 const LEAST_COORDINATE: f64 = 1e-270;
 const LARGEST_COORDINATE: f64 = 1e270;
 
@@ -49,7 +52,8 @@ pub(crate) fn are_coordinates(ordinate: f64, abscissa: f64) -> bool {
     (is_between(y) & (is_between(x) | (x == 0.0))) | ((y == 0.0) & is_between(x))
 }
 
-/// The angle of a point with [coordinates](are_coordinates) that are neither too large nor too small.
+/// The angle of a point with [coordinates](are_coordinates) that are neither too large nor too
+/// small.
 #[inline(always)]
 pub(crate) fn atan2<const FUSED: bool>(ordinate: f64, abscissa: f64) -> f64 {
     angle::<FUSED>(ordinate.abs().into(), abscissa.into()).copysign(ordinate)

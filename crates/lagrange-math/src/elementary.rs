@@ -41,8 +41,8 @@ crate::functions!(of_lanes);
 /// Values of a function at several numbers, with products that are fused or not, as for
 /// [`sines_and_cosines`](crate::sines_and_cosines).
 ///
-/// What comes of a number does not depend on the others, and is the same on every platform for each choice of FUSED. Errors in units in
-/// the last place:
+/// What comes of a number does not depend on the others, and is the same on every platform for each
+/// choice of FUSED. Errors in units in the last place:
 ///
 /// | | error, fused or not |
 /// |---|---|
@@ -87,7 +87,8 @@ fn everywhere<const N: usize>(arguments: [f64; N], formula: impl Fn(f64) -> f64)
     values
 }
 
-/// Values of a formula, each by its index, and those of another function where the formula is not meant for what it is given.
+/// Values of a formula, each by its index, and those of another function where the formula is not
+/// meant for what it is given.
 #[inline(always)]
 fn each<const N: usize>(
     formula: impl Fn(usize) -> f64,
@@ -111,8 +112,9 @@ fn each<const N: usize>(
 
 /// The angles in [−π, π] of several points, each with an ordinate and an abscissa.
 ///
-/// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in magnitude; other points, the origin among
-/// them, have the angle that `libm` gives them, with the sides of the cut as IEEE 754 has them. All else is as for [`values`].
+/// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in
+/// magnitude; other points, the origin among them, have the angle that `libm` gives them, with the
+/// sides of the cut as IEEE 754 has them. All else is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
@@ -126,8 +128,9 @@ pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas:
 
 /// The lengths √(x² + y²) of several vectors.
 ///
-/// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to 10¹⁵⁰ in magnitude; others have the
-/// length that `libm` gives them, infinite if a component is. All else is as for [`values`].
+/// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to
+/// 10¹⁵⁰ in magnitude; others have the length that `libm` gives them, infinite if a component is.
+/// All else is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {
@@ -138,7 +141,8 @@ pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [
     )
 }
 
-/// A number to a real power, with an error below one unit in the last place and the same bits on every platform; NaN if either is NaN.
+/// A number to a real power, with an error below one unit in the last place. The bits are the same
+/// on every platform. NaN if either is NaN.
 ///
 /// ```
 /// assert_eq!(lagrange_math::power(2.0, 0.5), 2_f64.sqrt());

@@ -8,8 +8,9 @@
 //! cosh x = cosh(k ln 2) cosh r + sinh(k ln 2) sinh r,
 //! ```
 //!
-//! where sinh(k ln 2) = (2ᵏ − 2⁻ᵏ)/2 and cosh(k ln 2) = (2ᵏ + 2⁻ᵏ)/2. Leading terms are added up with what their rounding loses, so that
-//! the rest, which is rounded, is a fifth of the result or less.
+//! where sinh(k ln 2) = (2ᵏ − 2⁻ᵏ)/2 and cosh(k ln 2) = (2ᵏ + 2⁻ᵏ)/2. Leading terms are added up
+//! with what their rounding loses, so that the rest, which is rounded, is a fifth of the result or
+//! less.
 
 use core::f64::consts::LOG2_E;
 
@@ -41,7 +42,8 @@ const COSH: [f64; 5] = [
 /// Up to this magnitude sinh and cosh are computed here.
 pub(crate) const LARGEST_HYPERBOLIC: f64 = 600.0;
 
-/// Added to a number below 2⁵¹, rounds it to an integer, which then stands in the last bits, negative ones as well.
+/// Added to a number below 2⁵¹, rounds it to an integer, which then stands in the last bits,
+/// negative ones as well.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 const BIAS: u64 = 1023;
 

@@ -1,4 +1,5 @@
-//! The list of elementary functions: numbers, lanes, emitted code and kernels all take their functions from it.
+//! The list of elementary functions: numbers, lanes, emitted code and kernels all take their
+//! functions from it.
 
 /// Passes the list of elementary functions to a macro, behind tokens for that macro.
 ///
@@ -9,9 +10,10 @@
 /// }
 /// ```
 ///
-/// The default is the body of the method for number types that do not define it, or `;` if every number type must.
-/// The names in C are also those of `libm`. Lanes compute several numbers together by the formula, if there is one. It is
-/// a function of this crate; numbers outside its domain are left to the platform.
+/// The default is the body of the method for number types that do not define it, or `;` if every
+/// number type must. The names in C are also those of `libm`. Lanes compute several numbers
+/// together by the formula, if there is one. It is a function of this crate; numbers outside its
+/// domain are left to the platform.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! functions {
@@ -30,7 +32,8 @@ macro_rules! functions {
             }
 
             tan(x) C(tan, tanf) lanes(Tan: tangent::tan, is_angle) {
-                /// Tangent; NaN at infinity. Finite elsewhere, since no binary number is an odd multiple of π/2.
+                /// Tangent; NaN at infinity. Finite elsewhere, since no binary number is an odd
+                /// multiple of π/2.
                 fn(self) {
                     let (sine, cosine) = self.sin_cos();
                     sine / cosine
@@ -61,15 +64,17 @@ macro_rules! functions {
             atan2(y, x) C(atan2, atan2f) lanes() {
                 /// The angle in [−π, π] of the point with ordinate `self` and the given abscissa.
                 ///
-                /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π and (±0, 1) gives
-                /// ±0, and the origin counts as a point of the axis its zeros lie on.
+                /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π
+                /// and (±0, 1) gives ±0, and the origin counts as a point of the axis its zeros lie
+                /// on.
                 fn(self, abscissa);
             }
 
             sinh(x) C(sinh, sinhf) lanes(Sinh: exponential::sinh, is_moderate) {
                 /// Hyperbolic sine.
                 fn(self) {
-                    // The difference of exponentials cancels near zero, where Taylor's series is short.
+                    // The difference of exponentials cancels near zero, where Taylor's series is
+                    // short.
                     let (square, mut series) = (self * self, Self::ONE);
                     for k in (1_u16..=14).rev() {
                         series = Self::ONE + square * series / Self::from_f64(f64::from(2 * k * (2 * k + 1)));
@@ -124,7 +129,8 @@ macro_rules! functions {
             }
 
             hypot(x, y) C(hypot, hypotf) lanes() {
-                /// √(self² + other²) without intermediate overflow or underflow; +∞ if either is infinite.
+                /// √(self² + other²) without intermediate overflow or underflow; +∞ if either is
+                /// infinite.
                 fn(self, other) {
                     let (x, y) = (self.abs(), other.abs());
                     let (large, small) = (x.max(y), x.min(y));

@@ -4,7 +4,8 @@
 /// rounding.
 pub(crate) const HAS_FUSED: bool = cfg!(all(feature = "std", target_feature = "fma"));
 
-/// `a * b + c`, rounded once if FUSED and twice otherwise. Where FUSED is no instruction it is a call of a library.
+/// `a * b + c`, rounded once if FUSED and twice otherwise. Where FUSED is no instruction it is a
+/// call of a library.
 #[inline(always)]
 pub(crate) fn multiply_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
     if !FUSED {

@@ -1,8 +1,10 @@
-//! The length of a vector of the plane, without a branch: squares as sums of two doubles, so that only the root is rounded.
+//! The length of a vector of the plane, without a branch: squares as sums of two doubles, so that
+//! only the root is rounded.
 
 use crate::pair::{Pair, product, square_root, sum};
 
-/// Components other than zero are from the first to the second in magnitude, so that no square overflows or gets lost.
+/// Components other than zero are from the first to the second in magnitude, so that no square
+/// overflows or gets lost.
 const LEAST_COMPONENT: f64 = 1e-130;
 const LARGEST_COMPONENT: f64 = 1e150;
 
@@ -13,7 +15,8 @@ pub(crate) fn are_components(x: f64, y: f64) -> bool {
     is_one(x.abs()) & is_one(y.abs())
 }
 
-/// The length of a vector with [components](are_components) that are neither too large nor too small.
+/// The length of a vector with [components](are_components) that are neither too large nor too
+/// small.
 #[inline(always)]
 pub(crate) fn hypot<const FUSED: bool>(x: f64, y: f64) -> f64 {
     let (x, y) = (x.abs(), y.abs());

@@ -6,8 +6,8 @@
 //! ln(1 + f) = 2 artanh s ≈ 2 s + s w L(w) = f − s (f − w L(w)),    ln x = k ln 2 + ln(1 + f),
 //! ```
 //!
-//! where f is exact, and so is k times the first part of ln 2; of their sum what rounding loses is added back. What is rounded beside it
-//! is a fifth of the result or less.
+//! where f is exact, and so is k times the first part of ln 2; of their sum what rounding loses is
+//! added back. What is rounded beside it is a fifth of the result or less.
 
 use crate::exponential::LN_2;
 use crate::fused::multiply_add;

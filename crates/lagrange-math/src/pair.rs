@@ -1,5 +1,5 @@
-//! Numbers as sums of two doubles, and what is exact in them (T. J. Dekker, "A floating-point technique for extending the available
-//! precision", Numerische Mathematik 18, 1971).
+//! Numbers as sums of two doubles, and what is exact in them (T. J. Dekker, "A floating-point
+//! technique for extending the available precision", Numerische Mathematik 18, 1971).
 
 use crate::fused::multiply_add;
 
@@ -30,7 +30,8 @@ pub(crate) fn normal(pair: Pair) -> Pair {
     sum(pair.high, pair.low)
 }
 
-/// The product, rounded, and what was lost. Of factors beyond 10²⁷⁰ it is not a number where products are not fused.
+/// The product, rounded, and what was lost. Of factors beyond 10²⁷⁰ it is not a number where
+/// products are not fused.
 #[inline(always)]
 pub(crate) fn product<const FUSED: bool>(a: f64, b: f64) -> Pair {
     let high = a * b;
@@ -42,7 +43,8 @@ pub(crate) fn product<const FUSED: bool>(a: f64, b: f64) -> Pair {
     Pair { high, low }
 }
 
-/// The leading 26 bits of a number and the others, so that products of halves are exact (G. W. Veltkamp).
+/// The leading 26 bits of a number and the others, so that products of halves are exact (G. W.
+/// Veltkamp).
 #[inline(always)]
 fn halves(number: f64) -> Pair {
     const SPLITTER: f64 = 134_217_729.0;
@@ -51,7 +53,8 @@ fn halves(number: f64) -> Pair {
     Pair { high, low: number - high }
 }
 
-/// The quotient of pairs, a unit in the last place from rounded, and what is missing to some hundred bits.
+/// The quotient of pairs, a unit in the last place from rounded, and what is missing to some
+/// hundred bits.
 #[inline(always)]
 pub(crate) fn quotient<const FUSED: bool>(numerator: Pair, denominator: Pair) -> Pair {
     let reciprocal = 1.0 / denominator.high;

@@ -1,18 +1,21 @@
-//! Sine and cosine of one angle with 0.54 units in the last place, without a branch, without a table and without fused products.
+//! Sine and cosine of one angle with 0.54 units in the last place, without a branch, without a
+//! table and without fused products.
 //!
-//! With the notation of [`crate::angle`], r is split into r₁, a multiple of 2⁻⁸, and r₂ = r − r₁. Then terms with few bits are exact products:
-//! 1 − r₁²/2, c₁ r₁³ and C₁ r₁⁴, where c₁ has 27 bits of the polynomial's first coefficient c, C₁ has 21 of C, and c = c₁ + c₂, C = C₁ + C₂.
+//! With the notation of [`crate::angle`], r is split into r₁, a multiple of 2⁻⁸, and r₂ = r − r₁.
+//! Then terms with few bits are exact products: 1 − r₁²/2, c₁ r₁³ and C₁ r₁⁴, where c₁ has 27 bits
+//! of the polynomial's first coefficient c, C₁ has 21 of C, and c = c₁ + c₂, C = C₁ + C₂.
 //!
 //! ```text
 //! sin(r + δ) = [r + c₁ r₁³] + (c r₂ (r² + r₁ (r + r₁)) + c₂ r₁³ + δ (1 − z/2) + z² r p(z)),
 //! cos(r + δ) = [1 − r₁²/2 + C₁ r₁⁴] + (C₂ r₁⁴ − a (1 − 2 C (z + r₁²)) − r δ + z³ q(z)),    a = r₂ (r + r₁)/2,
 //! ```
 //!
-//! where p and q lack their first terms. Sums in brackets are pairs of doubles. What follows them is at most 1/60 of the result, so its
-//! roundings hardly count.
+//! where p and q lack their first terms. Sums in brackets are pairs of doubles. What follows them
+//! is at most 1/60 of the result, so its roundings hardly count.
 //!
-//! For r = 0.7: r₁ = 179/256 = 0.69921875 and r₂ = 0.00078125; c₁ r₁³ ≈ −0.0570 is exact, and the sine is 0.7 − 0.0570 with the rounding error
-//! of this sum, plus −0.000191 from r₂ and 0.00139 from the other terms: 0.64421769 in all.
+//! For r = 0.7: r₁ = 179/256 = 0.69921875 and r₂ = 0.00078125. c₁ r₁³ ≈ −0.0570 is exact. The sine
+//! is 0.7 − 0.0570 with the rounding error of this sum, −0.000191 from r₂ and 0.00139 from the
+//! other terms: 0.64421769.
 
 use crate::angle::{COSINE, SINE, in_quadrant};
 use crate::pair::{Pair, sum};

@@ -1,7 +1,8 @@
 //! Angles of any size in quarter turns, in integers.
 //!
-//! M. H. Payne, R. N. Hanek, "Radian reduction for trigonometric functions", *SIGNUM Newsletter* 18 (1983): of 2/π only those bits count
-//! that neither make multiples of four quarters nor are too small.
+//! M. H. Payne, R. N. Hanek, "Radian reduction for trigonometric functions", *SIGNUM Newsletter* 18
+//! (1983): of 2/π only those bits count that neither make multiples of four quarters nor are too
+//! small.
 
 /// The bits of 2/π behind the point.
 const TWO_OVER_PI: [u64; 24] = [
@@ -63,8 +64,8 @@ fn bits_from(place: i64) -> u64 {
     if bits == 0 { word(index) } else { word(index) << bits | word(index + 1) >> (64 - bits) }
 }
 
-/// Splits quarter turns into the nearest whole number of them, modulo four, and the magnitude of the rest, which is at most
-/// one half and begins at the point. The truth value tells a negative rest.
+/// Splits quarter turns into the nearest whole number, modulo four, and the magnitude of the rest.
+/// That is at most one half and begins at the point. The truth value tells a negative rest.
 #[must_use]
 pub fn nearest_quarter<const WORDS: usize>(turns: [u64; WORDS]) -> (u64, bool, [u64; WORDS]) {
     let nearest = (turns[0] >> 62) + (turns[0] >> 61 & 1);

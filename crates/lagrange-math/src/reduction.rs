@@ -1,15 +1,16 @@
 //! Angles to a multiple of π/2 and a rest between −π/4 and π/4.
 //!
-//! A sum of three parts stands for π/2. The first two have 37 bits and the multiple at most 16, so that their
-//! products are exact, and so is the first difference (Sterbenz: its terms are near to each other, and both
-//! are multiples of 2⁻⁵³). The rest is a sum of two doubles.
+//! A sum of three parts stands for π/2. The first two have 37 bits and the multiple at most 16, so
+//! that their products are exact, and so is the first difference (Sterbenz: its terms are near to
+//! each other, and both are multiples of 2⁻⁵³). The rest is a sum of two doubles.
 //!
-//! How good it is depends on how near a double comes to a multiple of π/2. Of all up to 10⁵ the nearest is
-//! 45.553093477052, at 2^−60.5 from 29 π/2; at the double nearest to each of the 63 661 multiples the relative
-//! error of the rest is below 2^−63 (`tools/sin_cos.py angles`). Other doubles are farther away.
+//! How good it is depends on how near a double comes to a multiple of π/2. Of all up to 10⁵ the
+//! nearest is 45.553093477052, at 2^−60.5 from 29 π/2; at the double nearest to each of the 63 661
+//! multiples the relative error of the rest is below 2^−63 (`tools/sin_cos.py angles`). Other
+//! doubles are farther away.
 //!
-//! Larger angles are reduced in integers. No double is nearer than 2^−61 to a multiple of π/2, so that more than 70 correct bits
-//! of the rest remain.
+//! Larger angles are reduced in integers. No double is nearer than 2^−61 to a multiple of π/2, so
+//! that more than 70 correct bits of the rest remain.
 
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
@@ -45,7 +46,8 @@ pub(crate) fn reduce<const FUSED: bool>(x: f64) -> Reduced {
     let n = shifted - SHIFT;
     let first = multiply_add::<FUSED>(-n, HALF_PI[0], x);
     let high = multiply_add::<FUSED>(-n, HALF_PI[1], first);
-    // What rounding took from `high`. Where the product is the larger term, the difference is exact.
+    // What rounding took from `high`. Where the product is the larger term, the difference is
+    // exact.
     let lost = multiply_add::<FUSED>(-n, HALF_PI[1], first - high);
     Reduced { quadrant: shifted.to_bits(), high, low: multiply_add::<FUSED>(-n, HALF_PI[2], lost) }
 }

@@ -1,5 +1,6 @@
-//! The tangent of one angle, without a branch: the quotient of the sine and the cosine of the reduced angle, or of the cosine and the
-//! sine in odd quadrants, both as sums of two doubles, so that only the quotient is rounded.
+//! The tangent of one angle, without a branch: the quotient of the sine and the cosine of the
+//! reduced angle, or of the cosine and the sine in odd quadrants, both as sums of two doubles, so
+//! that only the quotient is rounded.
 
 use crate::angle::of_rest;
 use crate::pair::{Pair, normal, quotient};
@@ -27,7 +28,8 @@ fn of_reduced<const FUSED: bool>(reduced: &Reduced, x: f64) -> f64 {
     f64::from_bits((high + low).to_bits() ^ sign)
 }
 
-/// The first pair where all bits of the mask are set, the second where none is. In bits, as in [`crate::angle`].
+/// The first pair where all bits of the mask are set, the second where none is. In bits, as in
+/// [`crate::angle`].
 #[inline(always)]
 fn chosen(mask: u64, then: Pair, otherwise: Pair) -> Pair {
     let choose = |then: f64, otherwise: f64| {

@@ -38,13 +38,16 @@ pub struct Mark {
 const LEAST_SPAN: f64 = 3e-14;
 /// An axis on which everything is zero goes so far to both sides.
 const ZERO_SPAN: f64 = 1.0;
-/// Labels of numbers from 10⁻³ to 10⁵ are written as they are, others with a power of ten beside the axis.
+/// Labels of numbers from 10⁻³ to 10⁵ are written as they are, others with a power of ten beside
+/// the axis.
 const PLAIN: core::ops::Range<f64> = 1e-3..1e5;
-/// If labels would have to differ after this many digits, most of the number stands beside the axis.
+/// If labels would have to differ after this many digits, most of the number stands beside the
+/// axis.
 const DIGITS: f64 = 1e6;
 
 impl Axis {
-    /// An axis for values of this range, with some room at both ends in terms of it, and about this many marks.
+    /// An axis for values of this range, with some room at both ends in terms of it, and about this
+    /// many marks.
     pub fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
         match scale {
             Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
@@ -52,12 +55,14 @@ impl Axis {
         }
     }
 
-    /// An axis for those of these values that are finite, on a logarithmic axis for those above zero.
+    /// An axis for those of these values that are finite, on a logarithmic axis for those above
+    /// zero.
     pub fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
         Axis::new(scale, range(scale, values), room, marks)
     }
 
-    /// An axis that ends with the least and the largest of the finite values, on a logarithmic axis of those above zero.
+    /// An axis that ends with the least and the largest of the finite values, on a logarithmic axis
+    /// of those above zero.
     pub fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
         match (scale, range(scale, values)) {
             (Scale::Logarithmic, Some((low, high))) if low < high => exact_logarithmic((low, high)),
@@ -116,7 +121,8 @@ fn logarithmic((low, high): (f64, f64), marks: u32) -> Axis {
     Axis { scale: Scale::Logarithmic, from, to, marks: powers.map(mark).collect(), note: String::new() }
 }
 
-/// An axis whose ends are no powers of ten: marks are at these, and if they are few at 2 and 5 times each, too.
+/// An axis whose ends are no powers of ten: marks are at these, and if they are few at 2 and 5
+/// times each, too.
 fn exact_logarithmic((low, high): (f64, f64)) -> Axis {
     let (from, to) = (low.log10(), high.log10());
     let powers: Vec<f64> = std::iter::successors(Some(from.floor()), |power| Some(power + 1.0))

@@ -6,7 +6,8 @@ use crate::label::Label;
 use crate::paper::{Paper, Point};
 use crate::pixels::Colour;
 
-/// The area between two curves over the same abscissae, broken where one is not finite. Bands that lie in each other darken.
+/// The area between two curves over the same abscissae, broken where one is not finite. Bands that
+/// lie in each other darken.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Band {
     /// Name in the legend.

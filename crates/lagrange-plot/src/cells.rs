@@ -7,7 +7,8 @@ use crate::label::Label;
 use crate::paper::Paper;
 use crate::pixels::{Colour, mixed};
 
-/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the largest. Cells whose value is not finite stay white.
+/// A grid of cells with a value each, coloured from dark blue for the least to yellow for the
+/// largest. Cells whose value is not finite stay white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Cells {
     /// Name of the values.
@@ -24,7 +25,8 @@ pub struct Cells {
     pub values: Vec<f64>,
 }
 
-/// Colours at equal distances from the least to the largest value: `viridis` by Stéfan van der Walt and Nathaniel Smith (2015).
+/// Colours at equal distances from the least to the largest value: `viridis` by Stéfan van der Walt
+/// and Nathaniel Smith (2015).
 const VIRIDIS: [Colour; 8] = [
     [68, 1, 84, u8::MAX],
     [70, 50, 127, u8::MAX],
@@ -35,7 +37,8 @@ const VIRIDIS: [Colour; 8] = [
     [159, 218, 58, u8::MAX],
     [253, 231, 37, u8::MAX],
 ];
-/// The bar of colours: how far it is from the grid, how wide it is, and what its marks and its name take.
+/// The bar of colours: how far it is from the grid, how wide it is, and what its marks and its name
+/// take.
 const GAP: i32 = 12;
 const BAR: i32 = 14;
 const LABELS: i32 = 62;
@@ -49,7 +52,8 @@ impl Cells {
         self.values.len() / self.columns.max(1)
     }
 
-    /// The size of a grid of which each cell has a whole number of pixels, of which there are so many to the unit.
+    /// The size of a grid of which each cell has a whole number of pixels, of which there are so
+    /// many to the unit.
     pub(crate) fn size(&self, pixels: u32) -> (u32, u32) {
         let (columns, rows) = (self.columns as u32, self.rows() as u32);
         let each = (SIDE / columns.max(rows).max(1)).max(1);

@@ -1,10 +1,11 @@
 //! Characters of texts and numbers that pictures show, and how documents hold them.
 //!
-//! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control characters and for U+FFFE and U+FFFF, not
-//! even as references. Pixels and documents show the same ones, so that widths are those of what is written.
+//! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control
+//! characters and for U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
+//! ones, so that widths are those of what is written.
 
-/// The characters of a text that a picture shows: a blank for each tab and end of a line, nothing for other control characters and for code
-/// points that are no characters.
+/// The characters of a text that a picture shows: a blank for each tab and end of a line, nothing
+/// for other control characters and for code points that are no characters.
 pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars().filter_map(|character| match character {
         '\t' | '\n' | '\r' | '\u{85}' => Some(' '),

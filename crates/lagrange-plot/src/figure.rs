@@ -1,8 +1,9 @@
 //! Figures of curves, areas and coloured cells, saved as SVG or PNG.
 //!
-//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs tuning: ranges, marks,
-//! labels and colours follow from the numbers. Colours are those of Okabe and Ito, *Color Universal Design* (2008), which
-//! people with any colour vision tell apart; more than seven curves run from blue to yellow.
+//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs
+//! tuning: ranges, marks, labels and colours follow from the numbers. Colours are those of Okabe
+//! and Ito, *Color Universal Design* (2008), which people with any colour vision tell apart; more
+//! than seven curves run from blue to yellow.
 
 use std::fmt::{Display, Formatter};
 use std::io::{self, BufWriter};
@@ -33,13 +34,15 @@ pub struct Figure {
 const POINTS_A_PIXEL: u32 = 5;
 
 impl Figure {
-    /// A figure of one panel, so large that each of its cells has a whole number of pixels in a PNG file.
+    /// A figure of one panel, so large that each of its cells has a whole number of pixels in a PNG
+    /// file.
     pub fn of_cells(panel: Panel) -> Figure {
         let size = panel.size_of_cells(FINENESS / POINTS_A_PIXEL);
         Figure { panels: vec![panel], columns: 1, size }
     }
 
-    /// Saves the figure to a file: SVG or PNG, by its extension. An older file stays until the new one is whole.
+    /// Saves the figure to a file: SVG or PNG, by its extension. An older file stays until the new
+    /// one is whole.
     ///
     /// # Errors
     /// If the extension is another one, an image cannot be encoded, or the file cannot be written.

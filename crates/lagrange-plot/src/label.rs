@@ -20,7 +20,8 @@ pub struct Run {
 }
 
 impl Run {
-    /// Returns true for a symbol, which is set in italics: one letter, perhaps with dots and primes.
+    /// Returns true for a symbol, which is set in italics: one letter, perhaps with dots and
+    /// primes.
     pub fn is_symbol(&self) -> bool {
         !self.is_subscript && is_symbol(&self.text)
     }
@@ -150,7 +151,8 @@ impl Label {
         self.set(size).1
     }
 
-    /// Returns an element of SVG with the left end, middle or right end of the base line at a place.
+    /// Returns an element of SVG with the left end, middle or right end of the base line at a
+    /// place.
     ///
     /// A text with accents is drawn as outlines: many fonts hide dots in high letters such as θ.
     pub fn element(&self, at: [f64; 2], size: f64, anchor: Anchor, attributes: &str) -> String {
@@ -182,9 +184,11 @@ impl Label {
         format!("<g role=\"img\" aria-label=\"{name}\"><path d=\"{data}\"{attributes}/></g>\n")
     }
 
-    /// Returns the content of an SVG text element: symbols in italics, subscripts smaller and lower.
+    /// Returns the content of an SVG text element: symbols in italics, subscripts smaller and
+    /// lower.
     ///
-    /// Sizes are in the units of the picture, which every viewer understands: not all take a percentage, or an em of a part of a text.
+    /// Sizes are in the units of the picture, which every viewer understands: not all take a
+    /// percentage, or an em of a part of a text.
     pub fn content(&self, size: f64) -> String {
         let mut content = String::new();
         let mut is_lowered = false;
@@ -222,7 +226,8 @@ fn path_data(segments: impl Iterator<Item = PathSegment>) -> String {
     segments.map(command).collect()
 }
 
-/// Returns one piece of a text in letters of this size; `is_lowered` is true if the piece before is a subscript.
+/// Returns one piece of a text in letters of this size; `is_lowered` is true if the piece before is
+/// a subscript.
 fn span(run: &Run, size: f64, is_lowered: bool) -> String {
     let (factor, lowered) = SUBSCRIPT;
     let lowered = number(size * lowered);

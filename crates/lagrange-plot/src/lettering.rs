@@ -1,9 +1,12 @@
-//! Letters as outlines, of a font that is embedded, so that pictures in pixels are the same everywhere.
+//! Letters as outlines, of a font that is embedded, so that pictures in pixels are the same
+//! everywhere.
 //!
-//! The font is STIX Two, made for mathematics, cut down to what labels need and called Lagrange Letters: `letters/` holds it with its licence,
-//! the SIL Open Font License 1.1, and `tools/letters.py` makes it. It is read by `ttf-parser`. Pairs of letters are kerned and
-//! accents stand above what they belong to; ligatures, and scripts that are not written letter by letter from left to right, are not
-//! for here. A character that the font lacks is a box with a question mark.
+//! The font is STIX Two, made for mathematics, cut down to what labels need and called Lagrange
+//! Letters: `letters/` holds it with its licence, the SIL Open Font License 1.1, and
+//! `tools/letters.py` makes it. It is read by `ttf-parser`. Pairs of letters are kerned and accents
+//! stand above what they belong to; ligatures, and scripts that are not written letter by letter
+//! from left to right, are not for here. A character that the font lacks is a box with a question
+//! mark.
 
 use std::sync::LazyLock;
 
@@ -12,7 +15,8 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
 
 use crate::characters::shown;
 
-/// The family that is asked for where viewers have fonts of their own: the embedded one in full, or what is set about as wide.
+/// The family that is asked for where viewers have fonts of their own: the embedded one in full, or
+/// what is set about as wide.
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
 
@@ -40,7 +44,8 @@ fn face(data: &'static [u8]) -> Face<'static> {
     Face::parse(data, 0).expect("the embedded fonts are fonts")
 }
 
-/// The outline of a line of text for a font of size 1, y downwards from the left end of the base line; none if nothing is to be seen.
+/// The outline of a line of text for a font of size 1, y downwards from the left end of the base
+/// line; none if nothing is to be seen.
 pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     let mut pen = Pen { path: PathBuilder::new(), at: (0.0, 0.0), unit: 1.0 };
     set(text, slope, |letter, at| {
@@ -52,7 +57,8 @@ pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     pen.path.finish()
 }
 
-/// The width of a line of text for a font of size 1, from the start of its first letter to where another one would follow.
+/// The width of a line of text for a font of size 1, from the start of its first letter to where
+/// another one would follow.
 pub fn width(text: &str, slope: Slope) -> f64 {
     f64::from(set(text, slope, |_, _| {}))
 }
@@ -87,7 +93,8 @@ impl Letter {
         if std::ptr::eq(self.face, next.face) { unit(self.face) * f32::from(found.unwrap_or(0)) } else { 0.0 }
     }
 
-    /// From where this letter stands to where an accent is drawn: above its middle, along its slope, higher above high letters.
+    /// From where this letter stands to where an accent is drawn: above its middle, along its
+    /// slope, higher above high letters.
     fn accented(self, accent: Letter) -> Option<(f32, f32)> {
         let [letter, mark] = [self, accent].map(|drawn| drawn.face.glyph_bounding_box(drawn.glyph));
         let (letter, mark) = (letter?, mark?);

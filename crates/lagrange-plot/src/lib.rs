@@ -1,7 +1,7 @@
 //! Figures of curves over numbers, and the pixels and letters of all pictures.
 //!
-//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature `figures` there are axes, pixels and
-//! letters only, which pictures of mechanisms use, too.
+//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature
+//! `figures` there are axes, pixels and letters only, which pictures of mechanisms use, too.
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "figures")]

@@ -44,8 +44,9 @@ const GREEK: [(&str, char); 34] = [
 /// Behind a word, more letters than these are another word and no subscript.
 const SHORT: usize = 3;
 
-/// Writes a name in the notation of labels: Greek letters by their names, numbers behind a letter as subscripts. A part behind an
-/// underscore is a subscript of a symbol, or of a word if it is short; longer parts are words: `left_half`.
+/// Writes a name in the notation of labels: Greek letters by their names, numbers behind a letter
+/// as subscripts. A part behind an underscore is a subscript of a symbol, or of a word if it is
+/// short; longer parts are words: `left_half`.
 pub fn formula(name: &str) -> String {
     let is_name = name.chars().all(|c| c.is_alphanumeric() || "_'′".contains(c));
     let mut parts = name.split('_').map(symbols);
@@ -97,7 +98,8 @@ fn symbols(name: &str) -> String {
     written
 }
 
-/// The columns of a system, which are labelled by symbols where their names are those of symbols and no two look alike.
+/// The columns of a system, which are labelled by symbols where their names are those of symbols
+/// and no two look alike.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Columns {
     /// Names by the symbols that they are written as.
@@ -127,8 +129,9 @@ impl Columns {
     }
 }
 
-/// Writes the name of a column in the notation of labels if it is that of a symbol: `theta1_dot` is θ̇ with the subscript 1,
-/// `x[2]` is x with the subscript 2. Words such as `energy` have no symbol.
+/// Writes the name of a column in the notation of labels if it is that of a symbol: `theta1_dot` is
+/// θ̇ with the subscript 1, `x[2]` is x with the subscript 2. Words such as `energy` have no
+/// symbol.
 fn quantity(name: &str) -> Option<String> {
     let (stem, indices) = name.split_at(name.find('[').unwrap_or(name.len()));
     let (stem, dots) = [("_ddot", "\u{308}"), ("_dot", "\u{307}")]

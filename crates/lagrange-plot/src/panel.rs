@@ -109,7 +109,8 @@ impl Panel {
         self.cells.iter().flat_map(|cells| cells.images(&self.frame(panel))).collect()
     }
 
-    /// The size with all labels at which each cell has a whole number of pixels, of which there are so many to the unit.
+    /// The size with all labels at which each cell has a whole number of pixels, of which there are
+    /// so many to the unit.
     pub(crate) fn size_of_cells(&self, pixels: u32) -> (u32, u32) {
         let (width, height) = around(self.cells.as_ref().map_or((0, 0), |cells| cells.size(pixels)));
         let beside = (self.legend_width() + self.bar_width()).unsigned_abs();

@@ -1,4 +1,5 @@
-//! Pixels of all pictures: areas, lines and letters with smooth edges on white, by `tiny-skia`, and PNG files of them.
+//! Pixels of all pictures: areas, lines and letters with smooth edges on white, by `tiny-skia`, and
+//! PNG files of them.
 
 use std::io::{self, Write};
 
@@ -30,8 +31,8 @@ pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
 }
 
 impl Pixels {
-    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none without pixels, or with more than
-    /// can lie in memory.
+    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none
+    /// without pixels, or with more than can lie in memory.
     pub fn white([width, height]: [u32; 2], scale: f64) -> Option<Pixels> {
         let size = IntSize::from_wh(width, height)?;
         let bytes = (width as usize).checked_mul(height as usize)?.checked_mul(4)?;
@@ -75,8 +76,9 @@ impl Pixels {
         self.pixmap.stroke_path(lines, &paint(colour), &pen, self.transform, None);
     }
 
-    /// Draws an image, rows of pixels with red, green, blue and opacity, between these edges on the left, above, on the right and below. Each
-    /// of its pixels stays a rectangle of one colour; opacities are none or full.
+    /// Draws an image, rows of pixels with red, green, blue and opacity, between these edges on the
+    /// left, above, on the right and below. Each of its pixels stays a rectangle of one colour;
+    /// opacities are none or full.
     pub fn place(&mut self, rgba: &[u8], [width, height]: [u32; 2], [left, top, right, bottom]: [f64; 4]) {
         let Some(image) = PixmapRef::from_bytes(rgba, width, height) else { return };
         let (wide, high) = ((right - left) / f64::from(width), (bottom - top) / f64::from(height));
@@ -85,8 +87,8 @@ impl Pixels {
         self.pixmap.draw_pixmap(0, 0, image, &paint, self.transform.pre_concat(within), None);
     }
 
-    /// Writes a line of text, which this takes from a font of size 1 with its left end on the base line at the origin, y downwards, to
-    /// its place.
+    /// Writes a line of text, which this takes from a font of size 1 with its left end on the base
+    /// line at the origin, y downwards, to its place.
     pub fn write(&mut self, text: &str, slope: Slope, place: Transform, colour: Colour) {
         let Some(outline) = lettering::outline(text, slope) else { return };
         let transform = self.transform.pre_concat(place);

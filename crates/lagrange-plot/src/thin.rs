@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 /// Abscissa and ordinate.
 pub(crate) type Point = (f64, f64);
 
-/// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a line.
+/// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a
+/// line.
 ///
-/// Of the points of a curve over time that lie within one column, the first, the lowest, the highest and the last stay, so
-/// that no extreme is lost. Of any other curve, points stay that lie in another square than the one before, and a segment
-/// that joins the same squares as an earlier one is left out: where it runs along itself, it is drawn once.
+/// Of the points of a curve over time that lie within one column, the first, the lowest, the
+/// highest and the last stay, so that no extreme is lost. Of any other curve, points stay that lie
+/// in another square than the one before, and a segment that joins the same squares as an earlier
+/// one is left out: where it runs along itself, it is drawn once.
 pub(crate) fn thin(points: impl Iterator<Item = Point>, width: f64) -> Vec<Vec<Point>> {
     let mut pieces = Vec::new();
     for piece in finite(points) {

@@ -1,16 +1,18 @@
-//! The motion of rigid bodies: velocities and accelerations of their points, instantaneous centres, angular momentum.
+//! The motion of rigid bodies: velocities and accelerations of their points, instantaneous centres,
+//! angular momentum.
 //!
 //! [`Motion`] is that of a body in the plane, [`SpatialMotion`] that of one in space.
 //!
-//! The own coordinates X, Y of a body in the plane turn with it by its angle φ, counterclockwise. With ω = φ̇ and
-//! e_z × (x, y) = (−y, x), a point Q of the body at ρ from another point P of it has
+//! The own coordinates X, Y of a body in the plane turn with it by its angle φ, counterclockwise.
+//! With ω = φ̇ and e_z × (x, y) = (−y, x), a point Q of the body at ρ from another point P of it
+//! has
 //!
 //! ```text
 //! v_Q = v_P + ω e_z × ρ,    a_Q = a_P + ω̇ e_z × ρ − ω² ρ.
 //! ```
 //!
-//! Both are arithmetic on one moment of a motion: they know of no forces and integrate nothing. Types declared with
-//! `emit { motion }` return one for each body.
+//! Both are arithmetic on one moment of a motion: they know of no forces and integrate nothing.
+//! Types declared with `emit { motion }` return one for each body.
 //!
 //! ```
 //! use lagrange::body::Motion;
@@ -32,7 +34,8 @@
 //! assert_eq!(wheel.kinetic_energy(), 1.5);
 //! ```
 //!
-//! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, ch. 5 (kinematics) and ch. 6 (the axiom of angular momentum).
+//! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, ch. 5 (kinematics) and ch. 6 (the
+//! axiom of angular momentum).
 
 mod spatial;
 
@@ -42,9 +45,9 @@ pub use spatial::SpatialMotion;
 
 /// The motion of a plane rigid body at one moment.
 ///
-/// Positions are in m, angles in rad, masses in kg, times in s, if the numbers of the declaration are. Points of the body are
-/// named by their own coordinates `[X, Y]`, places in the plane by `[x, y]`. What is not finite makes every number that depends
-/// on it NaN or infinite.
+/// Positions are in m, angles in rad, masses in kg, times in s, if the numbers of the declaration
+/// are. Points of the body are named by their own coordinates `[X, Y]`, places in the plane by
+/// `[x, y]`. What is not finite makes every number that depends on it NaN or infinite.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Motion<S> {
     /// The mass.
@@ -67,8 +70,8 @@ pub struct Motion<S> {
     pub angular_acceleration: S,
 }
 
-/// The acceleration of a point Q of a body, in the three parts in which it appears from another point P of the body at distance
-/// −ρ.
+/// The acceleration of a point Q of a body, in the three parts in which it appears from another
+/// point P of the body at distance −ρ.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Acceleration<S> {
     /// a_P, the acceleration of P.
@@ -102,8 +105,8 @@ impl<S: Scalar> Motion<S> {
         sum(self.center, self.between(self.centroid, own))
     }
 
-    /// The own coordinates of the point of the body, imagined as large as need be, that is at a place: what undoes
-    /// [`point`](Motion::point).
+    /// The own coordinates of the point of the body, imagined as large as need be, that is at a
+    /// place: what undoes [`point`](Motion::point).
     #[must_use]
     pub fn own(&self, place: [S; 2]) -> [S; 2] {
         sum(self.centroid, self.turned_back(difference(place, self.center)))
@@ -129,26 +132,28 @@ impl<S: Scalar> Motion<S> {
         sum(self.velocity, scaled(self.angular_velocity, turned(self.between(self.centroid, own))))
     }
 
-    /// The two parts v_P and ω e_z × ρ of the velocity of a point Q of the body as it appears from the point P; their sum is
-    /// [`velocity_at`](Motion::velocity_at) whatever P is.
+    /// The two parts v_P and ω e_z × ρ of the velocity of a point Q of the body as it appears from
+    /// the point P; their sum is [`velocity_at`](Motion::velocity_at) whatever P is.
     #[must_use]
     pub fn velocity_from(&self, own: [S; 2], reference: [S; 2]) -> [[S; 2]; 2] {
         let about = scaled(self.angular_velocity, turned(self.between(reference, own)));
         [self.velocity_at(reference), about]
     }
 
-    /// The instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of the body has no velocity.
+    /// The instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of the body
+    /// has no velocity.
     ///
-    /// `None` if ω is zero, as in pure translation, or if the centre is not a finite place, as with a state that is not a
-    /// number. There is no tolerance: an ω that only rounding keeps from zero gives a centre far away, the farther the smaller
-    /// it is. Who wants to leave out such centres compares their distance with a length that matters to them.
+    /// `None` if ω is zero, as in pure translation, or if the centre is not a finite place, as with
+    /// a state that is not a number. There is no tolerance: an ω that only rounding keeps from zero
+    /// gives a centre far away, the farther the smaller it is. Who wants to leave out such centres
+    /// compares their distance with a length that matters to them.
     #[must_use]
     pub fn instant_center(&self) -> Option<[S; 2]> {
         finite(sum(self.center, self.instant_arm()))
     }
 
-    /// The instantaneous centre in the body's own coordinates, where its path is the moving centrode; `None` as for
-    /// [`instant_center`](Motion::instant_center).
+    /// The instantaneous centre in the body's own coordinates, where its path is the moving
+    /// centrode; `None` as for [`instant_center`](Motion::instant_center).
     #[must_use]
     pub fn own_instant_center(&self) -> Option<[S; 2]> {
         finite(sum(self.centroid, self.turned_back(self.instant_arm())))
@@ -168,8 +173,8 @@ impl<S: Scalar> Motion<S> {
         self.parts(self.acceleration, self.between(self.centroid, own))
     }
 
-    /// The acceleration of a point of the body as it appears from the point `reference`, in own coordinates too. The total does
-    /// not depend on it, the parts do.
+    /// The acceleration of a point of the body as it appears from the point `reference`, in own
+    /// coordinates too. The total does not depend on it, the parts do.
     #[must_use]
     pub fn acceleration_from(&self, own: [S; 2], reference: [S; 2]) -> Acceleration<S> {
         self.parts(self.acceleration_at(reference).total(), self.between(reference, own))
@@ -193,7 +198,8 @@ impl<S: Scalar> Motion<S> {
         scaled(self.mass, self.velocity)
     }
 
-    /// The angular momentum m (r_S − r_O) × v_S + J_S ω about a place O at rest, positive counterclockwise.
+    /// The angular momentum m (r_S − r_O) × v_S + J_S ω about a place O at rest, positive
+    /// counterclockwise.
     #[must_use]
     pub fn angular_momentum(&self, about: [S; 2]) -> S {
         let arm = difference(self.center, about);
@@ -208,7 +214,8 @@ impl<S: Scalar> Motion<S> {
         S::from_f64(0.5) * twice
     }
 
-    /// The moment of inertia J_P = J_S + m r² about a point of the body at distance r from the centre of mass (Steiner).
+    /// The moment of inertia J_P = J_S + m r² about a point of the body at distance r from the
+    /// centre of mass (Steiner).
     #[must_use]
     pub fn inertia_about(&self, own: [S; 2]) -> S {
         self.inertia + self.mass * norm_squared(difference(own, self.centroid))

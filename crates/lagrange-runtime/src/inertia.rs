@@ -1,15 +1,18 @@
 //! Moments of inertia of plane and solid bodies, and where their centres of mass are.
 //!
-//! Every moment of inertia here is about the axis through the *centre of mass* that is normal to the plane of motion,
-//! J = ∫ (X² + Y²) dm, of a homogeneous body of the mass `mass`: kg m² if that is in kg and lengths in m. For a prismatic body
-//! of height h and density γ that is γ h times the polar second moment of its area. [`steiner`] shifts to a parallel axis;
-//! [`MassGeometry`] puts bodies together of parts and holes.
+//! Every moment of inertia here is about the axis through the *centre of mass* that is normal to
+//! the plane of motion, J = ∫ (X² + Y²) dm, of a homogeneous body of the mass `mass`: kg m² if that
+//! is in kg and lengths in m. For a prismatic body of height h and density γ that is γ h times the
+//! polar second moment of its area. [`steiner`] shifts to a parallel axis; [`MassGeometry`] puts
+//! bodies together of parts and holes.
 //!
-//! Where the centre of mass is not obvious a function ending in `_center` tells it in the body's own coordinates, those of
-//! [`Outline`](crate::scene::Outline). The language of `system!` has the same functions.
+//! Where the centre of mass is not obvious a function ending in `_center` tells it in the body's
+//! own coordinates, those of [`Outline`](crate::scene::Outline). The language of `system!` has the
+//! same functions.
 //!
-//! What is not a number stays not a number, and NaN is returned for what does not exist, such as a triangle with a side
-//! longer than the other two together. Signs of lengths do not matter unless stated.
+//! What is not a number stays not a number, and NaN is returned for what does not exist, such as a
+//! triangle with a side longer than the other two together. Signs of lengths do not matter unless
+//! stated.
 //!
 //! ```
 //! use lagrange::inertia::{MassGeometry, disk, rectangle, semicircular_disk, semicircular_disk_center};
@@ -25,8 +28,8 @@
 //! assert!(rest.center[0] < 0.0 && rest.inertia < plate.inertia);
 //! ```
 //!
-//! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, app. B and table D/4; for polygons Steger, *On the calculation
-//! of arbitrary moments of polygons* (1996).
+//! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, app. B and table D/4; for polygons
+//! Steger, *On the calculation of arbitrary moments of polygons* (1996).
 
 mod compound;
 mod polygon;

@@ -1,8 +1,8 @@
 //! The run-time support of systems derived at compile time: traits, integrators, contacts, runs,
 //! and the simulation builder.
 //!
-//! Users depend on `lagrange`, which shows all of this under its own paths. Below it stand plots, which know numbers and names only;
-//! pictures and films of systems stand above.
+//! Users depend on `lagrange`, which shows all of this under its own paths. Below it stand plots,
+//! which know numbers and names only; pictures and films of systems stand above.
 //!
 //! | layer | what it holds |
 //! |---|---|

@@ -1,9 +1,10 @@
 //! Numbers that emitted code can compute with.
 //!
 //! [`Number`] is the contract between emitted formulas and a number type. It is no general numeric
-//! abstraction: it holds what the language of `system!` can express, nothing else. [`Scalar`] adds what runs, events
-//! and contacts need beside: an order, so that a program may branch. `f64` and `f32` are both, with the functions of
-//! the platform under the `std` feature and those of `libm` without it. [`Portable`] numbers have the same bits everywhere.
+//! abstraction: it holds what the language of `system!` can express, nothing else. [`Scalar`] adds
+//! what runs, events and contacts need beside: an order, so that a program may branch. `f64` and
+//! `f32` are both, with the functions of the platform under the `std` feature and those of `libm`
+//! without it. [`Portable`] numbers have the same bits everywhere.
 
 mod lanes;
 mod mask;
@@ -47,18 +48,21 @@ macro_rules! value_of {
     };
 }
 
-/// A real number with elementary functions, or several that go through the same formulas side by side.
+/// A real number with elementary functions, or several that go through the same formulas side by
+/// side.
 ///
-/// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out, save
-/// for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code relies on
-/// this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
+/// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out,
+/// save for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code
+/// relies on this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
 ///
-/// Numbers side by side cannot branch, each may want another way: they compute both and [`select`](Number::select).
-/// For those that can branch a [mask](Mask) is a `bool`, and they are [`Scalar`]s.
+/// Numbers side by side cannot branch, each may want another way: they compute both and
+/// [`select`](Number::select). For those that can branch a [mask](Mask) is a `bool`, and they are
+/// [`Scalar`]s.
 ///
-/// Functions with a default need not be defined. Defaults are accurate to a few units in the last place, in double precision
-/// or less, and build on the required functions: `atan` on [`atan2`](Number::atan2), and `sin_cos` on sine and cosine.
-/// A new function of the language always has a default.
+/// Functions with a default need not be defined. Defaults are accurate to a few units in the last
+/// place, in double precision or less, and build on the required functions: `atan` on
+/// [`atan2`](Number::atan2), and `sin_cos` on sine and cosine. A new function of the language
+/// always has a default.
 pub trait Number:
     Copy
     + Debug
@@ -91,8 +95,9 @@ pub trait Number:
     /// The first number where the mask is true, the second elsewhere.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
-    /// The largest whole number that is not above this one, but at least 0 and below `count`; 0 for NaN. `None` of numbers side by side,
-    /// and where an implementation does not know better: then tables search for what they know otherwise.
+    /// The largest whole number that is not above this one, but at least 0 and below `count`; 0 for
+    /// NaN. `None` of numbers side by side, and where an implementation does not know better: then
+    /// tables search for what they know otherwise.
     #[inline]
     fn floor_below(self, count: usize) -> Option<usize> {
         let _ = count;
@@ -107,10 +112,10 @@ pub trait Number:
 
     /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
     ///
-    /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target can, the
-    /// error below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For other
-    /// numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better; what comes of an
-    /// angle must not depend on the others.
+    /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target
+    /// can, the error below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For
+    /// other numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better;
+    /// what comes of an angle must not depend on the others.
     ///
     /// ```
     /// use lagrange::Number;
@@ -125,8 +130,8 @@ pub trait Number:
 
     lagrange_math::functions!(methods);
 
-    /// `self` to a real power: NaN for a negative base with an exponent that is not an integer, and for NaN in
-    /// either place; else as IEEE 754 `pow`.
+    /// `self` to a real power: NaN for a negative base with an exponent that is not an integer, and
+    /// for NaN in either place; else as IEEE 754 `pow`.
     ///
     /// Unlike [`f64::powf`], which hides NaN in 1^NaN and NaN^0.
     fn powf(self, exponent: Self) -> Self;
@@ -154,8 +159,8 @@ pub trait Number:
 
     /// `self` to an integer power, by repeated squaring; the empty product, one, for exponent zero.
     ///
-    /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion to the
-    /// exponent. The result depends on no library and is the same on every platform.
+    /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion
+    /// to the exponent. The result depends on no library and is the same on every platform.
     #[inline(always)]
     fn powi(self, exponent: i32) -> Self {
         let mut product = Self::ONE;
@@ -173,19 +178,19 @@ pub trait Number:
         if exponent < 0 { Self::ONE / product } else { product }
     }
 
-    /// `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the target feature
-    /// `fma` is enabled at compile time.
+    /// `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the target
+    /// feature `fma` is enabled at compile time.
     ///
-    /// On a target without the instruction a fused product is a library call, many times slower than the
-    /// product and the sum it stands for; there the result is rounded twice.
+    /// On a target without the instruction a fused product is a library call, many times slower
+    /// than the product and the sum it stands for; there the result is rounded twice.
     #[inline]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }
 }
 
-/// A single real number, which programs may compare and branch on: what methods of integration, events and contacts
-/// compute with.
+/// A single real number, which programs may compare and branch on: what methods of integration,
+/// events and contacts compute with.
 pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     /// True if this is neither NaN nor infinite.
     fn is_finite(self) -> bool;
@@ -196,14 +201,15 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         spacing_at_one()
     }
 
-    /// `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target is, for [`Lanes`]: where it is no instruction
-    /// it is a call of a library.
+    /// `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target is, for
+    /// [`Lanes`]: where it is no instruction it is a call of a library.
     #[inline(always)]
     fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
         self.multiply_add(factor, addend)
     }
 
-    /// All sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    /// All sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products if
+    /// FUSED.
     #[inline(always)]
     fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sines, mut cosines) = (angles, angles);
@@ -213,25 +219,29 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         (sines, cosines)
     }
 
-    /// Values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    /// Values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32` fuse
+    /// products if FUSED.
     #[inline(always)]
     fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [Self; N]) -> [Self; N] {
         arguments.map(|x| lagrange_math::functions!(value_of function of x:))
     }
 
-    /// The angles of several points, each with an ordinate and an abscissa, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    /// The angles of several points, each with an ordinate and an abscissa, for [`Lanes`]; `f64`
+    /// and `f32` fuse products if FUSED.
     #[inline(always)]
     fn angles<const FUSED: bool, const N: usize>(ordinates: [Self; N], abscissas: [Self; N]) -> [Self; N] {
         core::array::from_fn(|i| ordinates[i].atan2(abscissas[i]))
     }
 
-    /// The lengths √(x² + y²) of several vectors, for [`Lanes`]; `f64` and `f32` fuse products if FUSED.
+    /// The lengths √(x² + y²) of several vectors, for [`Lanes`]; `f64` and `f32` fuse products if
+    /// FUSED.
     #[inline(always)]
     fn lengths<const FUSED: bool, const N: usize>(x: [Self; N], y: [Self; N]) -> [Self; N] {
         core::array::from_fn(|i| x[i].hypot(y[i]))
     }
 
-    /// Binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps. Of others the result has no meaning.
+    /// Binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps. Of others
+    /// the result has no meaning.
     #[inline(always)]
     fn rough_log2(self) -> Self {
         self.ln() / Self::from_f64(core::f64::consts::LN_2)

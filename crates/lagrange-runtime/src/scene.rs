@@ -1,7 +1,8 @@
 //! A description of a system of rigid bodies to be drawn at one moment.
 //!
-//! Types declared with `emit { drawing }` implement [`Scene`], whose [`Space`] is the [`Plane`] or [`Spatial`]; the feature `draw`
-//! makes pictures and films of both. Here are numbers only: no picture, no scale, no colour.
+//! Types declared with `emit { drawing }` implement [`Scene`], whose [`Space`] is the [`Plane`] or
+//! [`Spatial`]; the feature `draw` makes pictures and films of both. Here are numbers only: no
+//! picture, no scale, no colour.
 
 mod plane;
 mod space;
@@ -26,9 +27,10 @@ pub trait Scene: MechanicalSystem {
     /// The plane or space.
     type Space: Space;
 
-    /// Hands out everything that is to be drawn at time `t`, coordinates `q` and velocities `v`: lines, bodies and frames, connectors,
-    /// joints, and then forces and moments, each in the order of the declaration. Everything is in the axes of the world. In space these are the
-    /// same things of the same shape at all moments, but for where they are.
+    /// Hands out everything that is to be drawn at time `t`, coordinates `q` and velocities `v`:
+    /// lines, bodies and frames, connectors, joints, and then forces and moments, each in the order
+    /// of the declaration. Everything is in the axes of the world. In space these are the same
+    /// things of the same shape at all moments, but for where they are.
     fn items(
         &self,
         t: Self::Scalar,
@@ -64,12 +66,14 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         from: D::Vector<S>,
         /// The other end; the same for torsion springs and dampers.
         to: D::Vector<S>,
-        /// The force by which it pulls both ends together, or the moment that turns the first body towards the second.
+        /// The force by which it pulls both ends together, or the moment that turns the first body
+        /// towards the second.
         tension: S,
     },
     /// A joint.
     Joint {
-        /// Its name; in space that of its quaternion, of its first coordinate, or of what it places, or that of a pin.
+        /// Its name; in space that of its quaternion, of its first coordinate, or of what it
+        /// places, or that of a pin.
         name: &'a str,
         /// Kind of joint; in space with its axis and the bodies that it joins.
         kind: D::Joint<'a, S>,
@@ -102,8 +106,9 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         /// Its value, in space its components.
         moment: D::Moment<S>,
     },
-    /// A force or moment that acts and is not handed out: that of a joint which the coordinates fulfil by themselves, since it has no
-    /// multiplier, or a torque on a coordinate that does not tell which bodies it turns or where it acts.
+    /// A force or moment that acts and is not handed out: that of a joint which the coordinates
+    /// fulfil by themselves, since it has no multiplier, or a torque on a coordinate that does not
+    /// tell which bodies it turns or where it acts.
     Omitted {
         /// The name of the joint, or what acts.
         name: &'a str,

@@ -1,8 +1,9 @@
 //! Tables that declarations hold: splines, evaluated in any number type.
 //!
-//! `lagrange::system!` computes the coefficients of the polynomials; here they are looked up and evaluated. Where all pieces are equally
-//! long that takes `f64` and `f32` the same time for tables of any size; otherwise there is a search that halves what is left of them.
-//! Numbers side by side are evaluated in groups, one for each piece that some of them are in.
+//! `lagrange::system!` computes the coefficients of the polynomials; here they are looked up and
+//! evaluated. Where all pieces are equally long that takes `f64` and `f32` the same time for tables
+//! of any size; otherwise there is a search that halves what is left of them. Numbers side by side
+//! are evaluated in groups, one for each piece that some of them are in.
 
 use crate::scalar::{Mask, Number};
 
@@ -16,8 +17,9 @@ pub struct Axis {
 }
 
 impl Axis {
-    /// The piece that the numbers of a group are in, and their distances from where that begins; `None` for NaN. Piece 0 is the one before
-    /// the first knot, whose distance counts from there. Numbers in other pieces leave the group.
+    /// The piece that the numbers of a group are in, and their distances from where that begins;
+    /// `None` for NaN. Piece 0 is the one before the first knot, whose distance counts from there.
+    /// Numbers in other pieces leave the group.
     fn find<S: Number>(&self, group: &mut Group<S::Mask>, x: S) -> Option<(usize, S)> {
         let (knot, count) = (|i: usize| S::from_f64(self.knots[i]), self.knots.len());
         let piece = if group.agree_on(x.less(knot(0))) {
@@ -70,7 +72,8 @@ impl<M: Mask> Group<M> {
     }
 }
 
-/// The values for all numbers side by side, of which `evaluate` computes those of one group after another.
+/// The values for all numbers side by side, of which `evaluate` computes those of one group after
+/// another.
 #[inline]
 fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
     let (mut rest, mut values) = (S::Mask::splat(true), S::NAN);
@@ -97,8 +100,9 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
 pub struct Curve<const N: usize> {
     /// Places where pieces meet.
     pub axis: Axis,
-    /// Coefficients of each piece, the one before the first knot and the one behind the last among them, so one more than there are knots:
-    /// those of ascending powers of the distance from where the piece begins, of the first one from the first knot.
+    /// Coefficients of each piece, the one before the first knot and the one behind the last among
+    /// them, so one more than there are knots: those of ascending powers of the distance from where
+    /// the piece begins, of the first one from the first knot.
     pub pieces: &'static [[f64; N]],
 }
 
@@ -124,8 +128,9 @@ impl<const N: usize> Curve<N> {
 pub struct Surface<const N: usize> {
     /// Places where pieces meet, along the first and along the second argument.
     pub axes: [Axis; 2],
-    /// Coefficients of each piece, in rows of ascending powers of the first distance, with ascending powers of the second one in each; the
-    /// pieces themselves in rows along the second argument, as many as in a [`Curve`].
+    /// Coefficients of each piece, in rows of ascending powers of the first distance, with
+    /// ascending powers of the second one in each; the pieces themselves in rows along the second
+    /// argument, as many as in a [`Curve`].
     pub pieces: &'static [[[f64; N]; N]],
 }
 

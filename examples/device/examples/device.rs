@@ -1,7 +1,9 @@
-//! The number of motions per second of a device, compared with the scalar code on one thread of the processor.
+//! The number of motions per second of a device, compared with the scalar code on one thread of the
+//! processor.
 //!
-//! `cargo run --release --example device` in the folder of `lagrange-device`. The motions are those of double pendulums, 10 s each, from starts
-//! that differ by little. Ends of the device and of the scalar code must agree.
+//! `cargo run --release --example device` in the folder of `lagrange-device`. The motions are those
+//! of double pendulums, 10 s each, from starts that differ by little. Ends of the device and of the
+//! scalar code must agree.
 
 use std::error::Error;
 use std::time::Instant;
@@ -57,7 +59,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Ends of some motions by the scalar code: in equal steps, and by the pair of orders nine and eight.
+/// Ends of some motions by the scalar code: in equal steps, and by the pair of orders nine and
+/// eight.
 fn sample(pendulum: &DoublePendulum, starts: &[[f64; 4]]) -> Result<[Vec<[f64; 4]>; 2], Box<dyn Error>> {
     println!("scalar code, one thread, {SAMPLE} motions:");
     let starts = &starts[..SAMPLE];
@@ -76,7 +79,8 @@ fn sample(pendulum: &DoublePendulum, starts: &[[f64; 4]]) -> Result<[Vec<[f64; 4
     Ok([equal, adaptive])
 }
 
-/// Computes twice, since the first time the kernel is compiled, and prints how fast the second time was.
+/// Computes twice, since the first time the kernel is compiled, and prints how fast the second time
+/// was.
 fn timed<T, E>(method: &str, motions: usize, compute: impl Fn() -> Result<T, E>) -> Result<T, E> {
     compute()?;
     let start = Instant::now();

@@ -14,7 +14,8 @@ pub struct Device {
 }
 
 impl Device {
-    /// The first device: a graphics processor if there is one, by CUDA rather than by OpenCL, else another device of OpenCL.
+    /// The first device: a graphics processor if there is one, by CUDA rather than by OpenCL, else
+    /// another device of OpenCL.
     ///
     /// # Errors
     /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.

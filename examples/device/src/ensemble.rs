@@ -27,7 +27,8 @@ impl<'a, M: KernelSystem<Scalar: DeviceNumber>> Motions<'a, M> {
         Motions { backend, system, starts, change: None, from: M::Scalar::ZERO }
     }
 
-    /// Gives each motion a system of its own: a copy of that of all, whose parameters and inputs are changed by its index.
+    /// Gives each motion a system of its own: a copy of that of all, whose parameters and inputs
+    /// are changed by its index.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + 'a) -> Self
     where
         M: Clone,
@@ -53,7 +54,8 @@ impl<'a, M: KernelSystem<Scalar: DeviceNumber>> Motions<'a, M> {
     }
 }
 
-/// Motions that can be computed, by the pair of orders five and four of Dormand and Prince unless another method is chosen.
+/// Motions that can be computed, by the pair of orders five and four of Dormand and Prince unless
+/// another method is chosen.
 #[must_use = "nothing happens before `.run()`"]
 pub struct Ensemble<'a, M: KernelSystem> {
     motions: Motions<'a, M>,
@@ -66,7 +68,8 @@ pub struct Ensemble<'a, M: KernelSystem> {
 }
 
 impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
-    /// The error that is tolerated in a step, as a part of the state and in its units: 1e-9 by default, 1e-5 in single precision.
+    /// The error that is tolerated in a step, as a part of the state and in its units: 1e-9 by
+    /// default, 1e-5 in single precision.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.tolerance = Some(tolerance);
         self
@@ -84,7 +87,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         self
     }
 
-    /// Computes in `f32`, many times faster on most devices, and the only way on those without `f64`. Systems in `f32` always do.
+    /// Computes in `f32`, many times faster on most devices, and the only way on those without
+    /// `f64`. Systems in `f32` always do.
     pub fn single_precision(mut self) -> Self {
         self.is_single = true;
         self
@@ -93,8 +97,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
     /// Computes all motions.
     ///
     /// # Errors
-    /// If a setting makes no sense, or the device cannot compute. A motion that fails is none: its row holds NaN, and what is known of it is in
-    /// [`failures`](Ends::failures).
+    /// If a setting makes no sense, or the device cannot compute. A motion that fails is none: its
+    /// row holds NaN, and what is known of it is in [`failures`](Ends::failures).
     pub fn run(self) -> Result<Ends<M>, DeviceError> {
         let backend = self.motions.backend;
         if self.is_single {
@@ -131,7 +135,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
         let (method, step) = match self.step.map(DeviceNumber::to_f64) {
             Some(step) if step > 0.0 && step.is_finite() => (Method::RungeKutta4, step),
             Some(_) => return Err(DeviceError::Setting("the step size must be positive and finite")),
-            // What is still to come, such as a push at a given time, does not show in the errors of a system at rest.
+            // What is still to come, such as a push at a given time, does not show in the errors of
+            // a system at rest.
             None => (Method::DormandPrince, (self.end.to_f64() - from.to_f64()).abs() / 20.0),
         };
         let tolerance = self.tolerance.map_or(T::TOLERANCE, DeviceNumber::to_f64);
@@ -170,7 +175,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
     }
 }
 
-/// Rows, of which there is one at least, as columns one after the other; one number if rows are empty.
+/// Rows, of which there is one at least, as columns one after the other; one number if rows are
+/// empty.
 fn columns<S: DeviceNumber, T: Precision>(rows: &[Vec<S>]) -> Vec<T> {
     let width = rows.first().map_or(0, Vec::len);
     let entries = (0..width).flat_map(|column| rows.iter().map(move |row| T::from_f64(row[column].to_f64())));

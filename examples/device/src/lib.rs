@@ -27,18 +27,20 @@
 //! # Ok::<(), lagrange_device::DeviceError>(())
 //! ```
 //!
-//! Systems must declare `emit { kernel }`, which is possible without constraints, contacts, friction and events. Inputs keep their values for a
-//! motion. What is not smooth, such as `if`, is decided as the state says, and lowers the order of methods there: equal steps pass over
-//! it, the adaptive pair makes small ones.
+//! Systems must declare `emit { kernel }`, which is possible without constraints, contacts,
+//! friction and events. Inputs keep their values for a motion. What is not smooth, such as `if`, is
+//! decided as the state says, and lowers the order of methods there: equal steps pass over it, the
+//! adaptive pair makes small ones.
 //!
-//! By default motions are computed in the numbers of the system; [`single_precision`](Ensemble::single_precision) is faster. A device
-//! that has no `f64` says so.
+//! By default motions are computed in the numbers of the system;
+//! [`single_precision`](Ensemble::single_precision) is faster. A device that has no `f64` says so.
 //!
 //! # What must be installed
 //!
-//! To compile this crate, nothing. At run time a device of NVIDIA needs its driver and NVRTC of the CUDA toolkit (feature `cuda`), any
-//! other the driver of OpenCL that its maker provides (feature `opencl`); `pocl-opencl-icd` computes on processors. What is
-//! missing is said by [`Device::open`].
+//! To compile this crate, nothing. At run time a device of NVIDIA needs its driver and NVRTC of the
+//! CUDA toolkit (feature `cuda`), any other the driver of OpenCL that its maker provides (feature
+//! `opencl`); `pocl-opencl-icd` computes on processors. What is missing is said by
+//! [`Device::open`].
 #![deny(unsafe_code)]
 
 #[cfg(not(any(feature = "cuda", feature = "opencl")))]

@@ -1,6 +1,7 @@
 //! Motions on the device against those of the scalar code.
 //!
-//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an error.
+//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an
+//! error.
 
 use lagrange::Simulate;
 use lagrange::system::StepFailure;

@@ -1,7 +1,9 @@
-//! Reductions of ensembles over the processes of an MPI job, with the same bits for any number of processes.
+//! Reductions of ensembles over the processes of an MPI job, with the same bits for any number of
+//! processes.
 //!
-//! A program that reduces over processes starts from a copy of this file. All processes run the same program with the same
-//! arguments. If one is killed, `mpirun` ends the others; saved parts are kept, and a reduction starts again.
+//! A program that reduces over processes starts from a copy of this file. All processes run the
+//! same program with the same arguments. If one is killed, `mpirun` ends the others; saved parts
+//! are kept, and a reduction starts again.
 
 use std::error::Error;
 
@@ -15,7 +17,8 @@ use mpi::traits::{Communicator, CommunicatorCollectives, Destination, Root, Sour
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
-/// A value reduced from the motions that succeeded, the number of failed motions, and the indices of the first of them.
+/// A value reduced from the motions that succeeded, the number of failed motions, and the indices
+/// of the first of them.
 ///
 /// `Ensemble::motion` runs one of them again and returns its error.
 pub(crate) type Sum<R> = (R, u64, Vec<u64>);
@@ -25,7 +28,8 @@ const MAX_FAILURES: usize = 1000;
 /// The rank that merges.
 const FIRST: i32 = 0;
 
-/// Starts MPI, which ends when the result is dropped. Threads of a process compute; the one that calls this communicates.
+/// Starts MPI, which ends when the result is dropped. Threads of a process compute; the one that
+/// calls this communicates.
 pub(crate) fn initialize() -> Result<Universe> {
     let started = mpi::initialize_with_threading(Threading::Funneled);
     let (universe, threading) = started.ok_or("MPI was initialised already, or has ended")?;
@@ -41,8 +45,9 @@ pub(crate) fn shard(processes: &impl Communicator) -> Shard {
 
 /// Computes all motions, each process its shard, and hands their reduction to every process.
 ///
-/// The first process merges the reductions of parts in their order, so the result has the bits of `Ensemble::reduce` in a single
-/// process with the same parts. All processes must call this with the same ensemble, which needs at least one part for each.
+/// The first process merges the reductions of parts in their order, so the result has the bits of
+/// `Ensemble::reduce` in a single process with the same parts. All processes must call this with
+/// the same ensemble, which needs at least one part for each.
 pub(crate) fn reduce_over<M, K, D, P, R>(
     processes: &impl CommunicatorCollectives,
     ensemble: Ensemble<'_, M, K, D, P>,
@@ -85,7 +90,8 @@ where
     sum.and_then(|_| unpacked(words, FIRST))
 }
 
-/// Waits until all processes have called this, and returns an error in all of them if one result is an error.
+/// Waits until all processes have called this, and returns an error in all of them if one result is
+/// an error.
 ///
 /// A process that ended because of its own error would leave the others waiting for ever.
 pub(crate) fn all_ok<T, E: Error + 'static>(
@@ -102,7 +108,8 @@ pub(crate) fn all_ok<T, E: Error + 'static>(
     Ok(value)
 }
 
-/// Merges the parts of this process and those that the others send, which are not in memory together.
+/// Merges the parts of this process and those that the others send, which are not in memory
+/// together.
 fn merged<R: Reduce + Pack>(
     processes: &impl Communicator,
     mut sum: Sum<R>,

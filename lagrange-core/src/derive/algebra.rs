@@ -10,13 +10,16 @@ use lagrange_expr::number::Number;
 /// Σ slope · variable, in ascending order of variables.
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
-/// Terms up to which the product of two sums is multiplied out on trial, as of four by four: the trial costs as much as it makes.
+/// Terms up to which the product of two sums is multiplied out on trial, as of four by four: the
+/// trial costs as much as it makes.
 const MAX_OPENED: usize = 16;
-/// Depth to which factors are counted. Counting decides between two ways of writing one sum and must not walk a whole graph.
+/// Depth to which factors are counted. Counting decides between two ways of writing one sum and
+/// must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// The graph, with sums simplified: equal products meet, and squares of sine and cosine; products of sines and cosines are written in
-/// sums and differences of angles where that leaves fewer terms to cancel each other.
+/// The graph, with sums simplified: equal products meet, and squares of sine and cosine; products
+/// of sines and cosines are written in sums and differences of angles where that leaves fewer terms
+/// to cancel each other.
 pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
     angles: Angles,
@@ -85,7 +88,8 @@ impl<'g> Algebra<'g> {
         }
         let before = opened.len();
         let opened = self.simplified(opened);
-        // What is opened no longer shares its factors with other sums; only terms that cancel pay for that.
+        // What is opened no longer shares its factors with other sums; only terms that cancel pay
+        // for that.
         let has_shrunk = self.terms(opened) < before;
         let is_short = self.terms(opened) <= self.terms(closed)
             || self.factors(opened, DEEPEST_COUNTED) < self.factors(closed, DEEPEST_COUNTED);
@@ -131,7 +135,8 @@ impl<'g> Algebra<'g> {
         }
     }
 
-    /// `Σ weight · a · b`; what belongs to equal weights is added up first, because that is where it cancels.
+    /// `Σ weight · a · b`; what belongs to equal weights is added up first, because that is where
+    /// it cancels.
     pub(super) fn weighted(&mut self, products: &[(ExprId, ExprId, ExprId, Number)]) -> ExprId {
         let mut groups: OrderedMap<ExprId, Vec<(ExprId, ExprId, Number)>> = OrderedMap::default();
         for (weight, a, b, scale) in products {

@@ -1,9 +1,10 @@
 //! Constraints as cross terms of the quadratic form.
 //!
-//! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations by A a + b = 0 with A = ∂ċ/∂v
-//! or ∂c/∂v. Gauss's principle then asks for the stationary point of ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one
-//! more unknown, whose only terms are −λ times the rate of the constraint, and M a = f + Aᵀλ.
-//! Source: Udwadia, Kalaba, *Analytical Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
+//! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations
+//! by A a + b = 0 with A = ∂ċ/∂v or ∂c/∂v. Gauss's principle then asks for the stationary point of
+//! ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one more unknown, whose only terms are −λ
+//! times the rate of the constraint, and M a = f + Aᵀλ. Source: Udwadia, Kalaba, *Analytical
+//! Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
 use super::elimination::record::Elimination;
 use super::quadratic_form::QuadraticForm;
@@ -21,19 +22,22 @@ pub struct ConstraintEquations {
     pub jacobian: Vec<Vec<ExprId>>,
     /// b in A q̈ + b = 0
     pub drifts: Vec<ExprId>,
-    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more than the expressions above where
-    /// constraints depend on each other or contacts act.
+    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more
+    /// than the expressions above where constraints depend on each other or contacts act.
     pub forces: Vec<ExprId>,
-    /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r of its constraint.
+    /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r
+    /// of its constraint.
     pub correction: Vec<ExprId>,
-    /// Growth of rounding errors through constraints that are nearly dependent; infinite where they are dependent. `None` where that cannot be.
+    /// Growth of rounding errors through constraints that are nearly dependent; infinite where they
+    /// are dependent. `None` where that cannot be.
     pub condition: Option<ExprId>,
     /// True if a constraint follows from the others wherever they hold.
     pub is_redundant: bool,
 }
 
 impl ConstraintEquations {
-    /// Collects the equations from the multipliers with their condition, the form over the velocities, and the elimination that led to them.
+    /// Collects the equations from the multipliers with their condition, the form over the
+    /// velocities, and the elimination that led to them.
     pub(super) fn new(
         model: &mut Model,
         pushed: &QuadraticForm,
@@ -53,7 +57,8 @@ impl ConstraintEquations {
     }
 }
 
-/// Displacement that brings the constraints back from the residuals that their multipliers' symbols stand for.
+/// Displacement that brings the constraints back from the residuals that their multipliers' symbols
+/// stand for.
 fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     let (unknowns, residuals) = (model.unknowns(), model.multipliers());
     let count = model.speeds.len();
@@ -65,8 +70,8 @@ fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     values
 }
 
-/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0 for constraints on
-/// velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
+/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0
+/// for constraints on velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
 fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let (graph, stabilisation) = (&mut model.graph, model.stabilisation);

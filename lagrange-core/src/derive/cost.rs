@@ -1,19 +1,21 @@
 //! A rough time for evaluating expressions, to choose between ways of computing the same.
 //!
-//! Processors overlap operations that do not wait for each other, but not those that do. So the time grows with the
-//! number of operations and with the longest chain of them; weights are latencies and costs on current
-//! processors, in cycles.
+//! Processors overlap operations that do not wait for each other, but not those that do. So the
+//! time grows with the number of operations and with the longest chain of them; weights are
+//! latencies and costs on current processors, in cycles.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Latency of an addition or a multiplication: four cycles on Intel cores since Skylake, three to four on Zen (Fog, *Instruction
-/// tables*).
+/// Latency of an addition or a multiplication: four cycles on Intel cores since Skylake, three to
+/// four on Zen (Fog, *Instruction tables*).
 const ARITHMETIC: u32 = 4;
-/// Latency of a division, the lower end of what those tables give; a square root takes a little longer.
+/// Latency of a division, the lower end of what those tables give; a square root takes a little
+/// longer.
 const DIVISION: u32 = 13;
-/// Operations that an elementary function stands for: the reduction of its argument and a polynomial.
+/// Operations that an elementary function stands for: the reduction of its argument and a
+/// polynomial.
 const FUNCTION: u32 = 20;
 
 /// Operations and latency of one node.
@@ -64,7 +66,8 @@ fn product(factors: &[(ExprId, Number)]) -> Weight {
             Some(1) => {}
             Some(2..) => operations += 1,
             _ => {
-                // Divisions follow each other more slowly than additions, even where nothing waits for them.
+                // Divisions follow each other more slowly than additions, even where nothing waits
+                // for them.
                 operations += 5;
                 latency = latency.max(ARITHMETIC + DIVISION);
             }

@@ -1,7 +1,8 @@
-//! Second-order reverse sweep: second derivatives with respect to nodes that are affine in the unknowns.
+//! Second-order reverse sweep: second derivatives with respect to nodes that are affine in the
+//! unknowns.
 //!
-//! Source: Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27 (2012), 251–273,
-//! continued through the nonlinear nodes.
+//! Source: Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods
+//! Softw. 27 (2012), 251–273, continued through the nonlinear nodes.
 
 use super::quadratic_form::QuadraticForm;
 use lagrange_algebra::calculus::{Degree, Degrees, partials, second_partials};
@@ -28,7 +29,8 @@ impl Curvature {
         Some(graph.total(terms))
     }
 
-    /// One step: second derivatives of the node itself, and those that have arrived at it, go to its operands.
+    /// One step: second derivatives of the node itself, and those that have arrived at it, go to
+    /// its operands.
     pub(super) fn sweep(&mut self, graph: &mut Graph, id: ExprId, adjoint: Option<ExprId>) {
         let mut parts = partials(graph, id);
         parts.retain(|(part, _)| self.degrees.of(graph, *part) != Degree::Free);

@@ -26,8 +26,8 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The equations of motion and what else a model was asked for. Products that are not wanted are not
-/// among `products`; the two sides of M q̈ = f come with the accelerations.
+/// The equations of motion and what else a model was asked for. Products that are not wanted are
+/// not among `products`; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
@@ -45,7 +45,8 @@ pub struct Equations {
     /// True if the kinetic energy can be kept a sum of squares: whatever is quadratic in the
     /// velocities is a sum of squares of rates.
     pub is_sum_of_squares: bool,
-    /// The counted cost of each strategy, as far as it was tried, in the order of [`Strategy::ALL`].
+    /// The counted cost of each strategy, as far as it was tried, in the order of
+    /// [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
     /// M in rows; none if it is large and was not asked for.
     pub mass_matrix: Rows,
@@ -157,9 +158,9 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Components of a product of a model, matrices row by row and Jacobians without the rows of the positions' rates, by the entries of
-    /// the state; `None` if it has no
-    /// components or was not asked for.
+    /// Components of a product of a model, matrices row by row and Jacobians without the rows of
+    /// the positions' rates, by the entries of the state; `None` if it has no components or was not
+    /// asked for.
     pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
         let of_constraints =
             |part: fn(&Constraint) -> ExprId| Some(model.constraints.iter().map(part).collect());
@@ -260,8 +261,8 @@ fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms)
     MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
-/// The elimination that constraints, contacts and friction have other right-hand sides for: that of the strategy taken or, if it has
-/// none, that of the mass matrix.
+/// The elimination that constraints, contacts and friction have other right-hand sides for: that of
+/// the strategy taken or, if it has none, that of the mass matrix.
 fn kept_elimination(
     model: &mut Model,
     forms: &mut Forms,
@@ -303,8 +304,8 @@ fn jacobians(
     wanted.into_iter().map(derived).collect()
 }
 
-/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An angular momentum p in turning axes
-/// changes by −ω × p besides.
+/// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An
+/// angular momentum p in turning axes changes by −ω × p besides.
 fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
     let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();

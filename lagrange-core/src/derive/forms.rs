@@ -1,8 +1,10 @@
-//! The quadratic form that all equations follow from: over the variables that it was declared in, and over the generalised velocities,
-//! where its coefficients are the mass matrix M and its linear part is −f.
+//! The quadratic form that all equations follow from: over the variables that it was declared in,
+//! and over the generalised velocities, where its coefficients are the mass matrix M and its linear
+//! part is −f.
 //!
-//! A chain of n links has n² such coefficients, although its accelerations take a time in proportion to n. So a large form is pushed
-//! down when somebody asks for its coefficients, and not before.
+//! A chain of n links has n² such coefficients, although its accelerations take a time in
+//! proportion to n. So a large form is pushed down when somebody asks for its coefficients, and not
+//! before.
 
 use super::constraints::join_multipliers;
 use super::cost::cost;
@@ -19,12 +21,15 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does to itself cancels, but the number of
-/// coefficients grows as its square, and with it what they share when they stay closed.
+/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does
+/// to itself cancels, but the number of coefficients grows as its square, and with it what they
+/// share when they stay closed.
 const MAX_MULTIPLIED_OUT: usize = 4;
-/// Number of expressions up to which they are: the trial multiplies out everything and factorises two matrices.
+/// Number of expressions up to which they are: the trial multiplies out everything and factorises
+/// two matrices.
 const LARGEST_MULTIPLIED_OUT: usize = 300;
-/// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the closed one.
+/// Monomials up to which a coefficient is multiplied out; a longer one hardly costs less than the
+/// closed one.
 const MULTIPLYING_BUDGET: usize = 60;
 
 /// A matrix in rows.
@@ -98,8 +103,8 @@ impl VelocityForm {
     }
 }
 
-/// Removes couplings that vanish without showing it, as between polar coordinates that were written down by
-/// way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
+/// Removes couplings that vanish without showing it, as between polar coordinates that were written
+/// down by way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
     let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
     let above_diagonal = |(n, &i): (usize, &ExprId)| {
@@ -115,10 +120,11 @@ fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities:
     uncoupled.for_each(|(&(i, j), _)| pushed.separate(i, j));
 }
 
-/// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads to the
-/// accelerations at less cost. What a coordinate does to itself often cancels when multiplied out, but sharing
-/// beats that from a few coordinates on. It turns 28 operations of a cart-pole into 23, and without it a spherical pendulum loses four
-/// digits near the pole (`tests/extremes`).
+/// The form as it is or, for a small system, with its coefficients multiplied out, whichever leads
+/// to the accelerations at less cost. What a coordinate does to itself often cancels when
+/// multiplied out, but sharing beats that from a few coordinates on. It turns 28 operations of a
+/// cart-pole into 23, and without it a spherical pendulum loses four digits near the pole
+/// (`tests/extremes`).
 fn cheaper_coefficients(graph: &mut Graph, pushed: QuadraticForm, unknowns: &[ExprId]) -> QuadraticForm {
     let Some(expanded) = multiplied_out(graph, &pushed, unknowns) else { return pushed };
     let costs = [&pushed, &expanded].map(|form| {

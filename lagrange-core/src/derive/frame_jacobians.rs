@@ -1,9 +1,12 @@
-//! Jacobians of frames: what multiplies the generalised velocities in angular velocity and velocity of the origin.
+//! Jacobians of frames: what multiplies the generalised velocities in angular velocity and velocity
+//! of the origin.
 //!
-//! Both are affine in the velocities, ω = J_ω v + ω₀ and ṙ = J_r v + r₀, with ω₀ and r₀ where places depend on time. The rows are
-//! gradients in reverse mode, one for each component, so that what the joints share stays shared.
+//! Both are affine in the velocities, ω = J_ω v + ω₀ and ṙ = J_r v + r₀, with ω₀ and r₀ where
+//! places depend on time. The rows are gradients in reverse mode, one for each component, so that
+//! what the joints share stays shared.
 //!
-//! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
+//! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*,
+//! §3.1.
 
 use crate::model::Model;
 use lagrange_algebra::calculus::gradient;

@@ -1,22 +1,28 @@
 //! Equations of motion that a Gibbs function states.
 //!
-//! S = ½ Σ m |a|², summed up over all masses, is the Gibbs function or energy of acceleration, and ∂S/∂q̈ = Q are the equations of
-//! motion (Gibbs, "On the fundamental formulae of dynamics", Amer. J. Math. 2 (1879) 49–64; Appell, C. R. Acad. Sci. 129 (1900); Lurie,
-//! *Analytical Mechanics*, §10.4). Of a rigid body, with the acceleration a of its centre of mass, the angular acceleration α and its
-//! tensor of inertia J, S = ½ m |a|² + ½ α·Jα + α·(ω × Jω) but for terms without accelerations.
+//! S = ½ Σ m |a|², summed up over all masses, is the Gibbs function or energy of acceleration, and
+//! ∂S/∂q̈ = Q are the equations of motion (Gibbs, "On the fundamental formulae of dynamics", Amer.
+//! J. Math. 2 (1879) 49–64; Appell, C. R. Acad. Sci. 129 (1900); Lurie, *Analytical Mechanics*,
+//! §10.4). Of a rigid body, with the acceleration a of its centre of mass, the angular acceleration
+//! α and its tensor of inertia J, S = ½ m |a|² + ½ α·Jα + α·(ω × Jω) but for terms without
+//! accelerations.
 //!
-//! Accelerations are affine in q̈. The principal part of one, that with q̈, is a velocity with q̇ written for q̈: of ω̇ it is ω. So the
-//! second derivatives of S with respect to accelerations are coefficients of the quadratic form at velocities, where those of T stand as
-//! well, and the slope of S along an acceleration is a linear part there. What is pushed down from there are forces and moments: inverse
-//! dynamics is the recursive Newton–Euler algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, §5.3), and the form over q̇ has the
-//! mass matrix by composite bodies (§6.2). Neither velocities of points nor rates of momenta are needed. Gravity enters as an acceleration
-//! of the base, and what a joint cannot tell from the inertia of its carrier may be moved there beforehand (Khalil and Dombre,
-//! *Modeling, Identification and Control of Robots*, §9.4), since S need not be that of every body by itself.
+//! Accelerations are affine in q̈. The principal part of one, that with q̈, is a velocity with q̇
+//! written for q̈: of ω̇ it is ω. So the second derivatives of S with respect to accelerations are
+//! coefficients of the quadratic form at velocities, where those of T stand as well, and the slope
+//! of S along an acceleration is a linear part there. What is pushed down from there are forces and
+//! moments: inverse dynamics is the recursive Newton–Euler algorithm (Featherstone, *Rigid Body
+//! Dynamics Algorithms*, §5.3), and the form over q̇ has the mass matrix by composite bodies
+//! (§6.2). Neither velocities of points nor rates of momenta are needed. Gravity enters as an
+//! acceleration of the base, and what a joint cannot tell from the inertia of its carrier may be
+//! moved there beforehand (Khalil and Dombre, *Modeling, Identification and Control of Robots*,
+//! §9.4), since S need not be that of every body by itself.
 //!
 //! # A pendulum in numbers
 //!
-//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. In the axes of the rod its end is accelerated by −5 θ̇² along and
-//! by 5 θ̈ across it; with the base accelerated upwards by 10, a = 5 θ̈ + 10 · 3/5 across.
+//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. In the axes of the rod its
+//! end is accelerated by −5 θ̇² along and by 5 θ̈ across it; with the base accelerated upwards by
+//! 10, a = 5 θ̈ + 10 · 3/5 across.
 //!
 //! | node | principal part | square | linear part at θ̈ = 0 |
 //! |---|---|---|---|
@@ -60,7 +66,8 @@ pub(super) struct GibbsForm {
 impl GibbsForm {
     /// Sorts a polynomial of degree one or two in the accelerations.
     pub(super) fn new(graph: &mut Graph, function: ExprId) -> GibbsForm {
-        // A multiple of an acceleration by a velocity has no principal part that is affine in the velocities.
+        // A multiple of an acceleration by a velocity has no principal part that is affine in the
+        // velocities.
         let degrees = Degrees::in_terms_of(Dependencies::ACCELERATION);
         let mut degrees = degrees.with_coefficients_free_of(Dependencies::VELOCITY);
         degrees.classify(graph, &[function]);
@@ -110,7 +117,8 @@ pub(super) fn affine_operands(graph: &mut Graph, degrees: &Degrees, function: Ex
     found
 }
 
-/// `(velocity, factor)` such that the accelerations are factor times the velocity with q̈ for q̇, plus something free of q̈.
+/// `(velocity, factor)` such that the accelerations are factor times the velocity with q̈ for q̇,
+/// plus something free of q̈.
 fn principal_parts(
     graph: &mut Graph,
     degrees: &Degrees,
@@ -201,7 +209,8 @@ pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprI
     };
     add(&mut pending, part, Number::MINUS_ONE);
     let (mut constant, mut terms) = (Number::ZERO, Vec::new());
-    // Operands have smaller ids, so that all contributions to a term have arrived when it is its turn.
+    // Operands have smaller ids, so that all contributions to a term have arrived when it is its
+    // turn.
     while let Some((id, coefficient)) = pending.pop_last() {
         match graph.node(id) {
             _ if coefficient.is_zero() => {}

@@ -1,9 +1,10 @@
 //! Grades of parameters: in which power the unit of inertia is in them.
 //!
-//! Lagrange's equations do not change if the Lagrangian, the dissipation and all forces are multiplied by one number. What this means for
-//! parameters follows from the terms that are added up: all have the same grade. These are linear equations between the grades of
-//! parameters, which are solved one after the other. One that contradicts those before it says that a number has been written where a unit
-//! should be, and is passed over; what stays open is zero.
+//! Lagrange's equations do not change if the Lagrangian, the dissipation and all forces are
+//! multiplied by one number. What this means for parameters follows from the terms that are added
+//! up: all have the same grade. These are linear equations between the grades of parameters, which
+//! are solved one after the other. One that contradicts those before it says that a number has been
+//! written where a unit should be, and is passed over; what stays open is zero.
 
 use std::collections::BTreeMap;
 
@@ -127,7 +128,8 @@ impl GradeSolver {
         self.equate(&form, other);
     }
 
-    /// Solves an equation for a symbol that is in it by its first power, so that of m l² it is the mass.
+    /// Solves an equation for a symbol that is in it by its first power, so that of m l² it is the
+    /// mass.
     fn equate(&mut self, a: &GradeForm, b: &GradeForm) {
         let difference = self.resolved(&a.clone().plus(b, &Number::MINUS_ONE));
         let plain = difference.open.iter().find(|(_, coefficient)| coefficient.abs().is_one());
@@ -139,7 +141,8 @@ impl GradeSolver {
         self.solved.insert(symbol, form);
     }
 
-    /// The form without symbols that have been solved. Those in a solution may have been solved later.
+    /// The form without symbols that have been solved. Those in a solution may have been solved
+    /// later.
     fn resolved(&self, form: &GradeForm) -> GradeForm {
         let mut form = form.clone();
         while let Some((symbol, solution)) =

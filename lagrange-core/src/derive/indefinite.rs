@@ -1,21 +1,24 @@
 //! Mass matrices whose pivots may vanish although they are regular.
 //!
-//! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a kinetic energy has no other. A
-//! Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0] is regular everywhere, and its first pivot is zero at x = 0. What
-//! has a coupled diagonal entry without a sure sign gets a test at run time, and a second way to its accelerations. That is asked of what is
-//! declared as a Lagrangian only, with constraints, too: in the axes of bodies the signs of kinetic energies hide in sums of products.
-//! Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
+//! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a
+//! kinetic energy has no other. A Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0]
+//! is regular everywhere, and its first pivot is zero at x = 0. What has a coupled diagonal entry
+//! without a sure sign gets a test at run time, and a second way to its accelerations. That is
+//! asked of what is declared as a Lagrangian only, with constraints, too: in the axes of bodies the
+//! signs of kinetic energies hide in sums of products. Source: Golub, Van Loan, *Matrix
+//! Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions;
 
-/// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB of `f64` at this size.
+/// Number of coordinates up to which there is a second way. It holds a matrix on the stack: 13 kB
+/// of `f64` at this size.
 const LARGEST: usize = 40;
 
-/// Growth of rounding through small pivots, squared; infinite where a pivot vanishes. `None` if every coupled entry of the
-/// diagonal has a sure sign.
+/// Growth of rounding through small pivots, squared; infinite where a pivot vanishes. `None` if
+/// every coupled entry of the diagonal has a sure sign.
 pub(super) fn pivot_growth(
     graph: &mut Graph,
     mass_matrix: &[Vec<ExprId>],

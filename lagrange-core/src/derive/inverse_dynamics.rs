@@ -1,4 +1,5 @@
-//! Residual of the equations of motion: the forces that must act beside the declared ones to produce accelerations.
+//! Residual of the equations of motion: the forces that must act beside the declared ones to
+//! produce accelerations.
 
 use super::elimination::solution::push_down;
 use super::least_constraint::{SplitLagrangian, Terms, linear_form};

@@ -1,9 +1,10 @@
 //! Derivatives of the accelerations by coordinates, velocities and parameters.
 //!
-//! There are two ways, and the one that counts cheaper is kept. The accelerations can be differentiated as they are
-//! computed, one sweep for each variable. Or, since the inverse dynamics r(q, v, a) = 0 defines them, M ∂a/∂x = −∂r/∂x
-//! at fixed accelerations: r holds no elimination, and that of M, which is there already, is shared by all the
-//! variables (Carpentier and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
+//! There are two ways, and the one that counts cheaper is kept. The accelerations can be
+//! differentiated as they are computed, one sweep for each variable. Or, since the inverse dynamics
+//! r(q, v, a) = 0 defines them, M ∂a/∂x = −∂r/∂x at fixed accelerations: r holds no elimination,
+//! and that of M, which is there already, is shared by all the variables (Carpentier and Mansard, *Analytical
+//! Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
 
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};
@@ -18,8 +19,8 @@ use lagrange_algebra::calculus::{AccelerationTerms, jacobian, substitute_all};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a factorised full
-/// matrix of n rows takes n³ operations, and differentiating it n⁴.
+/// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a
+/// factorised full matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
 
 /// Functions that the derivatives are found from.
@@ -33,8 +34,9 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in it that does not
-    /// cancel in the accelerations, and under constraints, since r holds no multipliers.
+    /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in
+    /// it that does not cancel in the accelerations, and under constraints, since r holds no
+    /// multipliers.
     pub(super) fn new(
         model: &mut Model,
         split: &SplitLagrangian,
@@ -46,7 +48,8 @@ impl Derivatives {
         let is_only_explicit = model.accuracy == Accuracy::Strict || !model.constraints.is_empty();
         let is_factorised = strategy == Strategy::MassMatrix && forms.pushed(model).is_mostly_full(count);
         let (is_small, mut eliminations) = (count <= LARGEST_TRIAL, Vec::new());
-        // Where the factorised matrix is the best strategy for the accelerations, recursion is no better for their slopes.
+        // Where the factorised matrix is the best strategy for the accelerations, recursion is no
+        // better for their slopes.
         if is_small && strategy != Strategy::MassMatrix && !is_only_explicit {
             eliminations.extend(eliminate_recursive(
                 &mut model.graph,

@@ -1,18 +1,22 @@
 //! Plane rotations among the affine variables of a form.
 //!
-//! Components along the axes of a body that a joint turns by q are u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁ with c = cos q, s = sin q, for
-//! its angular velocity and for the velocity of its origin alike. Substituted one by one, the coefficients of x₁ and x₂ would be sums of
-//! products with c², c s and s². By c² + s² = 1 five products do for all three coefficients of a pair,
+//! Components along the axes of a body that a joint turns by q are u₁ = c x₁ + s x₂ and u₂ = c x₂ −
+//! s x₁ with c = cos q, s = sin q, for its angular velocity and for the velocity of its origin
+//! alike. Substituted one by one, the coefficients of x₁ and x₂ would be sums of products with c²,
+//! c s and s². By c² + s² = 1 five products do for all three coefficients of a pair,
 //!
-//! t = s (A − B) + 2 c C:  ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B + s t) x₂²,
+//! t = s (A − B) + 2 c C: ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B +
+//! s t) x₂²,
 //!
-//! four for the four coefficients between two pairs, and what rotations leave alone stays as it is: a mass ½ m (v₁² + v₂²), and a moment of
-//! mass h (v₁ ω₂ − v₂ ω₁). So the inertia of a composite body keeps ten coefficients of twenty-one.
+//! four for the four coefficients between two pairs, and what rotations leave alone stays as it is:
+//! a mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). So the inertia of a composite
+//! body keeps ten coefficients of twenty-one.
 //!
 //! # In numbers
 //!
-//! c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2: t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7, so that x₁ has 7 − 28/5 = 7/5, x₂ has 2 + 28/5 = 38/5, and
-//! x₁ x₂ has 21/5 − 5/2 = 17/10. The sum of the squares' coefficients is 9 on both sides, A B − C² = 31/4 as well.
+//! c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2: t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7, so that x₁ has 7 −
+//! 28/5 = 7/5, x₂ has 2 + 28/5 = 38/5, and x₁ x₂ has 21/5 − 5/2 = 17/10. The sum of the squares'
+//! coefficients is 9 on both sides, A B − C² = 31/4 as well.
 
 use std::collections::BTreeSet;
 
@@ -53,7 +57,8 @@ struct Component {
     across: (ExprId, bool),
 }
 
-/// All pairs among variables that are given with their parts, wholes being made of multiples that nothing else is made of.
+/// All pairs among variables that are given with their parts, wholes being made of multiples that
+/// nothing else is made of.
 pub(super) fn turned_pairs(
     graph: &Graph,
     variables: &[ExprId],
@@ -100,7 +105,8 @@ fn component(
     (first.0 != second.0).then_some(found)
 }
 
-/// u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ are α x₁ and β x₂ turned if α γ = −β δ, u' being β δ times the second component.
+/// u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ are α x₁ and β x₂ turned if α γ = −β δ, u' being β
+/// δ times the second component.
 fn pair(one: &Component, other: &Component) -> Option<TurnedPair> {
     let [alpha, beta] = [one.along.1, one.across.1];
     let [delta, gamma] = [other.along.1, other.across.1];
@@ -181,8 +187,9 @@ impl PendingRotations {
         self.order.insert(rotation.key(cosine));
     }
 
-    /// The pairs to turn next, if it is the turn of any when `highest` is the highest rank of what else may be substituted. A rotation of
-    /// which some pairs are not ready waits for them as long as there is anything else.
+    /// The pairs to turn next, if it is the turn of any when `highest` is the highest rank of what
+    /// else may be substituted. A rotation of which some pairs are not ready waits for them as long
+    /// as there is anything else.
     pub(super) fn take_next(&mut self, highest: Option<usize>) -> Option<Vec<TurnedPair>> {
         let &(is_complete, rank, cosine) = self.order.last()?;
         if highest.is_some_and(|highest| self.are_last || !is_complete || rank < highest) {
@@ -207,7 +214,8 @@ pub(super) fn turned_back(
     [graph.subtract(cp, sq), graph.add(sp, cq)]
 }
 
-/// Coefficients of products of x's, in rows, from those of products of u's in two pairs: each as terms to be added up.
+/// Coefficients of products of x's, in rows, from those of products of u's in two pairs: each as
+/// terms to be added up.
 pub(super) fn turned_block(
     graph: &mut Graph,
     [c, s]: [ExprId; 2],

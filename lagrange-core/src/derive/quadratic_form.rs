@@ -24,15 +24,16 @@ pub(super) struct FormRow {
     pub(super) linear: ExprId,
 }
 
-/// A symmetric quadratic form. Contributions to a coefficient are collected and summed once, when the
-/// coefficient is needed; the sum is then long enough for the simplifier to find what cancels.
+/// A symmetric quadratic form. Contributions to a coefficient are collected and summed once, when
+/// the coefficient is needed; the sum is then long enough for the simplifier to find what cancels.
 #[derive(Clone, Default, Debug)]
 pub(super) struct QuadraticForm {
     /// Wᵢⱼ under its ordered pair of variables.
     pairs: BTreeMap<(ExprId, ExprId), Contributions>,
     neighbours: HashMap<ExprId, BTreeSet<ExprId>>,
     linear: BTreeMap<ExprId, Contributions>,
-    /// Variables that shared terms with others that have been removed, and those that have lost their squares.
+    /// Variables that shared terms with others that have been removed, and those that have lost
+    /// their squares.
     changed: BTreeSet<ExprId>,
 }
 
@@ -92,7 +93,8 @@ impl QuadraticForm {
         self.neighbours.get(&i).map_or(0, |near| near.len() - usize::from(near.contains(&i)))
     }
 
-    /// The variables whose squares and neighbours may be others since this was last called, because of what was removed.
+    /// The variables whose squares and neighbours may be others since this was last called, because
+    /// of what was removed.
     pub(super) fn take_changed(&mut self) -> BTreeSet<ExprId> {
         std::mem::take(&mut self.changed)
     }
@@ -208,7 +210,8 @@ impl QuadraticForm {
         }
     }
 
-    /// ½·own·(Σ slope · part)²; this takes a time quadratic in the number of parts, as does its result.
+    /// ½·own·(Σ slope · part)²; this takes a time quadratic in the number of parts, as does its
+    /// result.
     fn push_square(&mut self, graph: &mut Graph, own: ExprId, parts: &[(ExprId, ExprId)]) {
         for (n, &(a, slope)) in parts.iter().enumerate() {
             // W·slope is shared by every pair with `a`.
@@ -236,8 +239,9 @@ impl QuadraticForm {
 
     /// Substitutes xᵢ = tᵢ·y for all `multiples` (xᵢ, tᵢ) of y at once.
     ///
-    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. If another velocity stands in the form as xⱼ
-    /// does, as the velocity of the body that carries this one, wⱼ is also its coefficient with y.
+    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. If another velocity stands in the form
+    /// as xⱼ does, as the velocity of the body that carries this one, wⱼ is also its coefficient
+    /// with y.
     fn collapse(&mut self, graph: &mut Graph, y: ExprId, multiples: &[(ExprId, ExprId)]) {
         let mut among: BTreeMap<ExprId, Contributions> = BTreeMap::new();
         let slope_of = multiples.iter().copied().collect::<HashMap<_, _>>();

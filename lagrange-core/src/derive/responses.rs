@@ -1,8 +1,9 @@
 //! Responses of the motion to forces of contacts and friction, and limits of these forces.
 //!
-//! The equations of motion are linear in these forces: with all of them zero they give a₀ and λ₀, and a unit of reaction k, acting
-//! along the gradient d_k of its velocity, adds w_k and μ_k, which follow from the same elimination with −d_k as its linear part.
-//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §11.5.
+//! The equations of motion are linear in these forces: with all of them zero they give a₀ and λ₀,
+//! and a unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k, which
+//! follow from the same elimination with −d_k as its linear part. Source: Featherstone, *Rigid Body
+//! Dynamics Algorithms*, §11.5.
 
 use super::elimination::record::Elimination;
 use crate::model::{Model, ReactionKind};
@@ -38,7 +39,8 @@ pub struct ReactionEquations {
 }
 
 impl ReactionEquations {
-    /// Collects the equations from the elimination that led to the accelerations, and the multipliers without reactions.
+    /// Collects the equations from the elimination that led to the accelerations, and the
+    /// multipliers without reactions.
     pub(super) fn new(
         model: &mut Model,
         elimination: &Elimination,

@@ -1,11 +1,12 @@
 //! Equations of motion in the form in which Taylor series cost least.
 //!
-//! Accelerations as functions of the state hold every product that solving the equations takes. The residual that they make zero holds
-//! fewer, above all if the rates u̇ of the velocities in T = ½ Σ w u² stay as they are: a series knows them once it knows u. So the
-//! residual Σ w u̇ (∂u/∂v) + … of a chain has four products of series a joint, and its accelerations have many times as many.
+//! Accelerations as functions of the state hold every product that solving the equations takes. The
+//! residual that they make zero holds fewer, above all if the rates u̇ of the velocities in T = ½ Σ
+//! w u² stay as they are: a series knows them once it knows u. So the residual Σ w u̇ (∂u/∂v) + …
+//! of a chain has four products of series a joint, and its accelerations have many times as many.
 //!
-//! The multipliers λ of constraints are unknown, too. The residual then holds −Aᵀλ, and below it stands the rate of each constraint's
-//! velocity, which is not written out either.
+//! The multipliers λ of constraints are unknown, too. The residual then holds −Aᵀλ, and below it
+//! stands the rate of each constraint's velocity, which is not written out either.
 
 use super::constraints::{ConstraintEquations, stabilised};
 use super::elimination::solution::push_down;
@@ -16,7 +17,8 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// The residual of the equations of motion, linear in accelerations, multipliers and rates that are not written out.
+/// The residual of the equations of motion, linear in accelerations, multipliers and rates that are
+/// not written out.
 #[derive(Clone, Debug)]
 pub struct SeriesEquations {
     /// One residual for each acceleration, then one for each multiplier.

@@ -1,4 +1,5 @@
-//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and which one to take.
+//! Strategies of forward dynamics: ways from a quadratic form to the accelerations, and which one
+//! to take.
 
 use std::fmt;
 
@@ -15,8 +16,8 @@ use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::ExprId;
 
-/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of writing
-/// the factorisation down would be all that the trial finds.
+/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of
+/// writing the factorisation down would be all that the trial finds.
 const LARGEST_TRIAL: usize = 40;
 
 /// True if the mass matrix is too large to be factorised on trial, and full as far as it is.
@@ -31,7 +32,8 @@ pub enum Strategy {
     MassMatrix,
     /// Coordinates are eliminated body by body; the mass matrix is never formed.
     ArticulatedBody,
-    /// Coordinates are eliminated body by body with the kinetic energy kept a sum of squares: nothing is ever subtracted from a coefficient.
+    /// Coordinates are eliminated body by body with the kinetic energy kept a sum of squares:
+    /// nothing is ever subtracted from a coefficient.
     SumOfSquares,
 }
 
@@ -63,7 +65,8 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
-    /// Message in the user's words, with the names of the coordinates that take part in a motion without inertia.
+    /// Message in the user's words, with the names of the coordinates that take part in a motion
+    /// without inertia.
     pub fn message(self, coordinates: &[&str]) -> String {
         messages::singular_mass_matrix(coordinates)
     }
@@ -119,9 +122,10 @@ impl Candidates<'_> {
         best.map(|(solution, strategy, _)| (solution, strategy, costs)).ok_or(SingularMassMatrix)
     }
 
-    /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise squares come first; where they lead nowhere, the
-    /// mass matrix if what cancels in it can be looked for, and elimination body by body if it is too large for that:
-    /// this adds up less before it subtracts.
+    /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise
+    /// squares come first; where they lead nowhere, the mass matrix if what cancels in it can be
+    /// looked for, and elimination body by body if it is too large for that: this adds up less
+    /// before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
         let velocities = self.model.velocities();
         let pushed = self.forms.pushed(self.model);

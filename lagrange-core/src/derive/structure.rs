@@ -1,5 +1,5 @@
-//! Structure of a system as its equations show it: the shape of the mass matrix, cyclic coordinates,
-//! conserved quantities.
+//! Structure of a system as its equations show it: the shape of the mass matrix, cyclic
+//! coordinates, conserved quantities.
 
 use crate::model::{Action, Model};
 use lagrange_algebra::calculus::{adjoint, gradient};
@@ -34,8 +34,9 @@ impl MassStructure {
         }
     }
 
-    /// Structure of the matrix M, free of velocities, in the residual M a − f, if numbers show that it couples all coordinates and
-    /// depends on them. `None` leaves it open: what does not change from one point to another may be constant or not.
+    /// Structure of the matrix M, free of velocities, in the residual M a − f, if numbers show that
+    /// it couples all coordinates and depends on them. `None` leaves it open: what does not change
+    /// from one point to another may be constant or not.
     pub(super) fn seen_at_points(graph: &Graph, residual: &[ExprId]) -> Option<MassStructure> {
         let everything = vec![true; residual.len()];
         // Not the same shift for all: many systems look the same from every side.
@@ -101,7 +102,8 @@ struct Inertia {
 }
 
 impl Inertia {
-    /// M a for some accelerations of the coordinates that `moves` marks, where every coordinate is `stretch` times one of a fixed point.
+    /// M a for some accelerations of the coordinates that `moves` marks, where every coordinate is
+    /// `stretch` times one of a fixed point.
     fn at(graph: &Graph, residual: &[ExprId], moves: &[bool], stretch: f64) -> Inertia {
         let [moving, resting] = [1.0, 0.0].map(|scale| {
             evaluate(graph, residual, |role| match role {

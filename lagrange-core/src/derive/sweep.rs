@@ -1,9 +1,9 @@
 //! The order in which a quadratic form is pushed from the velocities it was written in down to the
 //! generalised velocities.
 //!
-//! A variable may be pushed when no unprocessed variable depends on it; this is the reverse sweep of
-//! Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27 (2012),
-//! 251–273, restricted to the part of the graph that is affine in the velocities.
+//! A variable may be pushed when no unprocessed variable depends on it; this is the reverse sweep
+//! of Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27
+//! (2012), 251–273, restricted to the part of the graph that is affine in the velocities.
 //!
 //! # The double pendulum, step by step
 //!
@@ -16,8 +16,9 @@
 //! | collapse | ẋ₁ and ẏ₁, together | multiples of θ̇₁ |
 //! | free | θ̇₁ | |
 //!
-//! A strategy that eliminates θ̇₂ where it is free does so while the form still speaks of ẋ₁ and ẏ₁, the end of the upper rod: that is
-//! the articulated-body algorithm. One that waits for the last step has the mass matrix.
+//! A strategy that eliminates θ̇₂ where it is free does so while the form still speaks of ẋ₁ and
+//! ẏ₁, the end of the upper rod: that is the articulated-body algorithm. One that waits for the
+//! last step has the mass matrix.
 
 use std::collections::BTreeSet;
 
@@ -49,22 +50,23 @@ struct Variable {
 /// Treatment of a multiple of a multiple of a variable, `l·(cos q·q̇)`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Multiples {
-    /// Two substitutions: weights are multiplied with `l` once for all that is pushed through. This is
-    /// cheaper where the coefficients of all velocities meet.
+    /// Two substitutions: weights are multiplied with `l` once for all that is pushed through. This
+    /// is cheaper where the coefficients of all velocities meet.
     Kept,
-    /// One substitution with the slope `l·cos q`, which positions and accelerations need, too. This is
-    /// cheaper where few coefficients are left.
+    /// One substitution with the slope `l·cos q`, which positions and accelerations need, too. This
+    /// is cheaper where few coefficients are left.
     Merged,
 }
 
 /// Treatment of pairs of variables that are others turned by an angle, `plane_rotation` says how.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Rotations {
-    /// All pairs that turn by the same angle are substituted together when it is their turn. The inertia of composite bodies keeps its
-    /// shape, which is cheapest where all velocities are eliminated at the end.
+    /// All pairs that turn by the same angle are substituted together when it is their turn. The
+    /// inertia of composite bodies keeps its shape, which is cheapest where all velocities are
+    /// eliminated at the end.
     InTurn,
-    /// They are substituted together when nothing else is left, so that what a joint alone moves is eliminated in the axes of its body,
-    /// before these are turned.
+    /// They are substituted together when nothing else is left, so that what a joint alone moves is
+    /// eliminated in the axes of its body, before these are turned.
     Last,
     /// They are sums like any other.
     Split,
@@ -94,8 +96,8 @@ pub(super) struct Sweep {
 }
 
 impl Sweep {
-    /// The sweep from heads, which must be affine, to `velocities`. What the heads `first` are made of goes before all
-    /// that it does not wait for.
+    /// The sweep from heads, which must be affine, to `velocities`. What the heads `first` are made
+    /// of goes before all that it does not wait for.
     pub(super) fn new(
         graph: &mut Graph,
         [heads, first]: [&[ExprId]; 2],
@@ -145,8 +147,8 @@ impl Sweep {
         }
     }
 
-    /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the one
-    /// between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
+    /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the
+    /// one between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
     fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
         let is_head = heads.iter().copied().collect::<HashSet<_>>();
         for id in self.ids() {
@@ -180,8 +182,9 @@ impl Sweep {
         }
     }
 
-    /// Ranks variables in depth-first order, parts before wholes and the farthest part first. Processing
-    /// by falling rank then finishes one body before it turns to the body that carries it.
+    /// Ranks variables in depth-first order, parts before wholes and the farthest part first.
+    /// Processing by falling rank then finishes one body before it turns to the body that carries
+    /// it.
     fn rank(&mut self, heads: [&[ExprId]; 2]) {
         let by_height = |heads: &[ExprId]| {
             let mut heads = heads.to_vec();

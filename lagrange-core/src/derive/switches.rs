@@ -1,12 +1,15 @@
 //! Switches: surfaces in time and state on which the equations of motion are not smooth.
 //!
-//! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`. Methods of integration keep their
-//! order only if no step leads across one: a run fixes the side of every switch, on which the equations are smooth, and changes
-//! it where the surface is met. [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
-//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is `if s < 0 { 0 } else { f }`. Steps look
-//! beyond a surface before it is located there, so that what is raised to a fractional power keeps its magnitude: [`domains`].
+//! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`.
+//! Methods of integration keep their order only if no step leads across one: a run fixes the side
+//! of every switch, on which the equations are smooth, and changes it where the surface is met.
+//! [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
+//! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is
+//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that
+//! what is raised to a fractional power keeps its magnitude: [`domains`].
 //!
-//! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6, "discontinuous equations".
+//! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6,
+//! "discontinuous equations".
 
 mod domains;
 mod one_sided;
@@ -22,7 +25,8 @@ use lagrange_expr::symbol::{Role, SymbolId};
 /// A surface on which the equations of motion are not smooth.
 #[derive(Clone, Debug)]
 pub struct Switch {
-    /// Function of t, q, v and inputs that is zero on the surface. It increases with time if it depends on time alone.
+    /// Function of t, q, v and inputs that is zero on the surface. It increases with time if it
+    /// depends on time alone.
     pub value: ExprId,
     /// The symbol of its side: the sign of `value`.
     pub side: ExprId,
@@ -32,7 +36,8 @@ pub struct Switch {
     pub time: Option<ExprId>,
 }
 
-/// Surface of an expression that is not smooth, which switches with the sign of `value`, or with its opposite.
+/// Surface of an expression that is not smooth, which switches with the sign of `value`, or with
+/// its opposite.
 #[derive(Clone, Copy)]
 struct Surface {
     value: ExprId,
@@ -58,7 +63,8 @@ impl Side {
 }
 
 impl Switch {
-    /// The switches of what determines a motion. Conditions on `guards` do not count: there both branches have the same value.
+    /// The switches of what determines a motion. Conditions on `guards` do not count: there both
+    /// branches have the same value.
     pub(super) fn find(model: &mut Model, roots: &[ExprId], guards: &[ExprId]) -> Vec<Switch> {
         let statements = statements(model);
         let mut found: OrderedMap<ExprId, Switch> = OrderedMap::default();
@@ -93,8 +99,8 @@ fn surface(graph: &mut Graph, id: ExprId, guards: &[ExprId]) -> Option<Surface> 
     may_pass.then(|| normalised(graph, difference)).filter(|surface| !graph.is_nonnegative(surface.value))
 }
 
-/// The surface of a difference, the same for all its multiples: the time, or else the first term that moves, has the coefficient
-/// one.
+/// The surface of a difference, the same for all its multiples: the time, or else the first term
+/// that moves, has the coefficient one.
 fn normalised(graph: &mut Graph, difference: ExprId) -> Surface {
     let (scale, core) = graph.split_coefficient(difference);
     let leading = match graph.node(core) {

@@ -1,7 +1,8 @@
-//! Motions that a singular mass matrix leaves undetermined, by the coordinates that take part in them.
+//! Motions that a singular mass matrix leaves undetermined, by the coordinates that take part in
+//! them.
 //!
-//! M, and A below it if there are constraints, are evaluated at a state without symmetries. A vector that both take to zero is a
-//! motion that neither inertia nor constraints determine.
+//! M, and A below it if there are constraints, are evaluated at a state without symmetries. A
+//! vector that both take to zero is a motion that neither inertia nor constraints determine.
 
 use crate::model::Model;
 use lagrange_algebra::calculus::gradient;
@@ -9,14 +10,17 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Fraction of the largest entry below which pivots and entries are zero but for rounding. Symbols have values between one and two, so
-/// that entries are far larger, while a few eliminations round in the last of sixteen digits.
+/// Fraction of the largest entry below which pivots and entries are zero but for rounding. Symbols
+/// have values between one and two, so that entries are far larger, while a few eliminations round
+/// in the last of sixteen digits.
 const ROUNDING: f64 = 1e-9;
-/// Number of states that are tried until one has no undefined entries, such as the root of something negative.
+/// Number of states that are tried until one has no undefined entries, such as the root of
+/// something negative.
 const MAX_STATES: u32 = 8;
 const GOLDEN_RATIO: f64 = 0.618_033_988_749_895;
 
-/// The numbers of the coordinates that take part in the first motion that nothing determines; none if there is no such motion.
+/// The numbers of the coordinates that take part in the first motion that nothing determines; none
+/// if there is no such motion.
 pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     let velocities = model.velocities();
     let momenta = gradient(&mut model.graph, model.lagrangian, &velocities);
@@ -28,7 +32,8 @@ pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     matrix.map_or_else(Vec::new, |matrix| first_of_kernel(matrix, velocities.len()))
 }
 
-/// The matrix with a number between one and two in the place of every symbol, all of them different.
+/// The matrix with a number between one and two in the place of every symbol, all of them
+/// different.
 fn numbers(graph: &Graph, rows: &[Vec<ExprId>], state: u32) -> Vec<Vec<f64>> {
     let value = |role: Role| {
         let (kind, index) = match role {
@@ -44,7 +49,8 @@ fn numbers(graph: &Graph, rows: &[Vec<ExprId>], state: u32) -> Vec<Vec<f64>> {
     rows.iter().map(|row| evaluate(graph, row, value)).collect()
 }
 
-/// The columns that take part in the first vector of the kernel, by elimination with complete pivoting.
+/// The columns that take part in the first vector of the kernel, by elimination with complete
+/// pivoting.
 fn first_of_kernel(mut matrix: Vec<Vec<f64>>, columns: usize) -> Vec<usize> {
     let largest = matrix.iter().flatten().fold(0.0_f64, |most, entry| most.max(entry.abs()));
     let mut order = (0..columns).collect::<Vec<_>>();

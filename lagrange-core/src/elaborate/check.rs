@@ -91,7 +91,8 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// The state has a field for every coordinate and for every velocity. Names that were declared are compared with each other elsewhere.
+/// The state has a field for every coordinate and for every velocity. Names that were declared are
+/// compared with each other elsewhere.
 fn check_state_names(elaborator: &mut Elaborator<'_>) {
     let is_declared = |speed: &Speed| elaborator.evaluator.scope.is_velocity(&speed.name);
     let coordinates = elaborator.coordinates.iter().map(|(c, span)| (&c.name, c.position, *span));
@@ -207,7 +208,8 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
     }
 }
 
-/// Names of methods that systems with constraints, contacts or events have beside those of all systems.
+/// Names of methods that systems with constraints, contacts or events have beside those of all
+/// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let groups: [(bool, &[&str]); 4] = [
         (velocities_are_rates(elaborator), &["position_rates"]),
@@ -245,8 +247,8 @@ fn total(
     elaborator.evaluator.graph.total(values)
 }
 
-/// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs, whose
-/// rates would be needed.
+/// Every velocity must appear in the kinetic energy, and the momenta must not depend on inputs,
+/// whose rates would be needed.
 fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
     let velocities = elaborator.speeds.iter().map(|(speed, _)| speed.velocity).collect::<Vec<_>>();
     let momenta = gradient(&mut elaborator.evaluator.graph, lagrangian, &velocities);

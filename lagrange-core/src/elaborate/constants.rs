@@ -12,8 +12,8 @@ pub(super) struct Constants {
 }
 
 impl Constants {
-    /// Evaluates an expression without symbols; gives the first part of it that is not real although all that it is made
-    /// of is finite.
+    /// Evaluates an expression without symbols; gives the first part of it that is not real
+    /// although all that it is made of is finite.
     pub(super) fn first_unreal(&mut self, graph: &Graph, root: ExprId) -> Option<ExprId> {
         if self.values.contains(&root) {
             return None;
@@ -23,7 +23,8 @@ impl Constants {
         unreal.min()
     }
 
-    /// Evaluates one node, whose operands have been; says whether its value is the first that is not real.
+    /// Evaluates one node, whose operands have been; says whether its value is the first that is
+    /// not real.
     pub(super) fn add(&mut self, graph: &Graph, id: ExprId) -> bool {
         if self.values.contains(&id) {
             return false;

@@ -47,7 +47,8 @@ fn is_implied(elaborator: &mut Elaborator<'_>, name: &Name, value: ExprId) -> bo
     is_of_joint && vanishing(&mut elaborator.evaluator.graph, &[value]) == [true]
 }
 
-/// Expression of the velocities that a constraint makes zero; `None` if that makes no sense, which has been reported.
+/// Expression of the velocities that a constraint makes zero; `None` if that makes no sense, which
+/// has been reported.
 fn constrained_velocity(
     elaborator: &mut Elaborator<'_>,
     name: &Name,
@@ -85,7 +86,8 @@ fn constrained_velocity(
     Some(value)
 }
 
-/// Reports a constraint that demands of the velocities what another one does, or that they have other values.
+/// Reports a constraint that demands of the velocities what another one does, or that they have
+/// other values.
 fn report_repeated(elaborator: &mut Elaborator<'_>, name: &Name, (value, velocity): (ExprId, ExprId)) {
     let graph = &mut elaborator.evaluator.graph;
     let (scale, rate, core) = normalised(graph, velocity);

@@ -1,8 +1,9 @@
 //! Rayleigh functions of lengths, where the length is zero.
 //!
-//! The rate of a length ‖r‖ is σ/‖r‖ with σ = r·ṙ, which is 0/0 where both ends meet. Its square is not: along any motion through
-//! r = 0 both vectors become parallel, and the limit of σ²/r·r is ṙ·ṙ. A damper then acts with the force −c ṙ, as it does just before
-//! and after. The square is written so that nothing is divided by zero in either case,
+//! The rate of a length ‖r‖ is σ/‖r‖ with σ = r·ṙ, which is 0/0 where both ends meet. Its square is
+//! not: along any motion through r = 0 both vectors become parallel, and the limit of σ²/r·r is
+//! ṙ·ṙ. A damper then acts with the force −c ṙ, as it does just before and after. The square is
+//! written so that nothing is divided by zero in either case,
 //!
 //! > σ²/(r·r if that is positive, else 1) + (0 if r·r is positive, else 1) ṙ·ṙ,
 //!
@@ -24,8 +25,9 @@ struct LengthRate {
     speed: ExprId,
 }
 
-/// A Rayleigh function that has its limit where lengths are zero whose rates it holds squares of. Lengths on which the
-/// potential depends otherwise than by their squares keep their roots: there is no limit of the elastic force.
+/// A Rayleigh function that has its limit where lengths are zero whose rates it holds squares of.
+/// Lengths on which the potential depends otherwise than by their squares keep their roots: there
+/// is no limit of the elastic force.
 pub(super) fn with_limits(elaborator: &mut Elaborator<'_>, dissipation: ExprId) -> ExprId {
     let potential =
         elaborator.potential.iter().chain(&elaborator.lagrangian).map(|term| term.value).collect::<Vec<_>>();
@@ -75,7 +77,8 @@ fn limited_square(graph: &mut Graph, length: &LengthRate) -> ExprId {
     graph.add(quotient, limit)
 }
 
-/// Parts of a velocity that is the rate of a root of a sum of squares, all of which may vanish during the motion.
+/// Parts of a velocity that is the rate of a root of a sum of squares, all of which may vanish
+/// during the motion.
 fn length_rate(graph: &mut Graph, rate: ExprId, position: ExprId) -> Option<LengthRate> {
     let (scale, root) = graph.split_coefficient(position);
     let Node::Product(factors) = graph.node(root).clone() else { return None };

@@ -234,7 +234,8 @@ impl<'a> Elaborator<'a> {
         None
     }
 
-    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of something else.
+    /// Reports a name that should be that of a coordinate; `usage` is the help if it is that of
+    /// something else.
     pub(super) fn report_no_coordinate(&mut self, name: &Name, usage: &str) {
         let (text, origin) = (&name.text, name.span.into());
         if self.coordinates.iter().any(|(coordinate, _)| coordinate.name == *text) {

@@ -42,9 +42,11 @@ pub(super) struct Evaluator<'a> {
     pub(super) values: HashMap<AstId, Option<Operand>>,
     /// Functions without a formula that calls may mention.
     pub(super) callables: OrderedMap<String, Callable>,
-    /// Expressions with an obligation to be a vector: that one is none is reported there, not for each of its components.
+    /// Expressions with an obligation to be a vector: that one is none is reported there, not for
+    /// each of its components.
     pub(super) obliged_vectors: HashSet<AstId>,
-    /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is reported there.
+    /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is
+    /// reported there.
     pub(super) obliged_masses: HashSet<AstId>,
 }
 
@@ -228,7 +230,8 @@ impl<'a> Evaluator<'a> {
         }
     }
 
-    /// The smallest part of an expression that depends on one of `kinds`, and its text if it is a name.
+    /// The smallest part of an expression that depends on one of `kinds`, and its text if it is a
+    /// name.
     pub(super) fn blame(&self, root: AstId, kinds: Dependencies) -> (Origin, String) {
         let guilty = |id: AstId| {
             let value = self.value(id);
@@ -247,7 +250,8 @@ impl<'a> Evaluator<'a> {
         (self.origin(culprit), name)
     }
 
-    /// The smallest part of an expression of which another one is a part; `None` if it is none of its parts.
+    /// The smallest part of an expression of which another one is a part; `None` if it is none of
+    /// its parts.
     pub(super) fn place_of(&self, root: AstId, part: ExprId) -> Option<Origin> {
         let holds = |id: AstId| {
             let components = self.value(id).map_or_else(Vec::new, |value| value.components().to_vec());

@@ -1,7 +1,7 @@
 //! Expressions of the language to expressions of the graph.
 //!
-//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` are evaluated as one, so that a sum of many terms
-//! is collected once and not pair by pair.
+//! The walk is iterative. Chains of `+`/`-` and of `*`/`/` are evaluated as one, so that a sum of
+//! many terms is collected once and not pair by pair.
 
 use super::calls::evaluate_call;
 use super::chains::{evaluate_power, evaluate_product, evaluate_sum};
@@ -113,8 +113,8 @@ fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> O
     None
 }
 
-/// True if another component of the pin that has this constraint has a multiplier. Any number would do for that of a constraint
-/// without gradient; the smallest is zero.
+/// True if another component of the pin that has this constraint has a multiplier. Any number would
+/// do for that of a constraint without gradient; the smallest is zero.
 fn belongs_to_held_pin(evaluator: &mut Evaluator<'_>, constraint: &str) -> bool {
     let Some((pin, _)) = constraint.rsplit_once('_') else { return false };
     let held = |axis: &str| {

@@ -1,4 +1,5 @@
-//! Function calls of the language: moments of inertia of solids by name, and where their centres of mass are.
+//! Function calls of the language: moments of inertia of solids by name, and where their centres of
+//! mass are.
 
 use super::evaluator::Evaluator;
 use super::function_names::MassFunction;
@@ -70,8 +71,8 @@ fn scalar_arguments(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[Ast
     scalars.into_iter().collect()
 }
 
-/// The scalars that give the size of a solid. What is wrong with them is reported once, although the moment of inertia and
-/// the centre of mass of a body's shape have the same arguments.
+/// The scalars that give the size of a solid. What is wrong with them is reported once, although
+/// the moment of inertia and the centre of mass of a body's shape have the same arguments.
 fn solid_dimensions(
     evaluator: &mut Evaluator<'_>,
     solid: &Solid,

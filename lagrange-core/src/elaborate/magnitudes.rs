@@ -108,7 +108,8 @@ fn report(evaluator: &mut Evaluator<'_>, id: AstId, misfit: Misfit, scalar: &Sca
     evaluator.refuse::<()>(id, message, help);
 }
 
-/// The expressions of a statement whose values are computed at run time, those of what it defines aside.
+/// The expressions of a statement whose values are computed at run time, those of what it defines
+/// aside.
 fn computed(kind: &StatementKind) -> Vec<AstId> {
     if kind.definitions().is_empty() { kind.expressions() } else { Vec::new() }
 }

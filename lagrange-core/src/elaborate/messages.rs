@@ -235,10 +235,6 @@ pub(super) fn underivable(names: &[&str], scalar: &str) -> String {
     )
 }
 
-// Constraints.
-
-// Reduced types.
-
 pub(super) fn no_expansion(part: &str, coordinate: Option<&str>) -> String {
     match coordinate {
         Some(name) => format!("{part} has no second-order expansion about this value of `{name}`"),

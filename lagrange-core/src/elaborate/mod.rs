@@ -1,6 +1,7 @@
 //! From the syntax tree of a declaration to a model.
 //!
-//! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and loads as expressions.
+//! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and
+//! loads as expressions.
 
 mod callable;
 mod calls;

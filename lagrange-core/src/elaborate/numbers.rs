@@ -1,7 +1,9 @@
-//! Numbers in what the user wrote: whether they can be kept exactly, whether they are real, whether the scalar holds them.
+//! Numbers in what the user wrote: whether they can be kept exactly, whether they are real, whether
+//! the scalar holds them.
 //!
-//! A value without symbols that is not real is a mistake wherever it stands. A number that is too large for the scalar is
-//! one only where it is left in what is to be computed: `1e400 / 1e399` is ten.
+//! A value without symbols that is not real is a mistake wherever it stands. A number that is too
+//! large for the scalar is one only where it is left in what is to be computed: `1e400 / 1e399` is
+//! ten.
 
 use super::evaluator::Evaluator;
 use super::messages;
@@ -17,7 +19,8 @@ pub(super) fn is_sound(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId
     is_short(evaluator, value, id) && is_real(evaluator, value, id)
 }
 
-/// Exact numbers grow with every operation, twofold in each of `a1 = a0*a0 + 1/7`, `a2 = a1*a1 + 1/7`, ….
+/// Exact numbers grow with every operation, twofold in each of `a1 = a0*a0 + 1/7`,
+/// `a2 = a1*a1 + 1/7`, ….
 fn is_short(evaluator: &mut Evaluator<'_>, value: &Operand, id: AstId) -> bool {
     let has_short_powers = |id: ExprId| match evaluator.graph.node(id) {
         Node::Product(factors) => factors.iter().all(|(_, exponent)| exponent.is_short()),

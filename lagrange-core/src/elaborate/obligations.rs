@@ -15,7 +15,8 @@ use lagrange_language::syntax::ast::{AstId, Name};
 /// Moments of inertia that differ by less than this fraction are equal but for rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Reports obligations that do not hold: errors where numbers are given, warnings where only defaults say so.
+/// Reports obligations that do not hold: errors where numbers are given, warnings where only
+/// defaults say so.
 pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obligation]) {
     for obligation in obligations {
         match obligation {
@@ -87,7 +88,8 @@ impl Wrong {
     }
 }
 
-/// The value of a scalar that is known, at least with the defaults of parameters, unless it is right.
+/// The value of a scalar that is known, at least with the defaults of parameters, unless it is
+/// right.
 fn unless(elaborator: &mut Elaborator, syntax: AstId, is_right: fn(f64) -> bool) -> Option<Wrong> {
     let value = scalar(elaborator, syntax)?;
     let graph = &elaborator.evaluator.graph;
@@ -118,8 +120,9 @@ fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: 
     }
 }
 
-/// Moments and products of inertia are those of a body if no principal moment exceeds the sum of the others, which also makes them
-/// positive: then the second moments ½ (tr J) 1 − J of the mass have no negative eigenvalue.
+/// Moments and products of inertia are those of a body if no principal moment exceeds the sum of
+/// the others, which also makes them positive: then the second moments ½ (tr J) 1 − J of the mass
+/// have no negative eigenvalue.
 fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId; 6]) {
     let components = tensor.map(|syntax| scalar(elaborator, syntax));
     let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
@@ -142,7 +145,8 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
 /// True if a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about
 /// its centre of mass.
 ///
-/// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of the principal minors.
+/// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of
+/// the principal minors.
 pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let [a, b, c] = [half - xx, half - yy, half - zz];
@@ -178,8 +182,8 @@ fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
     }
 }
 
-/// Both values where they differ by more than rounding, and the condition under which they have them. Nothing is known of
-/// formulas in different symbols without defaults.
+/// Both values where they differ by more than rounding, and the condition under which they have
+/// them. Nothing is known of formulas in different symbols without defaults.
 fn difference(
     graph: &Graph,
     defaults: &Defaults,

@@ -1,6 +1,7 @@
 //! Contacts, which are events with an impact, and `friction` statements.
 //!
-//! Each acts along the gradient of a velocity that is affine in q̇: of the rate of its gap, or of its slip velocity.
+//! Each acts along the gradient of a velocity that is affine in q̇: of the rate of its gap, or of
+//! its slip velocity.
 
 use super::elaborator::{Elaborator, UNKNOWNS};
 use super::expression::value_of;

@@ -1,12 +1,14 @@
 //! A model with coordinates frozen or small, from the model of the whole system.
 //!
-//! A frozen coordinate is replaced by its value, its rates by zero. In small coordinates the Lagrangian is expanded
-//! to second order, their velocities counted like themselves, which makes their equations of motion linear
-//! (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §6.1, there about an equilibrium; here the other
-//! coordinates move on). So is dissipation, and of loads the power F·ṗ, so that forces on small coordinates are of
-//! first order. Expanding commutes with the rate of change, whence rates stay rates and sums of squares survive.
+//! A frozen coordinate is replaced by its value, its rates by zero. In small coordinates the
+//! Lagrangian is expanded to second order, their velocities counted like themselves, which makes
+//! their equations of motion linear (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed.,
+//! §6.1, there about an equilibrium; here the other coordinates move on). So is dissipation, and of
+//! loads the power F·ṗ, so that forces on small coordinates are of first order. Expanding commutes
+//! with the rate of change, whence rates stay rates and sums of squares survive.
 //!
-//! The result moves to a graph of its own with coordinates numbered from zero, and from there it takes the ordinary way.
+//! The result moves to a graph of its own with coordinates numbered from zero, and from there it
+//! takes the ordinary way.
 
 use super::messages;
 use crate::model::{
@@ -146,7 +148,8 @@ impl<'a> Reducer<'a> {
         Ok(kept)
     }
 
-    /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along ṗ₂.
+    /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along
+    /// ṗ₂.
     fn load(&mut self, load: Load) -> Result<Vec<Load>, Undefined> {
         let velocity = self.of(load.velocity, "the point of a force")?;
         // Along the velocity of something small, a force of first order does.
@@ -254,7 +257,8 @@ impl Renumbering {
     }
 }
 
-/// Moves a model to a graph of its own, in which its coordinates and velocities are numbered from zero.
+/// Moves a model to a graph of its own, in which its coordinates and velocities are numbered from
+/// zero.
 fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
     let Reduced { reduction, model } = reduced;
     let source = std::mem::take(&mut model.graph);

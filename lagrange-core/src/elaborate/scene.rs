@@ -1,7 +1,8 @@
 //! Statements on rigid bodies to what a model holds of them.
 //!
-//! [`lagrange_language::bodies`] says which expressions matter; here they are evaluated and differentiated by time, and only if a product that
-//! needs them is asked for. The equations of motion know nothing of it.
+//! [`lagrange_language::bodies`] says which expressions matter; here they are evaluated and
+//! differentiated by time, and only if a product that needs them is asked for. The equations of
+//! motion know nothing of it.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -93,7 +94,8 @@ fn flattened(elaborator: &mut Elaborator<'_>, values: &[AstId]) -> Option<Vec<Ex
     Some(values.iter().flat_map(|value| value.components().to_vec()).collect())
 }
 
-/// Forces of joints that the coordinates fulfil by themselves have no multipliers: these are omitted.
+/// Forces of joints that the coordinates fulfil by themselves have no multipliers: these are
+/// omitted.
 fn add_drawing(elaborator: &mut Elaborator<'_>, drawing: &[Drawn]) {
     let constraints = elaborator.constraints.iter().map(|(constraint, _)| constraint.name.clone());
     let constraints = constraints.collect::<Vec<_>>();

@@ -110,7 +110,8 @@ impl Scope {
         );
     }
 
-    /// Gives a name that was declared for itself the value that it has behind its statement, where nothing has used it so far.
+    /// Gives a name that was declared for itself the value that it has behind its statement, where
+    /// nothing has used it so far.
     pub(super) fn define(&mut self, name: &str, value: Option<Operand>) {
         if let Some(entry) = self.entries.get_mut(&name.to_owned()) {
             (entry.value, entry.used) = (value, false);

@@ -1,6 +1,7 @@
 //! Friction in two directions at one contact.
 //!
-//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of a disk.
+//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of a
+//! disk.
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
@@ -15,7 +16,8 @@ pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<u
     elaborator.reactions.iter().position(|(reaction, _)| reaction.symbol == force && is_force(&reaction.kind))
 }
 
-/// Warns if the friction declared last acts at a contact along another direction than an earlier one.
+/// Warns if the friction declared last acts at a contact along another direction than an earlier
+/// one.
 pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     let last = elaborator.reactions.len().saturating_sub(1);
     let contacts = contacts(elaborator, last);
@@ -50,7 +52,8 @@ fn contacts(elaborator: &Elaborator<'_>, index: usize) -> Vec<usize> {
     parts.into_iter().filter_map(|part| contact_of(elaborator, part)).collect()
 }
 
-/// True if the slip velocities of both are multiples of each other, but for the motion of what they slip on.
+/// True if the slip velocities of both are multiples of each other, but for the motion of what they
+/// slip on.
 fn are_parallel(elaborator: &mut Elaborator<'_>, pair: [usize; 2]) -> bool {
     let slips = pair.map(|index| elaborator.reactions[index].0.velocity);
     let graph = &mut elaborator.evaluator.graph;

@@ -1,7 +1,7 @@
 //! Kinetic energies that are negative whatever the parameters are.
 //!
-//! Only what shows is judged: a velocity all of whose terms are its square times numbers. Definiteness in general is a matter of
-//! parameters, and of run time.
+//! Only what shows is judged: a velocity all of whose terms are its square times numbers.
+//! Definiteness in general is a matter of parameters, and of run time.
 
 use super::elaborator::Elaborator;
 use super::messages;
@@ -31,7 +31,8 @@ fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool 
     weights.get(&velocity).copied().flatten().is_some_and(|weight| weight < 0.0)
 }
 
-/// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms, too.
+/// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms,
+/// too.
 fn weights(graph: &Graph, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
     let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
     let mut others = Vec::new();

@@ -1,8 +1,9 @@
 //! Energies whose momenta would jump.
 //!
-//! d/dt ∂L/∂v needs second derivatives of L by velocities. |v| alone has none where v vanishes, nor have `sign`, `min` and `max`
-//! where they switch; |v| v and |v|³ have. A product is continuous where one factor jumps and another vanishes there; that is looked
-//! for structurally, so that what only cancels between terms counts as a jump. An `if` is the user's own statement of branches and
+//! d/dt ∂L/∂v needs second derivatives of L by velocities. |v| alone has none where v vanishes, nor
+//! have `sign`, `min` and `max` where they switch; |v| v and |v|³ have. A product is continuous
+//! where one factor jumps and another vanishes there; that is looked for structurally, so that what
+//! only cancels between terms counts as a jump. An `if` is the user's own statement of branches and
 //! is not judged.
 
 use super::elaborator::Elaborator;
@@ -61,7 +62,8 @@ pub(super) fn without_kinks(graph: &mut Graph, lagrangian: ExprId) -> ExprId {
     if kinks(graph, expanded).len() < before { expanded } else { lagrangian }
 }
 
-/// Magnitudes, signs and extrema that depend on velocities, with the factors that do of what vanishes where they switch.
+/// Magnitudes, signs and extrema that depend on velocities, with the factors that do of what
+/// vanishes where they switch.
 fn kinks(graph: &mut Graph, root: ExprId) -> Vec<(ExprId, Vec<ExprId>)> {
     let mut found = Vec::new();
     for id in graph.reachable(&[root]) {

@@ -1,7 +1,8 @@
 //! The `stabilise` statement: how fast what is left of constraints decays.
 //!
-//! Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems", Computer Methods in
-//! Applied Mechanics and Engineering 1 (1972), with both gains from one rate, so that residuals decay without overshoot.
+//! Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
+//! Computer Methods in Applied Mechanics and Engineering 1 (1972), with both gains from one rate,
+//! so that residuals decay without overshoot.
 
 use proc_macro2::Span;
 

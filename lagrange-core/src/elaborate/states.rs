@@ -43,7 +43,8 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
         error.related(Origin::from(first), words::STATED_HERE).help(words::STATED_TWICE_HELP);
         return;
     }
-    // Where the equation is wrong, another one keeps what mentions the rate from being reported, too.
+    // Where the equation is wrong, another one keeps what mentions the rate from being reported,
+    // too.
     let graph = &mut elaborator.evaluator.graph;
     let rate = rate.unwrap_or_else(|| graph.number(0));
     graph.set_rate(position, rate);

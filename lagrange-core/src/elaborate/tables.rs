@@ -19,7 +19,8 @@ struct Point {
     line: Option<usize>,
 }
 
-/// Makes a table known, be it without a value if something is wrong with its points, which is reported.
+/// Makes a table known, be it without a value if something is wrong with its points, which is
+/// reported.
 pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinition) {
     let source = points(elaborator, table).and_then(|points| match table.parameters.len() {
         1 => curve(elaborator, table, &points),
@@ -175,7 +176,8 @@ fn report_point<'a>(elaborator: &'a mut Elaborator<'_>, point: &Point, message: 
     elaborator.evaluator.report.error(point.place, message)
 }
 
-/// Reports tables in energies and constraints whose second derivatives are not continuous, although accelerations are made of them.
+/// Reports tables in energies and constraints whose second derivatives are not continuous, although
+/// accelerations are made of them.
 pub(super) fn check_tables(elaborator: &mut Elaborator<'_>) {
     let moving = elaborator.kinetic.iter().chain(&elaborator.lagrangian).map(|term| (term, DerivedBy::Time));
     let potential = elaborator.potential.iter().map(|term| (term, DerivedBy::Position));
@@ -256,7 +258,8 @@ impl DerivedBy {
     }
 }
 
-/// Calls of tables without continuous second derivatives of which derivatives are taken, with the tables themselves.
+/// Calls of tables without continuous second derivatives of which derivatives are taken, with the
+/// tables themselves.
 fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: DerivedBy) -> Vec<(ExprId, Opaque)> {
     let graph = &elaborator.evaluator.graph;
     let mut rough = Vec::new();

@@ -1,9 +1,10 @@
 //! Bodies on which torques act that are declared on angles.
 //!
-//! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, that of a moment m on this body is the same; if it
-//! turns as one body does against another, θ̇ = ω₂ − ω₁, that of m on one and −m on the other. Where θ is the second angle of a double
-//! pendulum, measured from the first rod, the torque is that of a motor in the joint; measured from the vertical, it acts on the second
-//! rod alone. What fits in two ways says nothing.
+//! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, that of a moment
+//! m on this body is the same; if it turns as one body does against another, θ̇ = ω₂ − ω₁, that of
+//! m on one and −m on the other. Where θ is the second angle of a double pendulum, measured from
+//! the first rod, the torque is that of a motor in the joint; measured from the vertical, it acts
+//! on the second rod alone. What fits in two ways says nothing.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -35,7 +36,8 @@ pub(super) fn torque_item(elaborator: &mut Elaborator<'_>, name: &str, values: &
     shares.iter().map(item).collect()
 }
 
-/// The bodies on which a moment has the power of one on an angle of this rate: all single ones, or else all pairs.
+/// The bodies on which a moment has the power of one on an angle of this rate: all single ones, or
+/// else all pairs.
 fn turned(elaborator: &mut Elaborator<'_>, rate: ExprId) -> Vec<Shares> {
     let spins = elaborator.scene.motions.iter().map(BodyMotion::spin).collect::<Vec<_>>();
     let single = spins.iter().enumerate().map(|(body, &spin)| (vec![(body, false)], spin)).collect();

@@ -1,4 +1,5 @@
-//! Diagnostics for names that stand for nothing where they are used: each is reported once, with the number of other places.
+//! Diagnostics for names that stand for nothing where they are used: each is reported once, with
+//! the number of other places.
 
 use super::evaluator::Evaluator;
 use super::messages;

@@ -15,7 +15,8 @@ pub(super) struct Unresolved {
     pub(super) statement: usize,
 }
 
-/// A name that is used before it is declared. One statement that stands too early or too late is one mistake.
+/// A name that is used before it is declared. One statement that stands too early or too late is
+/// one mistake.
 #[derive(Clone, Copy)]
 pub(super) struct Late {
     /// The number of the statement that uses it.

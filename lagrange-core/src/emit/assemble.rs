@@ -38,8 +38,8 @@ use lagrange_language::syntax::ast::Declaration;
 
 /// The items of a derived system; `None` if it cannot be written, which is reported.
 ///
-/// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of the crate `lagrange` where the
-/// items will stand.
+/// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of
+/// the crate `lagrange` where the items will stand.
 pub fn system(
     declaration: &Declaration,
     model: &mut Model,
@@ -56,7 +56,8 @@ pub fn system(
     Some(items)
 }
 
-/// The equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none, which is reported.
+/// The equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none, which
+/// is reported.
 pub fn kernel(
     (declaration, model, equations): (&Declaration, &Model, &Equations),
     precision: Precision,

@@ -6,11 +6,12 @@ use quote::{quote, quote_spanned};
 use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Severity};
 
-/// `compile_error!` for errors, variables that are not used for names that are not, and something deprecated
-/// for what takes long to compile or is doubtful: a stable macro cannot report anything else. Each mistake is one error; related
-/// places stand in its text.
+/// `compile_error!` for errors, variables that are not used for names that are not, and something
+/// deprecated for what takes long to compile or is doubtful: a stable macro cannot report anything
+/// else. Each mistake is one error; related places stand in its text.
 ///
-/// `attributes` are those of the struct: their conditions hold here, too, and so do their lint levels.
+/// `attributes` are those of the struct: their conditions hold here, too, and so do their lint
+/// levels.
 pub fn diagnostics(diagnostics: &[Diagnostic], attributes: &TokenStream) -> TokenStream {
     let errors = diagnostics.iter().filter(|d| d.severity == Severity::Error);
     let errors = errors.map(|diagnostic| error(diagnostic, attributes)).collect::<TokenStream>();
@@ -42,8 +43,8 @@ fn nothing(expectations: TokenStream) -> TokenStream {
     if expectations.is_empty() { expectations } else { quote!(#expectations const _: () = ();) }
 }
 
-/// The compiler's own warning of something deprecated, the only one whose text can be chosen. It stands at the
-/// user's token and obeys the user's lint levels.
+/// The compiler's own warning of something deprecated, the only one whose text can be chosen. It
+/// stands at the user's token and obeys the user's lint levels.
 fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     let (levels, text) = (of_warnings(attributes, NOTICE), diagnostic.text());
     let used = Ident::new(name, diagnostic.origin.start);
@@ -57,8 +58,8 @@ fn notice(name: &str, diagnostic: &Diagnostic, attributes: &TokenStream) -> Toke
     }
 }
 
-/// The compiler's own warning of unused variables, with the remedy that editors know how to apply. It
-/// stands at the user's name and obeys the user's lint levels.
+/// The compiler's own warning of unused variables, with the remedy that editors know how to apply.
+/// It stands at the user's name and obeys the user's lint levels.
 fn warnings(unused: &[Ident], attributes: &TokenStream) -> TokenStream {
     let levels = of_warnings(attributes, UNUSED);
     // A local function hides what else of that name is in scope: a variable cannot hide a constant.
@@ -80,8 +81,8 @@ fn error(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     quote!(#conditions #error)
 }
 
-/// The error covers everything from the first to the last token of its origin: the compiler takes the span
-/// of the invocation from its first and last tokens.
+/// The error covers everything from the first to the last token of its origin: the compiler takes
+/// the span of the invocation from its first and last tokens.
 fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let start = quote_spanned!(origin.start=> ::core::compile_error!);
     let mut arguments = Group::new(Delimiter::Brace, quote!(#message));

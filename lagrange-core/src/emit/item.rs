@@ -17,8 +17,8 @@ use super::features::switches::switches_declaration;
 use super::features::tables::tables;
 use super::traits::trait_impls;
 
-/// All items. The implementations stand in an anonymous constant, so that the names they import and the
-/// helpers they need are nobody else's.
+/// All items. The implementations stand in an anonymous constant, so that the names they import and
+/// the helpers they need are nobody else's.
 pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let system = system_struct(shape, members);
     let (state, columns) = (state_struct(shape), columns_struct(shape));
@@ -104,7 +104,8 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
     });
     let fields =
         [fields, mode_fields(shape)].into_iter().chain(switches_declaration(shape)).collect::<TokenStream>();
-    // It begins and ends in what the user wrote, so that the compiler proposes attributes there and not in the macro.
+    // It begins and ends in what the user wrote, so that the compiler proposes attributes there and
+    // not in the macro.
     let body = match fields.is_empty() && marker.is_none() {
         true => quote_spanned!(emitted_at(declaration.name.span)=> ;),
         false => {

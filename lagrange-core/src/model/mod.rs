@@ -22,7 +22,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Inputs in declaration order.
     pub inputs: Vec<Parameter>,
-    /// Positions in state order: generalised coordinates and components of unit quaternions, at least one, then first-order states.
+    /// Positions in state order: generalised coordinates and components of unit quaternions, at
+    /// least one, then first-order states.
     pub coordinates: Vec<Coordinate>,
     /// Generalised velocities in state order, one for each freedom.
     pub speeds: Vec<Speed>,
@@ -40,7 +41,8 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// Constraints on coordinates and velocities, in declaration order.
     pub constraints: Vec<Constraint>,
-    /// Names of constraints of joints that are left out, since the coordinates fulfil them by themselves.
+    /// Names of constraints of joints that are left out, since the coordinates fulfil them by
+    /// themselves.
     pub implied: Vec<String>,
     /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
     pub stabilisation: Option<ExprId>,
@@ -115,14 +117,15 @@ pub struct Coordinate {
     pub name: String,
     /// q
     pub position: ExprId,
-    /// q̇, a function of positions and generalised velocities, linear in these; of a first-order state any function of time, positions,
-    /// velocities and inputs
+    /// q̇, a function of positions and generalised velocities, linear in these; of a first-order
+    /// state any function of time, positions, velocities and inputs
     pub rate: ExprId,
     /// True if it is a first-order state, which displacements leave as it is.
     pub is_state: bool,
 }
 
-/// A generalised velocity, which Kane calls a generalised speed: the rate of a coordinate, or a component of an angular velocity.
+/// A generalised velocity, which Kane calls a generalised speed: the rate of a coordinate, or a
+/// component of an angular velocity.
 #[derive(Clone, Debug)]
 pub struct Speed {
     /// Its name in the state.
@@ -135,12 +138,14 @@ pub struct Speed {
     pub acceleration: ExprId,
 }
 
-/// An orientation as a unit quaternion among the positions, with the angular velocity in the turned axes among the velocities.
+/// An orientation as a unit quaternion among the positions, with the angular velocity in the turned
+/// axes among the velocities.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Orientation {
     /// Index of the scalar part among the positions; the vector part follows.
     pub position: usize,
-    /// Index of the first component of the angular velocity among the velocities; the others follow.
+    /// Index of the first component of the angular velocity among the velocities; the others
+    /// follow.
     pub velocity: usize,
 }
 
@@ -158,7 +163,8 @@ pub enum Energies {
     Lagrangian,
 }
 
-/// A function S of the accelerations a, whose slopes are inertial forces: ∂S/∂a = d/dt ∂F/∂v − ∂F/∂q for part F of the Lagrangian.
+/// A function S of the accelerations a, whose slopes are inertial forces: ∂S/∂a = d/dt ∂F/∂v −
+/// ∂F/∂q for part F of the Lagrangian.
 #[derive(Clone, Copy, Debug)]
 pub struct GibbsFunction {
     /// S, at most quadratic in the accelerations.
@@ -183,7 +189,8 @@ pub struct Constraint {
     pub name: String,
     /// Function of t and q, or one that is affine in v, that the constraint makes zero.
     pub value: ExprId,
-    /// Function of the velocities that must be zero: the rate of `value` or, if that holds velocities, `value` itself.
+    /// Function of the velocities that must be zero: the rate of `value` or, if that holds
+    /// velocities, `value` itself.
     pub velocity: ExprId,
     /// True if `value` is a function of t and q.
     pub is_holonomic: bool,
@@ -264,8 +271,8 @@ pub enum ReactionKind {
         /// The coefficient of restitution, a function of t, q and v.
         restitution: ExprId,
     },
-    /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in multipliers and in the forces of
-    /// reactions declared before.
+    /// Dry friction that sticks and slips. Limits are functions of t, q and v, affine in
+    /// multipliers and in the forces of reactions declared before.
     Friction {
         /// The magnitude of the force while it slips.
         kinetic: ExprId,

@@ -1,7 +1,7 @@
 //! The products that can be emitted, one row each.
 //!
-//! A row holds everything that the language, its messages and emitted code know of a product. How it is derived is in
-//! [`Equations`](crate::derive::Equations).
+//! A row holds everything that the language, its messages and emitted code know of a product. How
+//! it is derived is in [`Equations`](crate::derive::Equations).
 
 /// Something that can be emitted beside accelerations and outputs.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]

@@ -22,8 +22,9 @@ pub struct Scene {
 pub struct BodyMotion {
     /// The name of the body.
     pub body: Name,
-    /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular velocity, acceleration, angular
-    /// acceleration. In the plane vectors take two places; in space they take three, and the tensor of inertia and the rotation nine, in rows.
+    /// Mass, moment of inertia, centroid in own coordinates, centre, angle, velocity, angular
+    /// velocity, acceleration, angular acceleration. In the plane vectors take two places; in space
+    /// they take three, and the tensor of inertia and the rotation nine, in rows.
     pub values: Vec<ExprId>,
 }
 
@@ -93,7 +94,8 @@ pub struct OutlinedPart {
     pub has_corners: bool,
     /// Number of values that are dimensions.
     pub dimension_count: usize,
-    /// The dimensions, then the origin of its coordinates, then the angle of its axes, in space their rotation in rows.
+    /// The dimensions, then the origin of its coordinates, then the angle of its axes, in space
+    /// their rotation in rows.
     pub values: Vec<ExprId>,
     /// True if it is cut out.
     pub is_hole: bool,

@@ -29,15 +29,17 @@ pub struct NumericSystem {
     position_rates: Program,
     /// The functions whose signs are the sides of the switches.
     switches: Program,
-    /// Accelerations, followed by the growth of rounding errors in their computation, as emitted code computes them.
+    /// Accelerations, followed by the growth of rounding errors in their computation, as emitted
+    /// code computes them.
     accelerations: Program,
     /// Multipliers, followed by the same.
     multipliers: Program,
     /// The number of these values of growth.
     growths: usize,
-    /// True if some constraints always follow from others, which leaves multipliers to the second way.
+    /// True if some constraints always follow from others, which leaves multipliers to the second
+    /// way.
     is_redundant: bool,
-    /// Matrices and vectors that the second way starts from; nothing if there is none.
+    /// Matrices and vectors that the second way starts from; nothing for large systems.
     undivided: Program,
     products: Vec<(Product, Program)>,
     outputs: Vec<(String, Program)>,
@@ -54,7 +56,8 @@ struct Instant<'a> {
     multipliers: &'a [f64],
 }
 
-/// Systems with more coordinates have no second way here: writing down their matrices may cost more than all else.
+/// Systems with more coordinates have no second way here: writing down their matrices may cost more
+/// than all else.
 const LARGEST_SECOND_WAY: usize = 40;
 
 /// Values whose size is the growth of rounding errors, beyond which the second way is taken.
@@ -62,11 +65,10 @@ fn growth(equations: &Equations) -> Vec<ExprId> {
     equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect()
 }
 
-/// M and A in rows, f and b; nothing for large systems and where no pivot can vanish.
+/// M and A in rows, f and b; nothing for large systems.
 fn undivided(equations: &Equations) -> Vec<ExprId> {
     let Equations { mass_matrix, forcing, constraints, .. } = equations;
-    let may_fail = !constraints.drifts.is_empty() || equations.pivot_growth.is_some();
-    if !may_fail || forcing.len() > LARGEST_SECOND_WAY {
+    if forcing.len() > LARGEST_SECOND_WAY {
         return Vec::new();
     }
     let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
@@ -78,7 +80,8 @@ fn are_finite(values: &[f64]) -> bool {
 }
 
 impl NumericSystem {
-    /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are set.
+    /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are
+    /// set.
     pub fn new(derived: &Derived) -> NumericSystem {
         NumericSystem::lowered(&derived.model, &derived.equations)
     }
@@ -89,7 +92,8 @@ impl NumericSystem {
     }
 
     fn lowered(model: &Model, equations: &Equations) -> NumericSystem {
-        // A named value is kept apart, so that only with the same names the results are those of emitted code.
+        // A named value is kept apart, so that only with the same names the results are those of
+        // emitted code.
         let mut labels = Labels::default();
         equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
         let mut graph = model.graph.clone();
@@ -153,8 +157,8 @@ impl NumericSystem {
         true
     }
 
-    /// Computes a function of the user's crate, or a derivative of one, by the name under which emitted code calls it; whether anything
-    /// calls it. What is not computed is NaN.
+    /// Computes a function of the user's crate, or a derivative of one, by the name under which
+    /// emitted code calls it; whether anything calls it. What is not computed is NaN.
     ///
     /// ```
     /// use lagrange_core::derive::StrategyChoice;
@@ -260,17 +264,20 @@ impl NumericSystem {
         [found, growth]
     }
 
-    /// Accelerations and multipliers from the undivided equations; by elimination all the same where there are none.
+    /// Accelerations and multipliers from the undivided equations; by elimination all the same
+    /// where there are none, and where these have no solution although no pivot was to vanish: some
+    /// accelerations may be finite.
     fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
-        let values = self.run(&self.undivided, at);
-        if values.is_empty() {
+        let (n, values) = (self.size[1], self.run(&self.undivided, at));
+        let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
+        let mut motion = if values.is_empty() { Vec::new() } else { motion(n, constraints, &values) };
+        let is_guarded = constraints > 0 || self.growths > 0;
+        if values.is_empty() || !is_guarded && !are_finite(&motion) {
             return [&self.accelerations, &self.multipliers].map(|program| {
                 let [found, _] = self.eliminated(program, at);
                 found
             });
         }
-        let n = self.size[1];
-        let mut motion = motion(n, values.len() / (n + 1) - n, &values);
         let multipliers = motion.split_off(n);
         [motion, multipliers]
     }
@@ -283,16 +290,17 @@ impl NumericSystem {
         rate
     }
 
-    /// A product at a state: one value for an energy, one per coordinate for a vector, rows one after the
-    /// other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it was not derived.
+    /// A product at a state: one value for an energy, one per coordinate for a vector, rows one
+    /// after the other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it
+    /// was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
         let multipliers = self.multipliers(t, q, v);
         Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &multipliers }))
     }
 
-    /// The generalised forces that must act beside the declared ones to produce accelerations. `None` if
-    /// they were not derived.
+    /// The generalised forces that must act beside the declared ones to produce accelerations.
+    /// `None` if they were not derived.
     pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == Product::InverseDynamics)?;
         Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))

@@ -1,15 +1,16 @@
-//! Orthogonal factors of matrices of any size that may lack full rank, as `linalg::orthogonal` of `lagrange-runtime` has them for
-//! sizes known at compile time: Householder reflections with exchange of columns. Source: Golub, Van Loan, *Matrix
-//! Computations*, 4th ed., §5.2, §5.4.
+//! Orthogonal factors of matrices of any size that may lack full rank, as `linalg::orthogonal` of
+//! `lagrange-runtime` has them for sizes known at compile time: Householder reflections with
+//! exchange of columns. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
-/// A column is taken before others with at most this relative excess of remaining length, so that rounding does not choose
-/// between equals.
+/// A column is taken before others with at most this relative excess of remaining length, so that
+/// rounding does not choose between equals.
 const PRECEDENCE: f64 = 0.125;
 
 /// The factors Q and R of a matrix, in the order in which its columns were taken.
 #[derive(Debug)]
 pub(super) struct OrthogonalFactors {
-    /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with I − u uᵀ from there on.
+    /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with
+    /// I − u uᵀ from there on.
     columns: Vec<Vec<f64>>,
     /// The diagonal of R.
     diagonal: Vec<f64>,
@@ -20,8 +21,8 @@ pub(super) struct OrthogonalFactors {
 }
 
 impl OrthogonalFactors {
-    /// Factorises finite columns with `rows` entries each. Columns of which at most the fraction `tolerance` of the largest
-    /// one remains depend on those before.
+    /// Factorises finite columns with `rows` entries each. Columns of which at most the fraction
+    /// `tolerance` of the largest one remains depend on those before.
     pub(super) fn new(mut columns: Vec<Vec<f64>>, rows: usize, tolerance: f64) -> OrthogonalFactors {
         let (mut order, mut diagonal) = ((0..columns.len()).collect::<Vec<_>>(), Vec::new());
         let mut first = 0.0_f64;
@@ -60,7 +61,8 @@ impl OrthogonalFactors {
         x
     }
 
-    /// Returns the amounts of the independent columns that add up to `right` as closely as possible; zero for the others.
+    /// Returns the amounts of the independent columns that add up to `right` as closely as
+    /// possible; zero for the others.
     pub(super) fn combination(&self, right: Vec<f64>) -> Vec<f64> {
         let mut inner = self.inward(right);
         let mut amounts = vec![0.0; self.columns.len()];
@@ -82,8 +84,8 @@ impl OrthogonalFactors {
         self.outward(inner)
     }
 
-    /// Returns the shortest x for which the columns, in the amounts x / `scales`, add up to a vector with these components in
-    /// the directions of the independent columns.
+    /// Returns the shortest x for which the columns, in the amounts x / `scales`, add up to a
+    /// vector with these components in the directions of the independent columns.
     pub(super) fn shortest_amounts(&self, components: &[f64], scales: &[f64]) -> Vec<f64> {
         let row = |k: usize| {
             let mut row = vec![0.0; scales.len()];
@@ -104,7 +106,8 @@ impl OrthogonalFactors {
     }
 }
 
-/// Returns the column, from the k-th on, of which most is left from row k on, and the length of this remainder.
+/// Returns the column, from the k-th on, of which most is left from row k on, and the length of
+/// this remainder.
 fn largest(columns: &[Vec<f64>], k: usize) -> (usize, f64) {
     let mut most = (k, 0.0);
     for (index, column) in columns.iter().enumerate().skip(k) {
@@ -116,8 +119,8 @@ fn largest(columns: &[Vec<f64>], k: usize) -> (usize, f64) {
     most
 }
 
-/// Reflects the remainder of the first column, of this length, onto row k, and the other columns with it. The reflection replaces
-/// the remainder; returns the entry on the diagonal.
+/// Reflects the remainder of the first column, of this length, onto row k, and the other columns
+/// with it. The reflection replaces the remainder; returns the entry on the diagonal.
 fn reflect(columns: &mut [Vec<f64>], k: usize, length: f64) -> f64 {
     let Some((column, others)) = columns.split_first_mut() else { return 0.0 };
     let diagonal = if column[k] > 0.0 { -length } else { length };

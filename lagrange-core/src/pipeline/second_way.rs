@@ -1,9 +1,10 @@
-//! Motion where elimination in a fixed order fails: constraints depend on each other or make up for a mass that is zero, or a
-//! pivot of an indefinite mass matrix vanishes.
+//! Motion where elimination in a fixed order fails: constraints depend on each other or make up for
+//! a mass that is zero, or a pivot of an indefinite mass matrix vanishes.
 //!
-//! The rule is that of emitted code (`constraint::redundant_motion` and `constraint::indefinite_motion` of `lagrange-runtime`), for
-//! sizes known at run time: M a = f + Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers that
-//! give the same motion, those with the smallest sum of squares are taken.
+//! The rule is that of emitted code (`constraint::redundant_motion` and
+//! `constraint::indefinite_motion` of `lagrange-runtime`), for sizes known at run time: M a = f +
+//! Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers that give
+//! the same motion, those with the smallest sum of squares are taken.
 
 use super::orthogonal::{OrthogonalFactors, length, reciprocal};
 
@@ -14,19 +15,21 @@ const SCALINGS: usize = 6;
 /// Multiple of the rank tolerance by which dependent constraints may miss each other.
 const CONTRADICTION: f64 = 100.0;
 
-/// Returns the fraction of a gradient below which the remainder beside other gradients is zero: ε^(5/16).
+/// Returns the fraction of a gradient below which the remainder beside other gradients is zero:
+/// ε^(5/16).
 fn rank_tolerance() -> f64 {
     f64::EPSILON.powf(0.3125)
 }
 
-/// True if digits can be trusted whose rounding errors grow so: below ε^(−5/8), as emitted code has it
-/// (`lagrange::constraint::are_regular`).
+/// True if digits can be trusted whose rounding errors grow so: below ε^(−5/8), as emitted code has
+/// it (`lagrange::constraint::are_regular`).
 pub(super) fn is_regular(growth: f64) -> bool {
     growth * f64::EPSILON.powf(0.625) < 1.0
 }
 
-/// Returns the accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds M and A in rows, then f and b.
-/// All are NaN if the accelerations are undetermined, or if constraints contradict each other.
+/// Returns the accelerations and multipliers of `n` coordinates and `m` constraints; `values` holds
+/// M and A in rows, then f and b. All are NaN if the accelerations are undetermined, or if
+/// constraints contradict each other.
 pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     let (mass, rest) = values.split_at(n * n);
     let (jacobian, rest) = rest.split_at(m * n);
@@ -40,7 +43,8 @@ pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     found.flatten().unwrap_or_else(|| vec![f64::NAN; n + m])
 }
 
-/// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if it is singular.
+/// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if
+/// it is singular.
 fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
     let unit = power_to_one(mass.iter().flatten().map(|entry| entry.abs()));
     multiply(&mut mass, unit);
@@ -50,8 +54,8 @@ fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
     (factors.rank() == forcing.len()).then(|| product(&scales, &factors.combination(right)))
 }
 
-/// The matrices in coordinates whose masses are near one, with the gradients of the constraints scaled to length one. No unit
-/// matters, as in emitted code.
+/// The matrices in coordinates whose masses are near one, with the gradients of the constraints
+/// scaled to length one. No unit matters, as in emitted code.
 struct ScaledEquations {
     /// Power of two by which masses and forces are multiplied.
     unit: f64,
@@ -78,7 +82,8 @@ impl ScaledEquations {
         ScaledEquations { unit, mass: scaled(mass, &scales), scales, gradients, gradient_scales, factors }
     }
 
-    /// Returns the accelerations and multipliers; `None` if they are undetermined or constraints contradict each other.
+    /// Returns the accelerations and multipliers; `None` if they are undetermined or constraints
+    /// contradict each other.
     fn motion(&self, forcing: &[f64], drifts: &[f64]) -> Option<Vec<f64>> {
         let forcing = forcing.iter().zip(&self.scales).map(|(force, scale)| scale * (self.unit * force));
         let (forcing, drifts) = (forcing.collect::<Vec<_>>(), product(&self.gradient_scales, drifts));
@@ -103,7 +108,8 @@ impl ScaledEquations {
         self.mass.iter().zip(forcing).map(|(row, force)| force - dot(row, acceleration)).collect()
     }
 
-    /// Returns the acceleration by these forces in the directions that no constraint restricts; `None` if it is undetermined.
+    /// Returns the acceleration by these forces in the directions that no constraint restricts;
+    /// `None` if it is undetermined.
     fn free_part(&self, forces: Vec<f64>) -> Option<Vec<f64>> {
         let (n, rank) = (self.scales.len(), self.factors.rank());
         let unrestricted = |mut vector: Vec<f64>| {
@@ -126,8 +132,8 @@ impl ScaledEquations {
     }
 }
 
-/// Returns the scales of coordinates: reciprocal roots of their masses. A coordinate without one is measured by what the other
-/// coordinates do in constraints that hold it, too.
+/// Returns the scales of coordinates: reciprocal roots of their masses. A coordinate without one is
+/// measured by what the other coordinates do in constraints that hold it, too.
 fn coordinate_scales(mass: &[Vec<f64>], jacobian: &[Vec<f64>]) -> Vec<f64> {
     let of_mass = |j: usize| if mass[j][j] > 0.0 { 1.0 / mass[j][j].sqrt() } else { 0.0 };
     let scales = (0..mass.len()).map(of_mass).collect::<Vec<_>>();
@@ -144,7 +150,8 @@ fn coordinate_scales(mass: &[Vec<f64>], jacobian: &[Vec<f64>]) -> Vec<f64> {
     (0..mass.len()).map(scale).collect()
 }
 
-/// Returns the power of two that brings the first positive value to between one and two; one if there is none.
+/// Returns the power of two that brings the first positive value to between one and two; one if
+/// there is none.
 fn power_to_one(mut values: impl Iterator<Item = f64>) -> f64 {
     let Some(mut left) = values.find(|value| *value > 0.0) else { return 1.0 };
     let mut power = 1.0;
@@ -164,8 +171,8 @@ fn multiply(matrix: &mut [Vec<f64>], factor: f64) {
     matrix.iter_mut().flatten().for_each(|entry| *entry *= factor);
 }
 
-/// Returns the factors that bring the largest entry of each row of a symmetric matrix near one if columns are multiplied by
-/// them, too.
+/// Returns the factors that bring the largest entry of each row of a symmetric matrix near one if
+/// columns are multiplied by them, too.
 fn equilibration(matrix: &[Vec<f64>]) -> Vec<f64> {
     let mut scales = vec![1.0; matrix.len()];
     for _ in 0..SCALINGS {
@@ -215,7 +222,8 @@ mod tests {
         );
     }
 
-    /// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0): the shortest forces that carry it are 10 + 5 x.
+    /// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0): the shortest forces that
+    /// carry it are 10 + 5 x.
     #[test]
     fn redundant_constraints_share_a_force() {
         let legs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)].map(|(x, y)| [1.0, y, -x]);

@@ -66,7 +66,8 @@ impl System {
         emit::statements(&self.declaration)
     }
 
-    /// Returns the number by which emitted types tell declarations apart, `FINGERPRINT`. Layout, comments and pictures do not change it.
+    /// Returns the number by which emitted types tell declarations apart, `FINGERPRINT`. Layout,
+    /// comments and pictures do not change it.
     pub fn fingerprint(&self) -> u64 {
         emit::fingerprint(&self.declaration)
     }
@@ -74,7 +75,8 @@ impl System {
     /// Derives the equations of motion.
     ///
     /// # Errors
-    /// If the mass matrix is singular whatever the parameters are, or more would follow than can be emitted.
+    /// If the mass matrix is singular whatever the parameters are, or more would follow than can be
+    /// emitted.
     pub fn derive(self, choice: StrategyChoice) -> Result<Derived, Report> {
         let System { declaration, mut model, mut report } = self;
         match equations_of(&declaration, &mut model, choice, &mut report) {
@@ -97,21 +99,22 @@ impl Derived {
     /// The equations of motion as C, as `emit { kernel }` keeps them.
     ///
     /// # Errors
-    /// If the system has what a kernel does not go with, or a constant is too large for the numbers.
+    /// If the system has what a kernel does not go with, or a constant is too large for the
+    /// numbers.
     pub fn kernel(&self, precision: Precision) -> Result<String, Report> {
         let mut report = Report::default();
         let text = emit::kernel((&self.declaration, &self.model, &self.equations), precision, &mut report);
         text.ok_or(report)
     }
 
-    /// The equations, the structure and the cost of the system in lines of Markdown, as they stand in the
-    /// documentation of the emitted struct.
+    /// The equations, the structure and the cost of the system in lines of Markdown, as they stand
+    /// in the documentation of the emitted struct.
     pub fn documentation(&mut self) -> Vec<String> {
         emit::documentation(&mut self.model, &self.equations)
     }
 
-    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
-    /// short; nothing if M is large and was not asked for.
+    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that
+    /// keep them short; nothing if M is large and was not asked for.
     pub fn equations_latex(&mut self) -> String {
         emit::equations_latex(&mut self.model, &self.equations)
     }

@@ -122,7 +122,8 @@ impl Arithmetic {
         }
     }
 
-    /// The angle of (x, y): that of the half plane to the right, turned by half a turn to the left of it.
+    /// The angle of (x, y): that of the half plane to the right, turned by half a turn to the left
+    /// of it.
     fn atan2(&mut self, y: &Real, x: &Real) -> Real {
         let half_turn = self.constants.pi(self.bits, ROUNDING);
         if x.is_zero() {

@@ -4,7 +4,8 @@ use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::{Expr, File, ImplItem, Item, ItemImpl, Stmt};
 
-/// Writes a line such as `OdeSystem::derivative: 12 statements, 9 +, 4 -, 20 *, 1 /, 3 calls` for each method.
+/// Writes a line such as `OdeSystem::derivative: 12 statements, 9 +, 4 -, 20 *, 1 /, 3 calls` for
+/// each method.
 pub(crate) fn summary(file: &File) -> String {
     let mut lines = String::new();
     file.items.iter().for_each(|item| summarise(item, &mut lines));

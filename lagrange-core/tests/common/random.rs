@@ -1,6 +1,7 @@
 //! Random numbers, the same in every run.
 
-/// The generator SplitMix64 (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
+/// The generator SplitMix64 (Steele, Lea and Flood, *Fast splittable pseudorandom number
+/// generators*, 2014).
 pub(crate) struct Random {
     state: u64,
 }
@@ -38,7 +39,8 @@ impl Random {
         &list[self.below(list.len())]
     }
 
-    /// Of either sign, its magnitude between two powers of ten with an even distribution of the exponent.
+    /// Of either sign, its magnitude between two powers of ten with an even distribution of the
+    /// exponent.
     pub(crate) fn decades(&mut self, low: f64, high: f64) -> f64 {
         let magnitude = 10.0_f64.powf(self.between(low, high));
         if self.below(2) == 0 { magnitude } else { -magnitude }

@@ -1,6 +1,8 @@
-//! What is left of the digits of accelerations and energies where numbers of very different size meet.
+//! What is left of the digits of accelerations and energies where numbers of very different size
+//! meet.
 //!
-//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors that were found.
+//! `cargo test -p lagrange-core --test extremes -- --nocapture --test-threads=1` prints the errors
+//! that were found.
 
 mod cases;
 #[path = "../common/digits.rs"]

@@ -1,11 +1,12 @@
 //! Accelerations of a declared system to as many digits as wanted: the judge of what is derived.
 //!
-//! Of the derivation under test only differentiation is used. M = ∂²L/∂v² and
-//! f = ∂L/∂q − (∂p/∂q) v − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko,
-//! *Classical Mechanics*, 3rd ed., §1.4); with unit quaternions, q̇ = N v, it is Nᵀ ∂L/∂q, and an angular velocity ω adds −ω × ∂L/∂ω (Lurie,
-//! *Analytical Mechanics*, §10.1). M a = f is solved in numbers by Gaussian elimination with partial
-//! pivoting (Golub and Van Loan, *Matrix Computations*, 4th ed., §3.4). The number of bits is doubled until
-//! two results agree, so that the condition of M does not matter.
+//! Of the derivation under test only differentiation is used. M = ∂²L/∂v² and f = ∂L/∂q − (∂p/∂q) v
+//! − ∂p/∂t + Q with p = ∂L/∂v stay undivided expressions (Goldstein, Poole and Safko, *Classical
+//! Mechanics*, 3rd ed., §1.4); with unit quaternions, q̇ = N v, it is Nᵀ ∂L/∂q, and an angular
+//! velocity ω adds −ω × ∂L/∂ω (Lurie, *Analytical Mechanics*, §10.1). M a = f is solved in numbers
+//! by Gaussian elimination with partial pivoting (Golub and Van Loan, *Matrix Computations*, 4th
+//! ed., §3.4). The number of bits is doubled until two results agree, so that the condition of M
+//! does not matter.
 
 use lagrange_core::calculus::{AccelerationTerms, Rates, gradient};
 use lagrange_core::expr::ExprId;
@@ -59,7 +60,8 @@ impl Reference {
         self.forcing.len()
     }
 
-    /// The truth where symbols have the values that `value_of` gives; `None` if the mass matrix is singular.
+    /// The truth where symbols have the values that `value_of` gives; `None` if the mass matrix is
+    /// singular.
     pub(crate) fn at(&self, value_of: impl Fn(Role, &mut Arithmetic) -> Real) -> Option<Truth> {
         let mut before: Option<Truth> = None;
         for bits in BITS {

@@ -1,8 +1,10 @@
 //! Bodies in space of which one is 10⁹ times as heavy, as light, as long or as short as the others.
 //!
-//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by κ + c, the magnification of rounded inputs and the condition of
-//! the scaled mass matrix. All levels keep that everywhere. With three freedoms `strict` keeps κ + √c, as in the plane; with more it is never
-//! worse than `standard` and mostly better where lengths differ: see `tests/extremes/README.md`.
+//! Errors are judged as in [`sweep`](crate::sweep), in units of rounding by κ + c, the
+//! magnification of rounded inputs and the condition of the scaled mass matrix. All levels keep
+//! that everywhere. With three freedoms `strict` keeps κ + √c, as in the plane; with more it is
+//! never worse than `standard` and mostly better where lengths differ: see
+//! `tests/extremes/README.md`.
 
 use std::env;
 use std::f64::consts::PI;
@@ -16,7 +18,8 @@ use crate::reference::{Reference, Truth};
 use crate::scenes::{Scene, scenes_in};
 use crate::trial::{FAST, STANDARD, STRICT, Sample, Subject, Way};
 
-/// What is derived in seconds without optimisation; the others are judged if `LAGRANGE_EXTREMES` is set.
+/// What is derived in seconds without optimisation; the others are judged if `LAGRANGE_EXTREMES` is
+/// set.
 const QUICK: [&str; 3] = ["ball_chain", "universal_and_hinge", "universal_chain"];
 /// Ratios of one mass or length to the others.
 const RATIOS: [f64; 2] = [1e-9, 1e9];
@@ -100,7 +103,8 @@ impl Judged {
     }
 }
 
-/// The largest errors at a level: of an acceleration, relative to itself, and in units of rounding over κ + c and over κ + √c.
+/// The largest errors at a level: of an acceleration, relative to itself, and in units of rounding
+/// over κ + c and over κ + √c.
 #[derive(Default)]
 struct Worst {
     relative: f64,

@@ -1,10 +1,10 @@
 //! All scenes at random parameters and states that span 24 decades.
 //!
-//! Two numbers say what error is to be expected in units of rounding: the magnification κ of rounded inputs,
-//! which no algorithm escapes that computes sines and products of the inputs, and the condition number c of
-//! the mass matrix scaled to a unit diagonal. Elimination by pivots loses κ + c, elimination by rotations
-//! of velocities weighted with the roots of their masses κ + √c (Higham, *Accuracy and Stability of Numerical
-//! Algorithms*, 2nd ed., §10.1 and §20.1).
+//! Two numbers say what error is to be expected in units of rounding: the magnification κ of
+//! rounded inputs, which no algorithm escapes that computes sines and products of the inputs, and
+//! the condition number c of the mass matrix scaled to a unit diagonal. Elimination by pivots loses
+//! κ + c, elimination by rotations of velocities weighted with the roots of their masses κ + √c
+//! (Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §10.1 and §20.1).
 
 use std::f64::consts::PI;
 
@@ -57,7 +57,8 @@ fn conditioned(way: Way) -> fn(f64) -> f64 {
     }
 }
 
-/// The scenes in which a way exceeds its bound at some states, because forces cancel without showing it.
+/// The scenes in which a way exceeds its bound at some states, because forces cancel without
+/// showing it.
 fn exceptions(way: Way) -> &'static [&'static str] {
     match way {
         STANDARD | DENSE => &["relative_pendulum", "two_link_arm", "written_out_pendulum"],
@@ -76,7 +77,8 @@ fn exceptions(way: Way) -> &'static [&'static str] {
     }
 }
 
-/// Positive parameters from 10⁻¹² to 10¹²; angles of any size, tiny ones, and differences that are tiny.
+/// Positive parameters from 10⁻¹² to 10¹²; angles of any size, tiny ones, and differences that are
+/// tiny.
 fn sample(model: &Model, random: &mut Random) -> Sample {
     let parameters = model.parameters.iter();
     let settings = parameters.map(|p| (p.name.clone(), random.decades(-12.0, 12.0).abs())).collect();
@@ -118,8 +120,8 @@ fn losses(scene: &Scene) -> [(Way, Vec<Loss>); WAYS.len()] {
     })
 }
 
-/// How many states lost 0, 1, … digits, and the states at which more was lost than expected, to be read with
-/// `--nocapture`.
+/// How many states lost 0, 1, … digits, and the states at which more was lost than expected, to be
+/// read with `--nocapture`.
 #[test]
 fn digits_are_lost_only_to_the_condition_of_the_mass_matrix() {
     let mut all = WAYS.map(|way| (way, Vec::new()));

@@ -11,9 +11,9 @@ use crate::trial::{DENSE, RECURSIVE, SQUARES, Sample, Subject};
 /// Numbers of bodies, and how many trees of each number.
 const SIZES: [(usize, usize); 6] = [(1, 2), (2, 6), (5, 6), (12, 4), (30, 2), (60, 2)];
 const SEED: u64 = 60;
-/// The largest errors of the mass matrix and of the other strategies, relative to the largest acceleration, both in
-/// the scales of the mass matrix. Its condition grows with a power of the number of links, which the
-/// others do not feel.
+/// The largest errors of the mass matrix and of the other strategies, relative to the largest
+/// acceleration, both in the scales of the mass matrix. Its condition grows with a power of the
+/// number of links, which the others do not feel.
 const BOUNDS: [f64; 2] = [1e-10, 1e-13];
 
 /// How a tree is built.
@@ -42,7 +42,8 @@ const KINDS: [(Shape, Angles); 6] = [
     (Shape::Branching, Angles::Absolute),
 ];
 
-/// The declaration of a tree with `n` bodies. Half of the trees have torsion springs at their joints.
+/// The declaration of a tree with `n` bodies. Half of the trees have torsion springs at their
+/// joints.
 fn declaration(n: usize, shape: Shape, angles: Angles, random: &mut Random) -> String {
     let mut text = "const g = 9.81; let p0 = (0, 0); let a0 = 0;\n".to_owned();
     let has_springs = random.below(2) == 0;

@@ -75,7 +75,8 @@ impl Reference {
         self.conditions(|role, arithmetic| self.value(sample, None, role, arithmetic))
     }
 
-    /// The value of a symbol, with one input a little larger. Quaternions of floats are not of length one; they are made so.
+    /// The value of a symbol, with one input a little larger. Quaternions of floats are not of
+    /// length one; they are made so.
     fn value(&self, sample: &Sample, larger: Option<Role>, role: Role, arithmetic: &mut Arithmetic) -> Real {
         let value = |role| {
             let value = arithmetic.float(sample.value(&self.model, role));
@@ -132,7 +133,8 @@ impl Reference {
     }
 }
 
-/// By how much a rounding of each input is magnified, summed over all parameters, coordinates and velocities.
+/// By how much a rounding of each input is magnified, summed over all parameters, coordinates and
+/// velocities.
 #[derive(Clone, Debug)]
 pub(crate) struct Magnification {
     /// Σⱼ |xⱼ ∂äᵢ/∂xⱼ| / |äᵢ|
@@ -227,8 +229,8 @@ fn error(found: f64, exact: &Real) -> f64 {
     relative_error(&Arithmetic::new(64).float(found), exact)
 }
 
-/// The largest error in scales that make the diagonal of the mass matrix one, relative to the largest
-/// acceleration in the same scales.
+/// The largest error in scales that make the diagonal of the mass matrix one, relative to the
+/// largest acceleration in the same scales.
 fn scaled(found: &[Real], truth: &Truth) -> f64 {
     let arithmetic = Arithmetic::new(512);
     let scale = |values: &[Real]| {

@@ -12,7 +12,8 @@ use crate::reference::Reference;
 use crate::scenes::scenes;
 use crate::trial::{SQUARES, Sample, Subject, WAYS};
 
-/// Accelerations that change less than this, relative to the change of an input, do not depend on it.
+/// Accelerations that change less than this, relative to the change of an input, do not depend on
+/// it.
 const INDEPENDENT: f64 = 1e-60;
 
 /// Near infinity.
@@ -161,7 +162,8 @@ const EXACT: [Singularity; 9] = [
     singularity("rolling_ball", &[("R", 1.0)], &[0.4, 0.0], &[1.0, 2.0], &[0]),
 ];
 
-/// Where pivots vanish only if angles are subtracted before sines are taken: sin² + cos² is rounded.
+/// Where pivots vanish only if angles are subtracted before sines are taken: sin² + cos² is
+/// rounded.
 const PARALLEL: [Singularity; 3] = [
     singularity("double_pendulum", &[("m1", 0.0)], &[0.3, 0.3], &[1.0, -2.0], &[0, 1]),
     singularity("relative_pendulum", &[("m2", 0.0)], &[0.3, 0.4, 0.0], &[1.0, -2.0, 0.5], &[1, 2]),

@@ -1,4 +1,5 @@
-//! Arrays, loops and sums: the code is that of the declaration that is written out, and values are those of references that were.
+//! Arrays, loops and sums: the code is that of the declaration that is written out, and values are
+//! those of references that were.
 
 use std::fs;
 use std::path::Path;

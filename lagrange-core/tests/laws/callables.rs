@@ -1,4 +1,5 @@
-//! Functions of the crate and tables: printed and read they say the same, and tables have the derivatives that differences show.
+//! Functions of the crate and tables: printed and read they say the same, and tables have the
+//! derivatives that differences show.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;

@@ -1,5 +1,5 @@
-//! Springs and dampers whose ends meet. The force of a damper has a limit there along any motion, −c ṙ; the direction of a spring
-//! with a rest length has none.
+//! Springs and dampers whose ends meet. The force of a damper has a limit there along any motion,
+//! −c ṙ; the direction of a spring with a rest length has none.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;

@@ -1,7 +1,9 @@
-//! A formula is dimensionally right if and only if it scales when the base units change: dimensions that are found against numbers.
+//! A formula is dimensionally right if and only if it scales when the base units change: dimensions
+//! that are found against numbers.
 //!
-//! The reference knows nothing of dimensions of expressions. It evaluates a tree, whose leaves have values of their own, once more with
-//! base units that are smaller by some factors, and looks whether the result is multiplied by a product of powers of these.
+//! The reference knows nothing of dimensions of expressions. It evaluates a tree, whose leaves have
+//! values of their own, once more with base units that are smaller by some factors, and looks
+//! whether the result is multiplied by a product of powers of these.
 
 use lagrange_core::diagnostics::Report;
 use lagrange_core::pipeline::parse;
@@ -93,7 +95,8 @@ impl Tree {
         }
     }
 
-    /// The value where names have the values that `leaf` gives, one call for each leaf in its order.
+    /// The value where names have the values that `leaf` gives, one call for each leaf in its
+    /// order.
     fn value(&self, leaf: &mut impl FnMut(Option<usize>) -> f64) -> f64 {
         match self {
             Tree::Name(name) => leaf(Some(*name)),
@@ -128,7 +131,8 @@ impl Tree {
         }
     }
 
-    /// By what the value is multiplied if base units are smaller by these factors; the values of leaves depend on the seed.
+    /// By what the value is multiplied if base units are smaller by these factors; the values of
+    /// leaves depend on the seed.
     fn ratio(&self, seed: f64, unknown: &[f64; BASES], factors: &[f64; BASES]) -> f64 {
         let at = |factors: &[f64; BASES]| {
             let mut leaves = 0.0;

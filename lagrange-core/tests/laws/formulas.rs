@@ -85,7 +85,8 @@ pub(crate) fn largest_part(graph: &Graph, expression: ExprId, point: &Point) -> 
     parts.into_iter().fold(0.0, |largest, part| part.abs().max(largest))
 }
 
-/// Whether anything that the expression is made of is undefined at a point where nothing vanishes by chance.
+/// Whether anything that the expression is made of is undefined at a point where nothing vanishes
+/// by chance.
 pub(crate) fn has_undefined_part(graph: &Graph, expression: ExprId) -> bool {
     const GENERIC: Point =
         [0.314_159, 0.271_828, -0.577_216, 0.493_147, 0.141_421, -0.173_205, 0.618_034, 0.915_966];
@@ -98,8 +99,8 @@ fn coordinate(point: &Point, role: Role) -> f64 {
     position.map_or(f64::NAN, |position| point[position])
 }
 
-/// How far apart two values may be for rounding alone: as far as values at points that differ by a little
-/// more than rounding. Infinite where the expression has no value or is about to switch.
+/// How far apart two values may be for rounding alone: as far as values at points that differ by a
+/// little more than rounding. Infinite where the expression has no value or is about to switch.
 pub(crate) fn leeway(graph: &Graph, expression: ExprId, point: &Point) -> f64 {
     let centre = value(graph, expression, point);
     let spread = (0..6).map(|shift| {

@@ -1,5 +1,6 @@
-//! How equations grow with the number of bodies, counted in operations, expressions and emitted tokens: in proportion, on chains
-//! and on trees, in generalised coordinates and with pins between bodies.
+//! How equations grow with the number of bodies, counted in operations, expressions and emitted
+//! tokens: in proportion, on chains and on trees, in generalised coordinates and with pins between
+//! bodies.
 
 use std::fmt::Write;
 
@@ -20,7 +21,8 @@ const PINNED: [usize; 2] = [48, 144];
 /// Their mass matrices are so large that zeros are not written.
 const EMITTED: [usize; 2] = [36, 144];
 
-/// n point masses on massless rods under gravity, each hanging from its parent, 0 being the support.
+/// n point masses on massless rods under gravity, each hanging from its parent, 0 being the
+/// support.
 fn pendulums(n: usize, relative: bool, parent: impl Fn(usize) -> usize) -> String {
     let mut text = "param g; let (x0, y0) = (0, 0); let a0 = 0;".to_owned();
     for i in 1..=n {
@@ -46,8 +48,8 @@ fn without_mass_matrix(text: &str) -> String {
     format!("{text} emit {{ no mass_matrix }}")
 }
 
-/// A tree in which the parent of each body is drawn from all before it, by a linear congruential generator (Knuth,
-/// *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line 26).
+/// A tree in which the parent of each body is drawn from all before it, by a linear congruential
+/// generator (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1, line 26).
 fn tree(n: usize, relative: bool) -> String {
     let mut state = 1_u64;
     let parents = (1..=n as u64).map(|i| {
@@ -88,8 +90,8 @@ fn cost(bodies: usize, text: &str, strategy: StrategyChoice) -> Cost {
     }
 }
 
-/// Whether a body of a large system costs as much as one of a small one, up to a quarter: small systems have a larger
-/// share of bodies at their ends. A cost of n log n would fail.
+/// Whether a body of a large system costs as much as one of a small one, up to a quarter: small
+/// systems have a larger share of bodies at their ends. A cost of n log n would fail.
 fn is_linear(costs: &[Cost], cost: impl Fn(&Cost) -> usize) -> Result<(), Vec<usize>> {
     let per_body = costs.iter().map(|c| cost(c) / c.bodies).collect::<Vec<_>>();
     let linear = per_body.iter().all(|&each| each * 4 <= per_body[0] * 5);
@@ -170,7 +172,8 @@ fn pinned_bodies_grow_in_proportion_by_every_strategy() {
 
 #[test]
 fn pinned_bodies_may_be_declared_in_any_order() {
-    // Multiples of a number that shares no factor with the sizes, which are made of twos and threes.
+    // Multiples of a number that shares no factor with the sizes, which are made of twos and
+    // threes.
     let declaration = |n| Mechanism::chain(n).declaration("standard", |i| (i * 5 + 2) % n);
     assert_linear(&PINNED, declaration);
 }

@@ -1,4 +1,5 @@
-//! Random machines as declarations: plane trees of bodies in absolute or relative coordinates, with loads.
+//! Random machines as declarations: plane trees of bodies in absolute or relative coordinates, with
+//! loads.
 
 use std::fmt::Write;
 

@@ -1,8 +1,9 @@
 //! Even powers of magnitudes are polynomials: at every state, and at exact zeros above all.
 //!
-//! Random systems are written with `abs`, `norm`, `hypot` and roots of squares; what they mean is a polynomial, which is
-//! differentiated in exact rational arithmetic. `PROPTEST_CASES=2560 cargo test -p lagrange-core --release --test laws
-//! magnitudes` takes 5120 systems.
+//! Random systems are written with `abs`, `norm`, `hypot` and roots of squares; what they mean is a
+//! polynomial, which is differentiated in exact rational arithmetic.
+//! `PROPTEST_CASES=2560 cargo test -p lagrange-core --release --test laws magnitudes` takes 5120
+//! systems.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -20,7 +21,8 @@ const COORDINATES: usize = 2;
 const STATES: usize = 3;
 const NAMES: [&str; VARIABLES] = ["x", "y", "dot(x)", "dot(y)", "k"];
 
-/// The generator SplitMix64 (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
+/// The generator SplitMix64 (Steele, Lea and Flood, *Fast splittable pseudorandom number
+/// generators*, 2014).
 struct Random(u64);
 
 impl Random {

@@ -1,4 +1,5 @@
-//! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how many.
+//! Laws that hold whatever the declaration, checked on random ones. `PROPTEST_CASES` scales how
+//! many.
 
 mod arrays;
 mod callables;

@@ -1,6 +1,6 @@
-//! What holds for the equations of every machine. The Lagrangian, the loads and the Rayleigh function are
-//! taken from the checked model by reference evaluation, their derivatives by finite differences, so that
-//! nothing of the derivation is used to check itself.
+//! What holds for the equations of every machine. The Lagrangian, the loads and the Rayleigh
+//! function are taken from the checked model by reference evaluation, their derivatives by finite
+//! differences, so that nothing of the derivation is used to check itself.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 use lagrange_core::expr::ExprId;
@@ -78,7 +78,8 @@ impl Laboratory {
         })[0]
     }
 
-    /// The derivative of `f` while the state moves at a rate, by a central difference of fourth order.
+    /// The derivative of `f` while the state moves at a rate, by a central difference of fourth
+    /// order.
     fn slope(&mut self, rate: &Rate, f: impl Fn(&Laboratory) -> f64) -> f64 {
         // The largest change of anything is 10⁻³.
         let step = 1e-3 / rate.q.iter().chain(&rate.v).fold(1.0, |largest: f64, r| largest.max(r.abs()));
@@ -111,8 +112,8 @@ impl Laboratory {
         self.value(self.model.lagrangian)
     }
 
-    /// The generalised forces of loads and dissipation. Velocities of loads are affine, so that their
-    /// coefficients are plain differences.
+    /// The generalised forces of loads and dissipation. Velocities of loads are affine, so that
+    /// their coefficients are plain differences.
     fn applied_forces(&mut self) -> Vec<f64> {
         let mut forces = self.velocity_slopes(|laboratory| -laboratory.value(laboratory.model.dissipation));
         let v = std::mem::take(&mut self.v);

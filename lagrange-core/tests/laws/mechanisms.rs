@@ -1,8 +1,10 @@
-//! Plane mechanisms of pinned bars: declared with the place and the angle of every bar, and by hand in the angles alone.
+//! Plane mechanisms of pinned bars: declared with the place and the angle of every bar, and by hand
+//! in the angles alone.
 //!
-//! In the angles the bars of a tree need no constraints. With e(φ) = (cos φ, sin φ), the centre of bar i is Σⱼ cᵢⱼ e(φⱼ) beside
-//! a fixed point, where cᵢⱼ is the length of a bar that carries it and half of its own. So M = Σᵢ mᵢ cᵢⱼ cᵢₖ cos(φⱼ − φₖ)
-//! beside the moments of inertia m l²/12, and what closes a loop is Σⱼ dⱼ e(φⱼ) = constant.
+//! In the angles the bars of a tree need no constraints. With e(φ) = (cos φ, sin φ), the centre of
+//! bar i is Σⱼ cᵢⱼ e(φⱼ) beside a fixed point, where cᵢⱼ is the length of a bar that carries it and
+//! half of its own. So M = Σᵢ mᵢ cᵢⱼ cᵢₖ cos(φⱼ − φₖ) beside the moments of inertia m l²/12, and
+//! what closes a loop is Σⱼ dⱼ e(φⱼ) = constant.
 
 use std::fmt::Write;
 
@@ -34,8 +36,8 @@ pub(crate) struct Mechanism {
     spread: f64,
 }
 
-/// Numbers from 0 to 1, by a linear congruential generator (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4, table 1,
-/// line 26).
+/// Numbers from 0 to 1, by a linear congruential generator (Knuth, *The Art of Computer
+/// Programming*, vol. 2, §3.3.4, table 1, line 26).
 struct Numbers(u64);
 
 impl Numbers {
@@ -68,8 +70,9 @@ impl Mechanism {
         })
     }
 
-    /// Cranks on the ground, each coupled with the next: n bars, of which every second is a crank, and one more crank. Cranks
-    /// stand and couplers lie, since errors grow from cell to cell where they are nearly parallel.
+    /// Cranks on the ground, each coupled with the next: n bars, of which every second is a crank,
+    /// and one more crank. Cranks stand and couplers lie, since errors grow from cell to cell where
+    /// they are nearly parallel.
     pub(crate) fn four_bars(n: usize) -> Mechanism {
         let is_crank = |i: usize| i.is_multiple_of(2) || i == n;
         let begins = |i| if is_crank(i) { Place::Ground(i as f64) } else { Place::End(i - 1) };
@@ -111,7 +114,8 @@ impl Mechanism {
         format!("#[accuracy({level})] struct M; gravity = (0, -{GRAVITY});\n{bodies}{}", pins.concat())
     }
 
-    /// Σⱼ dⱼ e(φⱼ) is the end of a bar, beside a fixed point; with the half of the last length its centre.
+    /// Σⱼ dⱼ e(φⱼ) is the end of a bar, beside a fixed point; with the half of the last length its
+    /// centre.
     fn slopes(&self, bar: usize, last: f64) -> Vec<f64> {
         let mut slopes = vec![0.0; self.bars.len()];
         let (mut next, mut share) = (Place::End(bar), last);
@@ -225,7 +229,8 @@ impl Mechanism {
     }
 }
 
-/// The solution of linear equations, the right-hand side in the last column, by elimination with partial pivoting.
+/// The solution of linear equations, the right-hand side in the last column, by elimination with
+/// partial pivoting.
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for i in 0..n {

@@ -1,5 +1,5 @@
-//! Motions that are determined although a pivot vanishes: masses that are zero under constraints, inertia that is switched off, and
-//! indefinite Lagrangians.
+//! Motions that are determined although a pivot vanishes: masses that are zero under constraints,
+//! inertia that is switched off, and indefinite Lagrangians.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{NumericSystem, parse};
@@ -70,7 +70,8 @@ fn what_is_not_determined_is_not_a_number() {
     }
 }
 
-/// At x = 0 the pivot of the first multiplier, 1/3 − 2/3·1/2, is a rounding error, and the accelerations are (2, 10, −4)/9.
+/// At x = 0 the pivot of the first multiplier, 1/3 − 2/3·1/2, is a rounding error, and the
+/// accelerations are (2, 10, −4)/9.
 #[test]
 fn pivots_of_multipliers_may_vanish_where_mass_is_indefinite() {
     let system = numeric(
@@ -107,7 +108,8 @@ fn cramer(m: &[Vec<f64>], right: &[f64]) -> Vec<f64> {
 proptest! {
     #![proptest_config(crate::one_in(2))]
 
-    /// Entries of M that are zero where the coordinates are, and parameters that are zero by default; up to two constraints.
+    /// Entries of M that are zero where the coordinates are, and parameters that are zero by
+    /// default; up to two constraints.
     #[test]
     fn regular_equations_have_a_solution(
         entries in prop::collection::vec(0..4_usize, 6),

@@ -1,5 +1,5 @@
-//! Polynomials with exact coefficients, differentiated by the power rule: a judge that shares nothing with the calculus
-//! under test.
+//! Polynomials with exact coefficients, differentiated by the power rule: a judge that shares
+//! nothing with the calculus under test.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,5 @@
-//! What is printed of a declaration says the same: it is printed again alike, and the same code is emitted for it.
+//! What is printed of a declaration says the same: it is printed again alike, and the same code is
+//! emitted for it.
 
 use std::fs;
 use std::path::Path;

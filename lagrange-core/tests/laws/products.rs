@@ -18,8 +18,8 @@ const SYSTEM: &str = "
     dissipation = 1/2*c*dot(x)^2; force x = u;
 ";
 
-/// A bob on a boom in space, with a force whose point needs the names of all axes: statements that only products need give names to
-/// parts of the equations, too.
+/// A bob on a boom in space, with a force whose point needs the names of all axes: statements that
+/// only products need give names to parts of the equations, too.
 const IN_SPACE: &str = "
     param m = 2, l = 1; gravity = (0, 0, -9.81);
     body bob { mass: m; inertia: (1, 1, 2); centroid: (0, 0, -l); }

@@ -1,5 +1,6 @@
-//! What holds for reduced types of any machine, by the inverse dynamics of the whole one: coordinates that are
-//! frozen drop out, and in small ones the reduced machine differs by what is neglected and by no more.
+//! What holds for reduced types of any machine, by the inverse dynamics of the whole one:
+//! coordinates that are frozen drop out, and in small ones the reduced machine differs by what is
+//! neglected and by no more.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -10,12 +11,14 @@ use crate::machines::{Machine, machines};
 
 /// Bounds rounding in differently ordered sums.
 const ROUNDED: f64 = 1e-9;
-/// Step of first differences, so short that squares like |v| v do not show, and what bounds the error then.
+/// Step of first differences, so short that squares like |v| v do not show, and what bounds the
+/// error then.
 const SLOPE: (f64, f64) = (1e-7, 1e-5);
 /// The same for second differences.
 const BEND: (f64, f64) = (3e-4, 1e-4);
 
-/// A machine beside a reduced one. Positions of reduced coordinates are off any kink: those are at hundredths.
+/// A machine beside a reduced one. Positions of reduced coordinates are off any kink: those are at
+/// hundredths.
 struct Pair {
     whole: NumericSystem,
     reduced: NumericSystem,
@@ -44,9 +47,9 @@ impl Pair {
         Pair { whole, reduced, machine, is_frozen, is_small }
     }
 
-    /// The difference in generalised forces that remain, for accelerations `a`: those on coordinates that are
-    /// not small, then those on small ones. What is frozen rests; deviations, with their rates, are multiplied by
-    /// `scale`.
+    /// The difference in generalised forces that remain, for accelerations `a`: those on
+    /// coordinates that are not small, then those on small ones. What is frozen rests; deviations,
+    /// with their rates, are multiplied by `scale`.
     fn difference(&self, a: &[f64], scale: f64) -> [Vec<f64>; 2] {
         let Machine { t, q, v, .. } = &self.machine;
         let all = 0..q.len();
@@ -76,7 +79,8 @@ impl Pair {
         list.iter().zip(&self.is_frozen).filter(|(_, is_frozen)| !**is_frozen).map(|(x, _)| *x).collect()
     }
 
-    /// What errors are measured against: the largest force, accelerations being of the order of one.
+    /// What errors are measured against: the largest force, accelerations being of the order of
+    /// one.
     fn scale(&self) -> f64 {
         let Machine { t, q, v, .. } = &self.machine;
         let forcing = self.whole.product(Product::Forcing, *t, q, v).expect("derived by default");
@@ -113,8 +117,8 @@ proptest! {
         prop_assert!(largest(&free) <= ROUNDED * pair.scale(), "{free:?}: {}", pair.machine.text);
     }
 
-    /// With deviations and their rates of order ε the error is of order ε³ in the forces on what is not small,
-    /// and ε² in those on what is.
+    /// With deviations and their rates of order ε the error is of order ε³ in the forces on what is
+    /// not small, and ε² in those on what is.
     #[test]
     fn what_is_small_is_linear(
         machine in machines(),

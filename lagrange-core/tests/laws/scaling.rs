@@ -1,9 +1,12 @@
-//! Units do not matter: if all masses are multiplied by a power of two and all lengths by another, nothing changes but exponents.
+//! Units do not matter: if all masses are multiplied by a power of two and all lengths by another,
+//! nothing changes but exponents.
 //!
-//! That holds for accelerations, multipliers and all products, each with the powers of mass and length in its own unit, at every
-//! level of accuracy and by every strategy, bit by bit. It ends where numbers do: where m l² overflows, the mass matrix cannot be
-//! written down, and on the way to derivatives there are powers of lengths up to the fifth beside a mass. So masses are multiplied by
-//! 2^a and lengths by 2^b with |a| + 5 |b| ≤ 900. Subnormal numbers have fewer digits, so results below the least normal one are left out.
+//! That holds for accelerations, multipliers and all products, each with the powers of mass and
+//! length in its own unit, at every level of accuracy and by every strategy, bit by bit. It ends
+//! where numbers do: where m l² overflows, the mass matrix cannot be written down, and on the way
+//! to derivatives there are powers of lengths up to the fifth beside a mass. So masses are
+//! multiplied by 2^a and lengths by 2^b with |a| + 5 |b| ≤ 900. Subnormal numbers have fewer
+//! digits, so results below the least normal one are left out.
 
 mod subjects;
 
@@ -157,7 +160,8 @@ fn assert_units_do_not_matter(subject: &Subject, way: &Way, seed: u64) {
             for (i, (value, unit)) in values.iter().zip(units).enumerate() {
                 let (scaled, found) = (scale.of(*value, *unit), found.values[i]);
                 let is_out_of_range = value.is_normal() && !scaled.is_normal();
-                // Derivatives are undefined where constraints depend on each other in one configuration.
+                // Derivatives are undefined where constraints depend on each other in one
+                // configuration.
                 let is_undefined = name.ends_with("jacobian") && value.is_nan() && found.is_nan();
                 assert!(
                     scaled == found || is_out_of_range || is_undefined,
@@ -171,7 +175,7 @@ fn assert_units_do_not_matter(subject: &Subject, way: &Way, seed: u64) {
 
 /// Asserts the law for random states; `PROPTEST_CASES` scales how many.
 fn assert_units_do_not_matter_to(subjects: Vec<Subject>) {
-    let states = u64::from(ProptestConfig::default().cases / 128).max(1);
+    let states = u64::from(ProptestConfig::default().cases / 256).max(1);
     for subject in subjects {
         for way in ways(&subject) {
             (0..states).for_each(|seed| assert_units_do_not_matter(&subject, &way, seed));

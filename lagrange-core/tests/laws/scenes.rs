@@ -1,6 +1,8 @@
-//! What holds for any scene of rigid bodies: the forces and moments that are handed out to be drawn are all there are.
+//! What holds for any scene of rigid bodies: the forces and moments that are handed out to be drawn
+//! are all there are.
 //!
-//! With ρ from a point P of the body to its centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z = M_P.
+//! With ρ from a point P of the body to its centre of mass, m a = F and J_P ω̇ + m (ρ × a_P)_z =
+//! M_P.
 
 use std::fmt::Write;
 
@@ -177,7 +179,8 @@ impl Scene {
     }
 }
 
-/// m a of a body and J_P ω̇ + m (ρ × a_P)_z for the point P at ρ before the centre of mass, with the place of P.
+/// m a of a body and J_P ω̇ + m (ρ × a_P)_z for the point P at ρ before the centre of mass, with
+/// the place of P.
 fn rates(motion: &[f64], rho: [f64; 2]) -> ([f64; 2], f64, [f64; 2]) {
     let &[m, j, _, _, x, y, _, _, _, omega, ax, ay, alpha] = motion else { panic!("{motion:?}") };
     let acceleration =

@@ -1,5 +1,6 @@
-//! What holds for first-order states beside any machine: accelerations are those under inputs that have their values, rates are what their
-//! equations say, derivatives are those of both, and one that is frozen is a number.
+//! What holds for first-order states beside any machine: accelerations are those under inputs that
+//! have their values, rates are what their equations say, derivatives are those of both, and one
+//! that is frozen is a number.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -8,7 +9,8 @@ use proptest::prelude::{Strategy, prop, prop_assert, prop_assert_eq, proptest};
 
 use crate::machines::{Machine, machines};
 
-/// The rates of two states, which make those of `w` and `z`, in a machine with at least one coordinate.
+/// The rates of two states, which make those of `w` and `z`, in a machine with at least one
+/// coordinate.
 const RATES: [[&str; 2]; 4] = [
     ["u - k*w - c*dot(q1)", "w*q1 - z"],
     ["sin(q1 - t)*z", "-w*z + dot(q1)^2"],

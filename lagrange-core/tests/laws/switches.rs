@@ -1,7 +1,8 @@
 //! Sides of switches keep domains: of every elementary function of every expression that switches.
 //!
-//! On its side an expression has the values of the declaration, bit by bit but for rounding, NaN among them. A little beyond the
-//! surface it is finite and continuous, so that a step may look there.
+//! On its side an expression has the values of the declaration, bit by bit but for rounding, NaN
+//! among them. A little beyond the surface it is finite and continuous, so that a step may look
+//! there.
 
 use lagrange_core::derive::{StrategyChoice, Switch, one_sided};
 use lagrange_core::elementary::ROWS;
@@ -74,7 +75,8 @@ impl Sided {
         self.switches.iter().map(value).map(|value| if value < 0.0 { -1.0 } else { 1.0 }).collect()
     }
 
-    /// Neighbouring numbers between which sides change, as far as multiples of a quarter and of a third surround them.
+    /// Neighbouring numbers between which sides change, as far as multiples of a quarter and of a
+    /// third surround them.
     fn surfaces(&self) -> Vec<[f64; 2]> {
         let places = (-13..=13).map(|n| f64::from(n) / 4.0 + 0.01).collect::<Vec<_>>();
         let mut surfaces = Vec::new();

@@ -1,4 +1,5 @@
-//! Random trees of bodies whose kinetic energy is a sum of squares, in the plane and out of it, as declarations.
+//! Random trees of bodies whose kinetic energy is a sum of squares, in the plane and out of it, as
+//! declarations.
 
 use std::fmt::Write;
 

@@ -48,7 +48,8 @@ fn swapped_units_are_seen() {
     assert_eq!(unseen(next), "");
 }
 
-/// Any two names that have different units: `cargo test --release -p lagrange-core --test laws swapped -- --ignored`.
+/// Any two names that have different units:
+/// `cargo test --release -p lagrange-core --test laws swapped -- --ignored`.
 #[test]
 #[ignore = "takes a minute"]
 fn any_two_swapped_units_are_seen() {

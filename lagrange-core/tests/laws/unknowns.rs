@@ -1,4 +1,5 @@
-//! Algebraic unknowns: what follows from an equation is what follows from its solution, where that can be written out.
+//! Algebraic unknowns: what follows from an equation is what follows from its solution, where that
+//! can be written out.
 
 use std::sync::LazyLock;
 
@@ -14,7 +15,8 @@ fn system(text: &str) -> NumericSystem {
     NumericSystem::new(&derived.expect("a regular system"))
 }
 
-/// A bead whose height, whose weight and whose drag are unknowns of equations; or the same written out.
+/// A bead whose height, whose weight and whose drag are unknowns of equations; or the same written
+/// out.
 fn bead(unknowns: &str) -> String {
     format!(
         "param a = 2, b = 3/2, g = 9.81; coord x, z; state s;

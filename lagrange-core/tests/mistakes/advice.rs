@@ -1,4 +1,5 @@
-//! The advice for functions and constants of other languages can be read, and means what it meant there.
+//! The advice for functions and constants of other languages can be read, and means what it meant
+//! there.
 
 use lagrange_core::expr::evaluate;
 use lagrange_core::pipeline::parse;

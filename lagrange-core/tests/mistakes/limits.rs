@@ -1,4 +1,5 @@
-//! Limits: each in the table of the language is provoked, and what goes beyond one is refused before any work is done for it.
+//! Limits: each in the table of the language is provoked, and what goes beyond one is refused
+//! before any work is done for it.
 
 use std::fs;
 use std::path::Path;
@@ -17,9 +18,11 @@ use lagrange_core::tables::{FileText, decoded};
 use crate::processor_time::of_this_thread;
 use crate::report;
 
-/// Processor time beyond which a refusal counts as work that was done first; refusals take milliseconds.
+/// Processor time beyond which a refusal counts as work that was done first; refusals take
+/// milliseconds.
 const MAX_TIME: Duration = Duration::from_secs(5);
-/// Processor time beyond which the presentation of three bodies counts as hanging; it takes two seconds unoptimised.
+/// Processor time beyond which the presentation of three bodies counts as hanging; it takes two
+/// seconds unoptimised.
 const MAX_TIME_OF_PRESENTATION: Duration = Duration::from_secs(30);
 
 /// A row of the table: the limit, and what is said beyond it.
@@ -105,7 +108,8 @@ fn excesses() -> Vec<Excess> {
     ]
 }
 
-/// Everything that is reported of a declaration, warnings of what is accepted included. Its files are larger than any may be.
+/// Everything that is reported of a declaration, warnings of what is accepted included. Its files
+/// are larger than any may be.
 fn said(text: &str) -> Report {
     let big = |_: &str| {
         let text = decoded(vec![b'0'; MAX_FILE_BYTES as usize + 1])?;

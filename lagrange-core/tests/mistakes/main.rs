@@ -1,9 +1,9 @@
-//! Mistakes that people make when they declare a system. Each must be answered by one error that stands at the right
-//! tokens, names the mistake and says what to do.
+//! Mistakes that people make when they declare a system. Each must be answered by one error that
+//! stands at the right tokens, names the mistake and says what to do.
 //!
-//! The files of mistakes are beside this one; what cannot be answered stands in them with the reason. With
-//! `LAGRANGE_ANSWERS=words` the answers to all mistakes whose names contain the words are printed:
-//! `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
+//! The files of mistakes are beside this one; what cannot be answered stands in them with the
+//! reason. With `LAGRANGE_ANSWERS=words` the answers to all mistakes whose names contain the words
+//! are printed: `LAGRANGE_ANSWERS= cargo test -p lagrange-core --test mistakes -- --nocapture`.
 
 mod advice;
 mod corpus;

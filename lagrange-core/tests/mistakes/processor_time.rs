@@ -3,7 +3,8 @@
 use std::fs;
 use std::time::{Duration, Instant};
 
-/// The processor time of this thread; where the system does not tell, the time of day, from some beginning.
+/// The processor time of this thread; where the system does not tell, the time of day, from some
+/// beginning.
 pub(crate) fn of_this_thread() -> Duration {
     let text = fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = text.and_then(|text| text.split(' ').next()?.parse().ok());

@@ -1,6 +1,8 @@
-//! Slips of the pen: right declarations in which one token is left out or written twice. What is answered must be helpful.
+//! Slips of the pen: right declarations in which one token is left out or written twice. What is
+//! answered must be helpful.
 //!
-//! A part of them is tried; all of them with `LAGRANGE_EXTREMES=1 cargo test -p lagrange-core --test mistakes slips`.
+//! A part of them is tried; all of them with
+//! `LAGRANGE_EXTREMES=1 cargo test -p lagrange-core --test mistakes slips`.
 
 use std::fs;
 use std::path::Path;

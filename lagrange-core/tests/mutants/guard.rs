@@ -32,7 +32,8 @@ pub(crate) enum Answer {
     Clean,
 }
 
-/// A text with what is to be done with it, which gives an answer or says what is wrong with the output.
+/// A text with what is to be done with it, which gives an answer or says what is wrong with the
+/// output.
 pub(crate) struct Case {
     pub(crate) text: String,
     pub(crate) judge: fn(&str) -> Result<Answer, String>,
@@ -53,7 +54,8 @@ pub(crate) struct Verdict {
 thread_local! {
     static IN_USE: Cell<usize> = const { Cell::new(0) };
     static MOST_IN_USE: Cell<usize> = const { Cell::new(0) };
-    /// Of a worker, what says that it waits because it asked for more than the limit. There is no limit for other threads.
+    /// Of a worker, what says that it waits because it asked for more than the limit. There is no
+    /// limit for other threads.
     static EXCEEDED: Cell<Option<&'static AtomicBool>> = const { Cell::new(None) };
 }
 

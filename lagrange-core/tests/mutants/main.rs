@@ -1,14 +1,16 @@
-//! No text makes the compiler panic, hang, grow or emit what is no Rust: all declarations of the repository, changed at
-//! random in a few places.
+//! No text makes the compiler panic, hang, grow or emit what is no Rust: all declarations of the
+//! repository, changed at random in a few places.
 //!
-//! Case n is the same in every run. `LAGRANGE_MUTANTS` says which ones to take, as a number or as a range:
+//! Case n is the same in every run. `LAGRANGE_MUTANTS` says which ones to take, as a number or as a
+//! range:
 //!
 //! ```sh
 //! LAGRANGE_MUTANTS=1000000 cargo test --release -p lagrange-core --test mutants
 //! LAGRANGE_MUTANTS=4711..4712 cargo test --release -p lagrange-core --test mutants
 //! ```
 //!
-//! `LAGRANGE_MUTANTS_COMPILED=200` builds that many of the accepted ones with `cargo check`, warnings denied.
+//! `LAGRANGE_MUTANTS_COMPILED=200` builds that many of the accepted ones with `cargo check`,
+//! warnings denied.
 //!
 //! `LAGRANGE_TABLES=100000` tries that many files of tables (`table_files`).
 //!
@@ -42,7 +44,8 @@ use random::Random;
 
 /// How many are taken in every run of the tests.
 const USUAL: usize = 20_000;
-/// One of so many is derived and emitted, too: unoptimised, that takes ten times as long as to read and check it.
+/// One of so many is derived and emitted, too: unoptimised, that takes ten times as long as to read
+/// and check it.
 const WHOLE: usize = if cfg!(debug_assertions) { 16 } else { 1 };
 /// Optimised builds also take long declarations, whose derivation takes others seconds.
 const LONGEST: usize = if cfg!(debug_assertions) { 700 } else { 6_000 };
@@ -85,7 +88,8 @@ fn every_mutant_is_emitted_or_complained_about() {
     compiled::without_warnings(&clean, |case| mutant(&shared, case));
 }
 
-/// A declaration with a few changes, the same for each number in every run; the first are the declarations themselves.
+/// A declaration with a few changes, the same for each number in every run; the first are the
+/// declarations themselves.
 fn mutant(corpus: &[Declaration], case: usize) -> String {
     if let Some(declaration) = corpus.get(case) {
         return mutation::text(&declaration.pieces);

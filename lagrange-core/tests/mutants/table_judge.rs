@@ -1,4 +1,5 @@
-//! The verdict on the bytes of any file that a table names: they are refused with words, or the table goes through its points.
+//! The verdict on the bytes of any file that a table names: they are refused with words, or the
+//! table goes through its points.
 //!
 //! The fuzz target `tables` has no other.
 
@@ -24,7 +25,8 @@ fn declaration(kind: usize) -> String {
 /// Reads a table from a file of these bytes. The result is true if it is accepted.
 ///
 /// # Panics
-/// If it is refused without an error that people can read, or the table does not go through its points, or nothing is emitted.
+/// If it is refused without an error that people can read, or the table does not go through its
+/// points, or nothing is emitted.
 pub(crate) fn judged(bytes: &[u8], kind: usize) -> bool {
     let read = |_: &str| Ok(FileText { path: String::new(), text: decoded(bytes.to_vec())? });
     match parse_with(&declaration(kind), &read) {
@@ -45,7 +47,8 @@ pub(crate) fn judged(bytes: &[u8], kind: usize) -> bool {
     }
 }
 
-/// The difference from a value that rounding explains, as a fraction of the largest one: the end of a piece is computed from its beginning.
+/// The difference from a value that rounding explains, as a fraction of the largest one: the end of
+/// a piece is computed from its beginning.
 const ROUNDING: f64 = 1e-9;
 
 /// The points of the file that the system was read from.

@@ -1,5 +1,5 @@
-//! The equations of motion as C, compiled by the C compiler of the machine: as C, and as CUDA with its words defined away. Graphics processors
-//! compile the same text (`examples/device`).
+//! The equations of motion as C, compiled by the C compiler of the machine: as C, and as CUDA with
+//! its words defined away. Graphics processors compile the same text (`examples/device`).
 
 use std::fmt::Write;
 use std::fs;
@@ -75,7 +75,8 @@ fn single_precision_is_that_throughout() {
     }
 }
 
-/// Of every function, large powers and every relation, where they are defined and where they are not.
+/// Of every function, large powers and every relation, where they are defined and where they are
+/// not.
 #[test]
 fn functions_have_the_limits_of_the_language() {
     let mut graph = Graph::new();
@@ -177,7 +178,8 @@ fn case(
     Case { name, derived, values, states }
 }
 
-/// A program that prints the accelerations and the rates of the positions of all systems at their states.
+/// A program that prints the accelerations and the rates of the positions of all systems at their
+/// states.
 fn program(cases: &[Case], precision: Precision) -> String {
     const NAMES: [&str; 3] = ["acceleration", "position_rates", "normalise"];
     const SIZES: [&str; 3] = ["POSITIONS", "VELOCITIES", "PARAMETERS"];

@@ -1,6 +1,7 @@
 //! Motions that are known in closed form, and what no motion changes.
 //!
-//! Sources: Landau, Lifshitz, *Mechanics*, §§ 9, 14, 35 and 36; Goldstein, Poole, Safko, *Classical Mechanics*, §§ 5.6 and 5.7.
+//! Sources: Landau, Lifshitz, *Mechanics*, §§ 9, 14, 35 and 36; Goldstein, Poole, Safko, *Classical
+//! Mechanics*, §§ 5.6 and 5.7.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -24,8 +25,8 @@ const STATES: [([f64; 3], [f64; 3]); 4] = [
     ([0.0, 0.625, 0.0], [0.75, 0.5, -0.25]),
 ];
 
-/// Angles a about x and b about the y that is turned with it: b̈ = −sin b cos b ȧ² − g/l cos a sin b,
-/// ä = 2 tan b ȧ ḃ − g/l sin a / cos b.
+/// Angles a about x and b about the y that is turned with it: b̈ = −sin b cos b ȧ² − g/l cos a sin
+/// b, ä = 2 tan b ȧ ḃ − g/l sin a / cos b.
 #[test]
 fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     let system = system(
@@ -54,7 +55,8 @@ fn a_spherical_pendulum_swings_as_its_two_equations_say() {
     }
 }
 
-/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos θ ψ̇² − C ω₃ ψ̇ + m g l = 0.
+/// A symmetrical top with the spin ω₃ about its axis precesses steadily at the angle θ where A cos
+/// θ ψ̇² − C ω₃ ψ̇ + m g l = 0.
 #[test]
 fn a_gyroscope_precesses_steadily_at_both_of_its_rates() {
     let (mass, length, across, along) = (1.25, 0.4, 0.05, 0.02);
@@ -78,7 +80,8 @@ fn a_gyroscope_precesses_steadily_at_both_of_its_rates() {
     }
 }
 
-/// J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on, by joints and by angles; the angular momentum in the world and the energy do not change.
+/// J₁ ω̇₁ = (J₂ − J₃) ω₂ ω₃ and so on, by joints and by angles; the angular momentum in the world
+/// and the energy do not change.
 #[test]
 fn a_free_top_turns_as_euler_says() {
     let inertia = [0.3, 0.5, 0.7];

@@ -60,7 +60,8 @@ fn wrong_results(system: &NumericSystem, state: &State) -> Vec<String> {
     wrong
 }
 
-/// How far numbers are from what is expected, unless that is within the tolerance of the largest of them or of one.
+/// How far numbers are from what is expected, unless that is within the tolerance of the largest of
+/// them or of one.
 fn difference(found: Option<&[f64]>, expected: &[f64], tolerance: f64) -> Option<String> {
     let Some(found) = found else { return Some("missing".to_owned()) };
     if found.len() != expected.len() {

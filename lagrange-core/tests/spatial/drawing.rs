@@ -69,7 +69,8 @@ impl<'a> Scene<'a> {
         })
     }
 
-    /// The axes of a link in rows of coordinates, and its origin; those of the world if it is the ground.
+    /// The axes of a link in rows of coordinates, and its origin; those of the world if it is the
+    /// ground.
     fn frame(&self, name: Option<&str>) -> ([Vector; 3], Vector) {
         let Some(name) = name else {
             return ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]);
@@ -214,8 +215,8 @@ fn joints_are_where_both_sides_say() {
     assert!(seen > 200 && pins > 5, "{seen} joints and {pins} pins");
 }
 
-/// Forces, moments and what resists them do no work on any motion that the joints leave: for each velocity the sum, and how large what
-/// is summed is.
+/// Forces, moments and what resists them do no work on any motion that the joints leave: for each
+/// velocity the sum, and how large what is summed is.
 ///
 /// Source: Jourdain's principle, in Roberson, Schwertassek, *Dynamics of Multibody Systems*, §6.1.
 fn powers(scene: &Scene<'_>) -> Vec<[f64; 2]> {

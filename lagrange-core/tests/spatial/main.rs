@@ -1,5 +1,6 @@
-//! Bodies in space against independent answers: other people's algorithms for models of robots, Newton–Euler in the world with many
-//! digits for random trees, and motions that are known in closed form.
+//! Bodies in space against independent answers: other people's algorithms for models of robots,
+//! Newton–Euler in the world with many digits for random trees, and motions that are known in
+//! closed form.
 
 mod additions;
 mod cases;

@@ -1,4 +1,5 @@
-//! Public models of robots against Pinocchio: accelerations, inverse dynamics and mass matrices, written by `tools/spatial_models.py`.
+//! Public models of robots against Pinocchio: accelerations, inverse dynamics and mass matrices,
+//! written by `tools/spatial_models.py`.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 

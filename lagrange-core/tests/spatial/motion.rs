@@ -14,8 +14,8 @@ pub(crate) fn assert_near(found: &[f64], expected: &[f64], tolerance: f64, what:
     }
 }
 
-/// The rate of a function of the state along the motion: to the fourth order by Richardson's extrapolation of central differences
-/// between steps of Runge's and Kutta's method to either side.
+/// The rate of a function of the state along the motion: to the fourth order by Richardson's
+/// extrapolation of central differences between steps of Runge's and Kutta's method to either side.
 fn rates(system: &NumericSystem, q: &[f64], v: &[f64], f: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Vec<f64> {
     let start = [q, v].concat();
     let at = |s: f64| {

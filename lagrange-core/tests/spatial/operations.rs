@@ -9,7 +9,8 @@ use lagrange_core::program::{Labels, OperationCounts, lower, optimise};
 
 use crate::cases::read;
 
-/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost: what they cost and 2 %.
+/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost: what they
+/// cost and 2 %.
 const MOST: [(&str, [usize; 3]); 8] = [
     ("ur5", [515, 297, 157]),
     ("panda", [1160, 617, 344]),

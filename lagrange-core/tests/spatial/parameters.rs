@@ -1,4 +1,5 @@
-//! Models of robots whose masses, centroids and inertias are parameters: they move as with numbers, and cost little more.
+//! Models of robots whose masses, centroids and inertias are parameters: they move as with numbers,
+//! and cost little more.
 
 use lagrange_core::accuracy::Accuracy;
 use lagrange_core::derive::StrategyChoice;
@@ -102,8 +103,8 @@ const TWO_LINKS: &str = "param m1 = 2, m2 = 1.5, c = 0.3, i1 = 0.2, j = 0.1, i2 
     body rod { mass: m2; centroid: (0.3, 0, c); inertia: (j, i2, i3); }
     revolute b = crank to rod { at: (0, 0.7, 0); turned: (0.3, 0, pi/2); }";
 
-/// What a joint hides may be moved along or about its axis and nothing changes; of a mass or moment that was moved wrongly that
-/// cannot be said.
+/// What a joint hides may be moved along or about its axis and nothing changes; of a mass or moment
+/// that was moved wrongly that cannot be said.
 #[test]
 fn only_what_joints_hide_is_without_effect() {
     let mut system = NumericSystem::new(&derived(TWO_LINKS));
@@ -121,8 +122,8 @@ fn only_what_joints_hide_is_without_effect() {
     }
 }
 
-/// Operations that accelerations take at every call where what is made of parameters alone was prepared, and number of values and
-/// operations of that.
+/// Operations that accelerations take at every call where what is made of parameters alone was
+/// prepared, and number of values and operations of that.
 fn prepared(text: &str) -> [usize; 3] {
     let derived = derived(text);
     let program = lower(&derived.model.graph, &derived.equations.accelerations, &Labels::default());
@@ -152,8 +153,8 @@ const MOST_PREPARED: [(&str, [usize; 3]); 6] = [
     ("ball_5", [1397, 39, 54]),
 ];
 
-/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost with masses as parameters and with all of
-/// inertia as parameters: what they cost and 2 %.
+/// Model, and the most that its accelerations, inverse dynamics and mass matrix may cost with
+/// masses as parameters and with all of inertia as parameters: what they cost and 2 %.
 const MOST: [(&str, [[usize; 3]; 2]); 7] = [
     ("ur5", [[588, 358, 212], [600, 375, 225]]),
     ("panda", [[1340, 786, 494], [1399, 847, 551]]),

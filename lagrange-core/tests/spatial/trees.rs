@@ -1,4 +1,5 @@
-//! Random trees of bodies against Newton's and Euler's equations in the world, written with forty digits by `tools/spatial_trees.py`.
+//! Random trees of bodies against Newton's and Euler's equations in the world, written with forty
+//! digits by `tools/spatial_trees.py`.
 
 use lagrange_core::derive::{Strategy, StrategyChoice};
 
@@ -14,7 +15,8 @@ const CHOICES: [StrategyChoice; 4] = [
 ];
 /// Trees with more velocities are not derived in every way.
 const MOST_VELOCITIES: usize = 4;
-/// Velocities of a free body: strict equations of some, with all roundings kept apart, take a minute.
+/// Velocities of a free body: strict equations of some, with all roundings kept apart, take a
+/// minute.
 const FREE: usize = 6;
 const LEVELS: [&str; 3] = ["fast", "standard", "strict"];
 

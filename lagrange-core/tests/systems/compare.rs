@@ -1,9 +1,10 @@
 //! The interpreter beside the reference.
 //!
-//! An error is judged by what changes where every operation of the reference is off at random by a relative 2⁻⁶⁴: how roundings grow
-//! on the way from energies to results, cancellation and the condition of all matrices included (Vignes, "A stochastic arithmetic for
-//! reliable scientific computation", Mathematics and Computers in Simulation 35 (1993) 233–261). So a wrong term stands out, and digits that
-//! no algorithm keeps are no fault.
+//! An error is judged by what changes where every operation of the reference is off at random by a
+//! relative 2⁻⁶⁴: how roundings grow on the way from energies to results, cancellation and the
+//! condition of all matrices included (Vignes, "A stochastic arithmetic for reliable scientific
+//! computation", Mathematics and Computers in Simulation 35 (1993) 233–261). So a wrong term stands
+//! out, and digits that no algorithm keeps are no fault.
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
@@ -79,7 +80,8 @@ fn judged(
         let floor = if name == "accelerations" || name.starts_with("output") { free } else { 0.0 };
         let noisy = noisy.iter().map(|results| &results[index].1[..]).collect();
         let kind = Kind { name, exact, noisy, floor };
-        // Accelerations and multipliers come first, of one matrix: what is singular for one of them is so for all.
+        // Accelerations and multipliers come first, of one matrix: what is singular for one of them
+        // is so for all.
         if !kind.is_decided() {
             return Verdict::Undecided("ill-conditioned");
         }

@@ -1,7 +1,8 @@
-//! Random declarations through the macro and the compiler of Rust. Emitted code must compute the bits of the interpreter, and those must agree with
-//! the energies, as `compare` judges them.
+//! Random declarations through the macro and the compiler of Rust. Emitted code must compute the
+//! bits of the interpreter, and those must agree with the energies, as `compare` judges them.
 //!
-//! The crate takes minutes to compile, so cases are taken on demand, by the numbers of all other cases:
+//! The crate takes minutes to compile, so cases are taken on demand, by the numbers of all other
+//! cases:
 //!
 //! ```sh
 //! LAGRANGE_COMPILED=48 cargo test -p lagrange-core --test systems compiled -- --nocapture
@@ -121,7 +122,8 @@ fn results(printed: &str) -> BTreeMap<(usize, usize, String), Vec<u64>> {
     lines.filter_map(result).collect()
 }
 
-/// Compares what was printed of a case with the interpreter, and the interpreter with the energies. Returns the number of compared values.
+/// Compares what was printed of a case with the interpreter, and the interpreter with the energies.
+/// Returns the number of compared values.
 fn compared(
     number: usize,
     case: &Case,

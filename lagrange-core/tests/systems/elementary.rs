@@ -1,5 +1,5 @@
-//! Elementary functions of jets, by the derivatives that textbooks list (Abramowitz and Stegun, *Handbook of Mathematical
-//! Functions*, chapter 4).
+//! Elementary functions of jets, by the derivatives that textbooks list (Abramowitz and Stegun, *Handbook
+//! of Mathematical Functions*, chapter 4).
 
 use lagrange_core::expr::Function;
 use lagrange_core::number::Number;

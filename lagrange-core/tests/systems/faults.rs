@@ -1,4 +1,5 @@
-//! Faults on purpose: the reference of a declaration in which a number is a little different, or from which a term is gone, must not agree.
+//! Faults on purpose: the reference of a declaration in which a number is a little different, or
+//! from which a term is gone, must not agree.
 
 use crate::compare::{Verdict, derived, is_visible, verdict};
 use crate::generate::case;
@@ -45,8 +46,8 @@ fn off(decimal: &str) -> String {
     format!("{:e}", value * (1.0 + CHANGE))
 }
 
-/// All faults that show in the results of the reference are found, and a good part does: accelerations at one state do
-/// not depend on the parameters of outputs, for example.
+/// All faults that show in the results of the reference are found, and a good part does:
+/// accelerations at one state do not depend on the parameters of outputs, for example.
 #[test]
 fn planted_faults_are_found() {
     let (mut planted, mut visible, mut missed) = (0, 0, Vec::new());

@@ -1,8 +1,9 @@
 //! Power series in a time that passes, each with its first variations.
 //!
-//! A jet is x(τ) = x₀ + x₁ τ + x₂ τ² along a motion, and what it changes by to first order along neighbouring motions. The chain rule is
-//! all that is needed to compute with them (Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13), and the rate of
-//! a jet is its derivative by τ. No formula is ever differentiated.
+//! A jet is x(τ) = x₀ + x₁ τ + x₂ τ² along a motion, and what it changes by to first order along
+//! neighbouring motions. The chain rule is all that is needed to compute with them (Griewank and
+//! Walther, *Evaluating Derivatives*, 2nd ed., chapter 13), and the rate of a jet is its derivative
+//! by τ. No formula is ever differentiated.
 
 use std::collections::HashMap;
 
@@ -12,7 +13,8 @@ use lagrange_core::number::Number;
 use crate::digits::{Arithmetic, Real};
 use crate::random::Random;
 
-/// Coefficients from the constant one upwards, as far as they are known; none of a variation that vanishes.
+/// Coefficients from the constant one upwards, as far as they are known; none of a variation that
+/// vanishes.
 pub(crate) type Series = Vec<Real>;
 
 /// The series of a motion with its variations.
@@ -37,8 +39,8 @@ pub(crate) struct Field {
     functions: HashMap<(Function, Vec<u64>), Real>,
 }
 
-/// Relative changes of results, equal ones of equal results, which show how roundings grow (Vignes, "A stochastic arithmetic for reliable scientific
-/// computation", 1993).
+/// Relative changes of results, equal ones of equal results, which show how roundings grow (Vignes,
+/// "A stochastic arithmetic for reliable scientific computation", 1993).
 struct Noise {
     bits: i32,
     seed: u64,

@@ -1,13 +1,18 @@
-//! What is derived of random declarations, against a reference that knows energies and nothing else.
+//! What is derived of random declarations, against a reference that knows energies and nothing
+//! else.
 //!
-//! A declaration is a tree (`tree`), of which the language reads one printing (`text`) and the reference computes another: power series in many digits
-//! along motions (`world`, `jet`), of which Lagrange's equations are coefficients (`reference`). Machines and lattices of points, bodies in the plane and in
-//! space, with arrays, first-order states, algebraic unknowns, tables, units, quaternions, functions, constraints, loads, losses, kinks and jumps
-//! (`generate`), at all levels of accuracy and in all strategies, are judged in two states each: a random one, and one of zeros, equal numbers and
-//! quarter turns. Compared are accelerations, multipliers, rates of states, mass matrix, forcing, momenta, energies, inverse dynamics and outputs
-//! of the interpreter. `compare` says how.
+//! A declaration is a tree (`tree`), of which the language reads one printing (`text`) and the
+//! reference computes another: power series in many digits along motions (`world`, `jet`), of which
+//! Lagrange's equations are coefficients (`reference`). Machines and lattices of points, bodies in
+//! the plane and in space, with arrays, first-order states, algebraic unknowns, tables, units,
+//! quaternions, functions, constraints, loads, losses, kinks and jumps (`generate`), at all levels
+//! of accuracy and in all strategies, are judged in two states each: a random one, and one of
+//! zeros, equal numbers and quarter turns. Compared are accelerations, multipliers, rates of
+//! states, mass matrix, forcing, momenta, energies, inverse dynamics and outputs of the
+//! interpreter. `compare` says how.
 //!
-//! Case n is the same in every run. `LAGRANGE_SYSTEMS` says which ones to take, as a number or as a range:
+//! Case n is the same in every run. `LAGRANGE_SYSTEMS` says which ones to take, as a number or as a
+//! range:
 //!
 //! ```sh
 //! LAGRANGE_SYSTEMS=10000 cargo test --release -p lagrange-core --test systems -- --nocapture

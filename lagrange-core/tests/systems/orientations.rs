@@ -1,7 +1,7 @@
 //! Unit quaternions along a motion.
 //!
-//! They follow q̇ = ½ q ⊗ ω; neighbouring motions turn them by small turns η, under which ω changes by η̇ + ω × η (Lurie, *Analytical
-//! Mechanics*, §10.1).
+//! They follow q̇ = ½ q ⊗ ω; neighbouring motions turn them by small turns η, under which ω changes
+//! by η̇ + ω × η (Lurie, *Analytical Mechanics*, §10.1).
 
 use crate::digits::Real;
 use crate::jet::{Jet, ORDERS};

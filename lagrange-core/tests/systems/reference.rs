@@ -1,9 +1,11 @@
 //! Equations of motion from energies alone.
 //!
-//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With F = ∂L/∂q and p = ∂L/∂q̇ it is F η + p η̇, so that
-//! η = 1 shows F, and η = τ shows p and F + ṗ. So ṗ − F, the left side of Lagrange's equations, is a coefficient of a series (Goldstein,
-//! Poole and Safko, *Classical Mechanics*, 3rd ed., §2.2), for turns and other quasi-coordinates, too. It is affine in the accelerations, and
-//! so are second rates of constraints: M, A and what is left of both come from one more motion for each acceleration.
+//! Let δL be the change of L(τ) under a displacement η of a velocity's positions. With F = ∂L/∂q
+//! and p = ∂L/∂q̇ it is F η + p η̇, so that η = 1 shows F, and η = τ shows p and F + ṗ. So ṗ − F,
+//! the left side of Lagrange's equations, is a coefficient of a series (Goldstein, Poole and Safko, *Classical
+//! Mechanics*, 3rd ed., §2.2), for turns and other quasi-coordinates, too. It is affine in the
+//! accelerations, and so are second rates of constraints: M, A and what is left of both come from
+//! one more motion for each acceleration.
 
 use std::collections::HashMap;
 

@@ -51,7 +51,8 @@ fn fails(case: &Case) -> bool {
     system.is_ok_and(|system| verdict(&system, &case.declaration, &case.states[0]).differs())
 }
 
-/// The case with fewer statements, and with what is left of its state; `None` if nothing moves any more.
+/// The case with fewer statements, and with what is left of its state; `None` if nothing moves any
+/// more.
 fn reduced(case: &Case, statements: Vec<Statement>) -> Option<Case> {
     let [old, new] = [&case.declaration.statements, &statements].map(|statements| Layout::of(statements));
     let (state, wanted) = &case.states[0];

@@ -1,7 +1,8 @@
 //! Tables as piecewise polynomials in many digits.
 //!
-//! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for natural splines, here by their second derivatives; Fritsch and Carlson,
-//! "Monotone piecewise cubic interpolation", SIAM Journal on Numerical Analysis 17 (1980) 238–246.
+//! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for natural splines, here by their
+//! second derivatives; Fritsch and Carlson, "Monotone piecewise cubic interpolation", SIAM Journal
+//! on Numerical Analysis 17 (1980) 238–246.
 
 use crate::digits::{Arithmetic, Real};
 use crate::jet::{Field, Jet};
@@ -137,7 +138,8 @@ impl<'a> Points<'a> {
         vec![self.values[i].clone(), left.clone(), a.divide(&second, h), a.divide(&third, &square)]
     }
 
-    /// Second derivatives m with hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (sᵢ − sᵢ₋₁), zero at both ends.
+    /// Second derivatives m with hᵢ₋₁ mᵢ₋₁ + 2 (hᵢ₋₁ + hᵢ) mᵢ + hᵢ mᵢ₊₁ = 6 (sᵢ − sᵢ₋₁), zero at
+    /// both ends.
     fn natural_bends(&self) -> Vec<Real> {
         let (a, h) = (self.arithmetic, &self.steps);
         let inner = h.len() - 1;

@@ -2,7 +2,8 @@
 
 use lagrange_core::expr::Function;
 
-/// Index of an element in a loop: `base`, which is 0 or its variable `i`, and `offset`, modulo `ring`.
+/// Index of an element in a loop: `base`, which is 0 or its variable `i`, and `offset`, modulo
+/// `ring`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Index {
     pub(crate) is_variable: bool,
@@ -48,7 +49,8 @@ pub(crate) enum Expr {
     /// A function or a table of the declaration.
     Apply(String, Vec<Expr>),
     Rate(Box<Expr>),
-    /// The third where the first is less than the second, or also where they are equal; else the fourth.
+    /// The third where the first is less than the second, or also where they are equal; else the
+    /// fourth.
     Choose {
         or_equal: bool,
         operands: Box<[Expr; 4]>,

@@ -1,11 +1,13 @@
-//! Algebraic unknowns along a motion: their values from bounds, then by chords, which add an order each.
+//! Algebraic unknowns along a motion: their values from bounds, then by chords, which add an order
+//! each.
 
 use crate::digits::Real;
 use crate::tree::Expr;
 use crate::world::World;
 
 impl World<'_> {
-    /// Finds an unknown, of whose equation the residual rises everywhere: between bounds first, then by chords.
+    /// Finds an unknown, of whose equation the residual rises everywhere: between bounds first,
+    /// then by chords.
     pub(crate) fn solve(&mut self, name: &str, residual: &Expr) -> Option<()> {
         let variations = std::mem::take(&mut self.field.variations);
         let found = self.root(name, residual);

@@ -3,7 +3,8 @@
 use lagrange::scalar::{Number, Scalar};
 use lagrange::system::{OdeSystem, StateMatrix, StateVector};
 
-/// ∂f/∂y in rows: the system's own, or central differences, good to about two thirds of the digits of f.
+/// ∂f/∂y in rows: the system's own, or central differences, good to about two thirds of the digits
+/// of f.
 pub(crate) fn jacobian<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: &M::State) -> StateMatrix<M> {
     let is_finite = |jacobian: &StateMatrix<M>| {
         jacobian.as_ref().iter().all(|row| row.as_ref().iter().all(|entry| entry.is_finite()))

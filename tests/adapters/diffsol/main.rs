@@ -1,7 +1,7 @@
 //! Stiff systems in the hands of the crate `diffsol`, by backward differentiation: files to copy.
 //!
-//! [`integrate_stiff`] hands any system to that crate. Nothing is projected: constraints and the length of unit
-//! quaternions are kept as accurately as `diffsol` integrates.
+//! [`integrate_stiff`] hands any system to that crate. Nothing is projected: constraints and the
+//! length of unit quaternions are kept as accurately as `diffsol` integrates.
 
 mod drive;
 mod jacobian;

@@ -12,7 +12,8 @@ pub(crate) type Matrix = NalgebraMat<f64>;
 pub(crate) type Vector = <Matrix as MatrixCommon>::V;
 pub(crate) type Context = <Matrix as MatrixCommon>::C;
 
-/// The problem in the time ± t that grows towards the end, since `diffsol` stops at later times only.
+/// The problem in the time ± t that grows towards the end, since `diffsol` stops at later times
+/// only.
 pub(crate) fn problem<'a, M>(
     system: &'a M,
     t0: f64,

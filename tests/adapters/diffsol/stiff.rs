@@ -1,11 +1,11 @@
 //! Backward differentiation by the crate `diffsol`, for stiff systems.
 //!
-//! A system is stiff if its fastest motion has long died out or hardly moves, but still limits the steps of explicit
-//! methods. Backward differentiation damps such a motion instead of following it: its steps are as long as the slow motion
-//! allows. It needs the heap.
+//! A system is stiff if its fastest motion has long died out or hardly moves, but still limits the
+//! steps of explicit methods. Backward differentiation damps such a motion instead of following it:
+//! its steps are as long as the slow motion allows. It needs the heap.
 //!
-//! Source: Byrne, Hindmarsh, "A polyalgorithm for the numerical solution of ordinary differential equations", *ACM
-//! Transactions on Mathematical Software* 1 (1975) 71–96.
+//! Source: Byrne, Hindmarsh, "A polyalgorithm for the numerical solution of ordinary differential
+//! equations", *ACM Transactions on Mathematical Software* 1 (1975) 71–96.
 
 use diffsol::NalgebraLU;
 use lagrange::integrate::{IntegrationError, Outcome};
@@ -14,7 +14,8 @@ use lagrange::system::{OdeSystem, SettingError, StepFailure};
 use crate::drive::drive;
 use crate::problem::problem;
 
-/// Backward differentiation of orders one to five with steps and orders as the tolerance allows, for stiff systems.
+/// Backward differentiation of orders one to five with steps and orders as the tolerance allows,
+/// for stiff systems.
 ///
 /// One implicit equation a step. Not symplectic; motions faster than the steps are damped.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -44,8 +45,8 @@ impl Stiff {
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
 ///
-/// `observe` is called with time and state at the start and after every step. Newton's iterations take the Jacobian
-/// that is emitted for `emit { jacobian }`, and central differences without it.
+/// `observe` is called with time and state at the start and after every step. Newton's iterations
+/// take the Jacobian that is emitted for `emit { jacobian }`, and central differences without it.
 ///
 /// # Errors
 /// What the method met, with the last good state; `observe` never sees one that is not finite.

@@ -1,4 +1,5 @@
-//! Each formula against the integral over the area or the volume, in the library and in the table of the language.
+//! Each formula against the integral over the area or the volume, in the library and in the table
+//! of the language.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,7 +9,8 @@ use super::assert_same;
 use super::formulas::both;
 use super::quadrature::{Element, Measured, measure};
 
-/// A solid of certain dimensions, of a polygon the coordinates of its corners, and what integration finds.
+/// A solid of certain dimensions, of a polygon the coordinates of its corners, and what integration
+/// finds.
 struct Case {
     name: &'static str,
     dimensions: Vec<f64>,
@@ -34,7 +36,8 @@ fn parallelogram(sides: [[f64; 2]; 2], corner: [f64; 2]) -> impl Fn([f64; 3]) ->
     move |[u, v, _]| ([0, 1].map(|axis| corner[axis] + u * sides[0][axis] + v * sides[1][axis]), area)
 }
 
-/// A triangle from its corners in counterclockwise order; lines from the first corner shrink towards it.
+/// A triangle from its corners in counterclockwise order; lines from the first corner shrink
+/// towards it.
 fn triangle([a, b, c]: [[f64; 2]; 3]) -> impl Fn([f64; 3]) -> Element {
     let double_area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
     move |[u, v, _]| {

@@ -1,4 +1,5 @@
-//! Moments of inertia and centres of mass of a solid by its name, from the library and from the table of the language.
+//! Moments of inertia and centres of mass of a solid by its name, from the library and from the
+//! table of the language.
 
 use lagrange::inertia;
 use lagrange_core::expr::Graph;

@@ -37,9 +37,10 @@ fn the_moment_of_inertia_is_smallest_about_the_centre_of_mass() {
     }
 }
 
-/// The moment of inertia about the centre of the circle is half that of the whole disk of twice the mass, m R²/2. The centre
-/// of mass lies elsewhere, so the moment about it is *less* by Steiner's term. Who adds the term finds 0.6801265486 m R²,
-/// more than about the centre of the circle: that contradicts the law of the test above.
+/// The moment of inertia about the centre of the circle is half that of the whole disk of twice the
+/// mass, m R²/2. The centre of mass lies elsewhere, so the moment about it is *less* by Steiner's
+/// term. Who adds the term finds 0.6801265486 m R², more than about the centre of the circle: that
+/// contradicts the law of the test above.
 #[test]
 fn half_a_disk_has_less_inertia_about_its_centre_of_mass_than_about_the_centre_of_the_circle() {
     let measured = measure(&[&half_disk]);

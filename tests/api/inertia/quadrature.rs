@@ -1,5 +1,5 @@
-//! Integrals over bodies by the rule of Gauss and Legendre, which is exact for polynomials and, with as many nodes as here,
-//! to rounding for the smooth functions that describe curved bodies.
+//! Integrals over bodies by the rule of Gauss and Legendre, which is exact for polynomials and,
+//! with as many nodes as here, to rounding for the smooth functions that describe curved bodies.
 
 use std::f64::consts::PI;
 use std::sync::OnceLock;
@@ -23,8 +23,8 @@ pub(super) fn moment(about: [f64; 2], element: &dyn Fn([f64; 3]) -> Element) -> 
     integral(&|place| (place[0] - about[0]).powi(2) + (place[1] - about[1]).powi(2), element)
 }
 
-/// Mass, centre of mass and moment of inertia of several pieces. The latter is integrated about the centre of mass, so that
-/// Steiner's theorem is not used.
+/// Mass, centre of mass and moment of inertia of several pieces. The latter is integrated about the
+/// centre of mass, so that Steiner's theorem is not used.
 pub(super) fn measure(pieces: &[&dyn Fn([f64; 3]) -> Element]) -> Measured {
     let over_all =
         |of: &dyn Fn([f64; 2]) -> f64| pieces.iter().map(|piece| integral(of, *piece)).sum::<f64>();
@@ -49,8 +49,8 @@ fn integral(of: &dyn Fn([f64; 2]) -> f64, element: &dyn Fn([f64; 3]) -> Element)
     sum
 }
 
-/// Nodes on [0, 1] with their weights: zeros of Legendre's polynomial by Newton's method from Tricomi's estimate
-/// (Davis, Rabinowitz, *Methods of Numerical Integration*, 2.7).
+/// Nodes on [0, 1] with their weights: zeros of Legendre's polynomial by Newton's method from
+/// Tricomi's estimate (Davis, Rabinowitz, *Methods of Numerical Integration*, 2.7).
 fn rule() -> [(f64, f64); NODES] {
     std::array::from_fn(|i| {
         let mut x = (PI * (i as f64 + 0.75) / (NODES as f64 + 0.5)).cos();

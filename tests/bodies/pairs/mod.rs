@@ -1,5 +1,5 @@
-//! Pairs of systems: declared with bodies, and by hand with the energies and constraints of a textbook. Both must move the
-//! same way, need the same forces for it and cost the same.
+//! Pairs of systems: declared with bodies, and by hand with the energies and constraints of a
+//! textbook. Both must move the same way, need the same forces for it and cost the same.
 
 mod carried;
 mod closed;
@@ -50,7 +50,8 @@ macro_rules! pair {
 }
 pub(crate) use pair;
 
-/// Numbers from −1 to 1 by a linear congruential generator (Knuth, *The Art of Computer Programming*, vol. 2, §3.3.4).
+/// Numbers from −1 to 1 by a linear congruential generator (Knuth, *The Art of Computer
+/// Programming*, vol. 2, §3.3.4).
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -105,7 +106,8 @@ fn assert_same_cost(bodies: &str, by_hand: &str) {
     assert!(bodies.total().abs_diff(by_hand.total()) * 50 <= by_hand.total(), "{text}");
 }
 
-/// The statements in the place of those about bodies can be read again, and give the same operations.
+/// The statements in the place of those about bodies can be read again, and give the same
+/// operations.
 fn assert_plain(bodies: &str) {
     let plain = parse(bodies).unwrap_or_else(|report| panic!("{report}")).statements();
     let words = ["body", "gravity", "line", "spring", "damper", "pin", "slide", "roll"];

@@ -1,6 +1,7 @@
 //! Numbers that look random and are the same everywhere.
 
-/// SplitMix64. Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014.
+/// SplitMix64. Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA
+/// 2014.
 pub(super) struct Random(pub(super) u64);
 
 impl Random {

@@ -136,7 +136,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// A box above another one that stands on a floor by its two feet. The upper side of the lower one has no end.
+    /// A box above another one that stands on a floor by its two feet. The upper side of the lower
+    /// one has no end.
     #[derive(Clone, Debug)]
     pub(super) struct Stack;
 

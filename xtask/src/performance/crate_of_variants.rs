@@ -34,7 +34,8 @@ fn manifest(root: &Path) -> String {
     )
 }
 
-/// The functions in modules, and a program that prints a row for each one with another to compare it with.
+/// The functions in modules, and a program that prints a row for each one with another to compare
+/// it with.
 fn source(root: &Path, variants: &[Variant]) -> Result<String, String> {
     let mut source = format!("#[path = {:?}]\nmod timing;\n", root.join("benches/timing.rs"));
     for variant in variants {

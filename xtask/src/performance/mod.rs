@@ -1,5 +1,5 @@
-//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md; `cargo xtask performance spatial` that of bodies
-//! in space alone.
+//! `cargo xtask performance`: measures, and rewrites the tables of docs/performance.md;
+//! `cargo xtask performance spatial` that of bodies in space alone.
 
 mod crate_of_variants;
 mod document;

@@ -20,7 +20,8 @@ impl Times {
     }
 }
 
-/// A row of benches/comparison.rs, or of benches/spatial, where the last name is of what is computed.
+/// A row of benches/comparison.rs, or of benches/spatial, where the last name is of what is
+/// computed.
 #[derive(Clone, Debug)]
 pub(super) struct Comparison {
     level: String,

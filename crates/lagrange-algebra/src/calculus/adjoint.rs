@@ -12,8 +12,8 @@ pub fn gradient(graph: &mut Graph, root: ExprId, variables: &[ExprId]) -> Vec<Ex
     adjoint(graph, &[(root, one)], variables)
 }
 
-/// Σ weight · ∂root/∂x over the `(root, weight)` pairs of `seeds`, for every x of `variables`. The weights
-/// are not differentiated.
+/// Σ weight · ∂root/∂x over the `(root, weight)` pairs of `seeds`, for every x of `variables`. The
+/// weights are not differentiated.
 pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprId]) -> Vec<ExprId> {
     sweep(graph, seeds, variables, |_, _, _| {})
 }

@@ -1,4 +1,5 @@
-//! Dependence of expressions on the velocities, or on symbols of another kind: none, affine, or another.
+//! Dependence of expressions on the velocities, or on symbols of another kind: none, affine, or
+//! another.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
@@ -95,8 +96,8 @@ impl Degrees {
     }
 }
 
-/// The degree in which an expression is homogeneous in the velocities, that is k if it becomes sᵏ times
-/// itself when all velocities are multiplied by s; `None` if it is not, or not plainly so.
+/// The degree in which an expression is homogeneous in the velocities, that is k if it becomes sᵏ
+/// times itself when all velocities are multiplied by s; `None` if it is not, or not plainly so.
 pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
     for id in graph.reachable_until(&[root], |id| !depends_on_velocities(graph, id)) {
@@ -123,7 +124,8 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     known.get(&root).copied().flatten()
 }
 
-/// The degree of an expression as a polynomial in symbols of these kinds; `None` if it is none, or not plainly one.
+/// The degree of an expression as a polynomial in symbols of these kinds; `None` if it is none, or
+/// not plainly one.
 pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
     let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();

@@ -1,12 +1,14 @@
 //! Taylor polynomials of degree two, jointly in several symbols.
 //!
-//! Every expression is carried as its value at the point of expansion and its parts of first and of second degree
-//! in the deviations from there, which the chain rule propagates from operands to results (truncated power
-//! series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13). All other symbols stay what they
-//! are, so that the result is exact in them. With nothing but held symbols this is substitution.
+//! Every expression is carried as its value at the point of expansion and its parts of first and of
+//! second degree in the deviations from there, which the chain rule propagates from operands to
+//! results (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed.,
+//! chapter 13). All other symbols stay what they are, so that the result is exact in them. With
+//! nothing but held symbols this is substitution.
 //!
-//! An expression has no expansion where it is undefined at the point or jumps there. Where it has a kink, the
-//! expansion is known to a lower order only, and to a higher one again behind what vanishes there: |v| to order 0,
+//! An expression has no expansion where it is undefined at the point or jumps there. Where it has a
+//! kink, the expansion is known to a lower order only, and to a higher one again behind what
+//! vanishes there: |v| to order 0,
 //! |v| v to order 1, |v|³ to order 2.
 
 use crate::calculus::{partials, rebuild, second_partials};
@@ -62,7 +64,8 @@ impl Series {
         }
     }
 
-    /// Common part of two expressions that are equal at the point: neither is known where they differ.
+    /// Common part of two expressions that are equal at the point: neither is known where they
+    /// differ.
     fn common(self, graph: &mut Graph, other: Series) -> Option<Series> {
         let differ = |degree: &usize| {
             let difference = graph.subtract(self.parts[*degree], other.parts[*degree]);
@@ -327,7 +330,8 @@ fn degree_of_power(graph: &Graph, base: Series, exponent: &Number) -> usize {
     }
 }
 
-/// The series of a function that bends sharply or jumps where the arguments take their values, if it does.
+/// The series of a function that bends sharply or jumps where the arguments take their values, if
+/// it does.
 fn at_kink(graph: &mut Graph, function: Function, arguments: &[Series]) -> Option<Option<Series>> {
     match (function, arguments) {
         (Function::Sign | Function::MagnitudeSlope, [argument]) if vanishes(graph, argument.parts[0]) => {

@@ -1,8 +1,9 @@
 //! Grades: the power of a unit in which expressions are measured.
 //!
-//! If all parameters of grade d are multiplied by sᵈ, an expression of grade e becomes sᵉ times itself. With the unit of mass as s, masses,
-//! stiffnesses and forces have the grade one, lengths and times none. So much is found from the energies (`derive::grading`); here grades
-//! of expressions follow from those of their symbols.
+//! If all parameters of grade d are multiplied by sᵈ, an expression of grade e becomes sᵉ times
+//! itself. With the unit of mass as s, masses, stiffnesses and forces have the grade one, lengths
+//! and times none. So much is found from the energies (`derive::grading`); here grades of
+//! expressions follow from those of their symbols.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};

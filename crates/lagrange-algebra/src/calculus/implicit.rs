@@ -1,7 +1,8 @@
 //! Derivatives of algebraic unknowns.
 //!
-//! Where 0 = r(x₁, …, y), the solution y(x₁, …) has the derivatives ∂y/∂xᵢ = −(∂r/∂xᵢ)/(∂r/∂y). Each of them is a formula in the arguments
-//! and y, whence second derivatives follow by the chain rule.
+//! Where 0 = r(x₁, …, y), the solution y(x₁, …) has the derivatives ∂y/∂xᵢ = −(∂r/∂xᵢ)/(∂r/∂y).
+//! Each of them is a formula in the arguments and y, whence second derivatives follow by the chain
+//! rule.
 
 use crate::calculus::{partial, substitute};
 use lagrange_expr::collections::HashMap;

@@ -7,7 +7,8 @@ use lagrange_expr::functions;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// `(operand, ∂node/∂operand)` for every operand with a derivative, each operand once; conditions have none.
+/// `(operand, ∂node/∂operand)` for every operand with a derivative, each operand once; conditions
+/// have none.
 pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     let edges = edges(graph, id);
     let mut slopes: OrderedMap<ExprId, ExprId> = OrderedMap::default();
@@ -48,9 +49,9 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     }
 }
 
-/// `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered pair of places
-/// occurs once; where the same operand stands in two places, that pair counts twice, so that the entries
-/// with this operand add up to its second derivative.
+/// `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered pair of
+/// places occurs once; where the same operand stands in two places, that pair counts twice, so that
+/// the entries with this operand add up to its second derivative.
 pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
     let mut found = pairs_of_places(graph, id);
     for (places, (i, j, second)) in &mut found {
@@ -101,8 +102,8 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
     }
 }
 
-/// Stands for an argument while a function is differentiated twice: arguments themselves may dissolve in
-/// what the constructors make of the first derivative.
+/// Stands for an argument while a function is differentiated twice: arguments themselves may
+/// dissolve in what the constructors make of the first derivative.
 fn placeholder(graph: &mut Graph, index: usize) -> ExprId {
     graph.symbol("argument", Role::Placeholder(index as u32))
 }
@@ -133,7 +134,8 @@ fn differentiate_factor(graph: &mut Graph, factors: &[(ExprId, Number)], index: 
     graph.scale(scale, product)
 }
 
-/// The power rule on one factor: the factors with that exponent lowered by one, and the old exponent.
+/// The power rule on one factor: the factors with that exponent lowered by one, and the old
+/// exponent.
 fn lower_exponent(factors: &[(ExprId, Number)], index: usize) -> (Vec<(ExprId, Number)>, Number) {
     let mut lowered = factors.to_vec();
     let exponent = lowered[index].1.clone();

@@ -68,7 +68,8 @@ fn second_derivatives_of_every_function_agree_with_repeated_ones() {
     }
 }
 
-/// The same operand may stand in two places of a node: in a call, or under roots that must stay apart.
+/// The same operand may stand in two places of a node: in a call, or under roots that must stay
+/// apart.
 #[test]
 fn second_derivatives_count_an_operand_in_two_places() {
     let mut g = Graph::new();

@@ -16,8 +16,8 @@ pub enum Scalar {
     F32,
     /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
-    /// A type parameter bounded by `Number`, which may be several numbers side by side: choices compute both of their values and
-    /// select. Literals are converted from `f64`.
+    /// A type parameter bounded by `Number`, which may be several numbers side by side: choices
+    /// compute both of their values and select. Literals are converted from `f64`.
     SideBySide {
         /// The type parameter.
         number: Ident,
@@ -34,8 +34,9 @@ pub struct FunctionBody {
     pub statements: TokenStream,
     /// An expression for each output of the program, to be evaluated after the statements.
     pub outputs: Vec<TokenStream>,
-    /// The symbols that must be bound, under the names that [`Names::role`](super::Names::role) gives them, in the order of
-    /// roles: parameters, inputs, time, coordinates, velocities, accelerations.
+    /// The symbols that must be bound, under the names that [`Names::role`](super::Names::role)
+    /// gives them, in the order of roles: parameters, inputs, time, coordinates, velocities,
+    /// accelerations.
     pub used: Vec<Role>,
     /// The functions of `lagrange::private` that must be in scope.
     pub functions: BTreeSet<&'static str>,

@@ -94,7 +94,8 @@ impl Fragment {
         Fragment::binary(left, '/', right, Precedence::Product)
     }
 
-    /// Operators associate to the left: an operand of the same precedence needs parentheses on the right.
+    /// Operators associate to the left: an operand of the same precedence needs parentheses on the
+    /// right.
     fn binary(left: Fragment, operator: char, right: Fragment, precedence: Precedence) -> Fragment {
         let left = if left.precedence < precedence { left.parenthesised() } else { left };
         let bare = right.precedence > precedence && !right.starts_with_minus;
@@ -111,7 +112,8 @@ impl Fragment {
         }
     }
 
-    /// `-self`; in front of a product the sign changes that of the first factor, which gives the same bits.
+    /// `-self`; in front of a product the sign changes that of the first factor, which gives the
+    /// same bits.
     pub(super) fn negated(self) -> Fragment {
         let bare = self.precedence >= Precedence::Product && !self.starts_with_minus;
         let operand = if bare { self } else { self.parenthesised() };

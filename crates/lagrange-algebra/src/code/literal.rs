@@ -38,7 +38,8 @@ impl Constant<'_> {
         }
     }
 
-    /// Words of a message for a constant that does not fit: long numbers by their order of magnitude.
+    /// Words of a message for a constant that does not fit: long numbers by their order of
+    /// magnitude.
     pub(super) fn describe(self) -> String {
         match self {
             Constant::Rounded(value) => value.value().to_string(),
@@ -72,8 +73,8 @@ pub(super) fn literal(text: &str) -> Literal {
 
 /// The `f32` nearest to an exact number.
 ///
-/// Rounding to `f64` first goes wrong only where that result lies exactly halfway between two `f32` while
-/// the number itself does not; there the number decides.
+/// Rounding to `f64` first goes wrong only where that result lies exactly halfway between two `f32`
+/// while the number itself does not; there the number decides.
 fn nearest_single(number: &Number) -> f32 {
     let double = number.to_f64();
     let single = double as f32;

@@ -11,7 +11,8 @@ use lagrange_expr::symbol::Symbols;
 
 /// Gives out local names, each once.
 ///
-/// All identifiers have mixed-site spans: they see, and are seen by, only what the same macro emits.
+/// All identifiers have mixed-site spans: they see, and are seen by, only what the same macro
+/// emits.
 #[derive(Clone, Default, Debug)]
 pub struct Names {
     taken: HashSet<String>,
@@ -38,16 +39,16 @@ impl Names {
         self.callees.insert(name.to_owned(), span);
     }
 
-    /// A function of the user's crate. Unlike variables it is looked up where the user names it, or the function that it is a
-    /// derivative of.
+    /// A function of the user's crate. Unlike variables it is looked up where the user names it, or
+    /// the function that it is a derivative of.
     pub fn callee(&self, function: &Opaque) -> Ident {
         let name = function.rust_name();
         let place = self.callees.get(&name).or_else(|| self.callees.get(&function.function().name));
         Ident::new(&name, place.copied().unwrap_or_else(Span::call_site))
     }
 
-    /// The variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for the rates of
-    /// `x`, `t` for time. Where that is taken, underscores are appended.
+    /// The variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for the
+    /// rates of `x`, `t` for time. Where that is taken, underscores are appended.
     pub fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
         if let Some(known) = self.roles.get(&role) {
             return known.clone();
@@ -65,7 +66,8 @@ impl Names {
         ident
     }
 
-    /// Gives a symbol that has no name of its own a variable called `wish`, or like it where that is taken.
+    /// Gives a symbol that has no name of its own a variable called `wish`, or like it where that
+    /// is taken.
     pub fn assign(&mut self, role: Role, wish: &str) {
         let ident = self.fresh(wish);
         self.roles.insert(role, ident);
@@ -100,7 +102,8 @@ impl Names {
     }
 }
 
-/// The identifier most like `name`, which is made of identifiers of the user and of what is added to them.
+/// The identifier most like `name`, which is made of identifiers of the user and of what is added
+/// to them.
 fn sanitise(name: &str) -> String {
     let mut name = name.replace(|c: char| c != '_' && !c.is_alphabetic() && !c.is_ascii_digit(), "_");
     if name.starts_with(|c: char| c.is_ascii_digit()) {

@@ -70,8 +70,8 @@ impl<'a> VariableNames<'a> {
         self.names.numbered(stem)
     }
 
-    /// The stem of a name for a square, a reciprocal or a function, and the name if that of the operand is
-    /// known.
+    /// The stem of a name for a square, a reciprocal or a function, and the name if that of the
+    /// operand is known.
     fn derived_name(&self, id: ValueId) -> Option<(&'static str, Option<String>)> {
         match self.program.op(id) {
             Op::Multiply(a, b) if a == b => Some(match self.square_root(*a) {
@@ -102,7 +102,8 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// A name made of those of two operands that are in variables with telling names, if it is short.
+    /// A name made of those of two operands that are in variables with telling names, if it is
+    /// short.
     fn joined_name(&self, a: ValueId, word: &str, b: ValueId) -> Option<String> {
         let is_sum = |id| matches!(self.program.op(id), Op::Add(..) | Op::Subtract(..));
         if [a, b].into_iter().any(|id| is_sum(id) && self.program.hint(id).is_none()) {
@@ -130,8 +131,8 @@ impl<'a> VariableNames<'a> {
         }
     }
 
-    /// The variable that a value is in, or the name of the function it is if that is written in place. What
-    /// is written in place is bounded, and so is the depth of this recursion.
+    /// The variable that a value is in, or the name of the function it is if that is written in
+    /// place. What is written in place is bounded, and so is the depth of this recursion.
     fn known_name(&self, id: ValueId) -> Option<String> {
         self.name_of(id).or_else(|| match self.program.op(id) {
             Op::Call(..) | Op::Opaque(..) => self.derived_name(id)?.1,
@@ -139,7 +140,8 @@ impl<'a> VariableNames<'a> {
         })
     }
 
-    /// The variable that an angle is in, or what it is the sum or product of if that is written in place.
+    /// The variable that an angle is in, or what it is the sum or product of if that is written in
+    /// place.
     pub(super) fn name_of_angle(&self, id: ValueId) -> Option<String> {
         self.name_of(id).or_else(|| match self.program.op(id) {
             Op::Add(..) | Op::Subtract(..) | Op::Multiply(..) => self.derived_name(id)?.1,

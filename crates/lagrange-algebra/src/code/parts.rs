@@ -1,22 +1,24 @@
 //! Long bodies in parts.
 //!
-//! The compiler opens a scope for each `let` that ends with the block and walks nested scopes by recursion: some
-//! thousands of statements in one block are more than the stack of rustc 1.95 holds when it writes debug
-//! information. So long bodies are written in blocks, each of which gives what later ones need:
+//! The compiler opens a scope for each `let` that ends with the block and walks nested scopes by
+//! recursion: some thousands of statements in one block are more than the stack of rustc 1.95 holds
+//! when it writes debug information. So long bodies are written in blocks, each of which gives what
+//! later ones need:
 //!
 //! ```text
 //! let [a, b] = { let c = …; let a = … c …; let b = … c …; [a, b] };
 //! ```
 //!
-//! Few long parts pass on less than many short ones, and run as fast as one block. Tuples in place of arrays take the
-//! optimiser five times as long at some thousand statements.
+//! Few long parts pass on less than many short ones, and run as fast as one block. Tuples in place
+//! of arrays take the optimiser five times as long at some thousand statements.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::quote_spanned;
 
 use crate::program::{Program, ValueId, ValueTable};
 
-/// The most statements in one block of a body of moderate length. The compiler overflows between 2500 and 3000.
+/// The most statements in one block of a body of moderate length. The compiler overflows between
+/// 2500 and 3000.
 const LONGEST_BLOCK: usize = 1000;
 
 /// A `let`.

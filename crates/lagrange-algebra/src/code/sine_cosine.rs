@@ -3,7 +3,8 @@
 use crate::program::{Op, Program, ValueId};
 use lagrange_expr::collections::HashMap;
 
-/// Values taken from each pair, and from each place in a batch: the sine and the cosine, where they are used.
+/// Values taken from each pair, and from each place in a batch: the sine and the cosine, where they
+/// are used.
 pub(super) type SinesAndCosines = HashMap<(ValueId, u32), [Option<ValueId>; 2]>;
 
 pub(super) fn sines_and_cosines(program: &Program) -> SinesAndCosines {

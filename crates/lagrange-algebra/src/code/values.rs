@@ -14,7 +14,8 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Relation;
 use lagrange_expr::symbol::Role;
 
-/// Functions that choose without a branch, by whether a number is less than another, and less or equal.
+/// Functions that choose without a branch, by whether a number is less than another, and less or
+/// equal.
 pub(super) const SELECTIONS: [&str; 2] = ["if_less", "if_less_equal"];
 
 /// The statements, and an expression for each output.
@@ -167,7 +168,8 @@ fn selection(
     }
 }
 
-/// The function that chooses without a branch, and whether it takes the sides of the relation the other way round.
+/// The function that chooses without a branch, and whether it takes the sides of the relation the
+/// other way round.
 fn selection_without_branch(relation: Relation) -> (&'static str, bool) {
     let [less, less_equal] = SELECTIONS;
     match relation {
@@ -178,7 +180,8 @@ fn selection_without_branch(relation: Relation) -> (&'static str, bool) {
     }
 }
 
-/// Values that are used once, as a branch of a selection: they are computed only where they are wanted.
+/// Values that are used once, as a branch of a selection: they are computed only where they are
+/// wanted.
 fn branches(program: &Program) -> ValueTable<bool> {
     let uses = program.uses();
     let mut is_branch = ValueTable::filled(program.len(), false);

@@ -98,7 +98,8 @@ impl<'a> BodyWriter<'a> {
         operands
     }
 
-    /// Moves the longest operands to variables until what remains makes an expression of bounded size.
+    /// Moves the longest operands to variables until what remains makes an expression of bounded
+    /// size.
     fn shorten(&mut self, ids: &[ValueId], operands: &mut [Fragment], own_width: usize) {
         loop {
             let operations = operands.iter().map(|operand| operand.operations).sum::<usize>();

@@ -1,7 +1,7 @@
 //! Expressions in LaTeX, for mathematics mode; choices need the `amsmath` package.
 //!
-//! The text of an expression is written out in full; [`definitions`] names shared parts where that would
-//! be too long.
+//! The text of an expression is written out in full; [`definitions`] names shared parts where that
+//! would be too long.
 
 mod names;
 
@@ -92,7 +92,8 @@ fn opaque(function: &Opaque, arguments: &[ExprId]) -> (Strength, Vec<Piece>) {
     (Strength::Atom, pieces)
 }
 
-/// The template with `#1` replaced by the first argument, as tightly bound as `first`, and `#2` by the second.
+/// The template with `#1` replaced by the first argument, as tightly bound as `first`, and `#2` by
+/// the second.
 fn fill(template: &'static str, arguments: &[ExprId], first: Strength) -> Vec<Piece> {
     let mut pieces = Vec::new();
     let mut rest = template;

@@ -1,6 +1,8 @@
-//! Sums and products as they are read: flat, signs in front, factors and terms in a conventional order.
+//! Sums and products as they are read: flat, signs in front, factors and terms in a conventional
+//! order.
 //!
-//! This is shared by the writers of plain text and LaTeX. It decides what stands where, not how it looks.
+//! This is shared by the writers of plain text and LaTeX. It decides what stands where, not how it
+//! looks.
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
@@ -149,8 +151,8 @@ impl<'v, 'n> View<'v, 'n> {
         WrittenTerm { coefficient, factors: merge(factors) }
     }
 
-    /// Numbers, parameters, coordinates, functions, velocities, accelerations; symbols of a kind in the order
-    /// of their declaration.
+    /// Numbers, parameters, coordinates, functions, velocities, accelerations; symbols of a kind in
+    /// the order of their declaration.
     fn place_of_factor(&self, id: ExprId) -> (u8, u32, ExprId) {
         let (class, index) = match self.symbol(id).map(|symbol| symbol.role) {
             Some(Role::Parameter(index)) => (2, index),
@@ -180,8 +182,8 @@ impl<'v, 'n> View<'v, 'n> {
         }
     }
 
-    /// Accelerations in their order before velocities before everything else, single symbols before products,
-    /// numbers last.
+    /// Accelerations in their order before velocities before everything else, single symbols before
+    /// products, numbers last.
     fn place_of_term(&self, term: &WrittenTerm) -> impl Ord + use<> {
         let class = term.factors.iter().map(|(base, _)| self.graph.dependencies(*base)).fold(
             if term.factors.is_empty() { 4 } else { 3 },

@@ -10,8 +10,8 @@ const LONGEST_REPEATED: usize = 24;
 /// The length taken for a name.
 const NAME_LENGTH: usize = 4;
 
-/// Names with what they stand for, each before its first use, and the texts of `roots`, all written by
-/// `write` with the names it is given.
+/// Names with what they stand for, each before its first use, and the texts of `roots`, all written
+/// by `write` with the names it is given.
 pub(super) fn define(
     graph: &Graph,
     roots: &[ExprId],
@@ -25,8 +25,8 @@ pub(super) fn define(
     (definitions, roots.iter().map(root).collect())
 }
 
-/// Names for parts of `roots`, in an order in which no part holds a later one. None if the roots written
-/// out have at most about `max_length` characters.
+/// Names for parts of `roots`, in an order in which no part holds a later one. None if the roots
+/// written out have at most about `max_length` characters.
 fn common_parts(graph: &Graph, roots: &[ExprId], max_length: usize) -> OrderedMap<ExprId, String> {
     let parts = graph.reachable(roots);
     let mut names = OrderedMap::default();

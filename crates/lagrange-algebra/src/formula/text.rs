@@ -1,7 +1,8 @@
 //! Expressions in the syntax of the language, so that they can be read back.
 //!
-//! An algebraic unknown is written by its name, its equation standing elsewhere. The text of an expression is written out in full unless names are given for shared parts. A graph can
-//! stand for a text that is exponentially longer; [`definitions`] never writes that.
+//! An algebraic unknown is written by its name, its equation standing elsewhere. The text of an
+//! expression is written out in full unless names are given for shared parts. A graph can stand for
+//! a text that is exponentially longer; [`definitions`] never writes that.
 
 use std::borrow::Cow;
 
@@ -22,17 +23,18 @@ pub fn rate(name: &str) -> String {
     format!("dot({name})")
 }
 
-/// The expression with those of its parts written by name that have one; `expr` itself is written out.
+/// The expression with those of its parts written by name that have one; `expr` itself is written
+/// out.
 pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&'n str>) -> String {
     let view = View { graph, root: expr, names };
     write_pieces(expr, |id, least| pieces(&view, id, least))
 }
 
-/// The roots in at most about `max_length` characters if that is possible without names; otherwise with
-/// names for shared parts, so that the length is proportional to the size of the graph.
+/// The roots in at most about `max_length` characters if that is possible without names; otherwise
+/// with names for shared parts, so that the length is proportional to the size of the graph.
 ///
-/// The first list holds `(name, text)` in an order in which everything is defined before it is used, the
-/// second one the texts of the roots.
+/// The first list holds `(name, text)` in an order in which everything is defined before it is
+/// used, the second one the texts of the roots.
 pub fn definitions(
     graph: &Graph,
     roots: &[ExprId],
@@ -155,7 +157,8 @@ fn joined(mut factors: Factors) -> (Strength, Vec<Piece>) {
     (Strength::Product, pieces)
 }
 
-/// `base ^ exponent` with a positive exponent; a base without one binds at least as tightly as `least`.
+/// `base ^ exponent` with a positive exponent; a base without one binds at least as tightly as
+/// `least`.
 fn factor(base: ExprId, exponent: &Number, least: Strength) -> (Strength, Vec<Piece>) {
     if exponent.is_one() {
         return (Strength::Atom, vec![Piece::Expr(base, least)]);

@@ -1,9 +1,9 @@
 //! The only maker of programs: numbers values, folds constants, leaves out what nothing needs.
 //!
-//! Operations on constants become constants: exact rational ones where the result is rational. A division
-//! by a rational number becomes a multiplication. Beyond that only identities are used that hold to the
-//! last bit, infinities and NaN included and signs of zero excepted, and that never add an operation.
-//! `0 * x` therefore stays.
+//! Operations on constants become constants: exact rational ones where the result is rational. A
+//! division by a rational number becomes a multiplication. Beyond that only identities are used
+//! that hold to the last bit, infinities and NaN included and signs of zero excepted, and that
+//! never add an operation. `0 * x` therefore stays.
 
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};
@@ -14,8 +14,8 @@ use lagrange_expr::number::Number;
 
 /// A program under construction.
 ///
-/// Pushing an operation that is already there gives the value that is there, so common subexpressions
-/// need no pass of their own; operations on constants give constants.
+/// Pushing an operation that is already there gives the value that is there, so common
+/// subexpressions need no pass of their own; operations on constants give constants.
 #[derive(Clone, Default, Debug)]
 pub struct Builder {
     values: OrderedMap<Op, Option<Box<str>>>,
@@ -180,7 +180,8 @@ fn fold_product(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId
 }
 
 fn fold_quotient(builder: &mut Builder, a: ValueId, b: ValueId) -> Result<ValueId, Op> {
-    // The reciprocal is rounded too, unlike the quotient, but a division costs several multiplications.
+    // The reciprocal is rounded too, unlike the quotient, but a division costs several
+    // multiplications.
     match number(builder, b).and_then(Number::reciprocal) {
         Some(inverse) => {
             let inverse = builder.constant(inverse);

@@ -7,8 +7,8 @@ use lagrange_expr::expr::Function;
 
 /// The operations of a program by kind.
 ///
-/// A subtraction is an addition, a fused multiply-add one addition and one multiplication. Changes of
-/// sign are free on every processor of interest and not counted.
+/// A subtraction is an addition, a fused multiply-add one addition and one multiplication. Changes
+/// of sign are free on every processor of interest and not counted.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct OperationCounts {
     /// Additions and subtractions.
@@ -19,7 +19,8 @@ pub struct OperationCounts {
     pub divisions: usize,
     /// Square roots.
     pub square_roots: usize,
-    /// Elementary functions other than those counted below, large integer powers, and functions of the user's.
+    /// Elementary functions other than those counted below, large integer powers, and functions of
+    /// the user's.
     pub functions: usize,
     /// Sines and cosines of the same argument computed together, one for each argument of a batch.
     pub sin_cos: usize,

@@ -1,7 +1,7 @@
 //! Runs a program in double precision.
 //!
-//! Every operation is done as emitted code for `f64` does it on a platform with the standard library,
-//! so both give the same bits.
+//! Every operation is done as emitted code for `f64` does it on a platform with the standard
+//! library, so both give the same bits.
 
 use super::ir::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::elementary::{multiply_add, row};
@@ -56,7 +56,8 @@ fn evaluate(program: &Program, op: &Op, values: &ValueTable<f64>, value_of: impl
         }
         // Who runs the program knows it.
         Op::Opaque(..) => f64::NAN,
-        // A pair is carried as its argument; what is wanted of it is computed where it is taken apart.
+        // A pair is carried as its argument; what is wanted of it is computed where it is taken
+        // apart.
         Op::SinCos(a) => at(a),
         Op::SinOf(pair) => argument_of(program, *pair, values).sin(),
         Op::CosOf(pair) => argument_of(program, *pair, values).cos(),

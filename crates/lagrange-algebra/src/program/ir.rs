@@ -80,14 +80,15 @@ pub enum Op {
     SinOf(ValueId),
     /// The cosine in a pair.
     CosOf(ValueId),
-    /// Sines and cosines of several values at a time: of use only to [`Op::SinIn`] and [`Op::CosIn`].
+    /// Sines and cosines of several values at a time: of use only to [`Op::SinIn`] and
+    /// [`Op::CosIn`].
     SinCosEach(Box<[ValueId]>),
     /// The sine of the value at this place in a batch.
     SinIn(ValueId, u32),
     /// The cosine of the value at this place in a batch.
     CosIn(ValueId, u32),
-    /// `then` where the relation holds, `otherwise` where its opposite does, NaN where an operand of the
-    /// relation is NaN.
+    /// `then` where the relation holds, `otherwise` where its opposite does, NaN where an operand
+    /// of the relation is NaN.
     Select {
         /// `<` or `<=`.
         relation: Relation,
@@ -171,8 +172,8 @@ impl Op {
 
 /// A straight-line program: every value is computed once, from earlier ones.
 ///
-/// Only a [`Builder`](super::Builder) makes one, which is why no two values are the same operation and
-/// every value contributes to an output.
+/// Only a [`Builder`](super::Builder) makes one, which is why no two values are the same operation
+/// and every value contributes to an output.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Program {
     values: ValueTable<Value>,

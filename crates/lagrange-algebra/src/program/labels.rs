@@ -3,8 +3,8 @@
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::ExprId;
 
-/// Preferred names of expressions: those of the user's `let` statements, and those of the entries of the
-/// matrices and vectors that mechanics knows.
+/// Preferred names of expressions: those of the user's `let` statements, and those of the entries
+/// of the matrices and vectors that mechanics knows.
 #[derive(Clone, Default, Debug)]
 pub struct Labels {
     names: OrderedMap<ExprId, String>,

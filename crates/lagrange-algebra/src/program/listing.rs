@@ -7,7 +7,7 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Relation;
 use lagrange_expr::symbol::{Role, Symbols};
 
-/// A program with the names of its symbols; displays as lines such as `v7 = v3 * v5    # forcing_0`.
+/// A program with the names of its symbols; displays as lines such as `v7 = v3 * v5 # forcing_0`.
 #[derive(Clone, Copy, Debug)]
 pub struct Listing<'a> {
     program: &'a Program,

@@ -1,12 +1,13 @@
 //! Straight-line programs: what is computed, in which order, and nothing about how it is written.
 //!
-//! [`lower()`] turns expressions of the graph into a [`Program`], in which every value is one machine-sized
-//! operation on earlier ones. [`optimise`] runs the passes, each of which takes a program and returns
-//! another that computes the same. [`run`] interprets, [`OperationCounts`] measures, [`verify()`] checks
-//! what every program must satisfy.
+//! [`lower()`] turns expressions of the graph into a [`Program`], in which every value is one
+//! machine-sized operation on earlier ones. [`optimise`] runs the passes, each of which takes a
+//! program and returns another that computes the same. [`run`] interprets, [`OperationCounts`]
+//! measures, [`verify()`] checks what every program must satisfy.
 //!
-//! Equal operations, constants and values that nothing needs are the business of the [`Builder`], so no
-//! pass has to think of them. Algebra is not done here: a program has the shape of its expressions.
+//! Equal operations, constants and values that nothing needs are the business of the [`Builder`],
+//! so no pass has to think of them. Algebra is not done here: a program has the shape of its
+//! expressions.
 
 mod builder;
 mod count;

@@ -54,7 +54,8 @@ impl NewtonProgram {
         }
     }
 
-    /// The value of the unknown, by the operations of emitted code for `f64`; NaN if none is found. `call` computes functions of the user's.
+    /// The value of the unknown, by the operations of emitted code for `f64`; NaN if none is found.
+    /// `call` computes functions of the user's.
     pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> f64) -> f64 {
         let argument = |role: Role| {
             let place = self.arguments.iter().position(|known| *known == role);
@@ -69,7 +70,8 @@ impl NewtonProgram {
     }
 }
 
-/// Returns the zero that `root::newton` of the run time finds, by the same operations, whose reasons stand there.
+/// Returns the zero that `root::newton` of the run time finds, by the same operations, whose
+/// reasons stand there.
 fn newton(start: f64, iterations: u32, equation: impl Fn(f64) -> [f64; 3]) -> f64 {
     let (mut y, mut last) = (start, [0.0; 2]);
     let root = f64::EPSILON.sqrt();

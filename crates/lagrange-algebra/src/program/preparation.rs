@@ -1,7 +1,8 @@
 //! Computations of parameters alone, extracted from programs and performed once for all.
 //!
-//! A value of numbers and parameters that a changing value needs becomes an input of its program. It is taken out before any pass runs: a
-//! product of parameters that had been fused into a sum could not be.
+//! A value of numbers and parameters that a changing value needs becomes an input of its program.
+//! It is taken out before any pass runs: a product of parameters that had been fused into a sum
+//! could not be.
 
 use super::builder::Builder;
 use super::ir::{Op, Program, ValueId, ValueTable};
@@ -62,7 +63,8 @@ impl Preparation {
         builder.finish(&outputs)
     }
 
-    /// A constant value in a program: numbers and parameters as they are, anything else as an input. Signs cost nothing.
+    /// A constant value in a program: numbers and parameters as they are, anything else as an
+    /// input. Signs cost nothing.
     fn taken(&mut self, builder: &mut Builder, value: ValueId) -> ValueId {
         match self.builder.op(value) {
             &Op::Negate(of) => {

@@ -4,8 +4,8 @@ use super::ir::{Op, Program, ValueTable};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Kind of quantity that a value changes with, the strongest first counted: what depends on a coordinate and on a
-/// velocity changes with velocities.
+/// Kind of quantity that a value changes with, the strongest first counted: what depends on a
+/// coordinate and on a velocity changes with velocities.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Variability {
     /// Numbers and parameters only.

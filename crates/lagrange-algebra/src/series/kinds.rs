@@ -13,7 +13,8 @@ pub(super) enum Kind {
     Fixed,
     /// Determined by time, positions and velocities: step k gives the coefficient of order k + 1.
     Moving,
-    /// Depends on accelerations, multipliers or rates of velocities: step k gives the coefficient of order k.
+    /// Depends on accelerations, multipliers or rates of velocities: step k gives the coefficient
+    /// of order k.
     Accelerated,
     /// Without a series.
     Unknown,

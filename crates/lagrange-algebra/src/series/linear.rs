@@ -1,13 +1,14 @@
 //! Short chains in the programs of a step.
 //!
-//! Each order waits for the one before, so an expansion takes as long as the longest chain of operations through a step. All that a step
-//! computes is linear in sums and in coefficients of earlier steps, with factors of order zero. Such factors are multiplied with each
-//! other before the first step, and powers of k + 1 beside the chain.
+//! Each order waits for the one before, so an expansion takes as long as the longest chain of
+//! operations through a step. All that a step computes is linear in sums and in coefficients of
+//! earlier steps, with factors of order zero. Such factors are multiplied with each other before
+//! the first step, and powers of k + 1 beside the chain.
 //!
 //! # In numbers
 //!
-//! F = (k+1) m (l x + n y) with x = p + v u/(k+1) waits for a product, a sum, a product, a sum and two products. As
-//! (k+1)(m l) p + (m l v) u + (k+1)(m n) y, it waits for one product and two sums.
+//! F = (k+1) m (l x + n y) with x = p + v u/(k+1) waits for a product, a sum, a product, a sum and
+//! two products. As (k+1)(m l) p + (m l v) u + (k+1)(m n) y, it waits for one product and two sums.
 
 use super::slots::{Slot, Slots};
 use crate::program::{Builder, Op, Program, ValueId, ValueTable};
@@ -70,7 +71,7 @@ struct Flattening<'a> {
     depths: HashMap<ValueId, u32>,
 }
 
-/// The same outputs, with shorter chains.
+/// Returns a program with the same outputs and shorter chains.
 pub(super) fn flatten(
     program: &Program,
     slots: &mut Slots,
@@ -141,7 +142,8 @@ impl Flattening<'_> {
         Factor { at_start: self.factors.builder.constant(number), power: 0 }
     }
 
-    /// The same operation on the new values, before the first step if these are known then.
+    /// Returns the image of an operation on new values, before the first step if these are known
+    /// then.
     fn copied(&mut self, op: &Op) -> Image {
         let mut is_known = true;
         op.for_each_operand(|operand| is_known &= self.at_start(operand).is_some());

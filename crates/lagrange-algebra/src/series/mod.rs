@@ -1,7 +1,8 @@
 //! Taylor series of a motion: programs for the coefficients of one order after the other.
 //!
-//! A motion q̇ = r(t, q, v), v̇ = a is expanded about a moment: with xₖ the coefficient of order k, qₖ₊₁ = rₖ/(k+1) and
-//! vₖ₊₁ = aₖ/(k+1). Every value of a straight-line program is itself a series, whose coefficients follow from those of its operands:
+//! A motion q̇ = r(t, q, v), v̇ = a is expanded about a moment: with xₖ the coefficient of order k,
+//! qₖ₊₁ = rₖ/(k+1) and vₖ₊₁ = aₖ/(k+1). Every value of a straight-line program is itself a series,
+//! whose coefficients follow from those of its operands:
 //!
 //! | value | coefficient of order m |
 //! |---|---|
@@ -11,23 +12,28 @@
 //! | y = √x | (xₘ − Σ_{0<j<m} yⱼ yₘ₋ⱼ)/(2 y₀) |
 //! | f(x) | f′(x) ẋ of order m − 1, divided by m |
 //!
-//! The last line holds for every elementary function: its rate is a program, too, so that the sine of an angle costs the product
-//! cos θ · θ̇, which a velocity in the system often has anyway.
+//! The last line holds for every elementary function: its rate is a program, too, so that the sine
+//! of an angle costs the product cos θ · θ̇, which a velocity in the system often has anyway.
 //!
-//! Source: Griewank and Walther, *Evaluating Derivatives*, 2nd ed., §13; Jorba and Zou, "A software package for the numerical
-//! integration of ODEs by means of high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117.
+//! Source: Griewank and Walther, *Evaluating Derivatives*, 2nd ed., §13; Jorba and Zou, "A software
+//! package for the numerical integration of ODEs by means of high-order Taylor methods", *Experimental
+//! Mathematics* 14 (2005) 99–117.
 //!
 //! # Accelerations
 //!
-//! Either accelerations are functions of t, q and v, and expanded as such. Or they are the zeros of a residual R that is linear in them,
-//! as inverse dynamics is. Rates ẇ of velocities w stay unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each order
-//! R is computed with aₖ = 0; the matrix ∂R/∂a of order zero gives aₖ, and what depends on aₖ is corrected by its share.
+//! Either accelerations are functions of t, q and v, and expanded as such. Or they are the zeros of
+//! a residual R that is linear in them, as inverse dynamics is. Rates ẇ of velocities w stay
+//! unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each order R is computed
+//! with aₖ = 0; the matrix ∂R/∂a of order zero gives aₖ, and what depends on aₖ is corrected by its
+//! share.
 //!
-//! The multipliers λ of constraints are unknown in the same way: forces −Aᵀλ stand in R, and the rates ċ̇ of the constraints below it.
+//! The multipliers λ of constraints are unknown in the same way: forces −Aᵀλ stand in R, and the
+//! rates ċ̇ of the constraints below it.
 //!
 //! # A pendulum in numbers
 //!
-//! θ̈ = −10 sin θ from θ₀ with sin θ₀ = 3/5, cos θ₀ = 4/5, at θ̇₀ = 1. With s = sin θ, c = cos θ and ω = θ̇:
+//! θ̈ = −10 sin θ from θ₀ with sin θ₀ = 3/5, cos θ₀ = 4/5, at θ̇₀ = 1. With s = sin θ, c = cos θ
+//! and ω = θ̇:
 //!
 //! | k | θₖ₊₁ = ωₖ/(k+1) | (c ω)ₖ | sₖ₊₁ | (s ω)ₖ | cₖ₊₁ | ωₖ₊₁ = −10 sₖ/(k+1) |
 //! |---|---|---|---|---|---|---|
@@ -36,9 +42,10 @@
 //!
 //! # Orders
 //!
-//! In step k a value that velocities and positions determine gets its coefficient of order k + 1, and one that holds accelerations or
-//! rates of velocities gets that of order k. A product then needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and besides only
-//! those of order zero and the newest. These sums are alike for all products, so that they are computed side by side.
+//! In step k a value that velocities and positions determine gets its coefficient of order k + 1,
+//! and one that holds accelerations or rates of velocities gets that of order k. A product then
+//! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and besides only those of order zero
+//! and the newest. These sums are alike for all products, so that they are computed side by side.
 
 mod functions;
 mod kinds;
@@ -67,7 +74,8 @@ pub struct Motion<'a> {
     pub rates: &'a [(ValueId, ValueId)],
     /// Placeholders that stand for the rates of values, with these values.
     pub unexpanded: &'a [(Role, ValueId)],
-    /// Residuals R, one for each acceleration, then one for each multiplier; empty if accelerations are functions of the state.
+    /// Residuals R, one for each acceleration, then one for each multiplier; empty if accelerations
+    /// are functions of the state.
     pub residuals: &'a [ValueId],
 }
 
@@ -96,12 +104,15 @@ pub enum Rate {
     Acceleration(u32),
 }
 
-/// The programs that expand a motion, over [placeholders](lagrange_expr::symbol::Role::Placeholder) with the meaning of `slots`.
+/// The programs that expand a motion, over [placeholders](lagrange_expr::symbol::Role::Placeholder)
+/// with the meaning of `slots`.
 ///
-/// Values are *kept* from one step to the next, in the order of the outputs of `expansion` and `correction`: the entries of the state first.
+/// Values are *kept* from one step to the next, in the order of the outputs of `expansion` and
+/// `correction`: the entries of the state first.
 #[derive(Debug)]
 pub struct SeriesPrograms {
-    /// The values that [`Slot::Initial`] counts, from the inputs of the motion's program, then the matrix ∂R/∂(a, λ), row by row.
+    /// The values that [`Slot::Initial`] counts, from the inputs of the motion's program, then the
+    /// matrix ∂R/∂(a, λ), row by row.
     pub initial: Program,
     /// One coefficient of each kept value, as if accelerations were zero; then the residuals.
     pub expansion: Program,
@@ -109,7 +120,8 @@ pub struct SeriesPrograms {
     pub correction: Option<Program>,
     /// Factors of the products that [`Slot::Sum`] counts, as places of kept values.
     pub sums: Vec<[usize; 2]>,
-    /// Kept values that [`Slot::Carried`] counts, with the initial value that takes their place in the first step.
+    /// Kept values that [`Slot::Carried`] counts, with the initial value that takes their place in
+    /// the first step.
     pub carried: Vec<(usize, usize)>,
     /// Meaning of the placeholders, by number.
     pub slots: Vec<Slot>,

@@ -127,7 +127,8 @@ impl<'a> Recurrence<'a> {
         total.unwrap_or_else(|| share.builder.constant(Number::ZERO))
     }
 
-    /// The matrix of the unknowns in the residuals, row by row: the shares of one unknown after the other.
+    /// The matrix of the unknowns in the residuals, row by row: the shares of one unknown after the
+    /// other.
     fn matrix(&mut self) -> Program {
         let (mut builder, mut columns) = (Builder::new(), Vec::new());
         let unknowns = 0..self.motion.residuals.len();
@@ -222,7 +223,8 @@ impl<'a> Recurrence<'a> {
             (_, Kind::Fixed) => self.times_initial(pass, pass.coefficients[a], Initial::Value(b)),
             _ => {
                 let inner = self.inner(pass, a, b);
-                // Of a factor that is known to a higher order than the product, the newest coefficient stands in the sum.
+                // Of a factor that is known to a higher order than the product, the newest
+                // coefficient stands in the sum.
                 let mut edge = |newest: ValueId, other: ValueId| match self.schedule.kinds[other] {
                     Kind::Moving if of_a == of_b || self.schedule.kinds[newest] == Kind::Accelerated => {
                         self.times_initial(pass, pass.coefficients[newest], Initial::Value(other))

@@ -1,4 +1,5 @@
-//! The values that a step computes, in an order in which each follows those of the same step that it needs.
+//! The values that a step computes, in an order in which each follows those of the same step that
+//! it needs.
 
 use super::kinds::{Kind, NoSeries, kinds, reason};
 use super::{Entry, Motion, Rate};
@@ -98,7 +99,8 @@ impl Schedule {
         }
     }
 
-    /// Values that are not fixed among those that another one is computed from, in this step or an earlier one.
+    /// Values that are not fixed among those that another one is computed from, in this step or an
+    /// earlier one.
     fn inputs(&self, motion: &Motion<'_>, value: ValueId) -> Vec<ValueId> {
         let mut inputs = Vec::new();
         match self.source(motion, value) {

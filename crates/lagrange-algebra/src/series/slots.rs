@@ -11,7 +11,8 @@ pub enum Slot {
     Initial(usize),
     /// The coefficient of order k of this carried value.
     Carried(usize),
-    /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, of which xⱼ is the coefficient that step j kept.
+    /// Σ_{0≤j<k} xⱼ yₖ₋₁₋ⱼ of the factors of this sum, of which xⱼ is the coefficient that step j
+    /// kept.
     Sum(usize),
     /// The coefficient of this kept value as if accelerations were zero.
     Partial(usize),

@@ -108,7 +108,8 @@ fn solved(matrix: &[f64], residuals: &[f64]) -> Vec<f64> {
     }
 }
 
-/// The coefficient of order k of the rate equals (k + 1) times that of order k + 1 of the state: compares both sides at points.
+/// The coefficient of order k of the rate equals (k + 1) times that of order k + 1 of the state:
+/// compares both sides at points.
 fn defect(coefficients: &[Vec<f64>], h: f64, rhs: impl Fn(f64, &[f64]) -> Vec<f64>) -> f64 {
     let size = coefficients[0].len();
     let polynomial = |i: usize| coefficients.iter().rev().fold(0.0, |value, row| value * h + row[i]);
@@ -157,7 +158,8 @@ fn the_worked_pendulum_has_these_coefficients() {
     assert!(defect(&found, 0.1, |_, y| vec![y[1], -10.0 * y[0].sin()]) < 1e-13);
 }
 
-/// The rates of a state of one coordinate and its velocity, evaluated from the acceleration as an expression.
+/// The rates of a state of one coordinate and its velocity, evaluated from the acceleration as an
+/// expression.
 fn rates(graph: &Graph, acceleration: ExprId) -> impl Fn(f64, &[f64]) -> Vec<f64> {
     move |t, y| {
         let value = lagrange_expr::expr::evaluate(graph, &[acceleration], |role| match role {
@@ -258,7 +260,8 @@ fn accelerations_follow_from_residuals() {
     let unexpanded = rates.into_iter().zip(velocities).collect();
     let mut motion = Expressions { graph, state, unexpanded, residuals: residuals.to_vec() };
     let (programs, _) = motion.programs();
-    // Four products for each angle: the components of its velocity, which are the rates of sine and cosine, and those of the force.
+    // Four products for each angle: the components of its velocity, which are the rates of sine and
+    // cosine, and those of the force.
     assert_eq!(programs.sums.len(), 8);
     let start = [2.0, 1.5, 0.3, -0.2];
     let found = expanded(&programs, value_of(&start), &start);

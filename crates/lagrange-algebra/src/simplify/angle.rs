@@ -10,7 +10,8 @@ use lagrange_expr::number::Number;
 /// `constant + Σ coefficient · part`, without zero coefficients; parts are no sums.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Angle {
-    /// In ascending order. Angles of long chains have many parts, and a vector of them is added up in one pass.
+    /// In ascending order. Angles of long chains have many parts, and a vector of them is added up
+    /// in one pass.
     parts: Vec<(ExprId, Number)>,
     constant: Number,
 }
@@ -124,7 +125,8 @@ impl Angles {
 /// The linear combination of what is no sum that an expression is.
 fn opened(graph: &Graph, id: ExprId) -> Angle {
     let mut angle = Angle::default();
-    // Parents are larger than children: what several sums share is opened once, with all its coefficients added up.
+    // Parents are larger than children: what several sums share is opened once, with all its
+    // coefficients added up.
     let mut pending = BTreeMap::from([(id, Number::ONE)]);
     while let Some((id, scale)) = pending.pop_last() {
         match graph.node(id) {

@@ -1,8 +1,9 @@
 //! Quotients without products of inertias.
 //!
-//! Eliminations multiply pivots out: what they divide by D is a sum of products of two masses, which leaves the range of floating-point
-//! numbers where its quotient does not. Here such a sum is divided term by term, so that every sum has the [grade](Grades) of one mass at
-//! most; the order of factors in a product is left to lowering, which keeps partial products in range, too.
+//! Eliminations multiply pivots out: what they divide by D is a sum of products of two masses,
+//! which leaves the range of floating-point numbers where its quotient does not. Here such a sum is
+//! divided term by term, so that every sum has the [grade](Grades) of one mass at most; the order
+//! of factors in a product is left to lowering, which keeps partial products in range, too.
 
 use super::monomial::Monomial;
 use crate::calculus::{Grades, rebuild};
@@ -15,8 +16,9 @@ const MAX_FACTORS: usize = 64;
 /// Depth to which quotients within quotients are taken apart: one for each elimination.
 const MAX_DEPTH: usize = 12;
 
-/// Returns the expressions that stand for those that `roots` are made of, where they are others. `unit` is something that never vanishes
-/// and has the grade of a mass: both sides of a quotient of two products of masses are divided by it.
+/// Returns the expressions that stand for those that `roots` are made of, where they are others.
+/// `unit` is something that never vanishes and has the grade of a mass: both sides of a quotient of
+/// two products of masses are divided by it.
 pub fn balanced(graph: &mut Graph, roots: &[ExprId], unit: Option<ExprId>) -> HashMap<ExprId, ExprId> {
     let mut grades = Grades::of(graph, roots);
     grades.extend(graph, unit.as_slice());
@@ -43,7 +45,8 @@ struct Balance {
 }
 
 impl Balance {
-    /// A product, or a multiple of one, whose sums are no larger than one mass if what they are divided by allows that.
+    /// A product, or a multiple of one, whose sums are no larger than one mass if what they are
+    /// divided by allows that.
     fn product(&mut self, graph: &mut Graph, id: ExprId, depth: usize) -> ExprId {
         let (coefficient, core) = graph.split_coefficient(id);
         let Node::Product(factors) = graph.node(core).clone() else { return id };
@@ -133,7 +136,8 @@ impl Balance {
         (grade.abs() <= Number::ONE && !divisor.is_one()).then_some(divisor)
     }
 
-    /// True if no factor need be there to divide the sum by: it is divided by itself, or a product of masses is divided by it.
+    /// True if no factor need be there to divide the sum by: it is divided by itself, or a product
+    /// of masses is divided by it.
     fn needs_unit(&mut self, graph: &Graph, exponent: &Number, others: &Monomial) -> bool {
         let (below, _) = others.split(|_, power| power.is_negative());
         exponent.is_negative() || self.largest_sum(graph, &below).is_some()

@@ -8,12 +8,13 @@ use lagrange_expr::expr::Graph;
 use lagrange_expr::expr::Node;
 use lagrange_expr::number::Number;
 
-/// Depth to which sums are searched for common factors: what all terms share shows near the top, and each level opens sums that
-/// others share.
+/// Depth to which sums are searched for common factors: what all terms share shows near the top,
+/// and each level opens sums that others share.
 const DEEPEST: usize = 6;
 
-/// `numerator / denominator`. If the denominator is a product and the terms of the numerator share a factor
-/// with it, that is cancelled and what else they share is drawn out, provided that makes the formula shorter.
+/// `numerator / denominator`. If the denominator is a product and the terms of the numerator share
+/// a factor with it, that is cancelled and what else they share is drawn out, provided that makes
+/// the formula shorter.
 pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> ExprId {
     let plain = graph.divide(numerator, denominator);
     let (scale, core) = graph.split_coefficient(denominator);
@@ -66,7 +67,8 @@ impl Canceller {
         common
     }
 
-    /// The expression divided by positive powers that divide it, with the division done inside of sums.
+    /// The expression divided by positive powers that divide it, with the division done inside of
+    /// sums.
     fn divide(&mut self, graph: &mut Graph, id: ExprId, divisor: &Monomial, depth: usize) -> ExprId {
         if divisor.is_one() {
             return id;

@@ -7,11 +7,11 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// `Σ coefficient · term`, with equal products added up however they are nested, `a·cos²x + a·sin²x`
-/// replaced by `a`, and `a·cosh²x - a·sinh²x` by `a`.
+/// `Σ coefficient · term`, with equal products added up however they are nested,
+/// `a·cos²x + a·sin²x` replaced by `a`, and `a·cosh²x - a·sinh²x` by `a`.
 ///
-/// Products are compared, and the factors of `a` may be spread, over up to 16 nested parts. What is not
-/// replaced stays as it is; if nothing is replaced, the result is that of [`Graph::sum`].
+/// Products are compared, and the factors of `a` may be spread, over up to 16 nested parts. What is
+/// not replaced stays as it is; if nothing is replaced, the result is that of [`Graph::sum`].
 pub fn collect(graph: &mut Graph, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 {
         return graph.sum(Number::ZERO, terms);
@@ -46,8 +46,8 @@ fn join_squares(graph: &mut Graph, terms: &[(ExprId, Number)]) -> Option<Vec<(Ex
     Some(result)
 }
 
-/// The terms without coefficients of their own, products of the same factors added up under the first of
-/// them, and those that cancel left out.
+/// The terms without coefficients of their own, products of the same factors added up under the
+/// first of them, and those that cancel left out.
 fn add_equal_products(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<(ExprId, Number)> {
     let mut sums: OrderedMap<Monomial, (ExprId, Number)> = OrderedMap::default();
     for (id, coefficient) in terms {
@@ -101,7 +101,8 @@ fn remove_all(graph: &mut Graph, product: ExprId, removed: &Monomial) -> ExprId 
     rest
 }
 
-/// The product without up to `wanted` powers of `base`, wherever they stand in it, and how many were found.
+/// The product without up to `wanted` powers of `base`, wherever they stand in it, and how many
+/// were found.
 fn take_out(graph: &mut Graph, product: ExprId, base: ExprId, wanted: i32) -> (ExprId, i32) {
     let Node::Product(factors) = graph.node(product).clone() else { return (product, 0) };
     let mut factors = factors.into_vec();

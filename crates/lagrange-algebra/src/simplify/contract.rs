@@ -1,15 +1,15 @@
 //! Sums of products of sines and cosines with as few terms as possible, so that little cancels.
 //!
-//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, where what cancels
-//! does so exactly; what is left is gathered into products again:
+//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, where
+//! what cancels does so exactly; what is left is gathered into products again:
 //!
 //! ```text
 //! cos a cos b = ½ cos(a − b) + ½ cos(a + b),     cos a − cos b = −2 sin((a + b)/2) sin((a − b)/2), …
 //! ```
 //!
-//! (Abramowitz and Stegun, §4.3.31–37). So sin a cos b − cos a sin b becomes sin(a − b), in which the angles are
-//! subtracted before their sine is taken; m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin² a; and 1 − cos a
-//! becomes 2 sin²(a/2).
+//! (Abramowitz and Stegun, §4.3.31–37). So sin a cos b − cos a sin b becomes sin(a − b), in which
+//! the angles are subtracted before their sine is taken; m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin²
+//! a; and 1 − cos a becomes 2 sin²(a/2).
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Number of sines and cosines up to which a product is written as a sum of waves: n of them make 2ⁿ⁻¹ terms.
+/// Number of sines and cosines up to which a product is written as a sum of waves: n of them make
+/// 2ⁿ⁻¹ terms.
 const MAX_WAVES: usize = 4;
 /// Number of terms up to which a sum is contracted, since all pairs of its waves are compared.
 const MAX_TERMS: usize = 64;
@@ -40,8 +41,8 @@ struct Group {
     products: Vec<WaveProduct>,
 }
 
-/// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise. `angles` remembers how angles
-/// have been written before.
+/// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise.
+/// `angles` remembers how angles have been written before.
 pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 || terms.len() > MAX_TERMS {
         return graph.sum(Number::ZERO, terms);
@@ -194,7 +195,8 @@ fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
     Some(WaveProduct { coefficient, waves: common })
 }
 
-/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2 and (a − b)/2.
+/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2
+/// and (a − b)/2.
 fn sum_to_product(
     x: &Wave,
     y: &Wave,

@@ -2,15 +2,18 @@
 
 use super::polynomial::Polynomial;
 
-/// Number of monomials that may be made on the way for each one allowed in a result. What cancels is made first, so that the way is
-/// longer than the result; without a bound nested products would make exponentially many.
+/// Number of monomials that may be made on the way for each one allowed in a result. What cancels
+/// is made first, so that the way is longer than the result; without a bound nested products would
+/// make exponentially many.
 const EFFORT_PER_MONOMIAL: usize = 50;
 
-/// Number of ways of reading a term as a side of a rule that may be tried for each monomial allowed in a result. Where frames are
-/// skew, a term is read in dozens of ways, and rules are applied again wherever one of them matched.
+/// Number of ways of reading a term as a side of a rule that may be tried for each monomial allowed
+/// in a result. Where frames are skew, a term is read in dozens of ways, and rules are applied
+/// again wherever one of them matched.
 const READINGS_PER_MONOMIAL: usize = 50;
 
-/// Monomials that may be in a result, those that may still be made, and ways of reading terms that may still be tried.
+/// Monomials that may be in a result, those that may still be made, and ways of reading terms that
+/// may still be tried.
 pub(super) struct Effort {
     budget: usize,
     left: usize,

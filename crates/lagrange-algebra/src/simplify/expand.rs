@@ -1,8 +1,9 @@
 //! Multiplying out within a budget.
 //!
 //! Expressions are taken in ascending order, so that what they are made of is known when their turn
-//! comes. Arguments of functions, bases of roots and of denominators stay closed, but are themselves
-//! written in the form that [`Expander::readable`] gives. What exceeds the budget stays closed too.
+//! comes. Arguments of functions, bases of roots and of denominators stay closed, but are
+//! themselves written in the form that [`Expander::readable`] gives. What exceeds the budget stays
+//! closed too.
 
 use std::rc::Rc;
 
@@ -19,7 +20,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Exponent up to which powers of sums are multiplied out: (a + b + c)⁸ has 45 monomials, and readers prefer the power before that.
+/// Exponent up to which powers of sums are multiplied out: (a + b + c)⁸ has 45 monomials, and
+/// readers prefer the power before that.
 const HIGHEST_POWER: i32 = 8;
 
 /// Purpose of a result.
@@ -78,8 +80,8 @@ impl Expander {
         self.expanded.get(&id).cloned().unwrap_or_else(|| Rc::new(Polynomial::atom(graph, id)))
     }
 
-    /// The polynomial with identities applied: each rule for reading, powers of sines and hyperbolic
-    /// sines replaced for comparing.
+    /// The polynomial with identities applied: each rule for reading, powers of sines and
+    /// hyperbolic sines replaced for comparing.
     pub(super) fn simplified(&mut self, graph: &mut Graph, polynomial: &Polynomial) -> Option<Polynomial> {
         match self.purpose {
             Purpose::Reading => apply_rules(graph, &RULES, polynomial, |readings| self.effort.read(readings)),

@@ -9,7 +9,8 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of terms up to which a coefficient is searched for common factors: every group that is drawn out searches the rest again.
+/// Number of terms up to which a coefficient is searched for common factors: every group that is
+/// drawn out searches the rest again.
 const MAX_TERMS: usize = 64;
 
 /// An expression with the value of the polynomial.
@@ -32,8 +33,8 @@ pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
     graph.sum(Number::ZERO, parts)
 }
 
-/// The polynomial with terms that differ only in sines and cosines put together: what stands in brackets,
-/// like sin a cos b − cos a sin b, is often needed again.
+/// The polynomial with terms that differ only in sines and cosines put together: what stands in
+/// brackets, like sin a cos b − cos a sin b, is often needed again.
 pub(super) fn gather_waves(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
     let is_wave = |graph: &Graph, base: ExprId| {
         matches!(graph.node(base), Node::Call(Function::Sin | Function::Cos, _))
@@ -61,7 +62,8 @@ impl Term {
     }
 }
 
-/// Terms by the product of their factors that `is_key` accepts; what remains of them are the values.
+/// Terms by the product of their factors that `is_key` accepts; what remains of them are the
+/// values.
 fn classify(terms: Vec<Term>, is_key: impl Fn(ExprId, &Number) -> bool) -> Vec<(Monomial, Vec<Term>)> {
     let mut classes: OrderedMap<Monomial, Vec<Term>> = OrderedMap::default();
     for term in terms {
@@ -144,8 +146,8 @@ fn by_common_factor(graph: &mut Graph, mut terms: Vec<Term>) -> Vec<(ExprId, Num
     parts
 }
 
-/// The monomial that is left of the most terms when one factor is taken away, longest first; and which
-/// terms these are.
+/// The monomial that is left of the most terms when one factor is taken away, longest first; and
+/// which terms these are.
 fn largest_group(terms: &[Term]) -> Option<(Monomial, Vec<usize>)> {
     let mut groups: OrderedMap<Monomial, Vec<usize>> = OrderedMap::default();
     for (index, term) in terms.iter().enumerate() {

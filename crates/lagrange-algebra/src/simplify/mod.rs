@@ -1,19 +1,19 @@
 //! Simplification by named, directional rules.
 //!
-//! [`RULES`] lists every identity that is used, with its domain and the reason why applying it ends.
-//! For the equations that become code:
+//! [`RULES`] lists every identity that is used, with its domain and the reason why applying it
+//! ends. For the equations that become code:
 //!
-//! - [`collect()`] removes what a rule removes and otherwise leaves the nesting of a formula alone, because that nesting is
-//!   what keeps derived equations small;
+//! - [`collect()`] removes what a rule removes and otherwise leaves the nesting of a formula alone,
+//!   because that nesting is what keeps derived equations small;
 //! - [`quotient`] cancels what the equation of a single coordinate shares with its inertia;
-//! - [`contract()`] writes sums of products of sines and cosines with fewer terms, so that little cancels; [`open()`]
-//!   multiplies out what it may then contract;
+//! - [`contract()`] writes sums of products of sines and cosines with fewer terms, so that little
+//!   cancels; [`open()`] multiplies out what it may then contract;
 //! - [`content()`] is what expressions have in common;
 //! - [`multiply_out`] is for small systems, where what cancels is worth more than what is shared.
 //!
-//! For readers and for proofs, and unfit for code: [`present()`] multiplies out within a budget and regroups,
-//! [`proves_zero`] multiplies out to decide whether nothing is left, [`vanishing()`] for which of many values that is
-//! worth trying.
+//! For readers and for proofs, and unfit for code: [`present()`] multiplies out within a budget and
+//! regroups, [`proves_zero`] multiplies out to decide whether nothing is left, [`vanishing()`] for
+//! which of many values that is worth trying.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 

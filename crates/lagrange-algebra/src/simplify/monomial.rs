@@ -3,8 +3,8 @@
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of nested parts up to which a product is written flat. Products grow with every elimination; flat copies of all of them would
-/// take a time quadratic in the length of a chain.
+/// Number of nested parts up to which a product is written flat. Products grow with every
+/// elimination; flat copies of all of them would take a time quadratic in the length of a chain.
 pub(super) const MAX_FACTORS: usize = 16;
 
 /// `Π base ^ exponent`: ascending bases, no exponent zero. Equal monomials are equal values.
@@ -98,11 +98,11 @@ impl Monomial {
         graph.product(self.0.iter().cloned())
     }
 
-    /// The monomial of a product with nested products opened; `None` if more than `limit` nodes would
-    /// have to be visited.
+    /// The monomial of a product with nested products opened; `None` if more than `limit` nodes
+    /// would have to be visited.
     ///
-    /// Integer powers of products are distributed over the factors; other powers are not, because the
-    /// root of a product is not the product of the roots where two factors are negative.
+    /// Integer powers of products are distributed over the factors; other powers are not, because
+    /// the root of a product is not the product of the roots where two factors are negative.
     pub(super) fn of(graph: &Graph, id: ExprId, limit: usize) -> Option<Monomial> {
         let mut pending = vec![(id, Number::ONE)];
         let mut factors = Vec::new();

@@ -6,11 +6,12 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract()) takes.
+/// Number of terms to which anything is multiplied out, as many as [`contract`](super::contract())
+/// takes.
 const MAX_TERMS: usize = 64;
 
-/// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if they become
-/// too many. Roots and denominators stay closed.
+/// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if
+/// they become too many. Roots and denominators stay closed.
 pub fn open(
     graph: &mut Graph,
     terms: &[(ExprId, Number)],

@@ -1,7 +1,7 @@
 //! The engine behind the rules: finds pairs of terms that a rule turns into one.
 //!
-//! A term is read as a side of a rule in every possible way; readings are looked up by what the other
-//! side must look like. So the cost is proportional to the number of terms, not of pairs.
+//! A term is read as a side of a rule in every possible way; readings are looked up by what the
+//! other side must look like. So the cost is proportional to the number of terms, not of pairs.
 
 use super::monomial::{Monomial, Term};
 use super::rules::{Rule, RuleArguments};
@@ -13,7 +13,8 @@ use lagrange_expr::number::Number;
 #[derive(Debug)]
 pub(super) struct Joined {
     pub(super) term: Term,
-    /// The index of an input term of which this is a part; that term itself unless something was joined.
+    /// The index of an input term of which this is a part; that term itself unless something was
+    /// joined.
     pub(super) source: usize,
 }
 
@@ -44,7 +45,8 @@ impl Rule {
     }
 }
 
-/// Applies `rules` until none matches. `spend` is given the number of ways of reading each term; `None` if that is too much for it.
+/// Applies `rules` until none matches. `spend` is given the number of ways of reading each term;
+/// `None` if that is too much for it.
 pub(super) fn join(
     graph: &mut Graph,
     rules: &[Rule],

@@ -6,8 +6,8 @@ use super::monomial::{Monomial, Term};
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// A polynomial over expressions that are not looked into, with exact coefficients; no coefficient is
-/// zero. Ordered by monomials, that is by the age of the expressions in them.
+/// A polynomial over expressions that are not looked into, with exact coefficients; no coefficient
+/// is zero. Ordered by monomials, that is by the age of the expressions in them.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub(super) struct Polynomial(BTreeMap<Monomial, Number>);
 

@@ -1,7 +1,8 @@
 //! The identities, as data.
 //!
-//! Each rule turns two terms of a sum with the same cofactor into one. Source of the formulas: Abramowitz
-//! and Stegun, *Handbook of Mathematical Functions*, §4.3 (circular) and §4.5 (hyperbolic).
+//! Each rule turns two terms of a sum with the same cofactor into one. Source of the formulas:
+//! Abramowitz and Stegun, *Handbook of Mathematical Functions*, §4.3 (circular) and §4.5
+//! (hyperbolic).
 
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;

@@ -3,7 +3,8 @@
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard, never a wrong answer.
+/// Depth to which sums are looked into. A pivot is a sum of products of sums; a miss costs a guard,
+/// never a wrong answer.
 const DEEPEST: usize = 4;
 
 /// True if an expression is known to vanish in no configuration, given that parameters are

@@ -6,11 +6,14 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::symbol::Role;
 
-/// Monomials up to which a value is expanded to prove that it vanishes: room for any formula that people read.
+/// Monomials up to which a value is expanded to prove that it vanishes: room for any formula that
+/// people read.
 const PROOF_BUDGET: usize = 200;
-/// Number of expressions up to which a value is expanded at all. A zero that is missed costs operations or a line of documentation.
+/// Number of expressions up to which a value is expanded at all. A zero that is missed costs
+/// operations or a line of documentation.
 const LARGEST_EXPANDED: usize = 400;
-/// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than it ever does.
+/// Fraction of the largest number on the way to a zero that rounding may leave of it: far more than
+/// it ever does.
 pub const ROUNDING: f64 = 1e-8;
 
 /// Marks the values that are zero everywhere, as far as that can be proved quickly.
@@ -26,8 +29,9 @@ fn vanishes(graph: &mut Graph, value: ExprId) -> bool {
     !graph.is_larger_than(value, LARGEST_EXPANDED) && proves_zero(graph, value, PROOF_BUDGET)
 }
 
-/// Marks the values that differ from zero at a point chosen once and for all, by more than rounding can explain. Nobody
-/// need try to prove that these vanish, which matters where there are as many as entries of a mass matrix.
+/// Marks the values that differ from zero at a point chosen once and for all, by more than rounding
+/// can explain. Nobody need try to prove that these vanish, which matters where there are as many
+/// as entries of a mass matrix.
 fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
     let parts = graph.reachable(values);
     let at_point = evaluate(graph, &parts, somewhere);

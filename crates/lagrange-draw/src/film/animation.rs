@@ -128,7 +128,8 @@ impl Clock {
         format!("<{name} {what} dur=\"{duration}s\" repeatCount=\"indefinite\"{times} values=\"{values}\"/>")
     }
 
-    /// Values for all pictures: those that do not show the mark hold the last one, or wait with the first.
+    /// Values for all pictures: those that do not show the mark hold the last one, or wait with the
+    /// first.
     fn held<T>(&self, track: &[Option<T>], write: impl Fn(&T) -> String) -> Vec<Key> {
         let mut held = track.iter().flatten().next().map(&write).unwrap_or_default();
         let mut value = |value: &Option<T>| {
@@ -141,7 +142,8 @@ impl Clock {
     }
 }
 
-/// Keys without those between two others of the same value, if that is shorter in spite of times that must be written then.
+/// Keys without those between two others of the same value, if that is shorter in spite of times
+/// that must be written then.
 fn without_repetition(keys: &[Key]) -> Vec<Key> {
     let is_needed = |index: usize| {
         let is_inner = index > 0 && index + 1 < keys.len();
@@ -167,7 +169,8 @@ pub(super) fn with_children(mark: &Mark, attributes: &str, children: &str) -> St
     }
 }
 
-/// The length of a line that grows; a little more than its points say, so that rounding never leaves its end undrawn.
+/// The length of a line that grows; a little more than its points say, so that rounding never
+/// leaves its end undrawn.
 pub(super) fn full_length(mark: &Mark) -> f64 {
     let Mark::Path { segments, .. } = mark else { return 0.0 };
     lengths(segments).last().map_or(0.0, |length| length.ceil() + 1.0)
@@ -177,7 +180,8 @@ pub(super) fn place(pose: Pose) -> String {
     format!("{},{}", number(pose.at[0]), number(pose.at[1]))
 }
 
-/// An angle to a thousandth of a degree, which is less than a hundredth of a pixel on what fits on a screen.
+/// An angle to a thousandth of a degree, which is less than a hundredth of a pixel on what fits on
+/// a screen.
 pub(super) fn degrees(pose: Pose) -> String {
     short(&format!("{:.3}", pose.angle.to_degrees()))
 }

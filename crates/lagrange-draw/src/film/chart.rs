@@ -1,4 +1,5 @@
-//! The plot under the picture of a page: curves over time, and a cursor that the page's script moves.
+//! The plot under the picture of a page: curves over time, and a cursor that the page's script
+//! moves.
 
 use crate::timeline::Curve;
 use crate::timeline::Timeline;
@@ -23,7 +24,8 @@ const TIME: &str = "time t in s";
 const TICKS: u32 = 6;
 /// Number of colours for curves.
 const LOOKS: usize = 6;
-/// Curves whose values differ by a smaller part of them than this are shown as level, not as rounding.
+/// Curves whose values differ by a smaller part of them than this are shown as level, not as
+/// rounding.
 const LEVEL: f64 = 1e-6;
 
 /// A plot of curves over time.

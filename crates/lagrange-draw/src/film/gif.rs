@@ -15,12 +15,14 @@ use crate::raster::rasterise;
 const UNCHANGED: u8 = u8::MAX;
 /// Pictures that are looked at for colours.
 const SAMPLES: usize = 16;
-/// The shortest time, in hundredths of a second, for which viewers show a picture; they take less for a mistake.
+/// The shortest time, in hundredths of a second, for which viewers show a picture; they take less
+/// for a mistake.
 const SHORTEST: u64 = 2;
 
 impl<D: DrawnSpace> Film<D> {
-    /// The film as a GIF that plays again and again. Times are rounded to hundredths of a second, without adding up; of pictures
-    /// that follow each other faster than fifty times a second, some are left out.
+    /// The film as a GIF that plays again and again. Times are rounded to hundredths of a second,
+    /// without adding up; of pictures that follow each other faster than fifty times a second, some
+    /// are left out.
     ///
     /// # Errors
     /// If pictures are larger than 65535 pixels, or one is to be shown for longer than 655 seconds.
@@ -75,7 +77,8 @@ fn shown(elapsed: &[f64]) -> Vec<(usize, u64)> {
     starts.into_iter().zip(delays).map(|((index, _), delay)| (index, delay)).collect()
 }
 
-/// The part of a picture that differs from the one before; at least a pixel, since every picture takes its time.
+/// The part of a picture that differs from the one before; at least a pixel, since every picture
+/// takes its time.
 fn difference(before: Option<&[u8]>, picture: &[u8], width: u16, height: u16) -> Frame<'static> {
     let Some(before) = before else {
         return Frame {

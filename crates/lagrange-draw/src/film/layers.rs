@@ -1,7 +1,7 @@
 //! The composition of a film: marks and their changes.
 //!
-//! Most marks of a film are the ground, which stays, or rigid bodies, which turn and move; few of them bend. A layer holds a mark
-//! once, with no more than what changes of it.
+//! Most marks of a film are the ground, which stays, or rigid bodies, which turn and move; few of
+//! them bend. A layer holds a mark once, with no more than what changes of it.
 
 use std::cmp::Ordering;
 
@@ -13,7 +13,8 @@ use crate::svg;
 /// A mark of a film and what becomes of it.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Layer {
-    /// The mark as it is when first shown; where it moves, in coordinates of its own; where it grows, in the end.
+    /// The mark as it is when first shown; where it moves, in coordinates of its own; where it
+    /// grows, in the end.
     pub(super) mark: Mark,
     pub(super) change: Change,
 }

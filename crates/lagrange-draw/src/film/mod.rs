@@ -1,7 +1,7 @@
 //! Films: motions as HTML pages, as GIF, and as animated SVG or glTF.
 //!
-//! [`layers`] finds out how each mark of a picture changes, which the files hold instead of whole pictures; [`motion`] finds marks that only
-//! turn and move.
+//! [`layers`] finds out how each mark of a picture changes, which the files hold instead of whole
+//! pictures; [`motion`] finds marks that only turn and move.
 
 mod animation;
 mod chart;
@@ -33,7 +33,8 @@ use lagrange_runtime::scene::Plane;
 /// | `svg` | in the plane: plays in any browser, without a script; sharp at any size |
 /// | `glb` | in space: bodies and their motion as glTF 2.0, for viewers and Blender |
 ///
-/// All of them play in real time: one second of the motion, in its own unit of time, is a second of the film.
+/// All of them play in real time: one second of the motion, in its own unit of time, is a second of
+/// the film.
 ///
 /// ```text
 /// let film = Drawing::of(&system).film(&trajectory)?.with_columns(&trajectory, &["kinetic", "potential"])?;
@@ -46,11 +47,13 @@ pub struct Film<D: DrawnSpace = Plane> {
 }
 
 impl Film {
-    /// A film of pictures that are shown at these times, in seconds: rising, or falling if the motion ran backwards.
+    /// A film of pictures that are shown at these times, in seconds: rising, or falling if the
+    /// motion ran backwards.
     ///
     /// # Errors
-    /// If there is no picture, not one time for each picture, if times do not rise or fall throughout, if pictures differ in size or
-    /// in their number of marks, or if a mark is not at a finite place.
+    /// If there is no picture, not one time for each picture, if times do not rise or fall
+    /// throughout, if pictures differ in size or in their number of marks, or if a mark is not at a
+    /// finite place.
     pub fn new(pictures: Vec<Picture>, times: Vec<f64>) -> Result<Film, DrawError> {
         check_count(&times, pictures.len())?;
         let timeline = Timeline::new(times)?;
@@ -60,8 +63,8 @@ impl Film {
 }
 
 impl<D: DrawnSpace> Film<D> {
-    /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if it is an energy in SI units.
-    /// Values that are not finite leave a gap.
+    /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if
+    /// it is an energy in SI units. Values that are not finite leave a gap.
     ///
     /// # Errors
     /// If there is not one value for each picture.
@@ -84,18 +87,20 @@ impl<D: DrawnSpace> Film<D> {
         self.recording.pictures()
     }
 
-    /// Returns the film as an HTML page that needs nothing else: to play, pause and scrub, in space to turn with the mouse and to zoom, with curves
-    /// under the picture. Without scripts, in space without WebGL 2, it shows the first picture; where less motion is preferred, it waits to be
+    /// Returns the film as an HTML page that needs nothing else: to play, pause and scrub, in space
+    /// to turn with the mouse and to zoom, with curves under the picture. Without scripts, in space
+    /// without WebGL 2, it shows the first picture; where less motion is preferred, it waits to be
     /// started.
     pub fn html(&self) -> String {
         self.recording.page(&self.timeline)
     }
 
-    /// Saves it to a file: an HTML page, GIF, in the plane animated SVG, in space glTF, by the extension. An older file stays until the new one is
-    /// whole.
+    /// Saves it to a file: an HTML page, GIF, in the plane animated SVG, in space glTF, by the
+    /// extension. An older file stays until the new one is whole.
     ///
     /// # Errors
-    /// If the extension is none of `html`, `gif`, and `svg` in the plane or `glb` in space, or the file cannot be written.
+    /// If the extension is none of `html`, `gif`, and `svg` in the plane or `glb` in space, or the
+    /// file cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();

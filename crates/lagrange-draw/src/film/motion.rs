@@ -1,8 +1,8 @@
 //! Finds marks that turn and move without changing their shape.
 //!
-//! The turn between two sets of corresponding points that fits best in the sense of least squares is, about their means, the
-//! angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization for Geometric Computation* (1996), the plane case of
-//! fitting a rotation.
+//! The turn between two sets of corresponding points that fits best in the sense of least squares
+//! is, about their means, the angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization
+//! for Geometric Computation* (1996), the plane case of fitting a rotation.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +23,8 @@ pub(super) struct Pose {
 /// written numbers.
 const TOLERANCE: f64 = 0.01;
 
-/// The shape in coordinates of its own and its pose in each picture that shows it; none if it changes its shape.
+/// The shape in coordinates of its own and its pose in each picture that shows it; none if it
+/// changes its shape.
 pub(super) fn rigid_motion(
     first: &[Segment],
     shapes: &[Option<&[Segment]>],

@@ -1,4 +1,5 @@
-//! The film as one HTML file: its first picture, what changes of it as JSON, and a script that plays it.
+//! The film as one HTML file: its first picture, what changes of it as JSON, and a script that
+//! plays it.
 
 use crate::film::animation::{full_length, visibility, with_children, with_marks};
 use crate::film::chart::{Chart, look};
@@ -22,7 +23,8 @@ const LAYERS: &str = include_str!("layers.js");
 /// Title of a page without one.
 const UNTITLED: &str = "Film";
 
-/// A page that plays something: its own style, data and script show a moment, the player does the rest.
+/// A page that plays something: its own style, data and script show a moment, the player does the
+/// rest.
 pub(crate) struct Page<'a> {
     /// In the notation of formulas.
     pub(crate) title: &'a str,
@@ -33,7 +35,8 @@ pub(crate) struct Page<'a> {
     pub(crate) picture: String,
     /// Fields of JSON that the viewer reads.
     pub(crate) shown: String,
-    /// A script with a function `viewer`, which returns one that shows the moment between a picture and the next.
+    /// A script with a function `viewer`, which returns one that shows the moment between a picture
+    /// and the next.
     pub(crate) viewer: &'a str,
     /// Further key bindings.
     pub(crate) keys: &'a str,

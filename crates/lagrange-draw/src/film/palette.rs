@@ -1,8 +1,9 @@
 //! The colours of a GIF: at most 256 for all of its pictures.
 //!
-//! Boxes of colours are halved across their longest side until there are enough of them, as in Heckbert, *Color image
-//! quantization for frame buffer display* (1982), but in the middle instead of at the median: pictures are mostly background,
-//! and what counts are the shades between it and the lines.
+//! Boxes of colours are halved across their longest side until there are enough of them, as in
+//! Heckbert, *Color image quantization for frame buffer display* (1982), but in the middle instead
+//! of at the median: pictures are mostly background, and what counts are the shades between it and
+//! the lines.
 
 use std::collections::BTreeMap;
 
@@ -24,9 +25,11 @@ impl Histogram {
         }
     }
 
-    /// The colours that stand for all, no more than this many: of each box the most frequent, so that areas keep their colour.
+    /// The colours that stand for all, no more than this many: of each box the most frequent, so
+    /// that areas keep their colour.
     pub(super) fn palette(self, limit: usize) -> Palette {
-        // Each with the length of its longest side, which would else be looked for again at every halving of another one.
+        // Each with the length of its longest side, which would else be looked for again at every
+        // halving of another one.
         let measured = |colours: Vec<(Rgb, u64)>| (longest_side(&colours).1, colours);
         let mut boxes = vec![measured(self.counts.into_iter().collect())];
         while boxes.len() < limit {
@@ -92,8 +95,8 @@ impl Palette {
         index
     }
 
-    /// The first of the nearest colours. They are sorted by red, so that the search goes on from both sides of that of the colour until the
-    /// reds alone are further apart than the best.
+    /// The first of the nearest colours. They are sorted by red, so that the search goes on from
+    /// both sides of that of the colour until the reds alone are further apart than the best.
     fn nearest(&self, colour: Rgb) -> usize {
         let red = self.colours.partition_point(|other| other[0] < colour[0]);
         let mut best = (u32::MAX, 0);

@@ -24,7 +24,8 @@ use lagrange_runtime::scalar::{Number, Scalar};
 use lagrange_runtime::scene::{Plane, Scene};
 use lagrange_runtime::system::split;
 
-/// The longest arrows take this part of the smaller side; on a free body they are the matter itself.
+/// The longest arrows take this part of the smaller side; on a free body they are the matter
+/// itself.
 const LONGEST: f64 = 0.25;
 const LONGEST_FREE: f64 = 0.35;
 
@@ -105,7 +106,8 @@ where
         Ok(Snapshot { remainder, ..snapshot.free_body(name) })
     }
 
-    /// The scene in another configuration at another time: what is in the same place there does not move.
+    /// The scene in another configuration at another time: what is in the same place there does not
+    /// move.
     fn elsewhere(&self, (t, y): &Instant<M>) -> Snapshot {
         let (mut q, v) = split::<M>(y);
         // No period is a fraction of such steps.

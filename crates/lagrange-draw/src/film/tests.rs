@@ -1,4 +1,5 @@
-//! Films of a pendulum drawn by hand, with every kind of mark: some stay, turn, move, grow, bend, appear and vanish.
+//! Films of a pendulum drawn by hand, with every kind of mark: some stay, turn, move, grow, bend,
+//! appear and vanish.
 
 mod errors;
 mod gif;

@@ -17,22 +17,27 @@ where
     M::Scalar: Into<f64>,
 {
     /// A film of the samples of a trajectory, such as those of a run
-    /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of samples at the same time, which impacts may leave,
-    /// it shows the last. Where a control set inputs, forces are those of the inputs of each sample. If the run observed its [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
+    /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of
+    /// samples at the same time, which impacts may leave, it shows the last. Where a control set
+    /// inputs, forces are those of the inputs of each sample. If the run observed its
+    /// [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
     ///
     /// # Errors
-    /// If there are more than 100 000 pictures, or one cannot be made, as [`pictures`](Drawing::pictures) says.
+    /// If there are more than 100 000 pictures, or one cannot be made, as
+    /// [`pictures`](Drawing::pictures) says.
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
         let film = self.film_of(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
-    /// A film of about this many pictures a second from a run that was [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are
-    /// equal, and such that the last picture shows the end. Where a control set inputs, forces are those of the inputs of the last sample before
-    /// each picture.
+    /// A film of about this many pictures a second from a run that was
+    /// [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are equal, and such
+    /// that the last picture shows the end. Where a control set inputs, forces are those of the
+    /// inputs of the last sample before each picture.
     ///
     /// # Errors
-    /// If the run was not dense, the number is not positive and finite, there are more than 100 000 pictures, or one cannot be made.
+    /// If the run was not dense, the number is not positive and finite, there are more than 100 000
+    /// pictures, or one cannot be made.
     pub fn film_at(
         &self,
         pictures_a_second: f64,
@@ -75,7 +80,8 @@ impl<D: DrawnSpace> Film<D> {
         Ok(film)
     }
 
-    /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the trajectory that the film was made of.
+    /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the
+    /// trajectory that the film was made of.
     ///
     /// # Errors
     /// If the trajectory does not know the state at the time of one of the pictures.
@@ -113,7 +119,8 @@ fn refuse_too_many(pictures: f64) -> Result<(), DrawError> {
     )))
 }
 
-/// The samples of a trajectory, of those at the same time the last, each with the system as inputs made it then.
+/// The samples of a trajectory, of those at the same time the last, each with the system as inputs
+/// made it then.
 fn samples<M: MechanicalSystem>(trajectory: &Trajectory<M>, system: &M) -> Result<Vec<Shot<M>>, DrawError> {
     let times = trajectory.times();
     let is_last = |index: &usize| times.get(index + 1).is_none_or(|next| *next != times[*index]);

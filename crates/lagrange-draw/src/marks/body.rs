@@ -12,7 +12,8 @@ use crate::view::View;
 const MASS: f64 = 11.0;
 const ROD: f64 = 6.0;
 
-/// The marks of a body. Rims lie behind areas, so that only what bounds the whole of its parts is seen of them.
+/// The marks of a body. Rims lie behind areas, so that only what bounds the whole of its parts is
+/// seen of them.
 pub(super) fn marks(
     place: &Place,
     center: Point,

@@ -31,7 +31,8 @@ fn frame(from: Point, to: Point) -> (f64, impl Fn([f64; 2]) -> Point) {
     (size, move |[x, y]: [f64; 2]| add(from, add(times(x, along), times(y, turned(along)))))
 }
 
-/// Returns the lines of a connector: `lane` places on the left between its ends or, about a point, around as many others.
+/// Returns the lines of a connector: `lane` places on the left between its ends or, about a point,
+/// around as many others.
 pub(super) fn segments(kind: Connector, ends: [Point; 2], lane: f64) -> Vec<Segment> {
     match kind {
         Connector::Spring => beside(ends, lane, coil),
@@ -70,7 +71,8 @@ fn dashpot(from: Point, to: Point) -> Vec<Segment> {
     lines.into_iter().flat_map(|line| polyline(line.into_iter().map(&place), false)).collect()
 }
 
-/// A connector so many places on the left of the line between its ends, with which it is joined at both of them.
+/// A connector so many places on the left of the line between its ends, with which it is joined at
+/// both of them.
 fn beside(
     [from, to]: [Point; 2],
     lane: f64,
@@ -132,8 +134,9 @@ mod tests {
         assert_eq!(coil([0.0, 0.0], [9.0, 0.0]).len(), coil([0.0, 0.0], [99.0, 7.0]).len());
     }
 
-    /// Two of opposite places keep a distance in between, reach from end to end, and swap sides where one is declared against the
-    /// other: in any direction, and where both ends are in the same place.
+    /// Two of opposite places keep a distance in between, reach from end to end, and swap sides
+    /// where one is declared against the other: in any direction, and where both ends are in the
+    /// same place.
     #[test]
     fn connectors_beside_each_other_do_not_touch() {
         let around = (0..24).map(|k| direction(TAU * f64::from(k) / 24.0));

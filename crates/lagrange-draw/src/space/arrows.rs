@@ -91,7 +91,8 @@ impl Arrows<'_> {
         [of_kind(false), of_kind(true)].concat()
     }
 
-    /// Arrows, each by its name, its label, and where it is and what it shows at each moment; the longest has a readable length.
+    /// Arrows, each by its name, its label, and where it is and what it shows at each moment; the
+    /// longest has a readable length.
     fn arrows(
         &self,
         vectors: Vec<(&str, String, Vec<[Vector; 2]>)>,
@@ -113,7 +114,8 @@ impl Arrows<'_> {
         vectors.into_iter().map(thing).collect()
     }
 
-    /// Arrows that are smaller as a whole if they are short, and vanish if they have no length to be seen.
+    /// Arrows that are smaller as a whole if they are short, and vanish if they have no length to
+    /// be seen.
     fn track(&self, vectors: impl Iterator<Item = [Vector; 2]>) -> Vec<Placement> {
         const SEEN: f64 = 0.05;
         let sized = |placement: Placement| {

@@ -1,7 +1,8 @@
 //! Surfaces of plane faces, and lines: what things in space look like, in axes of their own.
 //!
-//! A thing is placed by a rotation and an origin. What reaches from one point to another, as springs and arrows do, is stretched along its own
-//! z-axis besides: each corner says how much of the stretch it takes part in, so that arrows get longer and their heads do not.
+//! A thing is placed by a rotation and an origin. What reaches from one point to another, as
+//! springs and arrows do, is stretched along its own z-axis besides: each corner says how much of
+//! the stretch it takes part in, so that arrows get longer and their heads do not.
 
 use std::collections::BTreeMap;
 
@@ -48,7 +49,8 @@ impl Placement {
         Placement { origin, rotation, stretch: 0.0, scale: 1.0 }
     }
 
-    /// Stretched from a point along a vector, moment by moment; about the vector it turns as little as it can.
+    /// Stretched from a point along a vector, moment by moment; about the vector it turns as little
+    /// as it can.
     pub(super) fn spanned(spans: impl IntoIterator<Item = [Vector; 2]>) -> Vec<Placement> {
         let mut before: Option<Rotation> = None;
         let placed = |[from, vector]: [Vector; 2]| {
@@ -79,11 +81,12 @@ impl Placement {
     }
 }
 
-/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but where they are its outline: cos 33°,
-/// for balls of few faces.
+/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but
+/// where they are its outline: cos 33°, for balls of few faces.
 const SMOOTH: f64 = 0.84;
 
-/// The edges of a mesh: for each face and each of its sides which face is behind it, and whether the surface has a corner there.
+/// The edges of a mesh: for each face and each of its sides which face is behind it, and whether
+/// the surface has a corner there.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Edges {
     sides: Vec<Vec<Neighbour>>,
@@ -162,8 +165,9 @@ fn own_points(mesh: &Mesh, face: &[usize]) -> Vec<Vector> {
         .collect()
 }
 
-/// The direction in which a plane polygon is counterclockwise, if it has an area.
-/// Source: Newell's method; Sutherland, Sproull, Schumacker, *A Characterization of Ten Hidden-Surface Algorithms* (1974).
+/// The direction in which a plane polygon is counterclockwise, if it has an area. Source: Newell's
+/// method; Sutherland, Sproull, Schumacker, *A Characterization of Ten Hidden-Surface Algorithms*
+/// (1974).
 pub(super) fn normal(points: &[Vector]) -> Option<Vector> {
     let first = points.first()?;
     let arms: Vec<Vector> = points.iter().map(|point| subtract(*point, *first)).collect();
@@ -211,7 +215,8 @@ mod tests {
 
     #[test]
     fn what_is_stretched_turns_about_itself_as_little_as_it_can() {
-        // The end goes up and down through the plane of x and y, by a rounding error now and then, and back upside down.
+        // The end goes up and down through the plane of x and y, by a rounding error now and then,
+        // and back upside down.
         let heights = [0.4, 0.1, 1e-17, -1e-17, 0.0, -0.0, -0.1, -0.6];
         let ends = heights
             .map(|z| [[0.0; 3], [1.0, 0.2, z]])

@@ -1,4 +1,5 @@
-//! Tracks in numbers that can be written: quaternions in the place of matrices, and what does not change once.
+//! Tracks in numbers that can be written: quaternions in the place of matrices, and what does not
+//! change once.
 
 use super::mesh::Placement;
 use super::recording::MovingMesh;
@@ -12,7 +13,8 @@ pub(super) type Quaternion = [f64; 4];
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Motion {
     pub(super) origins: Vec<Vector>,
-    /// Neighbours are on the same half of the sphere, so that the way between them is the short one.
+    /// Neighbours are on the same half of the sphere, so that the way between them is the short
+    /// one.
     pub(super) rotations: Vec<Quaternion>,
     pub(super) stretches: Vec<f64>,
     pub(super) scales: Vec<f64>,
@@ -49,7 +51,8 @@ fn rotations(track: &[Placement]) -> Vec<Quaternion> {
     track.iter().map(&mut next).collect()
 }
 
-/// The quaternion of a rotation. Source: Shepperd, *Quaternion from Rotation Matrix*, Journal of Guidance and Control 1 (1978).
+/// The quaternion of a rotation. Source: Shepperd, *Quaternion from Rotation Matrix*, Journal of
+/// Guidance and Control 1 (1978).
 pub(super) fn quaternion(r: &Rotation) -> Quaternion {
     let trace = r[0][0] + r[1][1] + r[2][2];
     let squares = [r[0][0], r[1][1], r[2][2], trace].map(|part| 1.0 - trace + 2.0 * part);

@@ -31,7 +31,8 @@ pub struct Projector {
     least: f64,
 }
 
-/// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the next one.
+/// Widths of edges, of lines of their own, and of the line around a face that leaves no gap to the
+/// next one.
 pub(super) const EDGE: f64 = 0.8;
 pub(super) const LINE: f64 = 1.5;
 const GAP: f64 = 0.6;
@@ -131,7 +132,8 @@ impl Projector {
         pieces
     }
 
-    /// A face with its normal, unless it has no area or, being one of a closed surface, is turned away from the eye.
+    /// A face with its normal, unless it has no area or, being one of a closed surface, is turned
+    /// away from the eye.
     fn seen(&self, corners: Vec<Vector>, is_closed: bool) -> Option<(Vec<Vector>, Vector)> {
         let normal = normal(&corners)?;
         let is_seen = !is_closed || dot(normal, self.camera.towards(corners[0])) > 0.0;

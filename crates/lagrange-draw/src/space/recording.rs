@@ -61,7 +61,8 @@ pub(crate) struct Trace {
 }
 
 impl Label {
-    /// A label at a place of a thing, which takes this share of a stretch; none if there is nothing to write.
+    /// A label at a place of a thing, which takes this share of a stretch; none if there is nothing
+    /// to write.
     pub(super) fn new(text: String, at: Vector, share: f64) -> Option<Label> {
         (!text.is_empty()).then_some(Label { text, at: Corner { at, share } })
     }
@@ -85,7 +86,8 @@ impl Recording {
         Ok(self)
     }
 
-    /// The middle of all that is ever seen, and how far it reaches from there; 1 if all is in one place.
+    /// The middle of all that is ever seen, and how far it reaches from there; 1 if all is in one
+    /// place.
     pub(super) fn ball(&self) -> (Vector, f64) {
         let [low, high] = bounds(self.places());
         let middle = mix(low, high, 0.5);

@@ -16,7 +16,8 @@ pub(super) struct Skeleton<'a> {
     thin: f64,
 }
 
-/// Radii of rods and of centres of mass, in terms of the radius of arrows, and corners around a rod.
+/// Radii of rods and of centres of mass, in terms of the radius of arrows, and corners around a
+/// rod.
 const ROD: f64 = 1.5;
 const CENTER: f64 = 2.6;
 const ROUND: usize = 16;
@@ -40,7 +41,8 @@ impl<'a> Skeleton<'a> {
         if part.is_hole { mesh.edges_only() } else { mesh }
     }
 
-    /// Rods from the origin of a link to the joints that it carries and, where there are none, to its centre of mass, which is a ball.
+    /// Rods from the origin of a link to the joints that it carries and, where there are none, to
+    /// its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
         let is_carried = |joint: &&Joint<Spatial>| {
             let [carrier, other] = joint.kind.links.each_ref().map(|name| name.as_ref() == Some(&link.name));

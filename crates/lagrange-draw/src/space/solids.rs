@@ -52,7 +52,8 @@ fn band(faces: &mut Vec<Vec<usize>>, [low, high]: [usize; 2], count: usize) {
     }));
 }
 
-/// A surface through circles about z, each given by its radius, height and share of the stretch, closed by flat ends.
+/// A surface through circles about z, each given by its radius, height and share of the stretch,
+/// closed by flat ends.
 fn turned(circles: &[(f64, f64, f64)], count: usize) -> Mesh {
     let corners = circles.iter().flat_map(|&(radius, z, share)| circle(radius, z, share, count)).collect();
     let mut faces = Vec::new();
@@ -73,7 +74,8 @@ fn cone(radius: f64, height: f64) -> Mesh {
     pointed(&[(radius, 0.0, 0.0)], (height, 0.0), ROUND)
 }
 
-/// A surface through circles about z with a tip behind the last, at a height and with a share of the stretch.
+/// A surface through circles about z with a tip behind the last, at a height and with a share of
+/// the stretch.
 fn pointed(circles: &[(f64, f64, f64)], (height, share): (f64, f64), count: usize) -> Mesh {
     let mut mesh = turned(circles, count);
     mesh.faces.pop();
@@ -180,7 +182,8 @@ pub(super) fn damper(radius: f64) -> Mesh {
 /// Length and width of an arrowhead, as multiples of the radius of its shaft.
 const HEAD: f64 = 9.0;
 const WIDTH: f64 = 3.2;
-/// The length of an arrow whose head does not take more than this part of it, in terms of the radius of its shaft.
+/// The length of an arrow whose head does not take more than this part of it, in terms of the
+/// radius of its shaft.
 pub(super) const SHORTEST_ARROW: f64 = 1.6 * HEAD;
 
 /// An arrow from one point to another.

@@ -1,10 +1,13 @@
 //! Faces and lines from back to front, so that what is painted later hides what is behind it.
 //!
-//! The plane of a face divides all others into those on the side of the eye and those behind, which are painted first; what it cuts is
-//! divided. On either side the same is done again. Where a plane across an axis of the world divides things without cutting any, that is
-//! taken before planes of faces; and the faces of a convex body that are seen hide none of each other, so that their order does not matter.
+//! The plane of a face divides all others into those on the side of the eye and those behind, which
+//! are painted first; what it cuts is divided. On either side the same is done again. Where a plane
+//! across an axis of the world divides things without cutting any, that is taken before planes of
+//! faces; and the faces of a convex body that are seen hide none of each other, so that their order
+//! does not matter.
 //!
-//! Source: Fuchs, Kedem, Naylor, *On Visible Surface Generation by A Priori Tree Structures*, SIGGRAPH 1980.
+//! Source: Fuchs, Kedem, Naylor, *On Visible Surface Generation by A Priori Tree Structures*,
+//! SIGGRAPH 1980.
 
 use super::camera::Camera;
 use super::vector::Vector;
@@ -42,7 +45,8 @@ enum Task {
     Paint(Vec<Fragment>),
 }
 
-/// Sorts pieces; `is_convex` says of each thing whether it is a convex body, and lengths below `least` count as none.
+/// Sorts pieces; `is_convex` says of each thing whether it is a convex body, and lengths below
+/// `least` count as none.
 pub(super) fn back_to_front(
     pieces: Vec<Fragment>,
     camera: &Camera,
@@ -63,7 +67,8 @@ pub(super) fn back_to_front(
                 };
                 let count = pieces.len();
                 let [front, within, behind] = divided(pieces, plane, least);
-                // Of faces so thin that rounding moves them out of their own planes none divides the others.
+                // Of faces so thin that rounding moves them out of their own planes none divides
+                // the others.
                 if within.is_empty() && count <= front.len().max(behind.len()) {
                     painted.extend(by_nearness(if front.is_empty() { behind } else { front }, camera));
                     continue;
@@ -90,7 +95,8 @@ fn is_in_order(pieces: &[Fragment], is_convex: &[bool]) -> bool {
     pieces.len() == 1 || (is_convex[first.thing] && pieces.iter().all(|piece| piece.thing == first.thing))
 }
 
-/// A plane across an axis with things on both sides and none in between: that which divides them most evenly.
+/// A plane across an axis with things on both sides and none in between: that which divides them
+/// most evenly.
 fn separation(pieces: &[Fragment]) -> Option<Plane> {
     let things = 1 + pieces.iter().map(|piece| piece.thing).max()?;
     let mut best: Option<(usize, Plane)> = None;
@@ -266,7 +272,8 @@ mod tests {
         Fragment { shape: FragmentShape::Face { corners, drawn, normal }, thing }
     }
 
-    /// A multiplicative congruential generator: Park, Miller, *Random Number Generators: Good Ones Are Hard to Find* (1988).
+    /// A multiplicative congruential generator: Park, Miller, *Random Number Generators: Good Ones
+    /// Are Hard to Find* (1988).
     struct Random(u64);
 
     impl Random {

@@ -1,4 +1,5 @@
-//! Surfaces as graphics processors take them: triangles between points with normals, and the edges that are drawn.
+//! Surfaces as graphics processors take them: triangles between points with normals, and the edges
+//! that are drawn.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,10 +7,12 @@ use super::mesh::{Edges, Mesh, Neighbour, normal};
 use super::vector::{Vector, cross};
 use crate::geometry::{add, dot, length, subtract, times, unit};
 
-/// The faces and edges of a mesh. Normals are right for any stretch: what takes part in one has sides along it.
+/// The faces and edges of a mesh. Normals are right for any stretch: what takes part in one has
+/// sides along it.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub(super) struct Surface {
-    /// A corner and the normal of the surface there; where the surface has an edge, corners have several.
+    /// A corner and the normal of the surface there; where the surface has an edge, corners have
+    /// several.
     pub(super) points: Vec<(usize, Vector)>,
     /// Points, counterclockwise as seen from outside.
     pub(super) triangles: Vec<[usize; 3]>,
@@ -17,11 +20,13 @@ pub(super) struct Surface {
     pub(super) flat: Vec<Vector>,
     /// Edges that are always drawn, each by its corners.
     pub(super) sharp: Vec<[usize; 2]>,
-    /// Edges that are drawn where they are the outline, by their corners and the faces on both sides.
+    /// Edges that are drawn where they are the outline, by their corners and the faces on both
+    /// sides.
     pub(super) smooth: Vec<[usize; 4]>,
 }
 
-/// A normal that differs more from that of a face, as at the tip of a cone, gives way to it: cos 50°.
+/// A normal that differs more from that of a face, as at the tip of a cone, gives way to it: cos
+/// 50°.
 const POINTED: f64 = 0.64;
 
 impl Surface {
@@ -48,8 +53,9 @@ impl Surface {
         surface
     }
 
-    /// The normal at a corner of a face: the mean of those of the faces that go on smoothly there, by their angles.
-    /// Source: Thürmer, Wüthrich, *Computing Vertex Normals from Polygonal Facets*, Journal of Graphics Tools 3 (1998).
+    /// The normal at a corner of a face: the mean of those of the faces that go on smoothly there,
+    /// by their angles. Source: Thürmer, Wüthrich, *Computing Vertex Normals from Polygonal
+    /// Facets*, Journal of Graphics Tools 3 (1998).
     fn smoothed(&self, mesh: &Mesh, edges: &Edges, around: &[usize], face: usize, corner: usize) -> Vector {
         let mut fan = vec![face];
         let mut next = 0;

@@ -28,7 +28,9 @@ fn transposed(rotation: &Rotation) -> Rotation {
     [0, 1, 2].map(|column| [0, 1, 2].map(|row| rotation[row][column]))
 }
 
-/// Axes whose third points in a direction of length one. Where it passes the plane of x and y, the other two jump. Source: Duff et al., *Building an Orthonormal Basis, Revisited*, Journal of Computer Graphics Techniques 6 (2017), listing 3.
+/// Axes whose third points in a direction of length one. Where it passes the plane of x and y, the
+/// other two jump. Source: Duff et al., *Building an Orthonormal Basis, Revisited*, Journal of
+/// Computer Graphics Techniques 6 (2017), listing 3.
 pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
     let sign = 1.0_f64.copysign(z);
     let a = -1.0 / (sign + z);
@@ -37,8 +39,8 @@ pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
     transposed(&[first, second, [x, y, z]])
 }
 
-/// Axes whose third points in a direction of length one, and whose first is as near to another direction as it can be; none if that is the
-/// same direction.
+/// Axes whose third points in a direction of length one, and whose first is as near to another
+/// direction as it can be; none if that is the same direction.
 pub(super) fn axes_near(first: Vector, along: Vector) -> Option<Rotation> {
     let first = unit(subtract(first, times(dot(first, along), along)))?;
     Some(transposed(&[first, cross(along, first), along]))

@@ -6,7 +6,8 @@ use crate::picture::{Mark, Picture};
 use lagrange_plot::characters::number;
 use lagrange_plot::label::{Anchor, Label, SUBSCRIPT};
 
-/// Texts that look like something else, that no document may hold as they are, or that no line has room for.
+/// Texts that look like something else, that no document may hold as they are, or that no line has
+/// room for.
 pub(crate) fn hostile() -> Vec<String> {
     let controls =
         (0..0x20).chain(0x7f..0xa0).chain([0x2028, 0x2029, 0xfdd0, 0xfffe, 0xffff, 0x1_fffe, 0x10_ffff]);

@@ -1,7 +1,7 @@
 //! Mistakes of a declaration: where they are, what is wrong in the user's words, what helps.
 //!
-//! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier between
-//! phases. Wording lives with the phase that finds the mistake, in its `messages` file.
+//! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier
+//! between phases. Wording lives with the phase that finds the mistake, in its `messages` file.
 
 mod rows;
 mod spelling;
@@ -32,8 +32,9 @@ impl Origin {
         Origin { start: self.start, end: other.end }
     }
 
-    /// Line and column of its first character, `3:7`, both counted from one, with the name of the file before them if it has
-    /// one: `src/main.rs:3:7`. `None` where nothing is known of them, as in servers of editors.
+    /// Line and column of its first character, `3:7`, both counted from one, with the name of the
+    /// file before them if it has one: `src/main.rs:3:7`. `None` where nothing is known of them, as
+    /// in servers of editors.
     fn place(self) -> Option<String> {
         let (file, start) = (self.start.file(), self.start.start());
         let is_known = start.line > 0 && !NOWHERE.contains(&file.as_str());
@@ -59,7 +60,8 @@ pub enum Severity {
     Unused(String),
     /// A warning: this is as meant, but takes long to compile.
     Expensive,
-    /// A warning: two things contradict each other, or a number is impossible, but equations can be derived.
+    /// A warning: two things contradict each other, or a number is impossible, but equations can be
+    /// derived.
     Doubtful,
 }
 
@@ -158,7 +160,8 @@ impl Report {
         &mut self.diagnostics[last]
     }
 
-    /// The mistake of this number, counted from zero in the order in which they are found, to add what is learnt later.
+    /// The mistake of this number, counted from zero in the order in which they are found, to add
+    /// what is learnt later.
     pub fn diagnostic_mut(&mut self, number: usize) -> Option<&mut Diagnostic> {
         self.diagnostics.get_mut(number)
     }

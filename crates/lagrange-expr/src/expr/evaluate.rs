@@ -8,7 +8,8 @@ use crate::symbol::Role;
 
 /// The values of `roots` where symbols have the values that `value_of` gives.
 ///
-/// A condition that compares with NaN makes the whole choice NaN. Functions of the user's have values that stand for any others.
+/// A condition that compares with NaN makes the whole choice NaN. Functions of the user's have
+/// values that stand for any others.
 pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64) -> Vec<f64> {
     let mut values: HashMap<ExprId, f64> = HashMap::default();
     for id in graph.reachable(roots) {
@@ -19,7 +20,8 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64)
     roots.iter().map(|root| values.get(root).copied().unwrap_or(f64::NAN)).collect()
 }
 
-/// The value of one node, where its operands have the values that `at` gives and symbols those that `value_of` gives.
+/// The value of one node, where its operands have the values that `at` gives and symbols those that
+/// `value_of` gives.
 pub fn node_value(
     graph: &Graph,
     id: ExprId,

@@ -81,10 +81,11 @@ pub(super) struct Facts {
     pub(super) dependencies: Dependencies,
     pub(super) nonnegative: bool,
     pub(super) partial: bool,
-    /// Names, numbers and function signs of the written-out expression. It saturates: the text of a graph can be exponentially long.
+    /// Names, numbers and function signs of the written-out expression. It saturates: the text of a
+    /// graph can be exponentially long.
     pub(super) written_size: u64,
-    /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x, or x = s |x| beside other terms
-    /// with s.
+    /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x,
+    /// or x = s |x| beside other terms with s.
     pub(super) slopes: Box<[ExprId]>,
 }
 

@@ -1,14 +1,15 @@
 //! Expressions as a hash-consed directed acyclic graph.
 //!
-//! A [`Graph`] owns every expression of one system; an [`ExprId`] is a handle into it. Equal expressions
-//! have equal ids, and children have smaller ids than their parents, so a loop over ascending ids is a
-//! walk from the leaves to the roots that needs no stack.
+//! A [`Graph`] owns every expression of one system; an [`ExprId`] is a handle into it. Equal
+//! expressions have equal ids, and children have smaller ids than their parents, so a loop over
+//! ascending ids is a walk from the leaves to the roots that needs no stack.
 //!
 //! Nodes come only from the constructors in [`sum`](Graph::sum), [`product`](Graph::product) and
-//! [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold numbers,
-//! collect equal terms and equal bases and sort operands. They do *not* multiply out, and they keep the
-//! nesting in which a formula was built unless something cancels: shared parts stay shared, which is
-//! what keeps derived equations small. The graph knows no algorithm; those are functions that take it.
+//! [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold
+//! numbers, collect equal terms and equal bases and sort operands. They do *not* multiply out, and
+//! they keep the nesting in which a formula was built unless something cancels: shared parts stay
+//! shared, which is what keeps derived equations small. The graph knows no algorithm; those are
+//! functions that take it.
 
 mod combine;
 mod evaluate;
@@ -85,7 +86,8 @@ pub enum Node {
     Pi,
     /// A symbol.
     Symbol(SymbolId),
-    /// `constant + Σ coefficient · term`. With a single term and no constant it is a scaled expression.
+    /// `constant + Σ coefficient · term`. With a single term and no constant it is a scaled
+    /// expression.
     Sum {
         /// The number added.
         constant: Number,
@@ -190,12 +192,14 @@ impl Graph {
         self.facts[id.index()].nonnegative
     }
 
-    /// True if there may be arguments for which the value is not defined, as of the root of what may be negative.
+    /// True if there may be arguments for which the value is not defined, as of the root of what
+    /// may be negative.
     pub fn is_partial(&self, id: ExprId) -> bool {
         self.facts[id.index()].partial
     }
 
-    /// Number of names, numbers and function signs that the expression takes when it is written out; it saturates.
+    /// Number of names, numbers and function signs that the expression takes when it is written
+    /// out; it saturates.
     pub fn written_size(&self, id: ExprId) -> u64 {
         self.facts[id.index()].written_size
     }
@@ -259,7 +263,8 @@ impl Graph {
         self.intern(Node::Symbol(id))
     }
 
-    /// Lets the rate of a position be this function of positions and velocities, not the velocity with the same index.
+    /// Lets the rate of a position be this function of positions and velocities, not the velocity
+    /// with the same index.
     pub fn set_rate(&mut self, position: ExprId, rate: ExprId) {
         self.rates.insert(position, rate);
     }
@@ -334,7 +339,8 @@ impl Graph {
         self.power(a, Number::TWO)
     }
 
-    /// A function call as it stands; [`crate::functions::apply`] is the constructor that simplifies.
+    /// A function call as it stands; [`crate::functions::apply`] is the constructor that
+    /// simplifies.
     pub fn call(&mut self, function: Function, arguments: &[ExprId]) -> ExprId {
         self.intern(Node::Call(function, arguments.into()))
     }
@@ -347,8 +353,8 @@ impl Graph {
         self.intern(Node::Opaque(function, arguments.into()))
     }
 
-    /// `if left relation right { then } else { otherwise }`; the condition is decided here if both sides
-    /// are numbers, and dropped if both values are the same expression.
+    /// `if left relation right { then } else { otherwise }`; the condition is decided here if both
+    /// sides are numbers, and dropped if both values are the same expression.
     pub fn choose(
         &mut self,
         relation: Relation,

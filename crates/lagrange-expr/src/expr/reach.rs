@@ -9,8 +9,8 @@ impl Graph {
         self.reachable_until(roots, |_| false)
     }
 
-    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through those that
-    /// `stop` accepts; those themselves are included.
+    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through
+    /// those that `stop` accepts; those themselves are included.
     pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
         let mut pending = roots.to_vec();

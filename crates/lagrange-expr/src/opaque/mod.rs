@@ -1,9 +1,11 @@
-//! Functions that are known by their values alone: those of the user's crate, tables, and solutions of equations.
+//! Functions that are known by their values alone: those of the user's crate, tables, and solutions
+//! of equations.
 //!
-//! Functions of the crate are only assumed to give equal values for equal arguments. A derivative is another function, which the user
-//! names or which has the name that [`default_name`] gives it; its values are known at run time only. Tables are differentiated
-//! piece by piece, and emitted code has functions of the same default names for them. Solutions of equations have derivatives with a
-//! formula, by implicit differentiation (`calculus::implicit`).
+//! Functions of the crate are only assumed to give equal values for equal arguments. A derivative
+//! is another function, which the user names or which has the name that [`default_name`] gives it;
+//! its values are known at run time only. Tables are differentiated piece by piece, and emitted
+//! code has functions of the same default names for them. Solutions of equations have derivatives
+//! with a formula, by implicit differentiation (`calculus::implicit`).
 
 mod spline;
 mod table;
@@ -30,20 +32,22 @@ pub struct OpaqueFunction {
 pub enum Source {
     /// A function of the user's crate.
     Crate {
-        /// Derivatives that it has, with the functions that compute them; `None` if every derivative has its default name.
+        /// Derivatives that it has, with the functions that compute them; `None` if every
+        /// derivative has its default name.
         derivatives: Option<Vec<(Orders, String)>>,
     },
     /// A table with as many axes as the function has arguments.
     Table(Table),
-    /// An equation that the graph keeps: the function is its solution. It has no orders, derivatives being formulas.
+    /// An equation that the graph keeps: the function is its solution. It has no orders,
+    /// derivatives being formulas.
     Equation,
 }
 
 /// Order of differentiation by each argument of a function.
 pub type Orders = Vec<u8>;
 
-/// The value of an opaque function, or one of its derivatives. Equal are those with the same name and the same orders: no
-/// declaration has two functions of one name.
+/// The value of an opaque function, or one of its derivatives. Equal are those with the same name
+/// and the same orders: no declaration has two functions of one name.
 #[derive(Clone, Debug)]
 pub struct Opaque {
     function: Arc<OpaqueFunction>,
@@ -144,8 +148,9 @@ impl Opaque {
         self.table().map(|table| table.value(&self.orders, arguments))
     }
 
-    /// A value in place of the unknown one, to tell at one point what may differ: a number between 1/2 and 3/2 that the function, the
-    /// orders and the arguments determine. NaN where an argument is.
+    /// A value in place of the unknown one, to tell at one point what may differ: a number between
+    /// 1/2 and 3/2 that the function, the orders and the arguments determine. NaN where an argument
+    /// is.
     pub fn stand_in(&self, arguments: &[f64]) -> f64 {
         let name = self.function.name.bytes().map(f64::from);
         let orders = self.orders.iter().map(|order| f64::from(*order));
@@ -195,7 +200,8 @@ impl Opaque {
         }
     }
 
-    /// In words: "the second derivative of `road`", or "the derivative of `lift` by `alpha`, `speed`".
+    /// In words: "the second derivative of `road`", or "the derivative of `lift` by `alpha`,
+    /// `speed`".
     pub fn describe(&self) -> String {
         let name = &self.function.name;
         if self.order() == 0 {
@@ -213,8 +219,8 @@ impl Opaque {
     }
 }
 
-/// The name of the function that computes a derivative: of one argument `f_derivative`, `f_second_derivative`, …, of several `f_by_x`,
-/// `f_by_x_x`, `f_by_x_y`, ….
+/// The name of the function that computes a derivative: of one argument `f_derivative`,
+/// `f_second_derivative`, …, of several `f_by_x`, `f_by_x_x`, `f_by_x_y`, ….
 pub fn default_name(name: &str, parameters: &[String], orders: &[u8]) -> String {
     match orders {
         [0] => name.to_owned(),

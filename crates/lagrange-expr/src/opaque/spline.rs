@@ -1,7 +1,8 @@
 //! Splines through points: the polynomials between them, and what goes on beyond.
 //!
-//! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for the natural spline; Fritsch and Carlson, "Monotone piecewise cubic
-//! interpolation", SIAM Journal on Numerical Analysis 17 (1980) 238–246, for slopes that keep monotone data monotone.
+//! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for the natural spline; Fritsch
+//! and Carlson, "Monotone piecewise cubic interpolation", SIAM Journal on Numerical Analysis 17
+//! (1980) 238–246, for slopes that keep monotone data monotone.
 
 /// Function between the points of a table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -55,8 +56,9 @@ impl Outside {
     }
 }
 
-/// Coefficients, of ascending powers of the distance from where a piece begins, of the polynomials before the first knot, between two
-/// of them, and behind the last. The first one counts from the first knot.
+/// Coefficients, of ascending powers of the distance from where a piece begins, of the polynomials
+/// before the first knot, between two of them, and behind the last. The first one counts from the
+/// first knot.
 pub(super) fn pieces(
     knots: &[f64],
     values: &[f64],
@@ -107,8 +109,9 @@ fn end_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     secants.into_iter().chain([last]).collect()
 }
 
-/// Slopes of which the cubics between the points are monotone where the points are: means of the secants on both sides, zero where the
-/// points turn, and made smaller where they lie outside the circle α² + β² = 9.
+/// Slopes of which the cubics between the points are monotone where the points are: means of the
+/// secants on both sides, zero where the points turn, and made smaller where they lie outside the
+/// circle α² + β² = 9.
 fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len() - 1;
@@ -132,8 +135,8 @@ fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// Slopes of which curvatures are continuous, and zero at both ends. The equations are tridiagonal and diagonally dominant, so that
-/// elimination without pivots is stable.
+/// Slopes of which curvatures are continuous, and zero at both ends. The equations are tridiagonal
+/// and diagonally dominant, so that elimination without pivots is stable.
 fn natural_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len();

@@ -1,7 +1,9 @@
-//! Tables: functions that are polynomials piece by piece, between the points that a declaration lists and beyond them.
+//! Tables: functions that are polynomials piece by piece, between the points that a declaration
+//! lists and beyond them.
 //!
-//! Of one argument a table is a spline; of two it is the tensor product of two, since splines depend linearly on the values that they
-//! go through: the coefficients of the splines along one axis are interpolated along the other.
+//! Of one argument a table is a spline; of two it is the tensor product of two, since splines
+//! depend linearly on the values that they go through: the coefficients of the splines along one
+//! axis are interpolated along the other.
 
 use crate::elementary::multiply_add;
 
@@ -16,8 +18,9 @@ pub struct Table {
     pub interpolation: Interpolation,
     /// Value beyond the first and the last of them.
     pub outside: Outside,
-    /// Coefficients of the pieces, the one before the first knot and the one behind the last among them; those of ascending powers of the
-    /// distance from where a piece begins, with two arguments in rows, pieces in rows, too.
+    /// Coefficients of the pieces, the one before the first knot and the one behind the last among
+    /// them; those of ascending powers of the distance from where a piece begins, with two
+    /// arguments in rows, pieces in rows, too.
     pub coefficients: Vec<f64>,
 }
 
@@ -30,10 +33,12 @@ pub struct Axis {
     pub density: f64,
 }
 
-/// Rounding errors, of the largest knot, up to which distances are equal: what is mistaken for the piece beside is continued by it.
+/// Rounding errors, of the largest knot, up to which distances are equal: what is mistaken for the
+/// piece beside is continued by it.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// Distance from a value, as a fraction of the largest one, that rounding explains where points are spaced as people space them.
+/// Distance from a value, as a fraction of the largest one, that rounding explains where points are
+/// spaced as people space them.
 const MISSED: f64 = 1e-9;
 
 impl Axis {
@@ -77,15 +82,16 @@ impl Axis {
 }
 
 impl Table {
-    /// Table of one argument through points, of which there are at least two and whose first components ascend.
+    /// Table of one argument through points, of which there are at least two and whose first
+    /// components ascend.
     pub fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
         let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let coefficients = pieces(&knots, &values, interpolation, outside).concat();
         Table { axes: vec![Axis::new(knots)], interpolation, outside, coefficients }
     }
 
-    /// Table of two arguments with these values, in rows for each knot of the first argument. Of the ways to interpolate it has only
-    /// those that depend linearly on the values.
+    /// Table of two arguments with these values, in rows for each knot of the first argument. Of
+    /// the ways to interpolate it has only those that depend linearly on the values.
     pub fn surface(
         [along_x, along_y]: [Vec<f64>; 2],
         values: &[Vec<f64>],
@@ -144,9 +150,11 @@ impl Table {
         pieces.all(|(piece, of_piece)| !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
     }
 
-    /// True if each polynomial leads to the value at which the next one begins. Values are in rows, as in [`Table::surface`].
+    /// True if each polynomial leads to the value at which the next one begins. Values are in rows,
+    /// as in [`Table::surface`].
     ///
-    /// Between points at distances of many orders of magnitude a spline swings so far that rounding leaves nothing of a value.
+    /// Between points at distances of many orders of magnitude a spline swings so far that rounding
+    /// leaves nothing of a value.
     pub fn goes_through(&self, values: &[f64]) -> bool {
         let largest = values.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         let is_met = |found: f64, value: f64| (found - value).abs() <= MISSED * largest;

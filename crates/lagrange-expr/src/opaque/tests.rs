@@ -142,7 +142,8 @@ fn even_grids_are_recognised_and_give_the_same_values() {
     }
 }
 
-/// Where a spline swings by many orders of magnitude between its points, nothing is left of their values.
+/// Where a spline swings by many orders of magnitude between its points, nothing is left of their
+/// values.
 #[test]
 fn pieces_that_miss_the_next_point_by_rounding_are_found() {
     let (even, values) = POINTS.into_iter().unzip::<_, _, Vec<_>, Vec<_>>();

@@ -1,8 +1,9 @@
 //! Polygons as fans of triangles about their first corner.
 //!
-//! With u the places of the other corners seen from the first, a triangle (0, u, w) has twice the area D = u × w, its
-//! centroid at (u + w)/3 and D (u·u + u·w + w·w)/12 as its second moment of area about the first corner. Areas count with
-//! their signs, so that only corners that follow each other matter, and the quotients do not depend on the orientation.
+//! With u the places of the other corners seen from the first, a triangle (0, u, w) has twice the
+//! area D = u × w, its centroid at (u + w)/3 and D (u·u + u·w + w·w)/12 as its second moment of
+//! area about the first corner. Areas count with their signs, so that only corners that follow each
+//! other matter, and the quotients do not depend on the orientation.
 
 use super::fraction;
 use crate::expr::{ExprId, Graph};
@@ -24,7 +25,8 @@ pub(super) fn center(graph: &mut Graph, coordinates: &[ExprId]) -> Vector {
     [0, 1].map(|axis| graph.add(coordinates[axis], offset[axis]))
 }
 
-/// Σ D (u·u + u·w + w·w) / 6 Σ D about the first corner, less the square of the distance of the centre of mass from there.
+/// Σ D (u·u + u·w + w·w) / 6 Σ D about the first corner, less the square of the distance of the
+/// centre of mass from there.
 pub(super) fn inertia(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     let fan = fan(graph, coordinates);
     let moments = fan.iter().map(|triangle| {

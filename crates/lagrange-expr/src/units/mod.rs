@@ -1,10 +1,13 @@
-//! Units of measurement: how they are written, what they measure, and what they are in coherent units of the SI.
+//! Units of measurement: how they are written, what they measure, and what they are in coherent
+//! units of the SI.
 //!
-//! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the exponents of the base units, and a
-//! [`Scale`], the exact factor to the coherent unit of that dimension. Numbers at run time are in coherent units always, so that a unit
-//! costs nothing there; other units scale what is written in a declaration.
+//! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the
+//! exponents of the base units, and a [`Scale`], the exact factor to the coherent unit of that
+//! dimension. Numbers at run time are in coherent units always, so that a unit costs nothing there;
+//! other units scale what is written in a declaration.
 //!
-//! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST Special Publication 811, appendix B.
+//! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST
+//! Special Publication 811, appendix B.
 
 mod dimension;
 mod named;
@@ -83,7 +86,8 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// The product of these factors, which must be known; `None` if its factor to the coherent unit is not exact.
+    /// The product of these factors, which must be known; `None` if its factor to the coherent unit
+    /// is not exact.
     pub fn of(factors: Vec<UnitFactor>, origin: Origin) -> Option<Unit> {
         let mut unit = Unit { factors: Vec::new(), dimension: Dimension::NONE, scale: Scale::ONE, origin };
         for factor in &factors {
@@ -109,7 +113,8 @@ impl Unit {
         self.scale.is_one()
     }
 
-    /// The unit of the same dimension that numbers have at run time: itself if it is coherent, else with coherent units for its factors.
+    /// The unit of the same dimension that numbers have at run time: itself if it is coherent, else
+    /// with coherent units for its factors.
     pub fn coherent(&self) -> Unit {
         if self.is_coherent() {
             return self.clone();

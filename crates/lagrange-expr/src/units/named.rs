@@ -5,13 +5,15 @@ use crate::collections::OrderedMap;
 /// The unit of a field, a column or an output.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NamedUnit {
-    /// The coherent unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain numbers.
+    /// The coherent unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain
+    /// numbers.
     pub unit: String,
     /// The default in the unit in which it is written, `500 mm`, if that is not the coherent one.
     pub default: Option<String>,
 }
 
-/// Units by names, in the order in which these are declared. Names without an entry have no known unit.
+/// Units by names, in the order in which these are declared. Names without an entry have no known
+/// unit.
 #[derive(Clone, Default, Debug)]
 pub struct NamedUnits(OrderedMap<String, NamedUnit>);
 

@@ -44,7 +44,8 @@ const NOUNS: [(&str, [i8; 7]); 24] = [
     ("a resistance", [1, 2, -3, -2, 0, 0, 0]),
 ];
 
-/// The coherent unit of a dimension: `N`, `J` and other short names where that is shorter than base units.
+/// The coherent unit of a dimension: `N`, `J` and other short names where that is shorter than base
+/// units.
 pub fn spelled(dimension: &Dimension) -> String {
     let base = powers(dimension);
     let length = |powers: &[(&str, Number)]| -> f64 {
@@ -88,7 +89,8 @@ pub fn described(dimension: &Dimension) -> String {
     }
 }
 
-/// The word for a dimension without its article: `length`; `None` of plain numbers and where there is no word.
+/// The word for a dimension without its article: `length`; `None` of plain numbers and where there
+/// is no word.
 pub fn noun(dimension: &Dimension) -> Option<&'static str> {
     let (noun, _) = NOUNS.iter().find(|(_, exponents)| Dimension::of(*exponents) == *dimension)?;
     let (_, word) = noun.split_once(' ')?;

@@ -1,7 +1,8 @@
 //! Robots as declarations, to be read and edited.
 //!
-//! The order is that of the tree: a link, then the joint that places it. The printer of the language knows no comments and one line for
-//! each statement, so that text is laid out here ([`layout`]); that it is read as it is meant is checked by whoever asks for it.
+//! The order is that of the tree: a link, then the joint that places it. The printer of the
+//! language knows no comments and one line for each statement, so that text is laid out here
+//! ([`layout`]); that it is read as it is meant is checked by whoever asks for it.
 
 mod joints;
 mod layout;
@@ -183,7 +184,8 @@ impl<'r> Writer<'r> {
         self.page.block(&format!("body {name}"), &properties);
     }
 
-    /// Moments as parameters: numbers that no body has are an error, defaults of parameters a warning.
+    /// Moments as parameters: numbers that no body has are an error, defaults of parameters a
+    /// warning.
     fn impossible_moments(&mut self, link: &Link, name: &str, moments: &[String]) -> Vec<String> {
         let names =
             ["xx", "yy", "zz"].map(|axes| self.identifiers.take(&format!("{name}_{axes}"), "inertia", &[]));
@@ -270,7 +272,8 @@ fn plain(name: &str) -> String {
     plain
 }
 
-/// True of characters that show nothing or change how others are shown, of which the compiler refuses some in comments.
+/// True of characters that show nothing or change how others are shown, of which the compiler
+/// refuses some in comments.
 fn is_invisible(character: char) -> bool {
     character.is_control()
         || matches!(

@@ -45,7 +45,8 @@ pub(super) fn visual(shapes: &[Shape]) -> Option<String> {
     (!parts.is_empty()).then(|| format!("visual {{ {} }}", parts.join(" ")))
 }
 
-/// Primitives that have no part in the declaration, as comments: those that are collided with and, without a body, those that are seen.
+/// Primitives that have no part in the declaration, as comments: those that are collided with and,
+/// without a body, those that are seen.
 pub(super) fn shapes(shapes: &[Shape], has_body: bool) -> Vec<String> {
     let of = |is_visual: bool| {
         let shapes = shapes.iter().filter(move |shape| shape.is_visual == is_visual);

@@ -1,6 +1,8 @@
-//! Mistakes while a file is read: kept by their place in the text, and given lines and columns all at once.
+//! Mistakes while a file is read: kept by their place in the text, and given lines and columns all
+//! at once.
 //!
-//! Counting lines from the start of the text for each mistake would take time that grows with the square of their number.
+//! Counting lines from the start of the text for each mistake would take time that grows with the
+//! square of their number.
 
 use std::collections::HashMap;
 
@@ -49,7 +51,8 @@ impl<'d> Source<'d> {
         self.found.iter().filter(|(_, mistake)| mistake.is_error).count()
     }
 
-    /// Mistakes and warnings from the first place to the last. Equal warnings about elements of one tag are merged.
+    /// Mistakes and warnings from the first place to the last. Equal warnings about elements of one
+    /// tag are merged.
     pub(super) fn into_mistakes(mut self) -> Vec<Mistake> {
         self.found.sort_by_key(|(place, _)| *place);
         self.count_columns();

@@ -23,7 +23,8 @@ pub(super) fn report_impossible(source: &mut Source<'_>, robot: &Robot, options:
     }
 }
 
-/// Reports a link without a moment of inertia as the reason why the equations of motion have no solution.
+/// Reports a link without a moment of inertia as the reason why the equations of motion have no
+/// solution.
 pub(super) fn report_missing<'s>(
     source: &'s mut Source<'_>,
     robot: &Robot,

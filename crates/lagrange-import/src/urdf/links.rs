@@ -11,7 +11,8 @@ use crate::robot::{Inertial, Link, Shape};
 use crate::rotation::{roll_pitch_yaw, turned_tensor};
 
 const ENTRIES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
-/// Entries of a tensor below this, for each kilogram, belong to distances of a nanometre: what is left of numbers that cancel.
+/// Entries of a tensor below this, for each kilogram, belong to distances of a nanometre: what is
+/// left of numbers that cancel.
 const NEGLIGIBLE: f64 = 1e-18;
 /// Solids with the attributes of their dimensions and the name that they have in the language.
 const SOLIDS: [(&str, &[&str], &str); 3] = [

@@ -1,4 +1,5 @@
-//! URDF, the format in which robots are described for ROS: XML with `<link>` and `<joint>` elements.
+//! URDF, the format in which robots are described for ROS: XML with `<link>` and `<joint>`
+//! elements.
 //!
 //! [`import`] writes a declaration for `lagrange::system!` that a person would go on with:
 //!
@@ -53,15 +54,18 @@
 //! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
 //! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
 //!
-//! Anything else is left out with a warning, unless leaving it out may change the motion: unknown attributes of origins, axes, masses and
-//! inertia, and such elements at other places or misspelt, are mistakes. Elements and attributes of other namespaces, such as `<drake:joint>`,
-//! are for other programs: they are left out, with one warning for each prefix.
+//! Anything else is left out with a warning, unless leaving it out may change the motion: unknown
+//! attributes of origins, axes, masses and inertia, and such elements at other places or misspelt,
+//! are mistakes. Elements and attributes of other namespaces, such as `<drake:joint>`, are for
+//! other programs: they are left out, with one warning for each prefix.
 //!
-//! A joint that moves no mass would have no equation of motion: it is held at zero, with a warning. A link that can move without inertia
-//! otherwise, such as a free base without mass on which one joint turns, is a mistake.
+//! A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.
+//! A link that can move without inertia otherwise, such as a free base without mass on which one
+//! joint turns, is a mistake.
 //!
-//! Mistakes are collected, each with its line and element: nothing is written then. [`listing`](crate::listing) shows the first of them.
-//! Characters of names that cannot be seen, or that change the direction of text, are written as escapes.
+//! Mistakes are collected, each with its line and element: nothing is written then.
+//! [`listing`](crate::listing) shows the first of them. Characters of names that cannot be seen, or
+//! that change the direction of text, are written as escapes.
 
 mod collector;
 mod inertia;
@@ -139,7 +143,8 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     if is_accepted { Ok(Import { declaration: text, motions, warnings: mistakes }) } else { Err(mistakes) }
 }
 
-/// Reads statements, and derives the equations of motion where a link may move without inertia, which only they show.
+/// Reads statements, and derives the equations of motion where a link may move without inertia,
+/// which only they show.
 fn accepted(statements: &str, is_doubtful: bool) -> Result<(), Report> {
     let system = parse(statements)?;
     if is_doubtful { system.derive(StrategyChoice::Cheapest).map(drop) } else { Ok(()) }

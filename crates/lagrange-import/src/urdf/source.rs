@@ -13,7 +13,8 @@ use crate::rotation::{angles_of, from_quaternion};
 const MECHANICAL: [&str; 11] = [
     "link", "joint", "inertial", "origin", "mass", "inertia", "parent", "child", "axis", "mimic", "dynamics",
 ];
-/// Elements whose attributes must all be known. Other programs add attributes to joints and their dynamics.
+/// Elements whose attributes must all be known. Other programs add attributes to joints and their
+/// dynamics.
 const EXACT: [&str; 7] = ["origin", "mass", "inertia", "parent", "child", "axis", "mimic"];
 
 impl<'d> Source<'d> {
@@ -126,7 +127,8 @@ impl<'d> Source<'d> {
         Some(angles_of(rotation?).map(Decimal::of))
     }
 
-    /// Warns of attributes and elements that are none of these. Those that may change the motion are errors.
+    /// Warns of attributes and elements that are none of these. Those that may change the motion
+    /// are errors.
     pub(super) fn allow_only(&mut self, node: Node<'_, 'd>, attributes: &[&str], elements: &[&str]) {
         self.report_foreign(node);
         for attribute in node.attributes().filter(|attribute| attribute.namespace().is_none()) {
@@ -191,7 +193,8 @@ fn is_of_xml(namespace: &str) -> bool {
         .any(|own| namespace.starts_with(own))
 }
 
-/// True if an element is of the namespace of the whole file: those of others are for other programs.
+/// True if an element is of the namespace of the whole file: those of others are for other
+/// programs.
 fn is_own(node: Node<'_, '_>) -> bool {
     node.tag_name().namespace() == node.document().root_element().tag_name().namespace()
 }
@@ -201,7 +204,8 @@ pub(super) fn elements<'a, 'd>(node: Node<'a, 'd>) -> impl Iterator<Item = Node<
     node.children().filter(|child| child.is_element() && is_own(*child))
 }
 
-/// The value of an attribute that URDF speaks of. The library would also find those of other namespaces.
+/// The value of an attribute that URDF speaks of. The library would also find those of other
+/// namespaces.
 pub(super) fn attribute_of<'a>(node: Node<'a, '_>, name: &str) -> Option<&'a str> {
     attribute_node(node, name).map(|attribute| attribute.value())
 }

@@ -9,7 +9,8 @@ use super::joints::{NameAt, NamedJoint};
 use super::messages;
 use crate::robot::{Joint, Kind, Link, Mimic, Robot};
 
-/// Puts joints in order from the base on. `None` after a mistake; `is_complete` if none has made a joint unreadable.
+/// Puts joints in order from the base on. `None` after a mistake; `is_complete` if none has made a
+/// joint unreadable.
 pub(super) fn tree(
     source: &mut Source<'_>,
     name: String,
@@ -48,7 +49,8 @@ pub(super) fn tree(
     (source.error_count() == before).then_some(Robot { name, links, root, joints })
 }
 
-/// Names for which the nearest known one is looked for: behind so many, nobody reads what is suggested.
+/// Names for which the nearest known one is looked for: behind so many, nobody reads what is
+/// suggested.
 const MAX_SUGGESTIONS: usize = 50;
 
 /// An element with a name.
@@ -115,7 +117,8 @@ fn leader(source: &mut Source<'_>, joint: &NamedJoint<'_>, joints: &mut Named<'_
 
 /// Reports joints that mimic each other in a circle, each circle at its first joint.
 fn report_mimic_circles(source: &mut Source<'_>, joints: &[NamedJoint<'_>], leaders: &[Option<usize>]) {
-    // The joint from which each was reached first; who comes back to one of the same walk has gone round.
+    // The joint from which each was reached first; who comes back to one of the same walk has gone
+    // round.
     let mut reached_from = vec![None; joints.len()];
     for start in 0..joints.len() {
         let mut next = Some(start);

@@ -22,7 +22,8 @@ lagrange::system! {
             0.0023705238316391684, 0.007839437037218828, 0.047661776316719646);
         visual { solid_cylinder(0.04, 0.8), at: (0, 0, 0.4); }
     }
-    /// Joint `sled` of the file. From -1.2 to 2.5 rad; at most 87 N m and 2.175 rad/s; dry friction of 0.1 N m.
+    /// Joint `sled` of the file. From -1.2 to 2.5 rad; at most 87 N m and 2.175 rad/s; dry friction
+    /// of 0.1 N m.
     revolute sled_joint = sled to mast_1 { at: (0.2, 0, 0.1); turned: (0.1, 0, pi/2); axis: (1, 2, -2); damping: 0.35; }
 
     frame bracket;

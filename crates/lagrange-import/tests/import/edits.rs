@@ -1,4 +1,5 @@
-//! Files that are damaged at random, or larger than anyone writes: all come to an end, and what is imported compiles.
+//! Files that are damaged at random, or larger than anyone writes: all come to an end, and what is
+//! imported compiles.
 
 use std::env;
 use std::time::Instant;
@@ -9,7 +10,8 @@ use lagrange_import::urdf::{Options, import};
 use crate::files::read;
 use crate::judge::{judged, options};
 
-/// Damaged files of each kind; `EDITS=10000 cargo test --release -p lagrange-import edits` tries more.
+/// Damaged files of each kind; `EDITS=10000 cargo test --release -p lagrange-import edits` tries
+/// more.
 const COUNT: usize = 100;
 
 /// Pieces that files are likely to hold at the wrong places.
@@ -142,7 +144,8 @@ fn deep_and_long_files_come_to_an_end() {
     import(&number, &Options::default()).expect_err("too large for a number");
 }
 
-/// Seconds for a file of 10,000 links with mistakes in each; work in the square of their number takes minutes.
+/// Seconds for a file of 10,000 links with mistakes in each; work in the square of their number
+/// takes minutes.
 const MAX_SECONDS: f64 = 30.0;
 
 /// A robot of as many links and joints with this text for each, in which `#` is its number.

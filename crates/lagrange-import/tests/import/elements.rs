@@ -1,4 +1,5 @@
-//! What says how a robot moves is read or refused, whoever wrote it and however; what does not is left out with a warning.
+//! What says how a robot moves is read or refused, whoever wrote it and however; what does not is
+//! left out with a warning.
 
 use lagrange_import::urdf::{Options, import};
 
@@ -11,7 +12,8 @@ fn edited(piece: &str, other: &str) -> String {
     GOOD.replacen(piece, other, 1)
 }
 
-/// Elements and attributes that change what moves, at places where they are not known: each is an error.
+/// Elements and attributes that change what moves, at places where they are not known: each is an
+/// error.
 #[test]
 fn nothing_that_changes_the_motion_is_left_out() {
     let cases = [

@@ -6,7 +6,8 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::parse;
 use lagrange_import::urdf::{Import, Options, import};
 
-/// Longer declarations are read again, but no equations derived: that takes the time of thousands of short ones.
+/// Longer declarations are read again, but no equations derived: that takes the time of thousands
+/// of short ones.
 const MAX_DERIVED: usize = 1500;
 
 /// Options by the bits of a number.

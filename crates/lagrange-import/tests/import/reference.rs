@@ -1,4 +1,5 @@
-//! An imported robot beside what Pinocchio computes from the same file (`tools/urdf.py`, which describes the lines of references).
+//! An imported robot beside what Pinocchio computes from the same file (`tools/urdf.py`, which
+//! describes the lines of references).
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
@@ -20,7 +21,8 @@ pub(crate) fn statements(declaration: &str) -> &str {
     inner.expect("a declaration within the macro")
 }
 
-/// The largest difference of accelerations from those of a reference, as a fraction of the largest of a state or of one.
+/// The largest difference of accelerations from those of a reference, as a fraction of the largest
+/// of a state or of one.
 ///
 /// # Errors
 /// If the two do not speak of the same joints.
@@ -46,7 +48,8 @@ pub(crate) fn largest_difference(
     Ok(worst)
 }
 
-/// Positions, velocities and accelerations of every state of a reference, in the order of the declaration.
+/// Positions, velocities and accelerations of every state of a reference, in the order of the
+/// declaration.
 ///
 /// # Errors
 /// If the two do not speak of the same joints.

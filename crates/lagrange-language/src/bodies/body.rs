@@ -89,7 +89,8 @@ fn simple_geometry(translation: &mut Translation<'_>, statement: &ast::Body) -> 
     MassGeometry { mass, inertia: stated.or(of_shape), centroid, outlines, radius }
 }
 
-/// Reports a body that turns and states no moment of inertia, unless that of its shape is the one about its centre of mass.
+/// Reports a body that turns and states no moment of inertia, unless that of its shape is the one
+/// about its centre of mass.
 fn report_unknown_inertia(translation: &mut Translation<'_>, statement: &ast::Body) {
     let name = &statement.name;
     match (&statement.shape, statement.centroid) {

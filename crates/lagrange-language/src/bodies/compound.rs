@@ -1,6 +1,7 @@
 //! Bodies made of parts, holes among them.
 //!
-//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, holes with the lower sign.
+//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, holes with the
+//! lower sign.
 
 use super::mass_geometry::{MassGeometry, fixed_vector, inertia_of, named_centroid, property, shape_of};
 use super::messages;
@@ -125,7 +126,8 @@ fn compound_part(translation: &mut Translation<'_>, body: &str, part: &Part) -> 
     Some(CompoundPart { is_hole: part.is_hole, mass, inertia, centroid, outline })
 }
 
-/// Centre of mass of a part in the body's coordinates, under a name of its own where the part is turned.
+/// Centre of mass of a part in the body's coordinates, under a name of its own where the part is
+/// turned.
 fn placed_point(translation: &mut Translation<'_>, name: &str, own: Pair, at: Pair, angle: AstId) -> Pair {
     let mut terms = translation.terms();
     let arm = terms.turned(own, angle);

@@ -219,8 +219,8 @@ fn add_pull(translation: &mut Translation<'_>, name: &str, ends: [End; 2], pull:
     }
 }
 
-/// The moments on both ends, each drawn at the centre of its body. Where two bodies meet is not said; the connector is drawn
-/// where the own coordinates of one begin.
+/// The moments on both ends, each drawn at the centre of its body. Where two bodies meet is not
+/// said; the connector is drawn where the own coordinates of one begin.
 fn add_twist(
     translation: &mut Translation<'_>,
     kind: ConnectorKind,
@@ -242,7 +242,8 @@ fn add_twist(
     }
 }
 
-/// The force along the vector between both ends, with which each draws the other. A damper has a limit where they meet.
+/// The force along the vector between both ends, with which each draws the other. A damper has a
+/// limit where they meet.
 fn pull_along(
     terms: &mut TermWriter<'_>,
     kind: ConnectorKind,

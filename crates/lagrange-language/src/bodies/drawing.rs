@@ -19,7 +19,8 @@ impl Load<'_> {
     }
 }
 
-/// The name of the body to which a point belongs, as it was written, if that shows. A frame in space stands for the body it is fixed in.
+/// The name of the body to which a point belongs, as it was written, if that shows. A frame in
+/// space stands for the body it is fixed in.
 pub(super) fn owner_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<String> {
     if let Some(body) = translation.body_of(point) {
         return Some(translation.bodies[body].name.text.clone());
@@ -39,7 +40,8 @@ fn link_of_point(translation: &mut Translation<'_>, point: AstId) -> Option<usiz
     link.or_else(|| point_on_link(translation, point).map(|(link, _)| link))
 }
 
-/// A force that acts at a place, unless one of the constraints is left out whose multipliers it holds.
+/// A force that acts at a place, unless one of the constraints is left out whose multipliers it
+/// holds.
 pub(super) fn draw_force(
     translation: &mut Translation<'_>,
     load: Load<'_>,

@@ -11,7 +11,8 @@ use super::translation::Translation;
 use crate::syntax::ast::{AstId, Expression, IN_AXES, Name};
 use crate::syntax::foreign;
 
-/// Functions whose first argument is a body, with the names of all of them; those in brackets may be left out.
+/// Functions whose first argument is a body, with the names of all of them; those in brackets may
+/// be left out.
 const OF_BODIES: [(&str, &[&str]); 9] = [
     ("point", &["X", "Y"]),
     ("vector", &["X", "Y"]),
@@ -49,7 +50,8 @@ pub(super) fn plain_expression(translation: &mut Translation<'_>, root: AstId) -
     translation.plain_of(root)
 }
 
-/// Translation of what the user wrote into plain words. Mistakes in it are found whether or not it is needed.
+/// Translation of what the user wrote into plain words. Mistakes in it are found whether or not it
+/// is needed.
 pub(super) fn mention(translation: &mut Translation<'_>, id: AstId) -> AstId {
     let plain = plain_expression(translation, id);
     translation.mentioned.push(plain);
@@ -117,7 +119,8 @@ fn is_point(translation: &Translation<'_>, id: AstId) -> bool {
     matches!(translation.expressions.get(id), Expression::Tuple(_)) || translation.body_of(id).is_some()
 }
 
-/// The parts of an expression that are translated before it: not the names of bodies where these belong.
+/// The parts of an expression that are translated before it: not the names of bodies where these
+/// belong.
 fn parts_of(translation: &Translation<'_>, id: AstId) -> Vec<AstId> {
     let is_object = |id: &AstId| matches!(translation.expressions.get(*id), Expression::Name(name) if translation.names.find(name).is_some());
     match translation.expressions.get(id) {
@@ -213,7 +216,8 @@ fn part_of(translation: &mut Translation<'_>, name: &str, object: &Object, part:
                 "force" => Some(*force),
                 part => parts.iter().find(|(name, _)| *name == part).map(|(_, id)| *id),
             };
-            // Here, and not at the joint, it is missed if the coordinates fulfil the joint by themselves.
+            // Here, and not at the joint, it is missed if the coordinates fulfil the joint by
+            // themselves.
             found.map(|force| translation.terms().repeated(force))
         }
     };

@@ -1,7 +1,7 @@
 //! Pins, slides and rolling as constraints.
 //!
-//! A constraint is written so that its gradient is the direction in which its force acts on what is named first: the force is
-//! λ times the direction.
+//! A constraint is written so that its gradient is the direction in which its force acts on what is
+//! named first: the force is λ times the direction.
 
 use super::drawing::{Load, draw_force, owner_of_point};
 use super::expressions::{mention, scene_point};
@@ -186,8 +186,9 @@ fn track_of(translation: &mut Translation<'_>, body: Option<usize>, line: &Name)
     None
 }
 
-/// The velocity at which a wheel slips on a line, which a body may carry. The point of that body below the hub is at the
-/// distance n·(hub − origin) − r across the line, which is all that its turning needs.
+/// The velocity at which a wheel slips on a line, which a body may carry. The point of that body
+/// below the hub is at the distance n·(hub − origin) − r across the line, which is all that its
+/// turning needs.
 fn slip_of(
     translation: &mut Translation<'_>,
     wheel: usize,

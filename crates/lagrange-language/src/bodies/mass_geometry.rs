@@ -1,4 +1,5 @@
-//! Shapes with their dimensions, moments of inertia and centroids, for bodies and for parts of compounds.
+//! Shapes with their dimensions, moments of inertia and centroids, for bodies and for parts of
+//! compounds.
 
 use super::expressions::{mention, plain_expression};
 use super::messages;
@@ -54,7 +55,8 @@ pub(super) fn shape_of(
     Some((solid, dimensions))
 }
 
-/// The call that stands for the moment of inertia of a solid about its centre of mass, blamed on `place`.
+/// The call that stands for the moment of inertia of a solid about its centre of mass, blamed on
+/// `place`.
 pub(super) fn inertia_of(
     translation: &mut Translation<'_>,
     solid: &Solid,

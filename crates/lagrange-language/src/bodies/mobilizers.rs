@@ -1,4 +1,5 @@
-//! Joints with coordinates of their own in the plane: they put a body where `origin` and `angle` would.
+//! Joints with coordinates of their own in the plane: they put a body where `origin` and `angle`
+//! would.
 
 use super::body::translate_body;
 use super::expressions::{is_ground, mention, report_early};

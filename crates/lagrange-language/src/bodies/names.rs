@@ -1,4 +1,5 @@
-//! Names of a declaration: those of the scene with their objects, and names of plain statements that nobody else uses.
+//! Names of a declaration: those of the scene with their objects, and names of plain statements
+//! that nobody else uses.
 
 use super::constants::constants_of;
 use super::messages;

@@ -18,11 +18,14 @@ pub struct Plain {
     pub drawing: Vec<Drawn>,
     /// Conditions on numbers, checked where these are known.
     pub obligations: Vec<Obligation>,
-    /// Names of the constraints of joints. They are left out where the coordinates fulfil them by themselves.
+    /// Names of the constraints of joints. They are left out where the coordinates fulfil them by
+    /// themselves.
     pub joints: Vec<Name>,
-    /// Names of `let`s that are places, with what they are places of: they are made of coordinates and time.
+    /// Names of `let`s that are places, with what they are places of: they are made of coordinates
+    /// and time.
     pub places: Vec<(String, String)>,
-    /// Expressions in statements about bodies, so that mistakes in them are found whether or not they are needed.
+    /// Expressions in statements about bodies, so that mistakes in them are found whether or not
+    /// they are needed.
     pub mentioned: Vec<AstId>,
 }
 
@@ -157,7 +160,8 @@ pub enum DrawnKind {
         /// The body that carries it.
         body: Option<String>,
     },
-    /// A connector: both ends and, if positive, its tension. The ends of torsion springs and dampers are one place.
+    /// A connector: both ends and, if positive, its tension. The ends of torsion springs and
+    /// dampers are one place.
     Connector {
         /// Its name.
         name: String,
@@ -199,7 +203,8 @@ pub enum DrawnKind {
         /// The body it acts on, if that is known.
         body: Option<String>,
     },
-    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it turns shows in their angles.
+    /// A torque on an angle that is no body's by name: its value, and the angle. Which bodies it
+    /// turns shows in their angles.
     Torque {
         /// Name where the picture does not show it.
         name: String,
@@ -211,15 +216,17 @@ pub enum DrawnKind {
     },
 }
 
-/// The outline of a part of a body, in space the solid: its dimensions (corners of a polygon as vectors).
+/// The outline of a part of a body, in space the solid: its dimensions (corners of a polygon as
+/// vectors).
 #[derive(Clone, Debug)]
 pub struct Outline {
     /// The variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
     pub variant: &'static str,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own axes are turned there; in space all
-    /// components of the origin, then those of the rotation in rows.
+    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own
+    /// axes are turned there; in space all components of the origin, then those of the rotation in
+    /// rows.
     pub place: Vec<AstId>,
     /// True if it is cut out.
     pub is_hole: bool,

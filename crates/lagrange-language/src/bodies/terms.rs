@@ -1,7 +1,7 @@
 //! Syntax that is put together from syntax.
 //!
-//! Zeros and ones that come of leaving something out are not written, so that plain statements read as if a person had
-//! written them. No other algebra happens here.
+//! Zeros and ones that come of leaving something out are not written, so that plain statements read
+//! as if a person had written them. No other algebra happens here.
 
 use proc_macro2::Span;
 
@@ -42,7 +42,8 @@ impl<'e> TermWriter<'e> {
         self.add_node(Expression::Name(name.to_owned()))
     }
 
-    /// Copy of terms that were put together before, blamed on the place that these stand for; calls and numbers stay as they are.
+    /// Copy of terms that were put together before, blamed on the place that these stand for; calls
+    /// and numbers stay as they are.
     pub(super) fn repeated(&mut self, id: AstId) -> AstId {
         let expression = match self.expressions.get(id).clone() {
             Expression::Tuple(parts) => {

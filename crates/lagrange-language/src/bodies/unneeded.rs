@@ -1,7 +1,7 @@
 //! Kinematic `let`s that nothing needs.
 //!
-//! Where a frame is in the world matters to weights, points and outputs only. What a scene does without is left out again, so that its
-//! plain statements hold what its equations are made of.
+//! Where a frame is in the world matters to weights, points and outputs only. What a scene does
+//! without is left out again, so that its plain statements hold what its equations are made of.
 
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
@@ -42,7 +42,8 @@ fn drawn(item: &Drawn) -> Vec<AstId> {
     item.values.iter().chain(of_shape).copied().collect()
 }
 
-/// Expressions that obligations check, those of masses and properties being among the mentioned ones.
+/// Expressions that obligations check, those of masses and properties being among the mentioned
+/// ones.
 fn obliged(obligation: &Obligation) -> Vec<AstId> {
     match obligation {
         Obligation::Tensor { tensor, .. } => tensor.to_vec(),

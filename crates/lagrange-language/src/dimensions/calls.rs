@@ -12,7 +12,8 @@ use lagrange_expr::number::Number;
 use lagrange_expr::solids;
 use lagrange_expr::units::Dimension;
 
-/// A number of radians in a trigonometric function from which on degrees may be meant: more than a turn.
+/// A number of radians in a trigonometric function from which on degrees may be meant: more than a
+/// turn.
 const MANY_RADIANS: i64 = 7;
 
 pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, arguments: &[AstId]) -> Measure {

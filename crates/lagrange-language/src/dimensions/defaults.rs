@@ -37,7 +37,8 @@ pub fn in_coherent_units(declaration: &mut Declaration, report: &mut Report) -> 
     measured
 }
 
-/// Gives entries of the state and their rates units as those of coordinates are written, so that angles stay in `rad`.
+/// Gives entries of the state and their rates units as those of coordinates are written, so that
+/// angles stay in `rad`.
 pub(super) fn name_state(declaration: &Declaration, named: &mut NamedUnits) {
     let mut add = |name: &str, unit: &Unit| {
         named.insert(name, NamedUnit { unit: unit.coherent().to_string(), default: None });
@@ -70,7 +71,8 @@ struct UnitWriter<'a> {
     expressions: &'a mut Expressions,
     report: &'a mut Report,
     measured: Measured,
-    /// Places of units of which it was said that they scale nothing, once for all elements of an array.
+    /// Places of units of which it was said that they scale nothing, once for all elements of an
+    /// array.
     said: HashSet<String>,
 }
 

@@ -1,7 +1,8 @@
 //! Dimensions that are not known yet: products of powers of unknown dimensions.
 //!
-//! Written additively, in exponents, these are linear forms with rational coefficients, so that equations between them have solutions by
-//! elimination. Source: Kennedy, *Dimension types*, ESOP 1994.
+//! Written additively, in exponents, these are linear forms with rational coefficients, so that
+//! equations between them have solutions by elimination. Source: Kennedy, *Dimension types*, ESOP
+//! 1994.
 
 use std::collections::BTreeMap;
 

@@ -36,7 +36,8 @@ const ANGLE: Powers = &[("rad", 1)];
 /// A value that can be replaced, its unit and what it is.
 type LabelRow<'a> = (&'a mut AstId, Powers, &'static str);
 
-/// Writes units behind the plain numbers at labels, and behind the names of the coordinates of joints.
+/// Writes units behind the plain numbers at labels, and behind the names of the coordinates of
+/// joints.
 pub(super) fn label(statement: &mut SceneStatement, expressions: &mut Expressions) -> Vec<Label> {
     if let SceneStatement::Mobilizer(joint) = statement {
         name_coordinates(joint);

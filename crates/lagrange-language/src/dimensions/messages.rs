@@ -1,4 +1,5 @@
-//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has, `%` for that of a force or moment.
+//! Diagnostics for mistakes in units. In reasons `#` stands for the dimension that something has,
+//! `%` for that of a force or moment.
 
 use lagrange_expr::diagnostics::messages;
 

@@ -1,13 +1,16 @@
 //! Dimensions of what is declared: numbers in coherent units, and what has which dimension.
 //!
-//! Numbers at run time are in coherent units of the SI. A number that is written in another unit is scaled, exactly, before anything
-//! else is known of the declaration: `param l: mm = 500` has the default 1/2. A declaration in which no unit is written passes unseen,
-//! and one with units of angles and of plain numbers alone is scaled but not checked.
+//! Numbers at run time are in coherent units of the SI. A number that is written in another unit is
+//! scaled, exactly, before anything else is known of the declaration: `param l: mm = 500` has the
+//! default 1/2. A declaration in which no unit is written passes unseen, and one with units of
+//! angles and of plain numbers alone is scaled but not checked.
 //!
-//! In any other one every name has one dimension, be it declared or not, and statements ask for dimensions: energies are added, what
-//! is added is of one kind, sines are taken of plain numbers. These are equations between products of powers of dimensions; in
-//! exponents they are linear, and are solved one after the other by elimination. One that contradicts those before it is a mistake at
-//! the expression that it was asked of, with the chain of equations that say otherwise. Source: Kennedy, *Dimension types*, ESOP 1994.
+//! In any other one every name has one dimension, be it declared or not, and statements ask for
+//! dimensions: energies are added, what is added is of one kind, sines are taken of plain numbers.
+//! These are equations between products of powers of dimensions; in exponents they are linear, and
+//! are solved one after the other by elimination. One that contradicts those before it is a mistake
+//! at the expression that it was asked of, with the chain of equations that say otherwise. Source:
+//! Kennedy, *Dimension types*, ESOP 1994.
 
 mod calls;
 mod checker;
@@ -31,7 +34,8 @@ use measure::Measure;
 
 pub use defaults::{Measured, in_coherent_units};
 
-/// Checks dimensions of a declaration in plain statements. Says which names have which units, declared or found.
+/// Checks dimensions of a declaration in plain statements. Says which names have which units,
+/// declared or found.
 pub fn check_dimensions(declaration: &Declaration, measured: Measured, report: &mut Report) -> NamedUnits {
     let mut named = measured.named;
     if declaration.has_units {

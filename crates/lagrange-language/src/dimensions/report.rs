@@ -20,7 +20,8 @@ const MAX_NOTES: usize = 4;
 /// A name and what it would have to be multiplied with for an equation to hold.
 type Correction = (Unknown, Dimension);
 
-/// Reports contradictions, those in what the user wrote before others: these are made of the same mistakes.
+/// Reports contradictions, those in what the user wrote before others: these are made of the same
+/// mistakes.
 pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report: &mut Report) {
     let contradictions = checker.solver.contradictions.iter();
     let mut located =
@@ -54,7 +55,8 @@ pub(super) fn report(checker: &Checker<'_>, last_written: Option<AstId>, report:
     }
 }
 
-/// The changes of single names that each would remove a contradiction. One that removes two stands for one mistake.
+/// The changes of single names that each would remove a contradiction. One that removes two stands
+/// for one mistake.
 fn corrections_of(contradiction: &Contradiction) -> Vec<Correction> {
     let equation = &contradiction.equation;
     let difference = equation.found.over(&equation.expected);
@@ -220,7 +222,8 @@ fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
     })
 }
 
-/// Why names have the dimensions that they have, as far as these are not declared: the last reason first.
+/// Why names have the dimensions that they have, as far as these are not declared: the last reason
+/// first.
 fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, String)> {
     let solver = &checker.solver;
     let equation = &contradiction.equation;

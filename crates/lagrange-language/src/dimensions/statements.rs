@@ -20,7 +20,8 @@ fn form(exponents: [i8; 7]) -> Exponents {
     Exponents::from(Dimension::of(exponents))
 }
 
-/// The passes over plain statements, in this order. Between the last two, labels are required to have their dimensions.
+/// The passes over plain statements, in this order. Between the last two, labels are required to
+/// have their dimensions.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum DimensionPass {
     /// Names whose dimensions are declared, or determined by their use.
@@ -31,7 +32,8 @@ enum DimensionPass {
     Require,
 }
 
-/// Goes through a declaration in plain statements: first names, then what stands at labels, then what statements say.
+/// Goes through a declaration in plain statements: first names, then what stands at labels, then
+/// what statements say.
 pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels: &[Label]) {
     // What bodies say in energies and once more in accelerations has units in the energies.
     let is_computed = |statement: &Statement| {
@@ -192,7 +194,8 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         (StatementKind::Reduce(reduction), DimensionPass::Require) => {
             demand_of_reduction(checker, reduction, place);
         }
-        // Only other passes concern these, or none: later phases see no loops, bodies or functions with a formula.
+        // Only other passes concern these, or none: later phases see no loops, bodies or functions
+        // with a formula.
         (
             StatementKind::Parameters(_)
             | StatementKind::Inputs(_)
@@ -323,7 +326,8 @@ fn of_numbers(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
     }
 }
 
-/// The force that upholds a constraint, presses at a contact or rubs: what it does work on is known.
+/// The force that upholds a constraint, presses at a contact or rubs: what it does work on is
+/// known.
 fn name_force(checker: &mut Checker<'_>, name: &Name, along: &Measure) {
     let work = form(if along.has_rates { POWER } else { ENERGY });
     let force = along.form().map(|form| work.over(&form));

@@ -115,7 +115,8 @@ impl<'a> Complaints<'a> {
         }
     }
 
-    /// Reports a name that means nothing, unless it may be declared where the text could not be read.
+    /// Reports a name that means nothing, unless it may be declared where the text could not be
+    /// read.
     pub(super) fn unknown(&mut self, name: &str, of: AstId, origin: Origin) {
         self.unknown_as(name, messages::DECLARE_HELP.to_owned(), (of, origin));
     }

@@ -1,7 +1,8 @@
-//! Expressions with values in the place of variables, elements in that of indices and terms in that of sums.
+//! Expressions with values in the place of variables, elements in that of indices and terms in that
+//! of sums.
 //!
-//! What is still to be done waits on a stack, so that chains of any length are copied without recursion. Expressions in which nothing
-//! changes are not copied.
+//! What is still to be done waits on a stack, so that chains of any length are copied without
+//! recursion. Expressions in which nothing changes are not copied.
 
 use super::complaints::Complaints;
 use super::counting::Counting;

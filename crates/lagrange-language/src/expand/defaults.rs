@@ -1,4 +1,5 @@
-//! ElementNames of arrays that are declared as a whole: how many there are, and which value belongs to which.
+//! ElementNames of arrays that are declared as a whole: how many there are, and which value belongs
+//! to which.
 
 use super::complaints::Complaints;
 use super::messages;

@@ -20,7 +20,8 @@ use lagrange_expr::limits::MAX_ELEMENTS;
 #[derive(Default)]
 pub(super) struct ElementNames {
     arrays: OrderedMap<String, Array>,
-    /// Names of which only what is made of them is declared, with what follows them in the first of these.
+    /// Names of which only what is made of them is declared, with what follows them in the first of
+    /// these.
     owners: HashMap<String, String>,
     /// Names without indices, and the statement that declares them.
     plain: HashMap<String, (Span, usize)>,
@@ -179,7 +180,8 @@ struct DeclaredName<'a> {
 }
 
 impl Collector<'_, '_> {
-    /// Counts the elements of whole arrays; false from the first one on that is too large, which is reported.
+    /// Counts the elements of whole arrays; false from the first one on that is too large, which is
+    /// reported.
     fn has_room(&mut self, instance: &Instance<'_>) -> bool {
         let Instance { statement, scope } = *instance;
         if !declares_arrays(&statement.kind) || !scope.is_outermost() {

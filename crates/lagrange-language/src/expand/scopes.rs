@@ -38,7 +38,8 @@ impl Scopes {
         ScopeId(Some(self.0.len() - 1))
     }
 
-    /// The value of a name; `Some(None)` of what is hidden, `None` of what is declared outside of loops.
+    /// The value of a name; `Some(None)` of what is hidden, `None` of what is declared outside of
+    /// loops.
     pub(super) fn find(&self, scope: ScopeId, name: &str) -> Option<Option<i64>> {
         self.outwards(scope).find(|scope| scope.name == name).map(|scope| scope.value)
     }

@@ -10,7 +10,8 @@ use crate::syntax::ast::{
 };
 use lagrange_expr::collections::HashMap;
 
-/// The statements that one instance stands for: one, but for quaternions that are declared together, and none if it is wrong.
+/// The statements that one instance stands for: one, but for quaternions that are declared
+/// together, and none if it is wrong.
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
     let Instance { statement, scope } = *instance;
     let with = |kind| Statement { kind, origin: statement.origin, docs: statement.docs.clone() };

@@ -9,7 +9,8 @@ use lagrange_expr::diagnostics::{Diagnostic, Report, Severity};
 /// Elements by their names in expanded declarations.
 type ElementsByName<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
-/// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an array of which an element is used.
+/// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an
+/// array of which an element is used.
 pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
     let (elements, counted) = (elements(declaration), &declaration.counted);
     let unused =

@@ -1,7 +1,7 @@
 //! The syntax tree of a declaration, as written: names unresolved, nothing simplified.
 //!
-//! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth are
-//! built, walked and dropped without recursion. Children have smaller ids than their parents.
+//! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth
+//! are built, walked and dropped without recursion. Children have smaller ids than their parents.
 
 pub mod bodies;
 mod callables;
@@ -61,7 +61,8 @@ pub struct Declaration {
     pub statements: Vec<Statement>,
     /// The statement by which this is a reduced type of another declaration.
     pub reduction: Option<Statement>,
-    /// Rigid bodies and frames in source order; known also where plain statements have taken the place of theirs.
+    /// Rigid bodies and frames in source order; known also where plain statements have taken the
+    /// place of theirs.
     pub bodies: Vec<DeclaredBody>,
     /// True if these move in space; known where plain statements have taken the place of theirs.
     pub is_in_space: bool,
@@ -77,7 +78,8 @@ pub struct Declaration {
     pub lacks_names: bool,
     /// True if a unit of measurement is written anywhere.
     pub has_units: bool,
-    /// True if one of these measures more than plain numbers and angles, so that dimensions are checked.
+    /// True if one of these measures more than plain numbers and angles, so that dimensions are
+    /// checked.
     pub has_dimensions: bool,
 }
 
@@ -148,7 +150,8 @@ impl Declaration {
         velocities.collect()
     }
 
-    /// The names that `velocity` statements give to the rates of coordinates, by the names of these.
+    /// The names that `velocity` statements give to the rates of coordinates, by the names of
+    /// these.
     pub fn named_velocities(&self) -> HashMap<String, &Name> {
         let mut named = HashMap::default();
         for Statement { kind, .. } in &self.statements {
@@ -187,8 +190,8 @@ impl Declaration {
         })
     }
 
-    /// The declaration of a reduced type: another name and documentation, frozen coordinates left out. What its
-    /// statements say is still said of the whole system.
+    /// The declaration of a reduced type: another name and documentation, frozen coordinates left
+    /// out. What its statements say is still said of the whole system.
     pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
         let is_frozen = |name: &Name| {
             let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
@@ -277,7 +280,8 @@ pub struct Name {
     pub span: Span,
     /// Expressions in square brackets: the sizes of a declared array, or the index of one element.
     pub indices: Vec<AstId>,
-    /// The unit of measurement behind the colon where it is declared; of a function, that of its value.
+    /// The unit of measurement behind the colon where it is declared; of a function, that of its
+    /// value.
     pub unit: Option<Box<Unit>>,
 }
 

@@ -35,8 +35,8 @@ impl Parser<'_> {
         attributes
     }
 
-    /// Reads attributes before a statement: the documentation among them, and where they stand if there are
-    /// any.
+    /// Reads attributes before a statement: the documentation among them, and where they stand if
+    /// there are any.
     pub(super) fn documentation(&mut self, cursor: &mut Cursor) -> (TokenStream, Option<Origin>) {
         let mut first = None;
         let mut attributes = TokenStream::new();
@@ -70,8 +70,8 @@ impl Parser<'_> {
         Ok(())
     }
 
-    /// Reads `#[…]`: what it says, and its tokens. One that is malformed is not emitted: it would make all emitted items
-    /// unreadable.
+    /// Reads `#[…]`: what it says, and its tokens. One that is malformed is not emitted: it would
+    /// make all emitted items unreadable.
     fn attribute(&mut self, cursor: &mut Cursor) -> Parsed<(Meta, TokenStream)> {
         let start = cursor.position();
         cursor.skip_one();
@@ -192,8 +192,8 @@ fn in_brackets(input: ParseStream) -> syn::Result<Meta> {
     content.parse()
 }
 
-/// Checks that what stands behind `=`, if anything does, is a literal or a macro: the compiler takes nothing else, and syn reads
-/// all other expressions by recursion.
+/// Checks that what stands behind `=`, if anything does, is a literal or a macro: the compiler
+/// takes nothing else, and syn reads all other expressions by recursion.
 fn require_plain_value(input: ParseStream) -> syn::Result<()> {
     let is_unsafe = input.parse::<Option<Token![unsafe]>>()?.is_some();
     let is_path = is_unsafe || input.call(Path::parse_mod_style).is_ok();

@@ -61,7 +61,8 @@ impl Parser<'_> {
         cursor.eat_group(Delimiter::Brace);
     }
 
-    /// Reads lines `label: e;` between braces into the places for their values; says whether all could be read.
+    /// Reads lines `label: e;` between braces into the places for their values; says whether all
+    /// could be read.
     pub(super) fn values<T>(
         &mut self,
         group: &Group,
@@ -162,7 +163,8 @@ impl Parser<'_> {
         meant.filter(|label| labels.place(label).is_none()).ok_or(reported)
     }
 
-    /// Takes the colon behind a label. With another sign in its place the value is read all the same.
+    /// Takes the colon behind a label. With another sign in its place the value is read all the
+    /// same.
     pub(super) fn colon(&mut self, label: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.at_same_word() {
             self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, messages::REPEATED_ATTRIBUTE_HELP);

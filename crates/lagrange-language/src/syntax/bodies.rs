@@ -100,7 +100,8 @@ impl Parser<'_> {
         tensor.map_err(|_| self.fail_with_help(here, scenes::tensor_count(count), scenes::TENSOR_HELP))
     }
 
-    /// Completes a body: what could not be read may be what is missing, so that nothing more is to be said about it.
+    /// Completes a body: what could not be read may be what is missing, so that nothing more is to
+    /// be said about it.
     fn complete_body(&mut self, body: &mut Body) {
         let origin = body.name.span.into();
         if body.parts.is_empty() {

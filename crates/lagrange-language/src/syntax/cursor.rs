@@ -1,7 +1,7 @@
 //! A position in a sequence of tokens.
 //!
-//! Square brackets behind a word that can be a name are no tokens of their own but belong to the word, so that whoever looks ahead sees
-//! the same of `q = …` and `q[i] = …`.
+//! Square brackets behind a word that can be a name are no tokens of their own but belong to the
+//! word, so that whoever looks ahead sees the same of `q = …` and `q[i] = …`.
 
 mod boundaries;
 mod brackets;
@@ -20,8 +20,8 @@ const PAIRS: [&str; 17] =
 /// Longer lists of type parameters and of what is said about them are refused, whatever they say.
 const MAX_TOKENS_OF_RUST: usize = 32;
 
-/// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token each and
-/// get a cursor of their own, so every token is copied once.
+/// Walks the tokens of one bracket group, or of the whole input. Groups inside count as one token
+/// each and get a cursor of their own, so every token is copied once.
 pub(super) struct Cursor {
     tokens: Vec<TokenTree>,
     next: usize,
@@ -62,7 +62,8 @@ impl Cursor {
         self.next.checked_sub(1).map_or_else(Vec::new, |last| self.brackets.read(last))
     }
 
-    /// The first square brackets behind what has been taken that nobody read. Nobody is told of them again.
+    /// The first square brackets behind what has been taken that nobody read. Nobody is told of
+    /// them again.
     pub(super) fn forget_brackets(&mut self) -> Option<Group> {
         self.brackets.forget(self.next)
     }
@@ -115,8 +116,8 @@ impl Cursor {
         self.next
     }
 
-    /// Place of the tokens that were taken since the cursor was at a position; if there are none, the same
-    /// as [`Cursor::here`].
+    /// Place of the tokens that were taken since the cursor was at a position; if there are none,
+    /// the same as [`Cursor::here`].
     pub(super) fn since(&self, position: usize) -> Origin {
         if position < self.next { self.origin(position).to(self.before()) } else { self.here() }
     }
@@ -155,7 +156,8 @@ impl Cursor {
         self.pair().map_or(self.here(), |(_, origin)| origin)
     }
 
-    /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it may read by recursion.
+    /// Takes what a parser of Rust reads here; nothing if it fails. It sees few tokens, since it
+    /// may read by recursion.
     pub(super) fn read<T>(&mut self, read: impl Fn(ParseStream) -> syn::Result<T>) -> syn::Result<T> {
         let mut left = MAX_TOKENS_OF_RUST;
         let is_seen = |token: &&TokenTree| {
@@ -176,8 +178,8 @@ impl Cursor {
         self.skip_to(|cursor| cursor.here().start.start().line != line);
     }
 
-    /// A decimal comma: whether the token that many places ahead is a comma between the digits of two numbers. Where they
-    /// stand, and how the number is written.
+    /// A decimal comma: whether the token that many places ahead is a comma between the digits of
+    /// two numbers. Where they stand, and how the number is written.
     pub(super) fn decimal_comma(&self, ahead: isize) -> Option<(Origin, String)> {
         let at = self.next.checked_add_signed(ahead)?;
         let (before, behind) = (self.tokens.get(at.checked_sub(1)?)?, self.tokens.get(at + 1)?);
@@ -206,7 +208,8 @@ impl Cursor {
         found.then(|| self.skip_one().end)
     }
 
-    /// True if an `=` stands behind the next `count` tokens that is not the beginning of `==` or `=>`.
+    /// True if an `=` stands behind the next `count` tokens that is not the beginning of `==` or
+    /// `=>`.
     pub(super) fn equals_past(&self, count: usize) -> bool {
         let follower = self.peek_past(count + 1);
         let joint = is_joint(self.peek_past(count), '=');

@@ -84,8 +84,9 @@ impl Parser<'_> {
         definitions
     }
 
-    /// `x, theta` behind this keyword. A word that cannot be a name counts all the same, so that vectors have the length that the
-    /// user expects; where it cannot be a field either, a name stands for it that nobody can write.
+    /// `x, theta` behind this keyword. A word that cannot be a name counts all the same, so that
+    /// vectors have the length that the user expects; where it cannot be a field either, a name
+    /// stands for it that nobody can write.
     pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Name> {
         self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
             let start = cursor.position();
@@ -144,7 +145,8 @@ impl Parser<'_> {
         items
     }
 
-    /// Reports what stands behind an item instead of a comma; says whether the next item follows all the same.
+    /// Reports what stands behind an item instead of a comma; says whether the next item follows
+    /// all the same.
     fn no_comma(&mut self, list: List, start: usize, cursor: &mut Cursor) -> bool {
         let is_next = list.at_next_item(cursor) && cursor.position() > start;
         if is_next && !cursor.at_same_word() {
@@ -312,7 +314,8 @@ fn at_item_end(cursor: &Cursor) -> bool {
 }
 
 impl List {
-    /// True if the next item follows without a comma: another name behind one, or a name with its `=`.
+    /// True if the next item follows without a comma: another name behind one, or a name with its
+    /// `=`.
     fn at_next_item(self, cursor: &Cursor) -> bool {
         let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
         if self.has_values { are_names || is_definition(cursor) } else { are_names && !is_definition(cursor) }

@@ -158,7 +158,8 @@ impl Parser<'_> {
         Ok(assignments)
     }
 
-    /// Reports a statement between the braces and skips it. What it declares is not reported as unknown.
+    /// Reports a statement between the braces and skips it. What it declares is not reported as
+    /// unknown.
     fn statement_in_event(&mut self, cursor: &mut Cursor) {
         let start = cursor.position();
         if let Some(keyword) = cursor.eat_ident() {

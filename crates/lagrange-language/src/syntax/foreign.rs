@@ -1,5 +1,5 @@
-//! Words of other languages and of textbooks, with what stands for them in this one. None of them is reserved: they are looked
-//! up only where a word means nothing.
+//! Words of other languages and of textbooks, with what stands for them in this one. None of them
+//! is reserved: they are looked up only where a word means nothing.
 
 mod functions;
 mod rates;
@@ -125,8 +125,8 @@ pub const NAMES: &[(&[&str], &str)] = &[
 /// Names of libraries in front of functions and constants.
 const LIBRARIES: &[&str] = &["np", "numpy", "math", "Math", "sp", "sympy", "sym", "torch", "jnp", "cmath"];
 
-/// Labels of bodies, lines, springs and dampers, with the words that others use for them. A word may stand for several: the one
-/// that is possible is meant.
+/// Labels of bodies, lines, springs and dampers, with the words that others use for them. A word
+/// may stand for several: the one that is possible is meant.
 const LABELS: &[(&str, &[&str])] = &[
     ("mass", &["m", "M"]),
     ("inertia", &["J", "I", "j", "moment_of_inertia", "moment"]),
@@ -190,8 +190,8 @@ const SOLIDS: &[(&str, &[&str])] = &[
     ("regular_polygon", &["hexagon", "pentagon", "octagon", "ngon"]),
 ];
 
-/// Parts of bodies, connectors and joints, with what is written in the place of others; `#1` stands for the object, `#2` for the
-/// word.
+/// Parts of bodies, connectors and joints, with what is written in the place of others; `#1` stands
+/// for the object, `#2` for the word.
 const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Body, &["position", "pos", "centre", "com", "place", "location"], "#1.center"),
     (Owner::Body, &["x", "y"], "#1.center.#2"),
@@ -293,7 +293,8 @@ pub fn is_library(word: &str) -> bool {
     LIBRARIES.contains(&word)
 }
 
-/// Name with Greek letters written out, or with the names of letters as letters; `None` if it has neither.
+/// Name with Greek letters written out, or with the names of letters as letters; `None` if it has
+/// neither.
 pub fn letter(word: &str) -> Option<String> {
     let written_out =
         LETTERS.iter().fold(word.to_owned(), |text, (letter, name)| text.replace(*letter, name));

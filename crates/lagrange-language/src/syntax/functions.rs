@@ -57,7 +57,8 @@ impl Parser<'_> {
         Ok((name, parameters))
     }
 
-    /// Reports a name under which the user's crate cannot have a function, or emitted code would call another one.
+    /// Reports a name under which the user's crate cannot have a function, or emitted code would
+    /// call another one.
     fn check_callee(&mut self, name: &Name) {
         let message = match name.text.as_str() {
             text if OF_EMITTED_CODE.contains(&text) => words::of_emitted_code(text),
@@ -90,7 +91,8 @@ impl Parser<'_> {
         derivatives.into_iter().map(|(derivative, _)| derivative).collect()
     }
 
-    /// `derivative` or `by x, y`: how often the function is differentiated by each of its arguments.
+    /// `derivative` or `by x, y`: how often the function is differentiated by each of its
+    /// arguments.
     fn orders(&mut self, function: &Name, parameters: &[Name], cursor: &mut Cursor) -> Parsed<Vec<u8>> {
         if cursor.at_word("by") {
             cursor.skip_one();

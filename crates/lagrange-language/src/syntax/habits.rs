@@ -1,4 +1,5 @@
-//! Expressions as they are written on paper or in other languages: derivatives as quotients, powers of functions, paths.
+//! Expressions as they are written on paper or in other languages: derivatives as quotients, powers
+//! of functions, paths.
 
 use proc_macro2::{Delimiter, TokenTree};
 

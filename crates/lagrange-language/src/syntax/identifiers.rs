@@ -11,8 +11,8 @@ use super::messages::habits;
 use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
-    /// Reads a name that is being declared. One that cannot be a name is reported and left out of the
-    /// syntax tree, so every declared name there is an identifier of Rust and of the language.
+    /// Reads a name that is being declared. One that cannot be a name is reported and left out of
+    /// the syntax tree, so every declared name there is an identifier of Rust and of the language.
     pub(super) fn free_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         if cursor.ident().is_none() {
             return Err(self.no_name(habits::name_help(cursor.peek()), cursor));
@@ -24,7 +24,8 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports that what is declared here has no name. It may be mentioned under the name that it was to have.
+    /// Reports that what is declared here has no name. It may be mentioned under the name that it
+    /// was to have.
     pub(super) fn no_name(&mut self, help: &str, cursor: &Cursor) -> Reported {
         self.lacks_names = true;
         let message = messages::expected("a name", cursor.peek());

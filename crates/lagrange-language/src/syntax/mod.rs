@@ -1,8 +1,8 @@
 //! Declarations as the user writes them: tokens to syntax tree.
 //!
-//! Knows how things are written, not what they mean: names are not resolved, functions not looked up,
-//! vectors not told from numbers. Reading goes on behind a mistake, at the next comma or semicolon, so that
-//! all mistakes of a declaration are found at once.
+//! Knows how things are written, not what they mean: names are not resolved, functions not looked
+//! up, vectors not told from numbers. Reading goes on behind a mistake, at the next comma or
+//! semicolon, so that all mistakes of a declaration are found at once.
 //!
 //! ```text
 //! declaration = attribute* visibility "struct" NAME [ "<" NAME ">" ] ";" statement*
@@ -20,7 +20,8 @@
 //! exponent    = [ "-" ] NUMBER | "(" [ "-" ] NUMBER [ "/" NUMBER ] ")"
 //! ```
 //!
-//! `%` stands in indices only. Statements are in the documentation of [`StatementKind`](ast::StatementKind).
+//! `%` stands in indices only. Statements are in the documentation of
+//! [`StatementKind`](ast::StatementKind).
 
 pub mod ast;
 mod attributes;
@@ -71,8 +72,8 @@ use parser::Parser;
 
 /// Reads the input of `system!`.
 ///
-/// Whatever can be read is in the result, whether or not there are mistakes elsewhere. It is `None` only if
-/// no struct is named, which is an error in the report.
+/// Whatever can be read is in the result, whether or not there are mistakes elsewhere. It is `None`
+/// only if no struct is named, which is an error in the report.
 pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declaration> {
     let cursor = &mut Cursor::new(tokens);
     let parser = &mut Parser::new(report);
@@ -82,9 +83,9 @@ pub fn parse_tokens(tokens: TokenStream, report: &mut Report) -> Option<Declarat
 
 /// Reads a declaration from a string.
 ///
-/// The text may also be a bare list of statements: then the system is public, has no attributes, computes
-/// in `f64` and is named `System`. A text that does not consist of tokens, because of an unclosed bracket for
-/// example, gives an error and `None`.
+/// The text may also be a bare list of statements: then the system is public, has no attributes,
+/// computes in `f64` and is named `System`. A text that does not consist of tokens, because of an
+/// unclosed bracket for example, gives an error and `None`.
 pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
     let cursor = &mut Cursor::new(text::tokens(text, report)?);
     let parser = &mut Parser::new(report);

@@ -37,7 +37,8 @@ impl Parser<'_> {
         Ok(name)
     }
 
-    /// Reads the unit between a declared name and its value. What stands there elsewhere, a type or an argument, is reported and skipped.
+    /// Reads the unit between a declared name and its value. What stands there elsewhere, a type or
+    /// an argument, is reported and skipped.
     pub(super) fn annotation(&mut self, name: &mut Name, keyword: &str, cursor: &mut Cursor) {
         let start = cursor.position();
         let (message, help) = match cursor.peek() {
@@ -70,7 +71,8 @@ impl Parser<'_> {
         self.fail_once(cursor.since(start), message, help);
     }
 
-    /// Takes the `=` behind what is declared. An operator that is like it elsewhere is reported and taken for it.
+    /// Takes the `=` behind what is declared. An operator that is like it elsewhere is reported and
+    /// taken for it.
     pub(super) fn equals(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<()> {
         if cursor.eat_equals().is_some() {
             return Ok(());

@@ -17,7 +17,8 @@ pub(super) struct StatementOptions {
 }
 
 impl Parser<'_> {
-    /// Reads options as long as there are any; `read` reads the value behind a label, whose place it is given.
+    /// Reads options as long as there are any; `read` reads the value behind a label, whose place
+    /// it is given.
     pub(super) fn labelled_options(
         &mut self,
         options: &StatementOptions,

@@ -95,7 +95,8 @@ impl<'r> Parser<'r> {
         Reported
     }
 
-    /// Reports a mistake that is likely made again and again in a statement, where it is made first.
+    /// Reports a mistake that is likely made again and again in a statement, where it is made
+    /// first.
     pub(super) fn fail_once(&mut self, origin: impl Into<Origin>, message: &str, help: &str) -> Reported {
         if self.said.insert(message.to_owned()) {
             self.report.error(origin, message).help(help);
@@ -119,7 +120,8 @@ impl<'r> Parser<'r> {
         self.declared_names.get(&name.to_owned()).copied()
     }
 
-    /// Placeholder for the tokens since a position of the cursor, which a reported mistake made unreadable.
+    /// Placeholder for the tokens since a position of the cursor, which a reported mistake made
+    /// unreadable.
     pub(super) fn unreadable(&mut self, cursor: &Cursor, start: usize) -> AstId {
         self.expressions.add(Expression::Invalid, cursor.since(start))
     }
@@ -150,7 +152,8 @@ impl<'r> Parser<'r> {
         })
     }
 
-    /// Reports square brackets that belong to a word which cannot have any, unless there are other mistakes around it.
+    /// Reports square brackets that belong to a word which cannot have any, unless there are other
+    /// mistakes around it.
     pub(super) fn refuse_brackets(&mut self, cursor: &mut Cursor, mistakes: usize) {
         let unread = cursor.forget_brackets();
         if let Some(group) = unread.filter(|_| self.report.diagnostics().len() == mistakes) {

@@ -1,7 +1,7 @@
 //! Declarations as text: what is printed is read as the same statements.
 //!
-//! One statement stands on a line, and parentheses stand only where operators need them. Comments, documentation
-//! and the head of the declaration are left out.
+//! One statement stands on a line, and parentheses stand only where operators need them. Comments,
+//! documentation and the head of the declaration are left out.
 
 mod arrays;
 mod callables;

@@ -26,9 +26,9 @@ impl Turn {
 }
 
 impl Parser<'_> {
-    /// Reads turn by turn up to the last one. This is the only loop over tokens that does not skip them, and
-    /// it comes to an end whatever the turns do: a token that none of them takes is skipped, with a
-    /// complaint unless the turn complained.
+    /// Reads turn by turn up to the last one. This is the only loop over tokens that does not skip
+    /// them, and it comes to an end whatever the turns do: a token that none of them takes is
+    /// skipped, with a complaint unless the turn complained.
     pub(super) fn turns(
         &mut self,
         cursor: &mut Cursor,
@@ -154,7 +154,8 @@ impl Parser<'_> {
         self.fail_with_help(word.span(), messages::unknown_statement(&text), help)
     }
 
-    /// Message for a word that begins no statement but has a meaning in this declaration or in other languages.
+    /// Message for a word that begins no statement but has a meaning in this declaration or in
+    /// other languages.
     fn strange_statement(&self, word: &str, cursor: &Cursor) -> Option<(String, String)> {
         let is_assigned = at_equals_past(0, cursor);
         match self.declared(word) {
@@ -213,7 +214,8 @@ impl Parser<'_> {
     }
 }
 
-/// True if `a to b`, perhaps with a name and `=` in front, is the rest of the statement or stands before braces.
+/// True if `a to b`, perhaps with a name and `=` in front, is the rest of the statement or stands
+/// before braces.
 fn between_bodies(cursor: &Cursor) -> bool {
     let first = if cursor.equals_past(1) { 2 } else { 0 };
     let is_word = |count: usize| matches!(cursor.peek_past(first + count), Some(TokenTree::Ident(_)));

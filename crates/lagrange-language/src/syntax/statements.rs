@@ -17,7 +17,8 @@ use super::messages::forms::form;
 use super::parser::{Declared, Parsed, Parser, Reported};
 
 impl Parser<'_> {
-    /// Reads statements up to the end of the input. Those that cannot be read are reported and left out.
+    /// Reads statements up to the end of the input. Those that cannot be read are reported and left
+    /// out.
     pub(super) fn statements(&mut self, cursor: &mut Cursor) -> Vec<Statement> {
         let mut statements = Vec::new();
         self.each(cursor, |parser, cursor| statements.extend(parser.documented_statement(cursor)));

@@ -28,7 +28,8 @@ impl Parser<'_> {
         self.fail_with_help(cursor.here(), message, help)
     }
 
-    /// Reports the next token, which should continue the expression before it or be what is wanted there.
+    /// Reports the next token, which should continue the expression before it or be what is wanted
+    /// there.
     pub(super) fn no_operator(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
         if let Some((origin, number)) = cursor.decimal_comma(0) {
             return self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number));
@@ -40,7 +41,8 @@ impl Parser<'_> {
         self.fail_with_help(cursor.here_to_pair(), message, help)
     }
 
-    /// A word behind a number that is the name of something declared and of a unit, or no unit by that name.
+    /// A word behind a number that is the name of something declared and of a unit, or no unit by
+    /// that name.
     fn unit_mistake(&self, cursor: &Cursor, wanted: &str) -> Option<Mistake> {
         let (Some(TokenTree::Literal(number)), Some(word)) = (cursor.previous(), cursor.ident()) else {
             return None;

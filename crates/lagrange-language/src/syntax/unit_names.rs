@@ -18,7 +18,8 @@ impl Parser<'_> {
         is_unit && self.declared(word).is_none() && !BUILT_IN.contains(&word)
     }
 
-    /// The place of a unit of several factors that stands here behind a number, and how it is written in brackets.
+    /// The place of a unit of several factors that stands here behind a number, and how it is
+    /// written in brackets.
     pub(super) fn several_factors(&self, cursor: &Cursor) -> Option<(Origin, String)> {
         let text = |from: usize, to: usize| {
             (from..to).filter_map(|at| cursor.peek_past(at)).map(ToString::to_string)
@@ -37,7 +38,8 @@ impl Parser<'_> {
         Some((cursor.reaching(end), words::in_brackets(&number, &unit, &rest)))
     }
 
-    /// True if `*` or `/` and the name of a unit stand behind the next tokens, which is no name of the declaration.
+    /// True if `*` or `/` and the name of a unit stand behind the next tokens, which is no name of
+    /// the declaration.
     fn unit_follows(&self, cursor: &Cursor, count: usize) -> bool {
         let word = match cursor.peek_past(count + 1) {
             Some(TokenTree::Ident(word)) => word.to_string(),

@@ -18,7 +18,8 @@ use lagrange_expr::number::Number;
 use lagrange_expr::units::{Unit, UnitFactor, meaning, meant, names};
 
 impl Parser<'_> {
-    /// Reads a colon and the unit behind it. What cannot be read is skipped up to the value or the next name.
+    /// Reads a colon and the unit behind it. What cannot be read is skipped up to the value or the
+    /// next name.
     pub(super) fn unit_behind_colon(&mut self, cursor: &mut Cursor) -> Option<Box<Unit>> {
         cursor.skip_one();
         let unit = self.unit(cursor).ok();
@@ -31,7 +32,8 @@ impl Parser<'_> {
         unit
     }
 
-    /// Reads what stands behind a number: a named unit, perhaps with an exponent, or any unit in square brackets.
+    /// Reads what stands behind a number: a named unit, perhaps with an exponent, or any unit in
+    /// square brackets.
     pub(super) fn quantity(&mut self, number: ReadOperand, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let unit = match cursor.peek() {
             Some(TokenTree::Ident(word)) if self.is_unit_here(&word.to_string(), cursor) => {
@@ -67,7 +69,8 @@ impl Parser<'_> {
             && !cursor.at_statement()
     }
 
-    /// `deg` or `m^2` behind a number. Several factors are reported: what follows `*` and `/` are names of the declaration.
+    /// `deg` or `m^2` behind a number. Several factors are reported: what follows `*` and `/` are
+    /// names of the declaration.
     fn short_unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
         if let Some(quotation) = self.several_factors(cursor) {
             let (place, help) = quotation;
@@ -207,7 +210,8 @@ impl Parser<'_> {
         self.fail_with_help(place, words::unknown(word), help)
     }
 
-    /// Reports units of the parameters of a function that `let` names, which has the units of what it is called with.
+    /// Reports units of the parameters of a function that `let` names, which has the units of what
+    /// it is called with.
     pub(super) fn refuse_units(&mut self, names: &[Name]) {
         if let Some(unit) = names.iter().find_map(|name| name.unit.as_ref()) {
             self.fail_with_help(unit.origin, words::ON_LET_FUNCTION, words::ON_LET_FUNCTION_HELP);

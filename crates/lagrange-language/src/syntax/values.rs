@@ -12,8 +12,8 @@ impl Parser<'_> {
         Ok(self.value(cursor))
     }
 
-    /// Reads the expression that ends the statement. What is unreadable is still a value, so that a name
-    /// stays declared although its value is wrong.
+    /// Reads the expression that ends the statement. What is unreadable is still a value, so that a
+    /// name stays declared although its value is wrong.
     pub(super) fn value(&mut self, cursor: &mut Cursor) -> AstId {
         let start = cursor.position();
         match self.expression(cursor) {

@@ -1,7 +1,8 @@
 //! Files of tables: read, and taken apart into numbers.
 //!
-//! Nothing here touches a file system: who reads declarations says how files are read. A file has a point on each line, its numbers
-//! separated by commas, semicolons, tabs or blanks; the first line may name the columns, and what stands behind `#` is a comment.
+//! Nothing here touches a file system: who reads declarations says how files are read. A file has a
+//! point on each line, its numbers separated by commas, semicolons, tabs or blanks; the first line
+//! may name the columns, and what stands behind `#` is a comment.
 
 mod messages;
 
@@ -15,7 +16,8 @@ use lagrange_expr::limits::MAX_FILE_BYTES;
 /// A file as it was read.
 #[derive(Clone, Debug)]
 pub struct FileText {
-    /// Path under which the compiler finds it, so that what is emitted is compiled again when it changes; nothing if it need not.
+    /// Path under which the compiler finds it, so that what is emitted is compiled again when it
+    /// changes; nothing if it need not.
     pub path: String,
     /// Content.
     pub text: String,
@@ -44,7 +46,8 @@ pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     })
 }
 
-/// Reads files: from the path that a declaration gives to the text, or to the reason why there is none.
+/// Reads files: from the path that a declaration gives to the text, or to the reason why there is
+/// none.
 pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
 
 /// The reader of those who read no files.
@@ -75,7 +78,8 @@ pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut 
     }
 }
 
-/// The points in a text, each behind the number of its line; nothing but a report if one of them is none.
+/// The points in a text, each behind the number of its line; nothing but a report if one of them is
+/// none.
 fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));

@@ -28,7 +28,8 @@ fn unit_in_last_place(x: f64) -> f64 {
     f64::from_bits(magnitude.to_bits() + 1) - f64::from_bits(magnitude.to_bits())
 }
 
-/// The largest error in units in the last place, with its bound left out where results are subnormal.
+/// The largest error in units in the last place, with its bound left out where results are
+/// subnormal.
 #[track_caller]
 fn assert_bounded(row: &Row, fused: bool) {
     let mut largest = (0.0, [0.0; 2]);

@@ -1,4 +1,5 @@
-//! Special values, symmetry, what is beyond the formulas, and that numbers do not disturb each other.
+//! Special values, symmetry, what is beyond the formulas, and that numbers do not disturb each
+//! other.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 

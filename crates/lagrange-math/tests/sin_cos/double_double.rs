@@ -1,6 +1,7 @@
-//! Sine and cosine with about a hundred bits, for dense comparisons: sums of two doubles (T. J. Dekker, "A
-//! floating-point technique for extending the available precision", Numerische Mathematik 18, 1971) and Taylor
-//! series. Nothing of it is shared with what it checks; `stored` holds it to values from another program.
+//! Sine and cosine with about a hundred bits, for dense comparisons: sums of two doubles (T. J.
+//! Dekker, "A floating-point technique for extending the available precision", Numerische
+//! Mathematik 18, 1971) and Taylor series. Nothing of it is shared with what it checks; `stored`
+//! holds it to values from another program.
 
 use std::f64::consts::FRAC_2_PI;
 

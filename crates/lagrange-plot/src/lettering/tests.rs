@@ -96,7 +96,8 @@ fn pairs_stand_closer_where_the_font_says_so() {
     assert_eq!(width("nn", Slope::Upright), apart("n", "n"));
 }
 
-/// Accents take no place, and stand above the middle of high and of low letters without touching them.
+/// Accents take no place, and stand above the middle of high and of low letters without touching
+/// them.
 #[test]
 fn accents_stand_above_their_letters() {
     for slope in [Slope::Upright, Slope::Italic] {

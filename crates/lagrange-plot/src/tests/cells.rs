@@ -23,7 +23,8 @@ fn pixel(pixels: &Pixels, (x, y): (u32, u32)) -> [u8; 3] {
     [pixels.rgba()[at], pixels.rgba()[at + 1], pixels.rgba()[at + 2]]
 }
 
-/// The pixel in the middle of a cell, counted from the lower left, of which each has 334 pixels to a side.
+/// The pixel in the middle of a cell, counted from the lower left, of which each has 334 pixels to
+/// a side.
 fn middle((column, row): (u32, u32)) -> (u32, u32) {
     (2 * 74 + 334 * column + 167, 2 * 28 + 334 * (1 - row) + 167)
 }
@@ -35,7 +36,8 @@ fn cells_have_the_colours_of_their_values() {
     assert_eq!([at((0, 0)), at((1, 1))], [DARK; 2]);
     assert_eq!([at((2, 0)), at((0, 1))], [YELLOW; 2]);
     assert_eq!(at((2, 1)), WHITE, "not finite");
-    // Half of the way between the powers of ten, which is between the fourth and the fifth of eight colours.
+    // Half of the way between the powers of ten, which is between the fourth and the fifth of eight
+    // colours.
     assert_eq!(at((1, 0)), [35, 144, 139]);
     let linear = map(Scale::Linear).pixels().expect("draws");
     assert_eq!(pixel(&linear, middle((2, 0))), YELLOW);

@@ -1,13 +1,14 @@
 //! The motion of rigid bodies in space.
 //!
-//! With the rotation R from the body's own axes to the world, ω and α = ω̇ in world axes and ρ = R (own − centroid), the point Q of a body
-//! with the centre of mass S has
+//! With the rotation R from the body's own axes to the world, ω and α = ω̇ in world axes and ρ = R
+//! (own − centroid), the point Q of a body with the centre of mass S has
 //!
 //! ```text
 //! r_Q = r_S + ρ,    v_Q = v_S + ω × ρ,    a_Q = a_S + α × ρ + ω × (ω × ρ).
 //! ```
 //!
-//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, ch. 2; Goldstein, Poole, Safko, *Classical Mechanics*, §4.9, 5.1 and 5.3.
+//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, ch. 2; Goldstein, Poole, Safko, *Classical
+//! Mechanics*, §4.9, 5.1 and 5.3.
 
 use crate::Scalar;
 
@@ -16,8 +17,9 @@ type Vector<S> = [S; 3];
 
 /// The motion of a rigid body in space at one moment.
 ///
-/// Positions are in m, masses in kg, times in s, angles in rad, if the numbers of the declaration are. Own coordinates are those of the
-/// frame that the declaration states centroid and inertia in. All other vectors are in the axes of the world.
+/// Positions are in m, masses in kg, times in s, angles in rad, if the numbers of the declaration
+/// are. Own coordinates are those of the frame that the declaration states centroid and inertia in.
+/// All other vectors are in the axes of the world.
 ///
 /// ```
 /// use lagrange::body::SpatialMotion;
@@ -43,13 +45,15 @@ type Vector<S> = [S; 3];
 pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
-    /// The tensor of inertia about the centre of mass in the body's own axes, in rows; zero for a body that never turns and states none.
+    /// The tensor of inertia about the centre of mass in the body's own axes, in rows; zero for a
+    /// body that never turns and states none.
     pub inertia: [Vector<S>; 3],
     /// The centre of mass in own coordinates.
     pub centroid: Vector<S>,
     /// The position of the centre of mass.
     pub center: Vector<S>,
-    /// The rotation R from own axes to those of the world, in rows: its columns are the body's axes.
+    /// The rotation R from own axes to those of the world, in rows: its columns are the body's
+    /// axes.
     pub rotation: [Vector<S>; 3],
     /// The velocity of the centre of mass.
     pub velocity: Vector<S>,
@@ -69,7 +73,8 @@ impl<S: Scalar> SpatialMotion<S> {
         self.rotation.map(|row| inner(row, own))
     }
 
-    /// Rᵀ v, the components in own axes of a vector of the world: what undoes [`vector`](SpatialMotion::vector).
+    /// Rᵀ v, the components in own axes of a vector of the world: what undoes
+    /// [`vector`](SpatialMotion::vector).
     #[must_use]
     pub fn to_body(self, vector: Vector<S>) -> Vector<S> {
         let [x, y, z] = self.rotation;

@@ -5,7 +5,8 @@ use super::{Motion, cross, difference, norm_squared, sum, turned};
 /// How many random motions each law is tried on.
 const TRIALS: u64 = 200;
 
-/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random enough for places.
+/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random
+/// enough for places.
 struct Random(u64);
 
 impl Random {
@@ -144,7 +145,8 @@ fn instantaneous_centre_has_no_velocity() {
     }
 }
 
-/// Where the normals to the velocities of two points meet, by Cramer's rule on (r − r_P)·v_P = 0 = (r − r_Q)·v_Q.
+/// Where the normals to the velocities of two points meet, by Cramer's rule on (r − r_P)·v_P = 0 =
+/// (r − r_Q)·v_Q.
 fn meeting_point(motion: &Motion<f64>, p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
     let (v, w) = (motion.velocity_at(p), motion.velocity_at(q));
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
@@ -265,8 +267,8 @@ fn inertia_is_least_about_the_centre_of_mass() {
     }
 }
 
-/// A step ladder of two halves of length L = 2, hinged at the top, the left foot in the origin, the right foot on the floor: the
-/// right half turns about (2 L cos φ, 2 L sin φ).
+/// A step ladder of two halves of length L = 2, hinged at the top, the left foot in the origin, the
+/// right foot on the floor: the right half turns about (2 L cos φ, 2 L sin φ).
 #[test]
 fn instantaneous_centre_of_a_ladder_is_on_a_circle_of_twice_its_length() {
     const LENGTH: f64 = 2.0;

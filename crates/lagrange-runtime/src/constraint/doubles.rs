@@ -258,9 +258,9 @@ impl Mechanism<3, 1> for Skate {
     }
 }
 
-/// Three equal cranks carry a coupler, which one of them does in vain: the coupler at (x, y, φ) is pinned to cranks at the angles
-/// θ₁, θ₂, θ₃ about (−1, 0), (0, 0), (1, 0). The cranks turn together as a pendulum does, and when they lie along the coupler,
-/// all could part.
+/// Three equal cranks carry a coupler, which one of them does in vain: the coupler at (x, y, φ) is
+/// pinned to cranks at the angles θ₁, θ₂, θ₃ about (−1, 0), (0, 0), (1, 0). The cranks turn
+/// together as a pendulum does, and when they lie along the coupler, all could part.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Parallelogram;
 
@@ -322,7 +322,8 @@ impl Mechanism<6, 6> for Parallelogram {
     }
 }
 
-/// A spherical pendulum of the length one in Cartesian coordinates; its angular momentum about the vertical is constant.
+/// A spherical pendulum of the length one in Cartesian coordinates; its angular momentum about the
+/// vertical is constant.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spherical;
 

@@ -1,16 +1,19 @@
 //! Constraints at run time: residuals, and the way back onto them.
 //!
-//! Accelerations of a constrained system keep c̈ = 0, so that rounding and the errors of a method let c and ċ drift away
-//! from zero. After each accepted step a state is therefore put back, with the mass matrix as metric: to positions that satisfy
-//! c(t, q) = 0, by corrections each of which is as small as can be, and then to the nearest velocities that satisfy
-//! ċ(t, q, v) = 0. From nearby these positions are the nearest, too; from afar [`project`] goes on to those. This is *projection*;
-//! it is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does, and all methods of
-//! [`integrate`](crate::integrate) ask for it.
+//! Accelerations of a constrained system keep c̈ = 0, so that rounding and the errors of a method
+//! let c and ċ drift away from zero. After each accepted step a state is therefore put back, with
+//! the mass matrix as metric: to positions that satisfy c(t, q) = 0, by corrections each of which
+//! is as small as can be, and then to the nearest velocities that satisfy ċ(t, q, v) = 0. From
+//! nearby these positions are the nearest, too; from afar [`project`] goes on to those. This is *projection*;
+//! it is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does, and
+//! all methods of [`integrate`](crate::integrate) ask for it.
 //!
-//! Other ways are to leave what accelerations keep to themselves ([`Unprojected`]), and to let residuals decay by the accelerations,
-//! c̈ + 2 κ ċ + κ² c = 0 (`stabilise = κ;`, after Baumgarte). Projection is the recommended way: no rate has to be chosen, and what
-//! is left of constraints is rounding. A point mass on a rod of 1 m in Cartesian coordinates that swings from the level for 1000 s,
-//! by `RungeKutta4` in steps of 0.01 s and by `Verner98` at the tolerance 10⁻¹⁰, seen at every step:
+//! Other ways are to leave what accelerations keep to themselves ([`Unprojected`]), and to let
+//! residuals decay by the accelerations, c̈ + 2 κ ċ + κ² c = 0 (`stabilise = κ;`, after Baumgarte).
+//! Projection is the recommended way: no rate has to be chosen, and what is left of constraints is
+//! rounding. A point mass on a rod of 1 m in Cartesian coordinates that swings from the level for
+//! 1000 s, by `RungeKutta4` in steps of 0.01 s and by `Verner98` at the tolerance 10⁻¹⁰, seen at
+//! every step:
 //!
 //! | | largest c | largest ċ | error of the energy | of the position | evaluations |
 //! |---|---|---|---|---|---|
@@ -27,21 +30,25 @@
 //! | κ = 100/s | 2·10⁻¹⁴ | 3·10⁻¹² | 3·10⁻¹¹ | 1·10⁻⁹ | 4 203 087 |
 //! | neither | 1·10⁻⁶ | 3·10⁻⁹ | 8·10⁻⁶ | 1·10⁻⁴ | 268 161 |
 //!
-//! A large rate makes the equations stiff: an adaptive method takes shorter steps for it, which is what makes its rows more
-//! accurate, and steps of fixed length do not resolve it. (`tests/trajectories/projected.rs` prints the table.)
+//! A large rate makes the equations stiff: an adaptive method takes shorter steps for it, which is
+//! what makes its rows more accurate, and steps of fixed length do not resolve it.
+//! (`tests/trajectories/projected.rs` prints the table.)
 //!
-//! A projection takes about as long as three evaluations of the accelerations. On the rod, a four-bar linkage and Andrews' squeezer
-//! it makes a step of `RungeKutta4` longer by factors of 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %
+//! A projection takes about as long as three evaluations of the accelerations. On the rod, a
+//! four-bar linkage and Andrews' squeezer it makes a step of `RungeKutta4` longer by factors of
+//! 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %
 //! (`cargo bench -p lagrange-benches --bench projection`).
 //!
-//! Projection leaves the order of a method as it is, but not what makes it symplectic: energies and the momenta of symmetries are
-//! then kept as accurately as the method is, with a slow drift. `Variational` and `StormerVerlet` enforce constraints by themselves
-//! and are not projected; they are for long motions at moderate accuracy.
+//! Projection leaves the order of a method as it is, but not what makes it symplectic: energies and
+//! the momenta of symmetries are then kept as accurately as the method is, with a slow drift.
+//! `Variational` and `StormerVerlet` enforce constraints by themselves and are not projected; they
+//! are for long motions at moderate accuracy.
 //!
-//! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.2; Hairer, Lubich, Wanner, *Geometric
-//! Numerical Integration*, 2nd ed., §IV.4, §VII.1; Eich-Soellner, Führer, *Numerical Methods in Multibody Dynamics*, §5.3; Baumgarte,
-//! *Stabilization of constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics and
-//! Engineering 1 (1972), 1–16.
+//! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.2; Hairer,
+//! Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.4, §VII.1; Eich-Soellner,
+//! Führer, *Numerical Methods in Multibody Dynamics*, §5.3; Baumgarte, *Stabilization of
+//! constraints and integrals of motion in dynamical systems*, Computer Methods in Applied Mechanics
+//! and Engineering 1 (1972), 1–16.
 
 #[cfg(test)]
 pub(crate) mod doubles;
@@ -98,9 +105,10 @@ pub trait ConstrainedSystem: MechanicalSystem {
         by: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// The smallest [displacement](MechanicalSystem) of the positions, or change of the velocities, measured by the mass matrix, that takes these residuals away to first order:
-    /// δ with M δ = Aᵀμ and A δ = −residuals. Not finite where there is none; of constraints that depend on each other,
-    /// [`redundant_correction`] takes those that do not.
+    /// The smallest [displacement](MechanicalSystem) of the positions, or change of the velocities,
+    /// measured by the mass matrix, that takes these residuals away to first order: δ with M δ =
+    /// Aᵀμ and A δ = −residuals. Not finite where there is none; of constraints that depend on each
+    /// other, [`redundant_correction`] takes those that do not.
     fn correction(
         &self,
         t: Self::Scalar,

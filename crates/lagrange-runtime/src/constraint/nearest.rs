@@ -1,11 +1,13 @@
 //! From positions on the constraints to the nearest ones.
 //!
-//! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q. Its slope along the constraints is minus
-//! the tangential part of q₀ − q, what is left of it without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
-//! follow it, with each step brought back onto the constraints and directions carried along by projection. Steps end where the
-//! slope has nearly vanished rather than where the distance is least: differences of distances lose half of the digits.
-//! Sources: Absil, Mahony, Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
-//! Optimization*, 2nd ed., §§3.5, 5.2.
+//! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q.
+//! Its slope along the constraints is minus the tangential part of q₀ − q, what is left of it
+//! without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
+//! follow it, with each step brought back onto the constraints and directions carried along by
+//! projection. Steps end where the slope has nearly vanished rather than where the distance is
+//! least: differences of distances lose half of the digits. Sources: Absil, Mahony, Sepulchre, *Optimization
+//! Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical Optimization*, 2nd ed.,
+//! §§3.5, 5.2.
 
 use super::ConstrainedSystem;
 use super::residuals::largest;
@@ -25,7 +27,8 @@ const STRETCH: f64 = 4.0;
 /// A length between two others keeps this part of what is between them from both.
 const MARGIN: f64 = 0.1;
 
-/// A search for the positions on the constraints nearest to `from`. The velocities are those of the mass matrix.
+/// A search for the positions on the constraints nearest to `from`. The velocities are those of the
+/// mass matrix.
 pub(super) struct NearestSearch<'a, M: ConstrainedSystem + ?Sized> {
     pub(super) system: &'a M,
     pub(super) t: M::Scalar,
@@ -54,7 +57,8 @@ type PointOf<M> = SearchPoint<Positions<M>, Velocities<M>>;
 type EndOf<M> = End<ScalarOf<M>, Positions<M>, Velocities<M>>;
 
 impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
-    /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it can.
+    /// The nearest positions, from `found` on the constraints, to which `onto` brings others if it
+    /// can.
     pub(super) fn nearest(
         &self,
         found: Positions<M>,
@@ -87,8 +91,9 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         self.system.displacement(self.t, q, self.from)
     }
 
-    /// The step along a direction at whose end the distance hardly falls any more; if there is none, because the way back onto the
-    /// constraints leads elsewhere, the longest one found that leads nearer.
+    /// The step along a direction at whose end the distance hardly falls any more; if there is
+    /// none, because the way back onto the constraints leads elsewhere, the longest one found that
+    /// leads nearer.
     fn step(
         &self,
         start: &PointOf<M>,
@@ -96,7 +101,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         (slope, first): (ScalarOf<M>, ScalarOf<M>),
         onto: impl Fn(&mut Positions<M>) -> bool,
     ) -> Option<EndOf<M>> {
-        // The longest length that is too short and the shortest that is too long, with the slopes there.
+        // The longest length that is too short and the shortest that is too long, with the slopes
+        // there.
         let (mut short, mut long) = ((ScalarOf::<M>::ZERO, slope), None);
         let (mut length, mut nearer) = (first, None);
         for _ in 0..MAX_LENGTHS {
@@ -136,7 +142,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         !is_near
     }
 
-    /// The direction of the next step, after Polak and Ribière; the pull itself where that would lead away.
+    /// The direction of the next step, after Polak and Ribière; the pull itself where that would
+    /// lead away.
     fn conjugate(&self, start: &PointOf<M>, end: &EndOf<M>) -> Velocities<M> {
         let End { point, direction, .. } = end;
         let before = self.product(&start.q, &start.pull, &start.pull);
@@ -169,7 +176,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 }
 
-/// The length at which the slope would vanish if it were linear between two that are known, or beyond them if it is not negative yet.
+/// The length at which the slope would vanish if it were linear between two that are known, or
+/// beyond them if it is not negative yet.
 fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let Some((long, rises)) = long else {
         return S::from_f64(STRETCH) * short;

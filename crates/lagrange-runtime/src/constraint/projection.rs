@@ -1,9 +1,11 @@
 //! The way back onto the constraints.
 //!
-//! Newton's method with the gradients of the constraints where it stands: each correction is the smallest change by mass that
-//! takes the residuals away to first order, so that what is left is quadratic in it. Where a correction overshoots, it is halved
-//! until the next one, by the same gradients, would be smaller. Constraints are linear in velocities: one correction does there.
-//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the module above.
+//! Newton's method with the gradients of the constraints where it stands: each correction is the
+//! smallest change by mass that takes the residuals away to first order, so that what is left is
+//! quadratic in it. Where a correction overshoots, it is halved until the next one, by the same
+//! gradients, would be smaller. Constraints are linear in velocities: one correction does there.
+//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the
+//! module above.
 
 use super::ConstrainedSystem;
 use super::nearest::NearestSearch;
@@ -24,7 +26,8 @@ type StepOf<M> = Correction<ScalarOf<M>, Positions<M>, Velocities<M>>;
 const MAX_ITERATIONS: u32 = 20;
 /// and more than this from far away.
 const MAX_FROM_AFAR: u32 = 200;
-/// The root of a rounding, times this, is the part of the coordinates below which the square of a correction is left alone.
+/// The root of a rounding, times this, is the part of the coordinates below which the square of a
+/// correction is left alone.
 const NEGLIGIBLE: f64 = 1e-2;
 /// The part of velocities up to which rounding of a correction is lost in theirs.
 const SLIGHT: f64 = 1e-3;
@@ -43,28 +46,33 @@ pub(crate) const UNDETERMINED: &str = "constraints depend on each other here and
 /// Starts are admitted if constraints miss by no more than this part of their scales.
 const ADMITTED: f64 = 1e-6;
 
-/// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix measures distances:
-/// first positions, then velocities.
+/// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass
+/// matrix measures distances: first positions, then velocities.
 ///
-/// Near the constraints each correction squares the error; one or two do within a motion, and far away more are made, up to 200,
-/// and shortened where they overshoot. From where they end, positions go along the constraints as long as that brings them nearer to
-/// where they were. So the [displacement](MechanicalSystem) δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ with the mass matrix and the gradients at q: a
-/// local minimum of the distance √(δᵀM δ), and the only one near the constraints. Where constraints on velocities hold the system,
-/// too, it goes along them as it does in motions. Bodies whose orientations are unit quaternions end where M δ = Aᵀμ, too, with
-/// δ = 2 Im(q̄₀ ⊗ q) in their axes: near the least distance, but not at it if they are turned far and their moments of inertia differ.
+/// Near the constraints each correction squares the error; one or two do within a motion, and far
+/// away more are made, up to 200, and shortened where they overshoot. From where they end,
+/// positions go along the constraints as long as that brings them nearer to where they were. So the
+/// [displacement](MechanicalSystem) δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ
+/// with the mass matrix and the gradients at q: a local minimum of the distance √(δᵀM δ), and the
+/// only one near the constraints. Where constraints on velocities hold the system, too, it goes
+/// along them as it does in motions. Bodies whose orientations are unit quaternions end where M δ =
+/// Aᵀμ, too, with δ = 2 Im(q̄₀ ⊗ q) in their axes: near the least distance, but not at it if they
+/// are turned far and their moments of inertia differ.
 ///
 /// Constraints that depend on each other are satisfied together or not at all: what is left
 /// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
 ///
-/// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The size sⱼ of a coordinate
-/// is its magnitude, but at least the largest magnitude of all coordinates, and that counts as 10⁻⁶ if it is less and as one if it
-/// is more: so a coordinate at zero has a size, too, and one that is far away does not lend it to the others. Sizes of velocities
-/// are made of velocities in the same way. Where velocities are not the rates of the positions, the sizes of these are taken over to
-/// displacements. Unit quaternions are brought to length one before anything else.
+/// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ|
+/// sⱼ. The size sⱼ of a coordinate is its magnitude, but at least the largest magnitude of all
+/// coordinates, and that counts as 10⁻⁶ if it is less and as one if it is more: so a coordinate at
+/// zero has a size, too, and one that is far away does not lend it to the others. Sizes of
+/// velocities are made of velocities in the same way. Where velocities are not the rates of the
+/// positions, the sizes of these are taken over to displacements. Unit quaternions are brought to
+/// length one before anything else.
 ///
 /// # Errors
-/// If the constraints cannot be satisfied, from here or at all, with the constraint that was violated most in proportion to its
-/// scale; positions and velocities are then what they were.
+/// If the constraints cannot be satisfied, from here or at all, with the constraint that was
+/// violated most in proportion to its scale; positions and velocities are then what they were.
 pub fn project<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -83,10 +91,12 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// The nearest velocities that satisfy the constraints at these positions, which are taken as they are.
+/// The nearest velocities that satisfy the constraints at these positions, which are taken as they
+/// are.
 ///
 /// # Errors
-/// If there are none, with the constraint that is violated most in proportion to its scale, as in [`project`].
+/// If there are none, with the constraint that is violated most in proportion to its scale, as in
+/// [`project`].
 pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -99,12 +109,13 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     if is_found { Ok(found) } else { Err(of_velocities(system, t, (q, v)).violation) }
 }
 
-/// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what is left: the corrections say
-/// that it is small. This is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does.
+/// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what
+/// is left: the corrections say that it is small. This is what
+/// [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does.
 ///
 /// # Errors
-/// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would make another motion of it; the state is then
-/// what it was.
+/// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would
+/// make another motion of it; the state is then what it was.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -126,8 +137,8 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This is what
-/// [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types does.
+/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This
+/// is what [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types does.
 ///
 /// # Errors
 /// [`StepFailure::Violated`]; the state is then what it was.
@@ -154,11 +165,13 @@ fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V,
     change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
-/// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them: if every residual is at most
-/// 10⁻⁶ of its scale, as [`project`] measures it. This is what [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types does.
+/// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them:
+/// if every residual is at most 10⁻⁶ of its scale, as [`project`] measures it. This is what
+/// [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types does.
 ///
 /// # Errors
-/// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale; the state is then what it was.
+/// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale;
+/// the state is then what it was.
 pub fn admit<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -175,7 +188,8 @@ pub fn admit<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings positions and velocities onto the constraints; whether that succeeded. They are spoilt if not.
+/// Brings positions and velocities onto the constraints; whether that succeeded. They are spoilt if
+/// not.
 #[inline]
 fn bring<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -186,7 +200,8 @@ fn bring<M: ConstrainedSystem + ?Sized>(
     bring_positions(system, t, q, v, MAX_ITERATIONS) && bring_velocities(system, t, q, v)
 }
 
-/// Brings positions to the nearest ones on the constraints, if corrections converge. Small corrections are as short as can be.
+/// Brings positions to the nearest ones on the constraints, if corrections converge. Small
+/// corrections are as short as can be.
 fn bring_nearest<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -310,7 +325,8 @@ fn end<M: MechanicalSystem + ?Sized>(
     displaced(system, t, &step.from, [(part, &step.change)])
 }
 
-/// Brings velocities onto the constraints, if corrections converge. A second one removes what rounding left of a large first one.
+/// Brings velocities onto the constraints, if corrections converge. A second one removes what
+/// rounding left of a large first one.
 #[inline]
 fn bring_velocities<M: ConstrainedSystem + ?Sized>(
     system: &M,

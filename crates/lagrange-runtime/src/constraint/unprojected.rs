@@ -3,10 +3,12 @@
 use super::ConstrainedSystem;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem, StateMatrix, VelocityMatrix, Wrapper};
 
-/// A system whose states methods leave as they find them: what its constraints demand of accelerations is all that holds it.
+/// A system whose states methods leave as they find them: what its constraints demand of
+/// accelerations is all that holds it.
 ///
-/// For measurements of what projection does, and for systems that are stabilised otherwise. Starts are checked and put onto the
-/// constraints all the same; errors of the method then carry the motion away from them, and unit quaternions away from length one.
+/// For measurements of what projection does, and for systems that are stabilised otherwise. Starts
+/// are checked and put onto the constraints all the same; errors of the method then carry the
+/// motion away from them, and unit quaternions away from length one.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Unprojected<M>(
     /// The system.

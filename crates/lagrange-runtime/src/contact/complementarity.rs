@@ -1,22 +1,25 @@
 //! The search for consistent reactions.
 //!
-//! Contacts that touch either press or part, friction that is at rest either holds or slips in the direction that results:
+//! Contacts that touch either press or part, friction that is at rest either holds or slips in the
+//! direction that results:
 //!
 //! ```text
 //! r ≥ 0, rate ≥ 0, r·rate = 0;     |r| ≤ limit and rate = 0, or r = −sign(rate) limit.
 //! ```
 //!
-//! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends at the answer if friction does
-//! not couple strongly (Murty's least-index pivoting). Where it does not, [Lemke's method](super::lemke) finds rules, and
-//! where limits of friction change their signs, so that it may not, all combinations are tried if they are few. With friction that
-//! slips and is strong there may be none: the paradox of Painlevé.
-//! Sources: Murty, *Linear Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody
-//! Dynamics with Unilateral Contacts*, §5.3, §6.
+//! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends
+//! at the answer if friction does not couple strongly (Murty's least-index pivoting). Where it does
+//! not, [Lemke's method](super::lemke) finds rules, and where limits of friction change their
+//! signs, so that it may not, all combinations are tried if they are few. With friction that slips
+//! and is strong there may be none: the paradox of Painlevé. Sources: Murty, *Linear
+//! Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody Dynamics
+//! with Unilateral Contacts*, §5.3, §6.
 //!
 //! # A block on a floor in numbers
 //!
-//! m = 2 under g = 10, pushed along the floor by 6, friction 0.25 times the normal force; at rest. Reactions are the normal force and friction,
-//! rates the accelerations ÿ and ẍ: G = diag(1/2, 1/2), without reactions the rates are (−10, 3).
+//! m = 2 under g = 10, pushed along the floor by 6, friction 0.25 times the normal force; at rest.
+//! Reactions are the normal force and friction, rates the accelerations ÿ and ẍ: G = diag(1/2,
+//! 1/2), without reactions the rates are (−10, 3).
 //!
 //! | rules | reactions | rates | |
 //! |---|---|---|---|
@@ -107,7 +110,8 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         fits.then_some(Settled { rules, reactions })
     }
 
-    /// The first reaction that contradicts its rule by more than so many roundings, and the rule to try instead.
+    /// The first reaction that contradicts its rule by more than so many roundings, and the rule to
+    /// try instead.
     fn contradiction(
         &self,
         choices: &[Choice; K],

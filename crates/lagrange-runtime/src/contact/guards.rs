@@ -14,9 +14,10 @@ pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }
 
-/// A function for each reaction that is positive while its mode may last and falls through zero where it ends: the gap of an open
-/// contact, the force of a closed one, the slip velocity in the direction of slipping, and what is left to the static
-/// limit while friction sticks. Forces fall through zero a few roundings later than they do.
+/// A function for each reaction that is positive while its mode may last and falls through zero
+/// where it ends: the gap of an open contact, the force of a closed one, the slip velocity in the
+/// direction of slipping, and what is left to the static limit while friction sticks. Forces fall
+/// through zero a few roundings later than they do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -40,10 +41,12 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     array::from_fn(value)
 }
 
-/// Writes [`switch_values`] of the state to the places of the declared events that belong to reactions.
+/// Writes [`switch_values`] of the state to the places of the declared events that belong to
+/// reactions.
 ///
-/// Slip velocities count as positive down to what rounding makes of zero: friction may be at its limit where other contacts
-/// hold its slip velocity, as that of a block pushed against a wall, and would come to its end in every step.
+/// Slip velocities count as positive down to what rounding makes of zero: friction may be at its
+/// limit where other contacts hold its slip velocity, as that of a block pushed against a wall, and
+/// would come to its end in every step.
 ///
 /// # Panics
 /// If `values` has no position for one of them.
@@ -80,8 +83,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.size_of(k, &self.free) + self.drifts[k].abs()
     }
 
-    /// Returns the size of the terms in the rate of rate k under these reactions; reactions that are not
-    /// finite are ignored.
+    /// Returns the size of the terms in the rate of rate k under these reactions; reactions that
+    /// are not finite are ignored.
     pub(super) fn acceleration_under(&self, k: usize, reactions: &[S; K]) -> S {
         let parts = self.responses.iter().zip(reactions).filter(|(_, reaction)| reaction.is_finite());
         parts.fold(self.acceleration_of(k), |sum, (response, reaction)| {

@@ -1,31 +1,36 @@
 //! Impacts.
 //!
-//! All contacts that touch take part, those that are closed as well: rates of gaps after an impact and impulses satisfy
+//! All contacts that touch take part, those that are closed as well: rates of gaps after an impact
+//! and impulses satisfy
 //!
 //! ```text
 //! Λ ≥ 0,  ξ = rate⁺ + e rate⁻ ≥ 0,  Λ ξ = 0,     v⁺ = v⁻ + Σ w Λ,
 //! ```
 //!
-//! which for one contact is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻. A contact that would have to pull is left out. Friction whose limit
-//! grows with the reactions of contacts acts by the same law as its force: |Λ| ≤ slope of the limit times the impulses, and
-//! against the slip that remains; limits that do not grow with reactions are finite forces and give no impulse.
+//! which for one contact is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻. A contact that would have to pull is
+//! left out. Friction whose limit grows with the reactions of contacts acts by the same law as its
+//! force: |Λ| ≤ slope of the limit times the impulses, and against the slip that remains; limits
+//! that do not grow with reactions are finite forces and give no impulse.
 //!
-//! With friction, or with several contacts of different restitution, Newton's law of restitution may create energy (the
-//! paradox of Kane and Levinson), or there may be no impulses, as for a body wedged between more walls than it has freedoms. Then all
-//! coefficients are reduced in proportion until there are, and no energy is created. Without restitution there always are impulses
-//! ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving surfaces.
+//! With friction, or with several contacts of different restitution, Newton's law of restitution
+//! may create energy (the paradox of Kane and Levinson), or there may be no impulses, as for a body
+//! wedged between more walls than it has freedoms. Then all coefficients are reduced in proportion
+//! until there are, and no energy is created. Without restitution there always are impulses
+//! ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving
+//! surfaces.
 //!
-//! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing only where friction is so strong
-//! that a contact which slips would be drawn in.
-//! Sources: Moreau, "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
-//! (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
-//! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
+//! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing
+//! only where friction is so strong that a contact which slips would be drawn in. Sources: Moreau,
+//! "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and
+//! Applications* (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory
+//! and Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
 //!
 //! # A block on a floor in numbers
 //!
-//! m = 2 falls with 4 and slides with 3, e = 1/2 and friction 0.25 times the normal force. Without impulses rate⁺ + e rate⁻ is (−6, 3), and
-//! G = diag(1/2, 1/2). Held together the impulses would be (12, −6), but friction gives no more than 0.25 · 12 = 3: (12, −3), so that the block
-//! leaves with 2 and slides on with 3/2. It had 25 J and keeps 6.25.
+//! m = 2 falls with 4 and slides with 3, e = 1/2 and friction 0.25 times the normal force. Without
+//! impulses rate⁺ + e rate⁻ is (−6, 3), and G = diag(1/2, 1/2). Held together the impulses would be
+//! (12, −6), but friction gives no more than 0.25 · 12 = 3: (12, −3), so that the block leaves with
+//! 2 and slides on with 3/2. It had 25 J and keeps 6.25.
 
 use core::array;
 
@@ -40,8 +45,8 @@ use crate::tolerance::IMPACT_ENERGY;
 const MOST_BISECTIONS: u32 = 40;
 /// Number of bisections if the full impulses do not exist.
 const FEW_BISECTIONS: u32 = 6;
-/// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the smaller ones for contacts of which one
-/// slips much more slowly than another.
+/// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the
+/// smaller ones for contacts of which one slips much more slowly than another.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction are consistent with the impact";
 
@@ -50,14 +55,16 @@ pub(super) struct Collision<S, const N: usize, const K: usize> {
     /// The velocities after it.
     pub(super) velocities: [S; N],
     pub(super) impulses: [S; K],
-    /// The kinetic energy that all contacts and friction took, by the mean of their rates before and after.
+    /// The kinetic energy that all contacts and friction took, by the mean of their rates before
+    /// and after.
     pub(super) energy_loss: S,
     /// True for each rate that is zero after the impact, up to rounding.
     pub(super) is_still: [bool; K],
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// The impact in the contacts that touch, from the velocities `v`; coefficients of restitution are zero for friction.
+    /// The impact in the contacts that touch, from the velocities `v`; coefficients of restitution
+    /// are zero for friction.
     ///
     /// # Errors
     /// If no impulses fit, or if something is not finite.
@@ -80,8 +87,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.reduced(part, creates).ok_or(StepFailure::Stuck(NO_IMPULSES))
     }
 
-    /// The impact with the largest part of the restitution with which there are impulses and no energy is created, as there are and it
-    /// is not with none of it.
+    /// The impact with the largest part of the restitution with which there are impulses and no
+    /// energy is created, as there are and it is not with none of it.
     fn reduced(
         &self,
         part: impl Fn(S) -> Option<Collision<S, N, K>>,
@@ -95,7 +102,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             match part(middle) {
                 Some(collision) if creates(&collision) => above = middle,
                 Some(_) => below = middle,
-                // Impulses grow without bound towards where there are none: half of the way there is kept, and is not worth many rounds.
+                // Impulses grow without bound towards where there are none: half of the way there
+                // is kept, and is not worth many rounds.
                 None => (below, above, most) = (below.min(half * middle), half * middle, FEW_BISECTIONS),
             }
             round += 1;
@@ -103,8 +111,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO))
     }
 
-    /// The impact without approach by which contacts that are `pressed` jam, if there is one: that to which impacts tend as the speed
-    /// of approach falls to zero, and which leaves another motion.
+    /// The impact without approach by which contacts that are `pressed` jam, if there is one: that
+    /// to which impacts tend as the speed of approach falls to zero, and which leaves another
+    /// motion.
     pub(super) fn jam(
         &self,
         v: &[S; N],

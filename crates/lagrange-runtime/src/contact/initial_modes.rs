@@ -15,14 +15,15 @@ use crate::tolerance::{INSTANT, TOUCHING};
 const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
 strong for rigid bodies that slip this way (Painlevé paradox)";
 
-/// The system as a motion from this state starts: contacts that touch and press are closed, friction at rest sticks if it can
-/// and slips the way it is driven otherwise. `None` if it is in these modes already.
+/// The system as a motion from this state starts: contacts that touch and press are closed,
+/// friction at rest sticks if it can and slips the way it is driven otherwise. `None` if it is in
+/// these modes already.
 ///
 /// A contact that touches and approaches stays open: its event is the impact, at once.
 ///
 /// # Errors
-/// If a gap or a limit of friction is negative, if a coefficient of restitution that does not depend on the state is not from 0 to 1,
-/// if something is not finite, or if no modes fit.
+/// If a gap or a limit of friction is negative, if a coefficient of restitution that does not
+/// depend on the state is not from 0 to 1, if something is not finite, or if no modes fit.
 pub fn begin<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -109,8 +110,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.size_of(k, v) + (self.rates[k] - own).abs()
     }
 
-    /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction `ended` had has just come
-    /// to its end, so that it is none of them.
+    /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction
+    /// `ended` had has just come to its end, so that it is none of them.
     ///
     /// # Errors
     /// If there are none, or if something is not finite.

@@ -1,7 +1,8 @@
 //! The law of contacts and friction as a linear complementarity problem, solved by Lemke's method.
 //!
-//! With reactions and rates measured as in [`reaction_forces`](super::reaction_forces), three pairs w ≥ 0, z ≥ 0, w z = 0 stand for friction that
-//! holds or slips and one for a contact that presses or parts:
+//! With reactions and rates measured as in [`reaction_forces`](super::reaction_forces), three pairs
+//! w ≥ 0, z ≥ 0, w z = 0 stand for friction that holds or slips and one for a contact that presses
+//! or parts:
 //!
 //! ```text
 //! contact:   w = rate,                     z = r
@@ -10,20 +11,24 @@
 //!            w = limit − r₊ − r₋,          z = s             s is the size of the slip velocity
 //! ```
 //!
-//! Rates and limits are affine in the reactions, so that w = q + M z. Friction that is known to slip is an equation for a
-//! reaction without a sign. All w become possible by a multiple z₀ of the vector of ones; z₀ is then driven out: whenever a variable
-//! leaves the basis its complement enters.
+//! Rates and limits are affine in the reactions, so that w = q + M z. Friction that is known to
+//! slip is an equation for a reaction without a sign. All w become possible by a multiple z₀ of the
+//! vector of ones; z₀ is then driven out: whenever a variable leaves the basis its complement
+//! enters.
 //!
-//! If G is positive semidefinite and limits do not fall where contacts press, M is copositive. Without friction that is known to slip,
-//! and if no reactions without effect on the rates work against q, Lemke's method then ends at a solution: so there are impulses at
-//! every impact without restitution. Friction that is known to slip may leave no solution: the paradox of Painlevé.
+//! If G is positive semidefinite and limits do not fall where contacts press, M is copositive.
+//! Without friction that is known to slip, and if no reactions without effect on the rates work
+//! against q, Lemke's method then ends at a solution: so there are impulses at every impact without
+//! restitution. Friction that is known to slip may leave no solution: the paradox of Painlevé.
 //!
-//! q is moved by a little more than rounding, by another amount in each row, which keeps the method from going round in circles. Rules
-//! are read from the last basis, and the reactions follow from the rules.
+//! q is moved by a little more than rounding, by another amount in each row, which keeps the method
+//! from going round in circles. Rules are read from the last basis, and the reactions follow from
+//! the rules.
 //!
-//! Sources: Stewart, Trinkle, "An implicit time-stepping scheme for rigid body dynamics with inelastic collisions and Coulomb
-//! friction", *Int. J. Numer. Methods Eng.* 39 (1996) 2673–2691; Anitescu, Potra, "Formulating dynamic multi-rigid-body contact
-//! problems with friction as solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
+//! Sources: Stewart, Trinkle, "An implicit time-stepping scheme for rigid body dynamics with
+//! inelastic collisions and Coulomb friction", *Int. J. Numer. Methods Eng.* 39 (1996) 2673–2691;
+//! Anitescu, Potra, "Formulating dynamic multi-rigid-body contact problems with friction as
+//! solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
 //! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
 
 use super::choice::{Choice, Settled};
@@ -146,7 +151,8 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
         self.columns.iter().flatten().position(|column| *column == variable).map(Some)
     }
 
-    /// The row that is the first to become negative as the variable of a column grows; that of z₀ if several are.
+    /// The row that is the first to become negative as the variable of a column grows; that of z₀
+    /// if several are.
     fn first_to_vanish(&self, column: Column) -> Option<usize> {
         let mut first: Option<(usize, S)> = None;
         for (pair, row) in self.rows.iter().flatten().enumerate() {
@@ -199,7 +205,8 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
-    /// Rules out of these choices that fit together but for a little more than rounding, if the method finds some.
+    /// Rules out of these choices that fit together but for a little more than rounding, if the
+    /// method finds some.
     pub(super) fn complementary(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
         let mut tableau = self.tableau(choices)?;
         if !tableau.solve() {

@@ -31,7 +31,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// Returns the part of a limit on this side that makes it negative, if no part can make up for it: contacts only press.
+/// Returns the part of a limit on this side that makes it negative, if no part can make up for it:
+/// contacts only press.
 fn negative<S: Scalar, const K: usize>(side: S, free: S, slopes: &[S; K], modes: &[Mode; K]) -> Option<S> {
     let mut least = side * free;
     for (&slope, mode) in slopes.iter().zip(modes).filter(|(slope, _)| **slope != S::ZERO) {

@@ -1,9 +1,10 @@
 //! Contacts that open and close, impacts, and dry friction that sticks and slips.
 //!
-//! An event `event floor = gap, falling => impact(e);` declares a unilateral contact, `friction brake = slip, limit;` dry
-//! friction along the velocity `slip`. Each has a *reaction* r: the normal force of the contact, along the gradient of the gap,
-//! or the friction force, along the gradient of the slip velocity. Which reactions act, and by what rule, is its *mode*, a
-//! public field of the emitted type that events switch during a motion:
+//! An event `event floor = gap, falling => impact(e);` declares a unilateral contact,
+//! `friction brake = slip, limit;` dry friction along the velocity `slip`. Each has a *reaction* r:
+//! the normal force of the contact, along the gradient of the gap, or the friction force, along the
+//! gradient of the slip velocity. Which reactions act, and by what rule, is its *mode*, a public
+//! field of the emitted type that events switch during a motion:
 //!
 //! | mode | reaction |
 //! |---|---|
@@ -12,31 +13,39 @@
 //! | friction sticks | the slip velocity stays zero; \|r\| ≤ static limit, or else it slips |
 //! | friction slips forwards, backwards | r = ∓ kinetic limit |
 //!
-//! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within the mechanism: its
-//! constraints hold), so that a = a₀ + Σ w_k r_k, and velocity rows d_k give the rates d_k·a + drift_k of gap velocities and slip
-//! velocities. Limits may depend on reactions and multipliers, and so are affine in r. What is emitted are these [`Terms`]; the
-//! small system for r is solved at run time.
+//! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within
+//! the mechanism: its constraints hold), so that a = a₀ + Σ w_k r_k, and velocity rows d_k give the
+//! rates d_k·a + drift_k of gap velocities and slip velocities. Limits may depend on reactions and
+//! multipliers, and so are affine in r. What is emitted are these [`Terms`]; the small system for r
+//! is solved at run time.
 //!
 //! # What is assumed
 //!
-//! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at rest are settled anew: contacts
-//!   press or part, friction holds or slips the way it is driven. If friction is so strong that no forces fit (the paradox of
-//!   Painlevé), the contact jams: an impact without approach stops its slip. A motion that would have to start there, or that a jam
+//! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at
+//!   rest are settled anew: contacts press or part, friction holds or slips the way it is driven.
+//!   If friction is so strong that no forces fit (the paradox of Painlevé), the contact jams: an
+//!   impact without approach stops its slip. A motion that would have to start there, or that a jam
 //!   does not free, ends with [`StepFailure::Stuck`](crate::integrate::StepFailure::Stuck).
-//! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are hit elastically by a third leave
-//!   with 2/3 of its speed, and it returns with 1/3; a hair's breadth apart, they are hit one after the other, and the last one
-//!   leaves with all of it, as in Newton's cradle. An impact in several contacts is told by the event of the first, with
-//!   the impulse there and the energy that was lost in all.
-//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law between impulses. Without
-//!   restitution there always are impulses that obey it. Restitution is reduced where it would create energy or leave none.
-//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than 10⁻⁹ of the time, those of several
-//!   contacts that are hit in turn as well: the contacts close, and [`EventKind::Closed`] tells when the last bounce ends.
-//! - **Forces that the motion does not determine**, as those of a table on four legs, are the shortest that fit.
+//! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are
+//!   hit elastically by a third leave with 2/3 of its speed, and it returns with 1/3; a hair's
+//!   breadth apart, they are hit one after the other, and the last one leaves with all of it, as in
+//!   Newton's cradle. An impact in several contacts is told by the event of the first, with the
+//!   impulse there and the energy that was lost in all.
+//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
+//!   between impulses. Without restitution there always are impulses that obey it. Restitution is
+//!   reduced where it would create energy or leave none.
+//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
+//!   10⁻⁹ of the time, those of several contacts that are hit in turn as well: the contacts close,
+//!   and [`EventKind::Closed`] tells when the last bounce ends.
+//! - **Forces that the motion does not determine**, as those of a table on four legs, are the
+//!   shortest that fit.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
-//! - **Time runs forwards**: what was before an impact or before something came to rest does not follow from what is after it.
+//! - **Time runs forwards**: what was before an impact or before something came to rest does not
+//!   follow from what is after it.
 //! - Smooth friction has no modes. A steep one makes the motion stiff.
 //!
-//! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5.
+//! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth
+//! Mechanics*, 3rd ed., §5.
 
 mod choice;
 mod complementarity;
@@ -76,8 +85,9 @@ pub enum Contact {
 /// The state of dry friction.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Friction {
-    /// Slips in the direction that the present slip velocity has, without friction where it is zero. Runs replace it by another
-    /// mode at their start, unless there is no friction because its limit is zero.
+    /// Slips in the direction that the present slip velocity has, without friction where it is
+    /// zero. Runs replace it by another mode at their start, unless there is no friction because
+    /// its limit is zero.
     #[default]
     Slips,
     /// Slips with positive slip velocity: the force is negative.
@@ -108,7 +118,8 @@ pub struct Terms<S, const N: usize, const K: usize> {
     pub free: [S; N],
     /// In row k the accelerations that a unit of reaction k adds.
     pub responses: [[S; N]; K],
-    /// In row k the gradient d_k of the rate of gap k, or of slip velocity k, with respect to the velocities.
+    /// In row k the gradient d_k of the rate of gap k, or of slip velocity k, with respect to the
+    /// velocities.
     pub rows: [[S; N]; K],
     /// Gaps, positive where bodies are apart; zero for friction.
     pub gaps: [S; K],
@@ -139,8 +150,8 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// coefficient is checked at impacts only, others also at the start of a motion.
     const RESTITUTIONS_VARY: [bool; K] = [false; K];
 
-    /// True for each friction whose limit contains constraint forces, which press from either side: such a
-    /// limit counts by its magnitude. Other limits must not be negative.
+    /// True for each friction whose limit contains constraint forces, which press from either side:
+    /// such a limit counts by its magnitude. Other limits must not be negative.
     const LIMITS_REVERSE: [bool; K] = [false; K];
 
     /// The modes, in the order of declaration.
@@ -158,7 +169,8 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
 
-    /// The declared event by which reaction `k` changes its mode; not asked of smooth friction, which has none.
+    /// The declared event by which reaction `k` changes its mode; not asked of smooth friction,
+    /// which has none.
     fn event_of(&self, k: usize) -> usize;
 }
 

@@ -1,4 +1,5 @@
-//! Back onto closed contacts: gaps to zero, and the velocities that contacts and sticking friction hold.
+//! Back onto closed contacts: gaps to zero, and the velocities that contacts and sticking friction
+//! hold.
 
 use core::array;
 
@@ -12,9 +13,10 @@ use crate::tolerance::{CLOSED_GAP, SLIT};
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
 
-/// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest change of the coordinates that the
-/// mechanism allows, measured by the mass matrix, and then their rates and slip velocities by the smallest change of the
-/// velocities. Constraints keep holding to first order in the change. Unit quaternions are brought to length one before.
+/// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest
+/// change of the coordinates that the mechanism allows, measured by the mass matrix, and then their
+/// rates and slip velocities by the smallest change of the velocities. Constraints keep holding to
+/// first order in the change. Unit quaternions are brought to length one before.
 ///
 /// # Errors
 /// If a gap cannot be closed, with its name and what is left of it; the state is then what it was.
@@ -70,7 +72,8 @@ where
             return Ok(());
         }
     }
-    // Gaps that are coordinates have no terms beside which they could be small: what counts is then the size of the coordinates.
+    // Gaps that are coordinates have no terms beside which they could be small: what counts is then
+    // the size of the coordinates.
     let lengths = reach(system, t, q, &lengths(q));
     if widest(&system.terms(t, &closed, v), &lengths, is_closed).is_none() {
         *q = closed;
@@ -89,7 +92,8 @@ fn is_same<S: Scalar, Q: StateVector<S>>(one: &Q, other: &Q, scale: &Q) -> bool 
     differences.into_iter().all(|((a, b), scale)| a == b || (*a - *b).abs() <= rounding * scale.abs())
 }
 
-/// The widest of these gaps that is not closed but for the rounding of these coordinates; one that is not a number is not.
+/// The widest of these gaps that is not closed but for the rounding of these coordinates; one that
+/// is not a number is not.
 fn widest<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     scale: &[S; N],
@@ -127,8 +131,8 @@ pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
     S::from_f64(0.5) * twice.abs()
 }
 
-/// Opens gaps that are zero but for rounding by a few roundings, so that they are not found closed again at once;
-/// together, and with those closed that are, since to open one may close another.
+/// Opens gaps that are zero but for rounding by a few roundings, so that they are not found closed
+/// again at once; together, and with those closed that are, since to open one may close another.
 pub(super) fn part<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,

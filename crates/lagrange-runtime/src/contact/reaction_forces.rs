@@ -1,11 +1,13 @@
 //! The small system that reactions solve.
 //!
-//! A reaction r_k changes the rates that it acts on by G r, with G_kj = d_k·w_j: accelerations of gaps and slip velocities if
-//! the reactions are forces, these velocities themselves if they are impulses. Rules say of each reaction whether it is absent,
-//! holds its rate at zero, or is friction at its limit.
+//! A reaction r_k changes the rates that it acts on by G r, with G_kj = d_k·w_j: accelerations of
+//! gaps and slip velocities if the reactions are forces, these velocities themselves if they are
+//! impulses. Rules say of each reaction whether it is absent, holds its rate at zero, or is
+//! friction at its limit.
 //!
-//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where holding rates leaves reactions
-//! undetermined, as those of a table on four legs, the shortest are taken in this measure; the motion does not depend on it.
+//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where holding
+//! rates leaves reactions undetermined, as those of a table on four legs, the shortest are taken in
+//! this measure; the motion does not depend on it.
 
 use core::array;
 
@@ -39,7 +41,8 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     offsets: [S; K],
     /// Magnitude of the terms in the offsets, the scale for rounding tests.
     sizes: [S; K],
-    /// One if limits hold what is there without reactions; zero for impulses, to which finite forces do not contribute.
+    /// One if limits hold what is there without reactions; zero for impulses, to which finite
+    /// forces do not contribute.
     presence: S,
     /// True if rates that cannot be held together are an error; else they are held as nearly as
     /// they can be.
@@ -77,7 +80,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         Balance { matrix: terms.matrix(), ..Self::without_responses(terms) }
     }
 
-    /// Builds the problem for forces under known rules: rates of absent reactions, and what these would change, are left out.
+    /// Builds the problem for forces under known rules: rates of absent reactions, and what these
+    /// would change, are left out.
     pub(super) fn of_active(terms: &'a Terms<S, N, K>, rules: &[Rule; K]) -> Self {
         let mut balance = Self::without_responses(terms);
         let acts = |k: &usize| rules[*k] != Rule::Absent;
@@ -204,8 +208,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// The reactions under these rules; NaN if there are none.
     ///
-    /// A limit that comes out negative, as that of a guide pressed from its other side, counts by its size: then the system is
-    /// solved again with its sign changed.
+    /// A limit that comes out negative, as that of a guide pressed from its other side, counts by
+    /// its size: then the system is solved again with its sign changed.
     pub(super) fn reactions(&self, rules: &[Rule; K]) -> [S; K] {
         let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
         let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
@@ -236,8 +240,9 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
 
-    /// Returns the limits of the friction that holds, beside which forces are rounding: without other forces all that several points
-    /// of a body at rest would have to hold is the rounding of its velocity.
+    /// Returns the limits of the friction that holds, beside which forces are rounding: without
+    /// other forces all that several points of a body at rest would have to hold is the rounding of
+    /// its velocity.
     fn held_limits(&self, rules: &[Rule; K], units: &[S; K]) -> S {
         let Terms { kinetic, fixed, .. } = self.terms;
         let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
@@ -251,7 +256,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             let factor = signs[k] * expected[k];
             if rules[k] == Rule::Backwards { -factor } else { factor }
         };
-        // What is absent takes no part: rounding of nothing would have a sign, by which limits are judged.
+        // What is absent takes no part: rounding of nothing would have a sign, by which limits are
+        // judged.
         let (mut active, mut count) = ([0; K], 0);
         for k in (0..K).filter(|k| rules[*k] != Rule::Absent) {
             active[count] = k;
@@ -305,11 +311,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// The reactions of a system in these modes: none of open contacts, forces that keep gaps closed and slip velocities zero, and
-/// friction at its kinetic limit against the slip. NaN if there are none.
+/// The reactions of a system in these modes: none of open contacts, forces that keep gaps closed
+/// and slip velocities zero, and friction at its kinetic limit against the slip. NaN if there are
+/// none.
 ///
-/// Of reactions that the motion does not determine, as those of a table on four legs, the shortest are taken, each measured in
-/// the unit in which it changes its own rate.
+/// Of reactions that the motion does not determine, as those of a table on four legs, the shortest
+/// are taken, each measured in the unit in which it changes its own rate.
 pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],

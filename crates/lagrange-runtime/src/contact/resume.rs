@@ -1,18 +1,21 @@
 //! With which velocities and in which modes a motion goes on where a mode has ended.
 //!
-//! Impacts that follow each other ever faster end after a finite time. A contact that is thrown up with speed s and pulled back with
-//! acceleration a returns after τ = 2 s/a; where contacts hit in turn, as the corners of a box that rocks to rest, it was another one that
-//! threw it up. Of the energy E = ½ ṡᵀ G⁻¹ ṡ with which the contacts of such a group approached each other, the impact leaves the part
-//! r², so that the hops to come last about τ/(1 − r), which is exact for one contact, where r is the coefficient of restitution. Once
-//! that is too short to be resolved, the rates of all contacts of the group are halted together, by the smallest change of the velocities
+//! Impacts that follow each other ever faster end after a finite time. A contact that is thrown up
+//! with speed s and pulled back with acceleration a returns after τ = 2 s/a; where contacts hit in
+//! turn, as the corners of a box that rocks to rest, it was another one that threw it up. Of the
+//! energy E = ½ ṡᵀ G⁻¹ ṡ with which the contacts of such a group approached each other, the impact
+//! leaves the part r², so that the hops to come last about τ/(1 − r), which is exact for one
+//! contact, where r is the coefficient of restitution. Once that is too short to be resolved, the
+//! rates of all contacts of the group are halted together, by the smallest change of the velocities
 //! in the measure of the mass matrix, which takes energy and never gives any.
 //!
-//! Where no forces fit, since friction is too strong for the way in which a contact slips, the contact jams: an impact without
-//! approach, after which friction holds.
+//! Where no forces fit, since friction is too strong for the way in which a contact slips, the
+//! contact jams: an impact without approach, after which friction holds.
 //!
-//! Sources: Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5, §7; Génot, Brogliato, "New results on Painlevé paradoxes", *European
-//! Journal of Mechanics A* 18 (1999) 653–677; Champneys, Várkonyi, "The Painlevé paradox in contact mechanics", *IMA Journal of
-//! Applied Mathematics* 81 (2016) 538–588.
+//! Sources: Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5, §7; Génot, Brogliato, "New results on
+//! Painlevé paradoxes", *European Journal of Mechanics A* 18 (1999) 653–677; Champneys, Várkonyi,
+//! "The Painlevé paradox in contact mechanics", *IMA Journal of Applied Mathematics* 81 (2016)
+//! 538–588.
 
 use core::array;
 
@@ -55,8 +58,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Position::of(self.system, terms, [self.t, self.elapsed], (&self.q, v))
     }
 
-    /// From these velocities on, which an impact has left that made the rates `is_still` zero. `before` is known of the velocities
-    /// that it found.
+    /// From these velocities on, which an impact has left that made the rates `is_still` zero.
+    /// `before` is known of the velocities that it found.
     pub(super) fn resume(
         &self,
         before: &Terms<M::Scalar, N, K>,
@@ -120,7 +123,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         })
     }
 
-    /// Modes that fit together, after a jam if none do. The mode that reaction `ended` had has just come to its end.
+    /// Modes that fit together, after a jam if none do. The mode that reaction `ended` had has just
+    /// come to its end.
     pub(super) fn settle(
         &self,
         v: &mut [M::Scalar; N],

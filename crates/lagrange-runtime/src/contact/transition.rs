@@ -17,7 +17,8 @@ use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 /// closes, and the time at which the series ends is told.
 ///
 /// # Errors
-/// If no impulses, or no forces after it, fit, if a coefficient of restitution is not from 0 to 1, or if a limit of friction is negative.
+/// If no impulses, or no forces after it, fit, if a coefficient of restitution is not from 0 to 1,
+/// or if a limit of friction is negative.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,
@@ -75,8 +76,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(resumed.modes, &resumed.velocities, kind))
     }
 
-    /// A contact that touches and does not approach: it closes if it is pressed. Else nothing happens, but that the body is put
-    /// onto the side on which it was.
+    /// A contact that touches and does not approach: it closes if it is pressed. Else nothing
+    /// happens, but that the body is put onto the side on which it was.
     fn graze(&self, k: usize, terms: &Terms<M::Scalar, N, K>, position: &Position<K>) -> Reacted<M> {
         let modes = self.system.modes();
         let is_still = core::array::from_fn(|j| position.is_still[j] && (j == k || holds(modes[j])));

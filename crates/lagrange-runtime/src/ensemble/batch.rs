@@ -84,7 +84,8 @@ impl<'a, M: SharedSystem> Batch<'a, M> {
         (varied, start.unwrap_or(M::State::ZERO))
     }
 
-    /// The parameters of a motion that become columns: all but those that one of these columns is called like, if motions have their own.
+    /// The parameters of a motion that become columns: all but those that one of these columns is
+    /// called like, if motions have their own.
     pub(super) fn parameters(&self, system: &M, columns: &[String]) -> Vec<(&'static str, M::Scalar)> {
         if self.variation.is_none() {
             return Vec::new();

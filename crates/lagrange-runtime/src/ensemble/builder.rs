@@ -30,8 +30,9 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         Motions { batch: Batch::new(system, number, start), has_starts }
     }
 
-    /// Starts each motion from a state: a function of its index, counted from zero, and of [random numbers](Random) of its own. It may
-    /// be called several times for a motion, and by several threads.
+    /// Starts each motion from a state: a function of its index, counted from zero, and of [random
+    /// numbers](Random) of its own. It may be called several times for a motion, and by several
+    /// threads.
     pub fn start<Y: InitialState<M::State>>(
         mut self,
         start: impl Fn(usize, &mut Random) -> Y + Send + Sync + 'a,
@@ -44,12 +45,14 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         self
     }
 
-    /// Gives each motion a system of its own: a copy of that of all, which is changed by its index. Parameters drawn at random take
-    /// numbers from [`Random::parameters`], which are others than those of the starts, under the same seed, too.
+    /// Gives each motion a system of its own: a copy of that of all, which is changed by its index.
+    /// Parameters drawn at random take numbers from [`Random::parameters`], which are others than
+    /// those of the starts, under the same seed, too.
     ///
-    /// Every parameter of the system, changed or not, then becomes a column of [`Ends`](super::Ends) and of files under its name, unless
-    /// something is [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs, or the fields of a system
-    /// that is written by hand, is kept if it is observed.
+    /// Every parameter of the system, changed or not, then becomes a column of
+    /// [`Ends`](super::Ends) and of files under its name, unless something is
+    /// [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs,
+    /// or the fields of a system that is written by hand, is kept if it is observed.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
     where
         M: Clone,
@@ -99,9 +102,10 @@ impl Keep for KeepSamples {
 
 /// An ensemble that can be computed: which motions, by which method, and what to keep of them.
 ///
-/// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods, inputs, events, contacts and
-/// constraints are those of runs, and settings mean what they mean there. K is the method, D what drives the inputs, P what is kept of a
-/// motion, [`KeepEnds`] or [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
+/// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods,
+/// inputs, events, contacts and constraints are those of runs, and settings mean what they mean
+/// there. K is the method, D what drives the inputs, P what is kept of a motion, [`KeepEnds`] or
+/// [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
 #[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
 pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
     pub(super) batch: Batch<'a, M>,
@@ -111,15 +115,16 @@ pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
 }
 
 impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
-    /// The error that is tolerated in a step, as [in a single run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
+    /// The error that is tolerated in a step, as [in a single
+    /// run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.relative = tolerance;
         self.method.absolute = tolerance;
         self
     }
 
-    /// The error that is tolerated in a step in the units of the state, to be given after [`tolerance`](Self::tolerance), which then is
-    /// relative only.
+    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
         self
@@ -127,7 +132,8 @@ impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
 }
 
 impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
-    /// Sets the inputs at every instant by a law, as [in a single run](crate::simulate::Simulation::drive). Every input becomes a column.
+    /// Sets the inputs at every instant by a law, as [in a single
+    /// run](crate::simulate::Simulation::drive). Every input becomes a column.
     pub fn drive<F>(mut self, law: F) -> Ensemble<'a, M, K, Law<F>, P>
     where
         M: ControlledSystem,
@@ -150,8 +156,9 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         Ensemble { batch, method, drive, kept }
     }
 
-    /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()` then hands out a trajectory for each,
-    /// `.reduce(…)` sees it, and `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions lie in memory.
+    /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()`
+    /// then hands out a trajectory for each, `.reduce(…)` sees it, and `.save_parquet(…)` writes a
+    /// row for each sample. After `.run()` all samples of all motions lie in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
         self.batch.plan.settings.sampling = Sampling::Every(interval);
         let Ensemble { batch, method, drive, .. } = self;
@@ -164,15 +171,15 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Computes every motion as a run by itself, with the bits of a [single run](crate::simulate::Simulation), instead of several
-    /// [in lanes](Self::is_in_lanes).
+    /// Computes every motion as a run by itself, with the bits of a [single
+    /// run](crate::simulate::Simulation), instead of several [in lanes](Self::is_in_lanes).
     pub fn one_by_one(mut self) -> Self {
         self.batch.is_one_by_one = true;
         self
     }
 
-    /// Computes on so many threads, 4096 at most, instead of those of rayon's pool, which are as many as the machine has. Results do not depend
-    /// on it.
+    /// Computes on so many threads, 4096 at most, instead of those of rayon's pool, which are as
+    /// many as the machine has. Results do not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
             0 => self.batch.refuse_setting("an ensemble needs at least one thread"),
@@ -182,10 +189,12 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a progress bar.
+    /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a
+    /// progress bar.
     ///
-    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions that have begun go on to their end, and
-    /// [`Cancelled`](super::EnsembleError::Cancelled) comes back. What was saved is kept.
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions
+    /// that have begun go on to their end, and [`Cancelled`](super::EnsembleError::Cancelled) comes
+    /// back. What was saved is kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
         self.batch.reporter = Some(Reporter::new(callback));
         self

@@ -19,9 +19,10 @@ use crate::system::{MechanicalSystem, StateVector};
 
 /// The final states of an ensemble's motions: one row each, in named columns.
 ///
-/// Columns are the coordinates and velocities, then what was observed, and then, if motions were given
-/// [parameters](crate::ensemble::Motions::parameters) of their own, all parameters. Of an emitted system those of the state are also
-/// methods, such as `ends.theta()`. The row of a motion that failed holds NaN but for its parameters: what is known of it is in
+/// Columns are the coordinates and velocities, then what was observed, and then, if motions were
+/// given [parameters](crate::ensemble::Motions::parameters) of their own, all parameters. Of an
+/// emitted system those of the state are also methods, such as `ends.theta()`. The row of a motion
+/// that failed holds NaN but for its parameters: what is known of it is in
 /// [`failures`](Ends::failures).
 pub struct Ends<M: MechanicalSystem> {
     columns: M::Columns<Table<M::Scalar>>,
@@ -36,7 +37,8 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().len()
     }
 
-    /// The motions whose ends these are: all, or those of a shard. The first row is that of the first of them.
+    /// The motions whose ends these are: all, or those of a shard. The first row is that of the
+    /// first of them.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }
@@ -51,7 +53,8 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().names()
     }
 
-    /// The column of this name: a coordinate, a velocity such as `theta_dot`, what was observed, or a parameter.
+    /// The column of this name: a coordinate, a velocity such as `theta_dot`, what was observed, or
+    /// a parameter.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
     }
@@ -61,7 +64,8 @@ impl<M: MechanicalSystem> Ends<M> {
         self.columns.as_ref()
     }
 
-    /// The state at which the motion with this index ended; `None` if it failed or is not among these.
+    /// The state at which the motion with this index ended; `None` if it failed or is not among
+    /// these.
     pub fn state(&self, index: usize) -> Option<M::State> {
         let row = index.checked_sub(self.motions.start).filter(|row| *row < self.len())?;
         if self.failures.binary_search_by_key(&index, |failure| failure.index).is_ok() {
@@ -157,8 +161,9 @@ where
     /// Computes all motions and keeps their ends.
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback cancels. A motion that fails is
-    /// among the [`failures`](Ends::failures), and the others go on.
+    /// If a setting makes no sense, a closure that was given panics, or the progress callback
+    /// cancels. A motion that fails is among the [`failures`](Ends::failures), and the others go
+    /// on.
     pub fn run(self) -> Result<Ends<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }

@@ -10,9 +10,11 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::error::EnsembleError;
 use super::progress::Counter;
 
-/// Motions that are summed up together, and that one thread computes one after the other. The bits of reductions depend on it.
+/// Motions that are summed up together, and that one thread computes one after the other. The bits
+/// of reductions depend on it.
 pub(super) const BLOCK: usize = 64;
-/// Most blocks that one thread computes together in lanes, some of which have no motions towards the end,
+/// Most blocks that one thread computes together in lanes, some of which have no motions towards
+/// the end,
 const BLOCKS_IN_LANES: usize = 16;
 /// and with samples, which lie in memory.
 const BLOCKS_OF_SAMPLES: usize = 4;
@@ -54,7 +56,8 @@ impl Engine {
         Engine { chunk: BLOCK * blocks, ahead: CHUNKS_PER_THREAD / blocks, ..self }
     }
 
-    /// Blocks in a chunk, at most so many, if there are to be enough chunks of these motions for all threads.
+    /// Blocks in a chunk, at most so many, if there are to be enough chunks of these motions for
+    /// all threads.
     fn blocks(&self, motions: usize, most: usize) -> usize {
         (motions / (BLOCK * CHUNKS_FOR_BALANCE * self.threads)).clamp(1, most)
     }

@@ -7,7 +7,8 @@ use std::io;
 use std::path::PathBuf;
 use std::string::{String, ToString};
 
-/// An ensemble was not computed, or not to its end. Motions that fail are no such error: they are in its failures.
+/// An ensemble was not computed, or not to its end. Motions that fail are no such error: they are
+/// in its failures.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EnsembleError {

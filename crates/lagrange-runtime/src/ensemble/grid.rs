@@ -40,8 +40,8 @@ pub(super) struct Quantity {
 }
 
 impl Grid {
-    /// A grid with the first quantity to the right and the second upwards: what each is called, from where to where it goes, and how many cells
-    /// there are in this direction.
+    /// A grid with the first quantity to the right and the second upwards: what each is called,
+    /// from where to where it goes, and how many cells there are in this direction.
     pub fn new(x: (&str, Range<f64>, usize), y: (&str, Range<f64>, usize)) -> Self {
         let quantity = |(name, range, cells): (&str, Range<f64>, usize)| {
             let name = name.to_string();
@@ -60,7 +60,8 @@ impl Grid {
         self.len() == 0
     }
 
-    /// Both quantities in the middle of the cell with this index: cells are counted from left to right, in rows from the lowest.
+    /// Both quantities in the middle of the cell with this index: cells are counted from left to
+    /// right, in rows from the lowest.
     pub fn at(&self, index: usize) -> [f64; 2] {
         let columns = self.x.cells.max(1);
         [self.x.middle(index % columns), self.y.middle(index / columns)]

@@ -7,9 +7,10 @@ use super::reduce::Reduce;
 
 /// Counts of numbers in at most so many bins of one width, which fit themselves to the numbers.
 ///
-/// The width is the least power of two, not below 2⁻⁴⁰ of the power of two below the largest magnitude, with which that many bins
-/// reach from the least number to the greatest; their edges are multiples of it. So the counts depend on the numbers alone and not on
-/// their order, and need no range beforehand. Numbers that are not finite are counted apart.
+/// The width is the least power of two, not below 2⁻⁴⁰ of the power of two below the largest
+/// magnitude, with which that many bins reach from the least number to the greatest; their edges
+/// are multiples of it. So the counts depend on the numbers alone and not on their order, and need
+/// no range beforehand. Numbers that are not finite are counted apart.
 ///
 /// ```
 /// use lagrange::ensemble::Histogram;
@@ -29,7 +30,8 @@ pub struct Histogram {
     pub(super) not_finite: u64,
 }
 
-/// Bins are no narrower than the largest magnitude by this power of two, so that their places are exact.
+/// Bins are no narrower than the largest magnitude by this power of two, so that their places are
+/// exact.
 const DEPTH: i32 = 40;
 /// Nor than two to this power.
 const FINEST: i32 = -1000;
@@ -60,7 +62,8 @@ impl Histogram {
         *self.counts.entry(here).or_default() += 1;
     }
 
-    /// The bins from that of the least number to that of the greatest, by their edges, with their counts.
+    /// The bins from that of the least number to that of the greatest, by their edges, with their
+    /// counts.
     pub fn bins(&self) -> impl Iterator<Item = (Range<f64>, u64)> + '_ {
         let ends = self.counts.first_key_value().zip(self.counts.last_key_value());
         let places = ends.map(|((first, _), (last, _))| *first..=*last);
@@ -80,8 +83,9 @@ impl Histogram {
         self.not_finite
     }
 
-    /// About the number below which this part of the finite numbers lies, from 0 to 1: its error is below the width of a bin, within
-    /// which numbers are taken to be spread evenly. `None` if there are none, or for other parts.
+    /// About the number below which this part of the finite numbers lies, from 0 to 1: its error is
+    /// below the width of a bin, within which numbers are taken to be spread evenly. `None` if
+    /// there are none, or for other parts.
     pub fn quantile(&self, part: f64) -> Option<f64> {
         if !(0.0..=1.0).contains(&part) {
             return None;
@@ -114,7 +118,8 @@ impl Histogram {
         if exponent <= self.exponent {
             return;
         }
-        // Places are less than 2⁴² in magnitude, so that a longer shift leaves their sign, as 63 does.
+        // Places are less than 2⁴² in magnitude, so that a longer shift leaves their sign, as 63
+        // does.
         let shift = (exponent - self.exponent).min(63);
         self.exponent = exponent;
         for (place, count) in core::mem::take(&mut self.counts) {

@@ -13,8 +13,8 @@ use crate::system::MechanicalSystem;
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
-/// A picture of values over the two quantities of a [`Grid`], with a colour for each: dark blue for the least, yellow for the largest, white
-/// where a value is not finite, as of motions that failed.
+/// A picture of values over the two quantities of a [`Grid`], with a colour for each: dark blue for
+/// the least, yellow for the largest, white where a value is not finite, as of motions that failed.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Map {
     cells: Cells,
@@ -25,7 +25,8 @@ impl Map {
     /// A picture of these values, one for each cell of the grid in the order of their indices.
     ///
     /// # Errors
-    /// If there are not as many values as cells, or the grid does not go from a number to a larger one in both directions.
+    /// If there are not as many values as cells, or the grid does not go from a number to a larger
+    /// one in both directions.
     pub fn new(grid: &Grid, name: &str, values: Vec<f64>) -> Result<Self, PlotError> {
         if values.len() != grid.len() || values.is_empty() {
             return Err(PlotError::Cells { values: values.len(), cells: grid.len() });
@@ -52,14 +53,15 @@ impl Map {
         self
     }
 
-    /// Draws a line through points over the cells, broken where one is not finite; several are named in a legend.
+    /// Draws a line through points over the cells, broken where one is not finite; several are
+    /// named in a legend.
     pub fn curve(mut self, name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
         self.panel.curves.push(Curve { name: name.into(), points: points.into_iter().collect() });
         self
     }
 
-    /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole pixels; up to 1000 of them are side by side, or one
-    /// for each cell if these are more.
+    /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole
+    /// pixels; up to 1000 of them are side by side, or one for each cell if these are more.
     ///
     /// # Errors
     /// If the extension is another, or what the operating system says.
@@ -72,11 +74,13 @@ impl<M: MechanicalSystem> Ends<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the grid from which they started. Names of columns and
-    /// parameters have their units, if the declaration says them.
+    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the
+    /// grid from which they started. Names of columns and parameters have their units, if the
+    /// declaration says them.
     ///
     /// # Errors
-    /// If there is no such column, these are not the motions of all cells, or the grid does not go from a number to a larger one.
+    /// If there is no such column, these are not the motions of all cells, or the grid does not go
+    /// from a number to a larger one.
     pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
         let values = if column == TIME { Some(self.times()) } else { self.column(column) };
         let values = values.ok_or_else(|| unknown(column, self.names()))?;
@@ -98,8 +102,8 @@ impl<M: MechanicalSystem> Samples<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Plots how a column spreads over time: its median, and the bands in which half of the motions and nine of ten lie. They are those of
-    /// [`quantiles`](Self::quantiles).
+    /// Plots how a column spreads over time: its median, and the bands in which half of the motions
+    /// and nine of ten lie. They are those of [`quantiles`](Self::quantiles).
     ///
     /// # Errors
     /// If there is no such column, or the file cannot be written.

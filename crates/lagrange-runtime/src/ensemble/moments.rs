@@ -4,8 +4,8 @@ use super::reduce::Reduce;
 
 /// Count, mean, variance, minimum and maximum of numbers. A NaN makes all but the count NaN.
 ///
-/// Sources: Welford, Technometrics 4 (1962), of a number more; Chan, Golub, LeVeque, *Algorithms for computing the sample variance*, The
-/// American Statistician 37 (1983), eq. 2.1, of two parts.
+/// Sources: Welford, Technometrics 4 (1962), of a number more; Chan, Golub, LeVeque, *Algorithms
+/// for computing the sample variance*, The American Statistician 37 (1983), eq. 2.1, of two parts.
 ///
 /// ```
 /// use lagrange::ensemble::Moments;
@@ -50,8 +50,8 @@ impl Moments {
         if self.count == 0 { f64::NAN } else { self.mean }
     }
 
-    /// Their variance as an estimate of that of what they were drawn from: with one less than their number below the sum. NaN of fewer
-    /// than two.
+    /// Their variance as an estimate of that of what they were drawn from: with one less than their
+    /// number below the sum. NaN of fewer than two.
     pub fn variance(&self) -> f64 {
         if self.count < 2 { f64::NAN } else { self.squares / (self.count - 1) as f64 }
     }

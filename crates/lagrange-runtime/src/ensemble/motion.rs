@@ -54,8 +54,9 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
         self.end.0
     }
 
-    /// All that was kept of it: samples if they were asked for, events, columns that were observed. Of a motion that was computed
-    /// [in lanes](super::Ensemble::is_in_lanes) it is made when it is asked for, with the start and the end as samples at least.
+    /// All that was kept of it: samples if they were asked for, events, columns that were observed.
+    /// Of a motion that was computed [in lanes](super::Ensemble::is_in_lanes) it is made when it is
+    /// asked for, with the start and the end as samples at least.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         self.trajectory
     }
@@ -76,8 +77,10 @@ where
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
 {
-    /// Runs one motion of the ensemble again, or for the first time, by itself, with every step kept if samples were not asked for. It has the
-    /// same bits, unless the ensemble goes [in lanes](Self::is_in_lanes): its end then is the same to within what the tolerance leaves open.
+    /// Runs one motion of the ensemble again, or for the first time, by itself, with every step
+    /// kept if samples were not asked for. It has the same bits, unless the ensemble goes [in
+    /// lanes](Self::is_in_lanes): its end then is the same to within what the tolerance leaves
+    /// open.
     ///
     /// ```
     /// # lagrange::system! {
@@ -122,7 +125,8 @@ where
         checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain::<M>(error)))
     }
 
-    /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the result.
+    /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the
+    /// result.
     ///
     /// # Errors
     /// If a closure that was given panics.

@@ -68,7 +68,8 @@ impl<'r, 'a> Counter<'r, 'a> {
         if self.is_cancelled() { Err(EnsembleError::Cancelled { motions: self.motions() }) } else { Ok(()) }
     }
 
-    /// Counts so many motions more, and reports them if the last report is some time ago. A thread does not wait for another's report.
+    /// Counts so many motions more, and reports them if the last report is some time ago. A thread
+    /// does not wait for another's report.
     pub(super) fn count(&self, motions: usize) {
         self.motions.fetch_add(motions as u64, Ordering::Relaxed);
         let Some(Reporter(callback)) = self.reporter else { return };

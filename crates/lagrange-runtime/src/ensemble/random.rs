@@ -1,19 +1,22 @@
 //! Random numbers that are a function of a seed and of the index of a motion.
 //!
-//! Philox4x32-10: a counter goes through ten rounds of multiplication and exclusive or, keyed by the seed. Nothing is carried from motion
-//! to motion, so that every motion has its numbers whoever computes it, and when.
+//! Philox4x32-10: a counter goes through ten rounds of multiplication and exclusive or, keyed by
+//! the seed. Nothing is carried from motion to motion, so that every motion has its numbers whoever
+//! computes it, and when.
 //!
-//! Source: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3, and the vectors of Random123.
+//! Source: Salmon, Moraes, Dror, Shaw, *Parallel random numbers: as easy as 1, 2, 3*, SC'11, §3.3,
+//! and the vectors of Random123.
 
 use core::f64::consts::TAU;
 use core::fmt::Debug;
 use core::marker::PhantomData;
 use core::ops::Range;
 
-/// The random numbers of one motion for one purpose P: a sequence that its index and the seed of the ensemble determine, on every platform.
+/// The random numbers of one motion for one purpose P: a sequence that its index and the seed of
+/// the ensemble determine, on every platform.
 ///
-/// Starts, parameters and noise have sequences of their own, under the same seed, too, so that what is drawn for one is independent of
-/// what is drawn for another:
+/// Starts, parameters and noise have sequences of their own, under the same seed, too, so that what
+/// is drawn for one is independent of what is drawn for another:
 ///
 /// | numbers of | are |
 /// |---|---|
@@ -21,9 +24,11 @@ use core::ops::Range;
 /// | [`parameters`](super::Motions::parameters) | [`Random::parameters`] |
 /// | inputs, controllers, measurements | [`Random::noise`] |
 ///
-/// A sequence is never changed within a version of this crate that is compatible: the generator is Philox4x32-10, keyed by the seed, with
-/// the index in the upper half of its counter and the purpose in the upper byte of the lower half; uniform numbers are the upper 53 bits of
-/// 64; normal ones are those of Box and Muller by the elementary functions of the crate `libm`, and not by those of the platform.
+/// A sequence is never changed within a version of this crate that is compatible: the generator is
+/// Philox4x32-10, keyed by the seed, with the index in the upper half of its counter and the
+/// purpose in the upper byte of the lower half; uniform numbers are the upper 53 bits of 64; normal
+/// ones are those of Box and Muller by the elementary functions of the crate `libm`, and not by
+/// those of the platform.
 ///
 /// ```
 /// use lagrange::ensemble::Random;
@@ -103,14 +108,16 @@ const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 impl Random<OfStart> {
-    /// The numbers of the start of the motion `index` of an ensemble with this seed, from the first on.
+    /// The numbers of the start of the motion `index` of an ensemble with this seed, from the first
+    /// on.
     pub fn start(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
 }
 
 impl Random<OfParameters> {
-    /// The numbers of the parameters of the motion `index` of an ensemble with this seed, from the first on.
+    /// The numbers of the parameters of the motion `index` of an ensemble with this seed, from the
+    /// first on.
     pub fn parameters(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
@@ -149,7 +156,8 @@ impl<P: Purpose> Random<P> {
         joined(a, b)
     }
 
-    /// A number from the range, its end excluded, each part of it as likely as any other of its length.
+    /// A number from the range, its end excluded, each part of it as likely as any other of its
+    /// length.
     ///
     /// # Panics
     /// If the range is empty, or an end of it is not finite.
@@ -163,9 +171,11 @@ impl<P: Purpose> Random<P> {
         (start + (end - start) * self.unit()).min(end.next_down())
     }
 
-    /// A number of the normal distribution with mean 0 and standard deviation 1; its magnitude is below 8.6.
+    /// A number of the normal distribution with mean 0 and standard deviation 1; its magnitude is
+    /// below 8.6.
     ///
-    /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat. 29 (1958).
+    /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat.
+    /// 29 (1958).
     pub fn normal(&mut self) -> f64 {
         if let Some(normal) = self.normal.take() {
             return normal;

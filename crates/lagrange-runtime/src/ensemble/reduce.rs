@@ -4,15 +4,19 @@ use std::vec::Vec;
 
 /// Something that sums up motions, and that can be put together from parts.
 ///
-/// An ensemble is summed up in blocks of 64 motions, each from a clone of what [`reduce`](crate::ensemble::Ensemble::reduce) was given.
-/// The blocks of a [part](crate::ensemble::Ensemble::motions_per_part) are merged from left to right, and so are parts, whichever thread or
-/// process computed them: the result has the same bits for any number of either. It is that of one block if
+/// An ensemble is summed up in blocks of 64 motions, each from a clone of what
+/// [`reduce`](crate::ensemble::Ensemble::reduce) was given. The blocks of a
+/// [part](crate::ensemble::Ensemble::motions_per_part) are merged from left to right, and so are
+/// parts, whichever thread or process computed them: the result has the same bits for any number of
+/// either. It is that of one block if
 ///
 /// - merging with what was given changes nothing, and
-/// - adding motions to a part and then merging it is adding them one after the other, up to rounding.
+/// - adding motions to a part and then merging it is adding them one after the other, up to
+///   rounding.
 ///
-/// Numbers (a count), tuples, arrays and vectors (put one after the other, so that memory grows) are reductions, besides
-/// [`Moments`](crate::ensemble::Moments) and [`Histogram`](crate::ensemble::Histogram).
+/// Numbers (a count), tuples, arrays and vectors (put one after the other, so that memory grows)
+/// are reductions, besides [`Moments`](crate::ensemble::Moments) and
+/// [`Histogram`](crate::ensemble::Histogram).
 ///
 /// ```
 /// use lagrange::ensemble::Reduce;

@@ -90,9 +90,11 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// Computes all motions and keeps what they come down to, and nothing of themselves, so that memory does not depend on their number.
+    /// Computes all motions and keeps what they come down to, and nothing of themselves, so that
+    /// memory does not depend on their number.
     ///
-    /// `add` is asked for every motion that did not fail. What [`Reduce`] asks for makes the result the same bits for any number of threads.
+    /// `add` is asked for every motion that did not fail. What [`Reduce`] asks for makes the result
+    /// the same bits for any number of threads.
     ///
     /// ```
     /// # lagrange::system! {
@@ -114,7 +116,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback cancels.
+    /// If a setting makes no sense, a closure that was given panics, or the progress callback
+    /// cancels.
     pub fn reduce<R: Reduce>(
         self,
         identity: R,
@@ -125,8 +128,9 @@ where
         Ok(all)
     }
 
-    /// Computes all motions as [`reduce`](Self::reduce) does, and hands over what each part comes down to, one after the other: for sums
-    /// over processes, whose bits do not depend on the number of processes if parts are merged in their order.
+    /// Computes all motions as [`reduce`](Self::reduce) does, and hands over what each part comes
+    /// down to, one after the other: for sums over processes, whose bits do not depend on the
+    /// number of processes if parts are merged in their order.
     ///
     /// # Errors
     /// As of [`reduce`](Self::reduce).

@@ -13,8 +13,9 @@ use crate::simulate::inputs;
 use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputSystem};
 
 impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
-    /// Adds a column: a value computed from time and state, at the end of each motion or for each sample. The function is given the
-    /// system of the motion; its parameters are columns by themselves where motions have [their own](super::Motions::parameters).
+    /// Adds a column: a value computed from time and state, at the end of each motion or for each
+    /// sample. The function is given the system of the motion; its parameters are columns by
+    /// themselves where motions have [their own](super::Motions::parameters).
     pub fn observe(
         mut self,
         name: &str,
@@ -42,8 +43,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Ends a motion at the first zero of a function of time and state that is passed in this direction. Its row then holds the time and
-    /// the state there.
+    /// Ends a motion at the first zero of a function of time and state that is passed in this
+    /// direction. Its row then holds the time and the state there.
     pub fn stop_at(
         self,
         name: &str,
@@ -53,7 +54,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero in the trajectory of a motion, and then goes on, stops, or goes on from another state, as after an impact.
+    /// Records each such zero in the trajectory of a motion, and then goes on, stops, or goes on
+    /// from another state, as after an impact.
     pub fn event_with(
         mut self,
         name: &str,
@@ -65,8 +67,9 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Sets the inputs by a controller that is asked at the start and then every `period`, as
-    /// [in a single run](crate::simulate::Simulation::sampled). Every motion has one of its own, which is made for its index.
+    /// Sets the inputs by a controller that is asked at the start and then every `period`, as [in a
+    /// single run](crate::simulate::Simulation::sampled). Every motion has one of its own, which is
+    /// made for its index.
     pub fn sampled<C>(mut self, period: M::Scalar, controller: impl Fn(usize) -> C + Send + Sync + 'a) -> Self
     where
         M: ControlledSystem,
@@ -83,13 +86,15 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Takes no step longer than this, as [in a single run](crate::simulate::Simulation::longest_step).
+    /// Takes no step longer than this, as [in a single
+    /// run](crate::simulate::Simulation::longest_step).
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.batch.plan.settings.longest_step = Some(longest);
         self
     }
 
-    /// Ends a step of every motion at each of these times and starts another one there, for a force that jumps or has a kink.
+    /// Ends a step of every motion at each of these times and starts another one there, for a force
+    /// that jumps or has a kink.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.batch.plan.settings.restarts.extend(times);
         self

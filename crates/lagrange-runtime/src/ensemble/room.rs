@@ -12,7 +12,8 @@ use crate::system::StateVector;
 
 impl<M: SharedSystem> Batch<'_, M> {
     /// # Errors
-    /// If what is kept of so many motions cannot lie in memory, as far as the operating system tells beforehand.
+    /// If what is kept of so many motions cannot lie in memory, as far as the operating system
+    /// tells beforehand.
     pub(super) fn refuse_too_many(&self, motions: usize) -> Result<(), EnsembleError> {
         self.refuse(
             motions,
@@ -21,7 +22,8 @@ impl<M: SharedSystem> Batch<'_, M> {
     }
 
     /// # Errors
-    /// If the samples of so many motions, which lie in memory together while they are saved or summed up, cannot.
+    /// If the samples of so many motions, which lie in memory together while they are saved or
+    /// summed up, cannot.
     pub(super) fn refuse_too_many_at_once(&self, motions: usize) -> Result<(), EnsembleError> {
         self.refuse(motions, "specify a longer interval, or split the run into shorter ones")
     }
@@ -51,7 +53,8 @@ impl<M: SharedSystem> Batch<'_, M> {
         motions as f64 * self.least_samples() * (numbers * size_of::<M::Scalar>()) as f64
     }
 
-    /// The largest power of two that is not more than the samples of a motion, if nothing may stop it before its end.
+    /// The largest power of two that is not more than the samples of a motion, if nothing may stop
+    /// it before its end.
     fn least_samples(&self) -> f64 {
         let settings = &self.plan.settings;
         let may_stop = self.needs_runs() || settings.max_steps.is_some() || !M::EVENTS.is_empty();

@@ -10,7 +10,8 @@ use crate::scalar::Number;
 use crate::simulate::{Table, state_names};
 use crate::system::MechanicalSystem;
 
-/// The rows of motions that follow each other: state, what was observed, and parameters if motions have their own.
+/// The rows of motions that follow each other: state, what was observed, and parameters if motions
+/// have their own.
 pub(super) struct Rows<M: MechanicalSystem> {
     /// None before the first.
     pub(super) table: Option<Table<M::Scalar>>,
@@ -36,7 +37,8 @@ impl<M: SharedSystem> Rows<M> {
         self.fail(index, result);
     }
 
-    /// Adds the end of a motion that was no run, with the columns that would be kept of it if there are others than those of the state.
+    /// Adds the end of a motion that was no run, with the columns that would be kept of it if there
+    /// are others than those of the state.
     pub(super) fn push_arrival(
         &mut self,
         batch: &Batch<'_, M>,

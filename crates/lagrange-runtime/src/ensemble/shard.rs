@@ -8,8 +8,8 @@ use std::string::String;
 
 use super::error::EnsembleError;
 
-/// One of several shares of an ensemble, each computed by a process of its own: motions that follow each other, in whole parts of what is
-/// saved.
+/// One of several shares of an ensemble, each computed by a process of its own: motions that follow
+/// each other, in whole parts of what is saved.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u64,
@@ -19,7 +19,8 @@ pub struct Shard {
 /// Looks up a variable.
 type Lookup<'a> = &'a dyn Fn(&str) -> Option<String>;
 
-/// Ends of names by which launchers tell processes apart; a number behind them is the place of one of several.
+/// Ends of names by which launchers tell processes apart; a number behind them is the place of one
+/// of several.
 const PLACES: [&str; 12] = [
     "RANK",
     "RANKID",
@@ -37,13 +38,15 @@ const PLACES: [&str; 12] = [
 /// Variables of Slurm are known, whatever they are called.
 const SLURM: &str = "SLURM_";
 
-/// Variables with the index of a process and with the number of processes, in the order in which they are asked for.
+/// Variables with the index of a process and with the number of processes, in the order in which
+/// they are asked for.
 const LAUNCHERS: [[&str; 2]; 3] = [
     // Open MPI's mpirun.
     ["OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"],
     // MPICH's, Intel MPI's.
     ["PMI_RANK", "PMI_SIZE"],
-    // srun, which alone says this; a batch script has SLURM_PROCID and SLURM_NTASKS, too, but is one process.
+    // srun, which alone says this; a batch script has SLURM_PROCID and SLURM_NTASKS, too, but is
+    // one process.
     [BATCH, "SLURM_STEP_NUM_TASKS"],
 ];
 /// The only one that is there without a number of processes, too.
@@ -59,7 +62,8 @@ impl Shard {
     /// Everything.
     pub const WHOLE: Shard = Shard::of(0, 1);
 
-    /// The share `index`, counted from zero, of `count`. One beyond the count is an error of the run.
+    /// The share `index`, counted from zero, of `count`. One beyond the count is an error of the
+    /// run.
     pub const fn of(index: u64, count: u64) -> Self {
         Shard { index, count }
     }
@@ -77,8 +81,9 @@ impl Shard {
     /// Without any of them it is [everything](Shard::WHOLE).
     ///
     /// # Errors
-    /// If variables are incomplete, are no numbers, or lie beyond their count; or if there are none of these, but one that looks like the
-    /// place of a process that another launcher started, such as `PBS_ARRAY_INDEX`: everything would be computed by each process.
+    /// If variables are incomplete, are no numbers, or lie beyond their count; or if there are none
+    /// of these, but one that looks like the place of a process that another launcher started, such
+    /// as `PBS_ARRAY_INDEX`: everything would be computed by each process.
     pub fn from_environment() -> Result<Self, EnsembleError> {
         let text = |text: OsString| text.to_string_lossy().into_owned();
         Shard::from_variables(&std::env::vars_os().map(|(name, value)| (text(name), text(value))).collect())
@@ -198,7 +203,8 @@ fn array(lookup: Lookup<'_>) -> Result<Option<Shard>, EnsembleError> {
         })?;
         return Ok(Some(Shard::of(place / step.max(1), count)));
     }
-    // The number alone would be a slip of the pen for the variable by hand, and everything in each process.
+    // The number alone would be a slip of the pen for the variable by hand, and everything in each
+    // process.
     if lookup(HYPER_QUEUE_TASK).is_some() || lookup(COUNT).is_some() {
         return Ok(Some(Shard::of(number(lookup, HYPER_QUEUE_TASK)?, number(lookup, COUNT)?)));
     }

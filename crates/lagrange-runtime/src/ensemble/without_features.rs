@@ -1,6 +1,7 @@
 //! Compiler messages for methods of ensembles behind a missing feature.
 //!
-//! The methods exist without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
+//! The methods exist without their features, too, with bounds that nothing fulfils and that name
+//! the feature; none is ever called.
 
 use core::convert::Infallible;
 use std::path::Path;

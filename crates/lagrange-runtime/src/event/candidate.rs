@@ -1,7 +1,8 @@
 //! The earliest event in a piece, while others are looked for.
 //!
-//! To locate an event takes ten evaluations or more. A function that just before the earliest event has not passed zero yet comes
-//! later, or at the same time, and is not located: where many pass zero together only one is.
+//! To locate an event takes ten evaluations or more. A function that just before the earliest event
+//! has not passed zero yet comes later, or at the same time, and is not located: where many pass
+//! zero together only one is.
 
 use crate::scalar::Scalar;
 
@@ -10,7 +11,8 @@ pub(super) struct Candidate<S, const K: usize> {
     pub(super) event: usize,
     pub(super) time: S,
     reached: S,
-    /// A time that cannot be told from that of the event, before it, and the values of all functions there.
+    /// A time that cannot be told from that of the event, before it, and the values of all
+    /// functions there.
     before: Option<(S, [S; K])>,
 }
 
@@ -28,8 +30,8 @@ impl<S: Scalar, const K: usize> Candidate<S, K> {
         Candidate { event, time, reached, before: is_seen.then(|| (just_before, values(just_before))) }
     }
 
-    /// True if a function is known not to pass zero before this event. It has this sign at the first of these times, and the other one
-    /// at the second.
+    /// True if a function is known not to pass zero before this event. It has this sign at the
+    /// first of these times, and the other one at the second.
     pub(super) fn is_before(&self, event: usize, (from, to): (S, S), sign: S) -> bool {
         let Some((before, values)) = &self.before else { return self.time == self.reached };
         let [from, to, before] = [from, to, *before].map(|time| (time - self.reached).abs());

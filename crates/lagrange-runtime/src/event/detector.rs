@@ -64,7 +64,8 @@ enum First<S> {
     None,
     /// That of this function at this time.
     At(usize, S),
-    /// None of this function, which goes on through the zero that it had when the state was replaced.
+    /// None of this function, which goes on through the zero that it had when the state was
+    /// replaced.
     Passing(usize),
     /// A shorter piece would tell.
     Unclear,
@@ -105,13 +106,15 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
 
     /// The next event in the stepper's last step, after those that were returned before.
     ///
-    /// To be called after each step until there is no more, and after [`Stepper::confirm`]; `values` gives all functions at a time and
-    /// state. The time returned is at most 10⁻¹³ of the step, or one unit in the last place of time, beyond the change of sign, and
-    /// the value there is zero or has the sign that it changes to.
+    /// To be called after each step until there is no more, and after [`Stepper::confirm`];
+    /// `values` gives all functions at a time and state. The time returned is at most 10⁻¹³ of the
+    /// step, or one unit in the last place of time, beyond the change of sign, and the value there
+    /// is zero or has the sign that it changes to.
     ///
     /// # Errors
-    /// If a function is NaN or infinite, or does not settle in 200 evaluations, if times are too far apart to locate its
-    /// zero, or if states were replaced many times at times that rounding cannot tell apart.
+    /// If a function is NaN or infinite, or does not settle in 200 evaluations, if times are too
+    /// far apart to locate its zero, or if states were replaced many times at times that rounding
+    /// cannot tell apart.
     pub fn next<M>(
         &mut self,
         system: &M,
@@ -142,8 +145,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
-    /// The next function that is exactly zero at the end of a run, where this is the state, and that would have an event there if the
-    /// run went on through it. To be asked after the last step, when there are no other events left.
+    /// The next function that is exactly zero at the end of a run, where this is the state, and
+    /// that would have an event there if the run went on through it. To be asked after the last
+    /// step, when there are no other events left.
     pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
         let event = self.functions.iter_mut().position(EventFunction::ends_on_zero)?;
         Some(Occurrence { event, time, state: *state })
@@ -178,7 +182,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                     if let Some(spacing) = unresolved((from, to), time, range, |t| values(t)[event]) {
                         return Err(StepFailure::EventUnresolved { event: Given(event), time, spacing });
                     }
-                    // What was found at once was known: another look at noise would find something else.
+                    // What was found at once was known: another look at noise would find something
+                    // else.
                     let there = if time == start { piece.values[0] } else { values(time) };
                     self.search.pause();
                     self.fire(event, time, there)?;
@@ -223,15 +228,16 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(())
     }
 
-    /// Counts the zeros of these functions, which have these values, as events at the time of the last one.
+    /// Counts the zeros of these functions, which have these values, as events at the time of the
+    /// last one.
     pub(crate) fn fire_together(&mut self, values: &[S; K], is_fired: impl Fn(usize) -> bool) {
         for (k, function) in self.functions.iter_mut().enumerate().filter(|(k, _)| is_fired(*k)) {
             function.fire(self.reached, values[k]);
         }
     }
 
-    /// The next event, if it happens at the same time as one that was just returned, as far as times are located: to be
-    /// asked before the stepper is restarted, or the others are lost.
+    /// The next event, if it happens at the same time as one that was just returned, as far as
+    /// times are located: to be asked before the stepper is restarted, or the others are lost.
     ///
     /// # Errors
     /// As [`next`](Self::next).
@@ -301,8 +307,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
     }
 
-    /// Places at which the function has this sign and the other one, between these times or, if it is only taken to have the first,
-    /// from the start on; `None` if it does not have the other one at the end.
+    /// Places at which the function has this sign and the other one, between these times or, if it
+    /// is only taken to have the first, from the start on; `None` if it does not have the other one
+    /// at the end.
     fn bracket(
         &self,
         (from, to): (S, S),
@@ -324,8 +331,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Some(((from, sign), after))
     }
 
-    /// Remembers the signs of these values, found right after the state was replaced. Switches wait for a value that is not
-    /// rounding.
+    /// Remembers the signs of these values, found right after the state was replaced. Switches wait
+    /// for a value that is not rounding.
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
         check(values)?;
         for (function, value) in self.functions.iter_mut().zip(values) {
@@ -338,9 +345,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(())
     }
 
-    /// Between the start and `t`, where a function that counted as of this sign at the start has the other one: the latest place at
-    /// which it was found to have it and the place after it, halving the time from the start. If it never had, it passed zero at
-    /// the start.
+    /// Between the start and `t`, where a function that counted as of this sign at the start has
+    /// the other one: the latest place at which it was found to have it and the place after it,
+    /// halving the time from the start. If it never had, it passed zero at the start.
     fn hop(
         &self,
         ((mut t, mut found), sign): (Sample<S>, S),
@@ -360,9 +367,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         found.is_finite().then_some(((t, sign), (t, found)))
     }
 
-    /// Goes on from time `t`, where the method was restarted from another state in which the functions have these values.
+    /// Goes on from time `t`, where the method was restarted from another state in which the
+    /// functions have these values.
     ///
-    /// The signs that count from now on are those shortly after: a ball that was turned round on the ground is above it.
+    /// The signs that count from now on are those shortly after: a ball that was turned round on
+    /// the ground is above it.
     pub fn restart(&mut self, t: S, values: [S; K]) {
         let distance = (t - self.started).abs();
         let is_at_once = distance <= SAME_EVENT.part::<S>() * t.abs();
@@ -377,8 +386,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self.search = Search::new(t, t);
     }
 
-    /// Goes on from the place that was reached, where the functions jumped to these values: a zero that one of them passed by
-    /// that is an event there.
+    /// Goes on from the place that was reached, where the functions jumped to these values: a zero
+    /// that one of them passed by that is an event there.
     pub(crate) fn jump(&mut self, values: [S; K]) {
         self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
     }

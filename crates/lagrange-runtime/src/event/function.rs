@@ -3,7 +3,8 @@
 use crate::scalar::Scalar;
 use crate::system::Direction;
 
-/// A value after a replacement that is larger than that at the event by no more than this factor is still that of the event.
+/// A value after a replacement that is larger than that at the event by no more than this factor is
+/// still that of the event.
 const NEARLY: f64 = 4.0;
 
 /// The state of one function.
@@ -15,14 +16,16 @@ pub(super) struct EventFunction<S> {
     pub(super) is_switch: bool,
     /// The value where the search has got to.
     pub(super) here: S,
-    /// A number of the sign that counts: that of the last value that was not zero; zero if there was none.
+    /// A number of the sign that counts: that of the last value that was not zero; zero if there
+    /// was none.
     pub(super) sign: S,
     pub(super) claim: Claim,
     /// The value at the last start.
     pub(super) start: S,
     /// The largest magnitude that it was found to have.
     pub(super) range: S,
-    /// Its last two events, the later one first: what lies behind an event is looked at before the state is replaced there.
+    /// Its last two events, the later one first: what lies behind an event is looked at before the
+    /// state is replaced there.
     fired: [Option<Fired<S>>; 2],
 }
 
@@ -42,8 +45,8 @@ pub(super) enum Claim {
     Found,
     /// The function belongs to a mode, which begins with it.
     Switch,
-    /// A zero happened and the state was replaced, but the function is where it was: at zero, on the side that it came from
-    /// unless it goes on to the other one.
+    /// A zero happened and the state was replaced, but the function is where it was: at zero, on
+    /// the side that it came from unless it goes on to the other one.
     Turned,
 }
 
@@ -95,7 +98,8 @@ impl<S: Scalar> EventFunction<S> {
         (self.sign, self.claim) = (-self.sign, Claim::Found);
     }
 
-    /// Goes on to a place where the function has this value, with no event on the way. Zero has no sign.
+    /// Goes on to a place where the function has this value, with no event on the way. Zero has no
+    /// sign.
     pub(super) fn learn(&mut self, value: S) {
         self.here = value;
         let is_rounding = self.is_armed() && value * self.sign < S::ZERO;
@@ -104,8 +108,8 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// Goes on to an event of another function at which this one has this value: a sign that makes an event of it here, too, is
-    /// left to be found.
+    /// Goes on to an event of another function at which this one has this value: a sign that makes
+    /// an event of it here, too, is left to be found.
     pub(super) fn pass(&mut self, value: S) {
         self.here = value;
         if !self.is_armed() && value != S::ZERO && !self.direction.counts(self.sign, value) {

@@ -1,7 +1,8 @@
 //! The place where a function changes its sign.
 //!
-//! Regula falsi with halved weights (Illinois), and bisection whenever that does not halve the bracket in three rounds.
-//! Source: Dowell, Jarratt, "A modified regula falsi method", *BIT* 11 (1971) 168–174.
+//! Regula falsi with halved weights (Illinois), and bisection whenever that does not halve the
+//! bracket in three rounds. Source: Dowell, Jarratt, "A modified regula falsi method", *BIT* 11
+//! (1971) 168–174.
 
 use crate::scalar::Scalar;
 
@@ -13,7 +14,8 @@ pub(super) const MOST_ROUNDS: u32 = 200;
 /// An argument and the value there.
 pub(super) type Sample<S> = (S, S);
 
-/// An argument in the bracket at which the function has the sign of `after`, at most `accuracy` beyond a change of sign.
+/// An argument in the bracket at which the function has the sign of `after`, at most `accuracy`
+/// beyond a change of sign.
 ///
 /// `None` if it is not found in [`MOST_ROUNDS`] evaluations, or a value is NaN.
 pub(crate) fn locate<S: Scalar>(

@@ -4,7 +4,8 @@ use super::function::{Claim, EventFunction};
 use super::polynomial::{POINTS, Polynomial, SignChange};
 use crate::scalar::Scalar;
 
-/// A function that rose since it was started at this part of its present rate, or more, did not start at rest.
+/// A function that rose since it was started at this part of its present rate, or more, did not
+/// start at rest.
 const STEADY: f64 = 0.8;
 
 /// Times in a piece and the values of all functions there.
@@ -20,9 +21,11 @@ pub(super) enum Sight<S> {
     Nothing,
     /// At the start of the piece.
     AtOnce,
-    /// Between two times, as far as the polynomial tells, from numbers of this sign to those of the other.
+    /// Between two times, as far as the polynomial tells, from numbers of this sign to those of the
+    /// other.
     Between { from: S, to: S, sign: S },
-    /// Nowhere: a function that was at zero when the state was replaced goes on to the side that it had reached.
+    /// Nowhere: a function that was at zero when the state was replaced goes on to the side that it
+    /// had reached.
     Passing,
     /// A shorter piece would tell.
     Unclear,
@@ -30,8 +33,8 @@ pub(super) enum Sight<S> {
 
 impl<S: Scalar, const K: usize> Piece<S, K> {
     /// Evaluates the values of function `k`. In a piece that cannot be shortened, signs decide even
-    /// if they are unclear.
-    /// `passable` is where the functions were last started, if what was at zero there may go on through it.
+    /// if they are unclear. `passable` is where the functions were last started, if what was at
+    /// zero there may go on through it.
     pub(super) fn sight(
         &self,
         k: usize,
@@ -85,8 +88,8 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         rise > S::ZERO && risen >= S::from_f64(STEADY) * rise * since
     }
 
-    /// An event just before the end of the piece, where a function of this sign may have changed it by less than can be told from
-    /// rounding.
+    /// An event just before the end of the piece, where a function of this sign may have changed it
+    /// by less than can be told from rounding.
     fn at_its_end(&self, values: &[S; POINTS], sign: S, function: &EventFunction<S>) -> Sight<S> {
         if function.claim == Claim::Switch {
             return Sight::Nothing;

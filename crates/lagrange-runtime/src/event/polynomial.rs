@@ -1,10 +1,11 @@
 //! The behaviour of a function along a piece of a step, as described by a polynomial through some
 //! of its values.
 //!
-//! Values at Chebyshev points give a polynomial of degree eight; the last of its Chebyshev coefficients tell how far it can be
-//! trusted. Its Bernstein coefficients enclose it, so that a part of the piece in which it does not change its sign is
-//! recognised as such, and parts in which it may are halved until it changes its sign once or is too small to tell.
-//! Sources: Trefethen, *Approximation Theory and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a
+//! Values at Chebyshev points give a polynomial of degree eight; the last of its Chebyshev
+//! coefficients tell how far it can be trusted. Its Bernstein coefficients enclose it, so that a
+//! part of the piece in which it does not change its sign is recognised as such, and parts in which
+//! it may are halved until it changes its sign once or is too small to tell. Sources: Trefethen, *Approximation
+//! Theory and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a
 //! centennial retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
 
 use crate::scalar::Scalar;
@@ -17,9 +18,11 @@ pub(super) const POINTS: usize = DEGREE + 1;
 /// cos(π k/8) for k from 0 to 4.
 const COSINES: [f64; 5] =
     [1.0, 0.923_879_532_511_286_7, core::f64::consts::FRAC_1_SQRT_2, 0.382_683_432_365_089_8, 0.0];
-/// Bernstein coefficients of Chebyshev polynomials: that of index j of the polynomial of degree k in row j, column k.
+/// Bernstein coefficients of Chebyshev polynomials: that of index j of the polynomial of degree k
+/// in row j, column k.
 const BERNSTEIN: [[f64; POINTS]; POINTS] = bernstein();
-/// The error is taken for so many times the last two Chebyshev coefficients, which stand for those that were cut off,
+/// The error is taken for so many times the last two Chebyshev coefficients, which stand for those
+/// that were cut off,
 const CUT_OFF: f64 = 4.0;
 /// and a polynomial is trusted where these are a smaller part of its largest value than this.
 const TRUSTED: f64 = 1e-3;
@@ -28,7 +31,8 @@ const TRUSTED: f64 = 1e-3;
 const NARROWEST: f64 = 1e-12;
 /// A polynomial that is not trusted may be wrong by this part of its largest value.
 const DOUBT: f64 = 0.25;
-/// Noise of values that leaves this much in the last Chebyshev coefficients leaves so many times more in the slope at an end.
+/// Noise of values that leaves this much in the last Chebyshev coefficients leaves so many times
+/// more in the slope at an end.
 const NOISE: f64 = 64.0;
 /// A function at rest rises or falls, as values say, by less than this part of the largest one.
 const AT_REST: f64 = 1e-9;
@@ -102,7 +106,8 @@ impl<S: Scalar> Polynomial<S> {
 
     /// Returns the next change, from the place `x` on, to the sign opposite to that of `sign`.
     ///
-    /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial can be trusted.
+    /// `is_zero` says that its zero at `x` is known, which then does not matter if the polynomial
+    /// can be trusted.
     pub(super) fn next_change(&self, sign: S, mut x: S, is_zero: bool) -> SignChange<S> {
         let (error, half) = (self.error(), S::from_f64(0.5));
         // Half of two roundings of one still leads on from every place.
@@ -137,10 +142,12 @@ impl<S: Scalar> Polynomial<S> {
         if is_unclear || is_near { SignChange::Unclear } else { SignChange::Nowhere }
     }
 
-    /// The Bernstein coefficients on a part of the unit interval, with the sign turned if that of `sign` is negative.
+    /// The Bernstein coefficients on a part of the unit interval, with the sign turned if that of
+    /// `sign` is negative.
     fn part(&self, sign: S, from: S, to: S) -> [S; POINTS] {
         let mut part = if sign > S::ZERO { self.bernstein } else { self.bernstein.map(|b| -b) };
-        // De Casteljau's scheme, from the left to what lies beyond `from`, then from the right to what lies before `to`.
+        // De Casteljau's scheme, from the left to what lies beyond `from`, then from the right to
+        // what lies before `to`.
         if from > S::ZERO {
             for round in 1..POINTS {
                 for j in 0..POINTS - round {
@@ -185,8 +192,8 @@ const fn cosine(k: usize) -> f64 {
     }
 }
 
-/// The Chebyshev coefficients of the polynomial that has these values at [`points`]; on the interval from −1 to 1 these are
-/// −cos(π j/8).
+/// The Chebyshev coefficients of the polynomial that has these values at [`points`]; on the
+/// interval from −1 to 1 these are −cos(π j/8).
 fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
     let mut coefficients = [S::ZERO; POINTS];
     for (k, coefficient) in coefficients.iter_mut().enumerate() {
@@ -202,8 +209,9 @@ fn chebyshev<S: Scalar>(values: &[S; POINTS]) -> [S; POINTS] {
     coefficients
 }
 
-/// On the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki, §5.3; Rababah, "Transformation of
-/// Chebyshev–Bernstein polynomial basis", *Computational Methods in Applied Mathematics* 3 (2003) 608–622.
+/// On the unit interval, Σᵢ (−1)^(k−i) C(2k, 2i) C(n−k, j−i)/C(n, j). Source: Farouki, §5.3;
+/// Rababah, "Transformation of Chebyshev–Bernstein polynomial basis", *Computational Methods in
+/// Applied Mathematics* 3 (2003) 608–622.
 const fn bernstein() -> [[f64; POINTS]; POINTS] {
     let mut table = [[0.0; POINTS]; POINTS];
     let mut j = 0;

@@ -1,14 +1,18 @@
-//! Switches: surfaces in time and state on which a system is not smooth, and the sides of them on which it is computed.
+//! Switches: surfaces in time and state on which a system is not smooth, and the sides of them on
+//! which it is computed.
 //!
-//! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`, `min` and `max`. A step across one
-//! would lose the order of any method, and a push that is shorter than a step would be missed. So a run fixes the side of every
-//! switch: the equations are then smooth, and go on smoothly beyond the surface. Where a step has led beyond, the place is located like
-//! an event and the motion goes on from there on the other side. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-//! Equations I*, 2nd ed., §II.6.
+//! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`,
+//! `min` and `max`. A step across one would lose the order of any method, and a push that is
+//! shorter than a step would be missed. So a run fixes the side of every switch: the equations are
+//! then smooth, and go on smoothly beyond the surface. Where a step has led beyond, the place is
+//! located like an event and the motion goes on from there on the other side. Source: Hairer,
+//! Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., §II.6.
 //!
-//! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all the step long; the step is cut
-//! at x = 0, and the next one has the force 1. If that leads back at once, as −sign(ẋ) does with ẋ = 0, the state would slide
-//! along the surface, where a function of time and state says nothing about the force: [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
+//! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all
+//! the step long; the step is cut at x = 0, and the next one has the force 1. If that leads back at
+//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface, where a function of
+//! time and state says nothing about the force:
+//! [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
 
 use core::array::from_fn;
 
@@ -16,7 +20,8 @@ use crate::system::{Action, OdeSystem, Reacted, Response};
 
 use crate::scalar::{Number, Scalar};
 
-/// The sides of its switches on which a system is computed: fixed, as during a run, or free, which is as its state says.
+/// The sides of its switches on which a system is computed: fixed, as during a run, or free, which
+/// is as its state says.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Switches {
     /// A bit for each switch whose side is fixed.
@@ -70,13 +75,15 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The functions that vanish on the switches.
     fn switch_values(&self, t: Self::Scalar, y: &Self::State) -> [Self::Scalar; K];
 
-    /// When each switch is passed, from its negative to its positive side, where that is known beforehand.
+    /// When each switch is passed, from its negative to its positive side, where that is known
+    /// beforehand.
     fn switch_times(&self) -> [Option<Self::Scalar>; K] {
         [None; K]
     }
 }
 
-/// The system on the sides on which a motion from this state starts. What is not finite there stays free.
+/// The system on the sides on which a motion from this state starts. What is not finite there stays
+/// free.
 pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -136,7 +143,8 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     Ok(Response { system, ..Response::new(Action::Continue) })
 }
 
-/// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a switch is passed.
+/// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a
+/// switch is passed.
 pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
     let times = system.switch_times();
     let passed = (0..K).filter(|&k| times[k] == Some(t));
@@ -145,7 +153,8 @@ pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, en
     (after != before).then(|| system.with_switches(after))
 }
 
-/// The next time after `t` and before `end`, which may lie before it, at which a switch is passed, as far as that is known beforehand.
+/// The next time after `t` and before `end`, which may lie before it, at which a switch is passed,
+/// as far as that is known beforehand.
 pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,

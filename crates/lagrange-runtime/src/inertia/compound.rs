@@ -5,8 +5,9 @@ use crate::scalar::Scalar;
 
 /// A plane body as far as its motion is concerned: how much it is, where, and how spread out.
 ///
-/// Bodies are put together with [`with`](MassGeometry::with) and [`without`](MassGeometry::without), parts brought to their
-/// places with [`moved`](MassGeometry::moved) and [`turned`](MassGeometry::turned).
+/// Bodies are put together with [`with`](MassGeometry::with) and
+/// [`without`](MassGeometry::without), parts brought to their places with
+/// [`moved`](MassGeometry::moved) and [`turned`](MassGeometry::turned).
 ///
 /// ```
 /// use lagrange::inertia::{MassGeometry, disk, semicircular_disk, semicircular_disk_center};
@@ -38,7 +39,8 @@ impl<S: Scalar> MassGeometry<S> {
         MassGeometry { mass, center: polygon_center(corners), inertia: polygon(mass, corners) }
     }
 
-    /// Both together: by Steiner's theorem J₁ + J₂ + m₁ m₂/(m₁ + m₂) d², d being the distance of their centres of mass.
+    /// Both together: by Steiner's theorem J₁ + J₂ + m₁ m₂/(m₁ + m₂) d², d being the distance of
+    /// their centres of mass.
     ///
     /// The centre of mass is not finite if the masses add up to zero.
     #[must_use]

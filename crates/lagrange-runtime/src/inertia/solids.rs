@@ -16,9 +16,11 @@ fn squares<S: Scalar, const N: usize>(lengths: [S; N], numerator: f64, denominat
     sum * number(numerator) / number(denominator)
 }
 
-/// The moment of inertia about an axis at `distance` from the centre of mass: J + m r², the theorem of Steiner or Huygens.
+/// The moment of inertia about an axis at `distance` from the centre of mass: J + m r², the theorem
+/// of Steiner or Huygens.
 ///
-/// `inertia` is the one about the parallel axis through the centre of mass, which is the smallest of all.
+/// `inertia` is the one about the parallel axis through the centre of mass, which is the smallest
+/// of all.
 ///
 /// ```
 /// use lagrange::inertia::{slender_rod, slender_rod_end, steiner};
@@ -77,15 +79,16 @@ pub fn rectangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 12.0)
 }
 
-/// A cuboid that shows its edges a and b: another name for [`rectangle`], since the depth does not matter.
+/// A cuboid that shows its edges a and b: another name for [`rectangle`], since the depth does not
+/// matter.
 pub fn cuboid<S: Scalar>(mass: S, a: S, b: S) -> S {
     rectangle(mass, a, b)
 }
 
 /// Half a disk or cylinder of radius r: m (r²/2 − s²) = (1/2 − 16/(9 π²)) m r² = 0.3198734513 m r².
 ///
-/// About the centre of the circle it is m r²/2, as for the whole disk; s = 4 r/(3 π) is the distance from there to the centre
-/// of mass, [`semicircular_disk_center`].
+/// About the centre of the circle it is m r²/2, as for the whole disk; s = 4 r/(3 π) is the
+/// distance from there to the centre of mass, [`semicircular_disk_center`].
 pub fn semicircular_disk<S: Scalar>(mass: S, radius: S) -> S {
     let [_, distance] = semicircular_disk_center(radius);
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
@@ -98,7 +101,8 @@ pub fn semicircular_disk_center<S: Scalar>(radius: S) -> [S; 2] {
     [S::ZERO, number::<S>(4.0) * radius / (number::<S>(3.0) * pi())]
 }
 
-/// A sector of a disk with radius r and opening angle α in rad: m (r²/2 − s²) with s as in [`circular_sector_center`].
+/// A sector of a disk with radius r and opening angle α in rad: m (r²/2 − s²) with s as in
+/// [`circular_sector_center`].
 ///
 /// NaN unless 0 < α ≤ 2π.
 pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
@@ -106,7 +110,8 @@ pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
 }
 
-/// The centre of mass of a sector of a disk with radius r and opening angle α in rad: (s, 0), s = 4 r sin(α/2)/(3 α).
+/// The centre of mass of a sector of a disk with radius r and opening angle α in rad: (s, 0), s = 4
+/// r sin(α/2)/(3 α).
 ///
 /// The apex is the origin, and the X axis halves the angle. NaN unless 0 < α ≤ 2π.
 pub fn circular_sector_center<S: Scalar>(radius: S, angle: S) -> [S; 2] {
@@ -124,7 +129,8 @@ pub fn right_triangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 18.0)
 }
 
-/// The centre of mass of a right triangle: (a/3, b/3), with the right angle in the origin and the legs along X and Y.
+/// The centre of mass of a right triangle: (a/3, b/3), with the right angle in the origin and the
+/// legs along X and Y.
 pub fn right_triangle_center<S: Scalar>(a: S, b: S) -> [S; 2] {
     [a / number(3.0), b / number(3.0)]
 }
@@ -139,9 +145,10 @@ pub fn triangle<S: Scalar>(mass: S, a: S, b: S, c: S) -> S {
 
 /// The centre of mass of a triangle with sides a, b, c.
 ///
-/// Side a goes from the origin along X, b on from there and c back; Y is positive inside. The third corner is (p, q) with
-/// p = (a² − b² + c²)/(2 a), and q = √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a) by Heron's formula; the centre of mass is
-/// ((a + p)/3, q/3). NaN if there is no such triangle, or a is zero or any side negative.
+/// Side a goes from the origin along X, b on from there and c back; Y is positive inside. The third
+/// corner is (p, q) with p = (a² − b² + c²)/(2 a), and q = √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a)
+/// by Heron's formula; the centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
+/// a is zero or any side negative.
 pub fn triangle_center<S: Scalar>(a: S, b: S, c: S) -> [S; 2] {
     let factors = [a + b + c, b + c - a, a - b + c, a + b - c];
     if !factors.into_iter().all(|factor| factor >= S::ZERO) {

@@ -13,8 +13,8 @@ pub(super) struct Attempt<S> {
 }
 
 impl<S: Scalar> Attempt<S> {
-    /// A step of this length towards `limit`, or that it is lost in rounding. Only a step that reaches the limit is
-    /// shorter than the least that counts in the rounding of time.
+    /// A step of this length towards `limit`, or that it is lost in rounding. Only a step that
+    /// reaches the limit is shorter than the least that counts in the rounding of time.
     #[inline]
     pub(super) fn new(
         clock: &Clock<S>,
@@ -59,7 +59,8 @@ pub(super) enum Judgement<S> {
     Taken,
     /// Its error was too large.
     Inaccurate,
-    /// It could not be computed, or led where the system is not defined, or where constraints cannot be satisfied.
+    /// It could not be computed, or led where the system is not defined, or where constraints
+    /// cannot be satisfied.
     Lost(StepFailure<S>),
 }
 
@@ -67,8 +68,8 @@ pub(super) enum Judgement<S> {
 /// dependent count as blocking the motion.
 const MOST_CRAWLING: u32 = 1000;
 
-/// Watches for steps below ε^(3/4) of the time that has passed under constraints. Nothing moves that
-/// fast; what asks for such steps is noise, which constraints magnify where they are about to
+/// Watches for steps below ε^(3/4) of the time that has passed under constraints. Nothing moves
+/// that fast; what asks for such steps is noise, which constraints magnify where they are about to
 /// depend on each other.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Crawling<S> {

@@ -1,8 +1,8 @@
 //! Sums of many small increments without accumulation of rounding errors.
 //!
-//! Compensated summation after Kahan and Møller: the part of each increment that rounding cuts off is kept
-//! and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.5,
-//! algorithm 5.1.
+//! Compensated summation after Kahan and Møller: the part of each increment that rounding cuts off
+//! is kept and added to the next one. Source: Hairer, Lubich, Wanner, *Geometric Numerical
+//! Integration*, §VIII.5, algorithm 5.1.
 
 use super::lane_wise::{chosen, take};
 use crate::scalar::Number;

@@ -50,8 +50,8 @@ pub(super) fn correct<M: OdeSystem + ?Sized>(
     Ok(())
 }
 
-/// A state within a step, on the constraints if it can be brought there. It lies as near to them as the method is accurate, and
-/// between two states that could be brought there.
+/// A state within a step, on the constraints if it can be brought there. It lies as near to them as
+/// the method is accurate, and between two states that could be brought there.
 #[inline]
 pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::State) -> M::State {
     if !M::IS_CONSTRAINED {

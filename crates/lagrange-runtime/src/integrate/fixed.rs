@@ -13,15 +13,15 @@ pub(super) use self::lanes::FixedLanes;
 
 /// A formula that advances the state by a step of given length.
 ///
-/// What it advances may be other variables than the state, such as coordinates and momenta: they are summed with
-/// compensation, so that what the formula conserves is conserved to rounding.
+/// What it advances may be other variables than the state, such as coordinates and momenta: they
+/// are summed with compensation, so that what the formula conserves is conserved to rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
     /// True if steps end on the constraints of the system by themselves, so that states need no
     /// correction.
     const KEEPS_CONSTRAINTS: bool = false;
 
-    /// The variables of the state `y`, from which the integration starts or goes on: nothing that was found before
-    /// holds any more.
+    /// The variables of the state `y`, from which the integration starts or goes on: nothing that
+    /// was found before holds any more.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
@@ -54,8 +54,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>>;
 
-    /// The state at time `t` to which the last increment led was brought onto constraints, `from` there `to` here: so are the
-    /// variables.
+    /// The state at time `t` to which the last increment led was brought onto constraints, `from`
+    /// there `to` here: so are the variables.
     fn follow(
         &mut self,
         _system: &M,
@@ -66,11 +66,13 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         *variables = *to;
     }
 
-    /// The step of the last increment was taken and ended at time `t`, which may differ from the sum of its
-    /// start and its length by rounding. What was found at its end may be kept for the next one.
+    /// The step of the last increment was taken and ended at time `t`, which may differ from the
+    /// sum of its start and its length by rounding. What was found at its end may be kept for the
+    /// next one.
     fn accept(&mut self, _t: M::Scalar) {}
 
-    /// About the longest step that is stable from here on, where that is known of the method and something is fast.
+    /// About the longest step that is stable from here on, where that is known of the method and
+    /// something is fast.
     fn longest_stable(
         &self,
         _system: &M,
@@ -92,8 +94,9 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     ) -> M::State;
 }
 
-/// Writes what [`Method`](super::Method) needs of a method whose steps have the length of its field `step`: its name, its order, its formula
-/// and an expression that makes one, and `lanes` if it can take several motions side by side.
+/// Writes what [`Method`](super::Method) needs of a method whose steps have the length of its field
+/// `step`: its name, its order, its formula and an expression that makes one, and `lanes` if it can
+/// take several motions side by side.
 macro_rules! fixed_steps {
     ($name:expr, $order:expr, $Formula:ty = $formula:expr $(, $lanes:ident)?) => {
         type Stepper = $crate::integrate::FixedStepper<M, $Formula>;

@@ -52,8 +52,8 @@ where
     finite(jacobian.as_ref()).then_some(Matrix(jacobian))
 }
 
-/// ∂f/∂y by difference quotients at the state `y`, whose rate this is, over changes of the components by half of the digits of their
-/// `sizes`.
+/// ∂f/∂y by difference quotients at the state `y`, whose rate this is, over changes of the
+/// components by half of the digits of their `sizes`.
 pub(super) fn differences<M>(
     system: &M,
     (t, y): (M::Scalar, &M::State),
@@ -103,7 +103,8 @@ where
     quotients
 }
 
-/// Sizes of the components of a state that changes at this rate over a step of the length `h`, with a least size.
+/// Sizes of the components of a state that changes at this rate over a step of the length `h`, with
+/// a least size.
 pub(super) fn sizes<S: Scalar, Y: StateVector<S>>(y: &Y, h: S, rate: &Y, least: S) -> Y {
     let mut sizes = *y;
     for (size, rate) in sizes.as_mut().iter_mut().zip(rate.as_ref()) {

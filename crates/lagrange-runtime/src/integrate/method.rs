@@ -1,12 +1,13 @@
 //! Integration methods as seen by their callers.
 //!
-//! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds all that changes
-//! from step to step and needs no heap.
+//! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds
+//! all that changes from step to step and needs no heap.
 //!
-//! Some methods also take several motions side by side, as a [`LanesMethod`]: every lane has its own time and its own step, and no motion sees its
-//! neighbours, so that what comes of a lane has the same bits whatever is in the others. A lane does what is done in every step of an ordinary
-//! motion. Where anything else shows, such as NaN, steps that are lost in rounding, or more of them than are allowed, it gives the motion
-//! up, which is then to be told by a run of its own.
+//! Some methods also take several motions side by side, as a [`LanesMethod`]: every lane has its
+//! own time and its own step, and no motion sees its neighbours, so that what comes of a lane has
+//! the same bits whatever is in the others. A lane does what is done in every step of an ordinary
+//! motion. Where anything else shows, such as NaN, steps that are lost in rounding, or more of them
+//! than are allowed, it gives the motion up, which is then to be told by a run of its own.
 
 use crate::scalar::Scalar;
 use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
@@ -33,7 +34,8 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     ///
     /// # Errors
-    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate at the start is not finite.
+    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate
+    /// at the start is not finite.
     fn start(
         &self,
         system: &M,
@@ -42,7 +44,8 @@ pub trait Method<M: OdeSystem + ?Sized> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>>;
 
-    /// Returns the method with a maximum step length, which [`check`](Method::check) has yet to check.
+    /// Returns the method with a maximum step length, which [`check`](Method::check) has yet to
+    /// check.
     ///
     /// # Errors
     /// If the lengths of its steps are a setting already.
@@ -73,10 +76,11 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// The state that was reached; always finite.
     fn state(&self) -> &M::State;
 
-    /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends there.
+    /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends
+    /// there.
     ///
-    /// What was found at the end of the last step may be used again: after `system` was changed, as by another input,
-    /// go on with [`restart`](Stepper::restart) from the state that was reached.
+    /// What was found at the end of the last step may be used again: after `system` was changed, as
+    /// by another input, go on with [`restart`](Stepper::restart) from the state that was reached.
     ///
     /// # Errors
     /// If no step can be taken. Time and state are then what they were before.
@@ -85,26 +89,29 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// The time at which the last step began; the present time if none was taken since the start.
     fn last_time(&self) -> M::Scalar;
 
-    /// The state at a time within the last step. At both ends it is what the method itself found there.
+    /// The state at a time within the last step. At both ends it is what the method itself found
+    /// there.
     ///
-    /// The error is of the order of the method's own; a method that needs further evaluations for this makes
-    /// them when first asked after a step.
+    /// The error is of the order of the method's own; a method that needs further evaluations for
+    /// this makes them when first asked after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
     /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the
     /// step itself, as far as the method can tell. If not, the step is taken back: time and state
     /// are those before it, and the next attempt is shorter.
     ///
-    /// To be asked once after a step, before anything within it is, and before the step is made use of.
+    /// To be asked once after a step, before anything within it is, and before the step is made use
+    /// of.
     fn confirm(&mut self, _system: &M) -> bool {
         true
     }
 
-    /// Lets no more steps than this be tried from the first start on, rejected ones included. Methods that reject no steps leave
-    /// the counting to those who drive them.
+    /// Lets no more steps than this be tried from the first start on, rejected ones included.
+    /// Methods that reject no steps leave the counting to those who drive them.
     fn limit_steps(&mut self, _most: u64) {}
 
-    /// Goes on from another state at another time, as after an impact. The work done so far still counts.
+    /// Goes on from another state at another time, as after an impact. The work done so far still
+    /// counts.
     ///
     /// # Errors
     /// If the state or, where the method asks for it, its rate is not finite.
@@ -140,19 +147,22 @@ pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
 
-    /// Lanes that [`take`](LanesMethod::take) is to fill with motions which start at time `t`, with steps towards `end`, which may lie before `t`.
+    /// Lanes that [`take`](LanesMethod::take) is to fill with motions which start at time `t`, with
+    /// steps towards `end`, which may lie before `t`.
     fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
+    /// Starts a motion in every lane at the state `y` at time `t`, with steps towards `end`, which
+    /// may lie before `t`.
     fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
     where
         S: SideBySide<Element = T>,
         E: Equations<S>;
 
-    /// Puts the motion that is in the lane `from` of another stepper, started for the same end, into a lane of this one.
+    /// Puts the motion that is in the lane `from` of another stepper, started for the same end,
+    /// into a lane of this one.
     fn take<S, E, O, F>(
         stepper: &mut Self::Stepper<S, E>,
         lane: usize,
@@ -216,14 +226,17 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// Tries a step in every lane, towards the end and not beyond.
     fn step(&mut self, equations: &E);
 
-    /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have just taken a step. Where states within it
-    /// are less accurate than its end, as far as the method can tell, the step is taken back, as by [`Stepper::confirm`].
+    /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
+    /// just taken a step. Where states within it are less accurate than its end, as far as the
+    /// method can tell, the step is taken back, as by [`Stepper::confirm`].
     fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
 
-    /// The states at times within the last steps, in lanes that were prepared, or at their ends; anything elsewhere.
+    /// The states at times within the last steps, in lanes that were prepared, or at their ends;
+    /// anything elsewhere.
     fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
 
-    /// The times that were reached: the end exactly where a motion has ended, NaN where it was given up.
+    /// The times that were reached: the end exactly where a motion has ended, NaN where it was
+    /// given up.
     fn time(&self) -> S;
 
     /// The states that were reached.
@@ -237,7 +250,8 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
         None
     }
 
-    /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up then.
+    /// Lets no more steps than this be tried of a motion, rejected ones included: it is given up
+    /// then.
     fn limit_steps(&mut self, most: u64);
 
     /// Returns the work of the motion in a lane so far.

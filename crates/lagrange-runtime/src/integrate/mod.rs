@@ -1,8 +1,9 @@
 //! Methods that advance a system ẏ = f(t, y) in time.
 //!
-//! One file per family of methods, each citing its source. A [`Method`] holds settings and starts a [`Stepper`], which needs no heap. Steps end
-//! with a [`StepFailure`] instead of passing on NaN or infinity, and states and times are summed with compensation, so that
-//! rounding errors do not grow with the number of steps where the method itself lets them not.
+//! One file per family of methods, each citing its source. A [`Method`] holds settings and starts a
+//! [`Stepper`], which needs no heap. Steps end with a [`StepFailure`] instead of passing on NaN or
+//! infinity, and states and times are summed with compensation, so that rounding errors do not grow
+//! with the number of steps where the method itself lets them not.
 
 mod attempt;
 mod canonical;

@@ -1,9 +1,9 @@
 //! Iteration of the equations of an implicit step down to rounding.
 //!
-//! What a symplectic method conserves is lost to where its equations are left unsolved, so that iterations go on
-//! until corrections stop falling, not until they fall below a tolerance. Unknowns may differ in units and scale:
-//! each is judged by its own corrections. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
-//! §VIII.6.2.
+//! What a symplectic method conserves is lost to where its equations are left unsolved, so that
+//! iterations go on until corrections stop falling, not until they fall below a tolerance. Unknowns
+//! may differ in units and scale: each is judged by its own corrections. Source: Hairer, Lubich,
+//! Wanner, *Geometric Numerical Integration*, §VIII.6.2.
 
 use crate::integrate::method::Work;
 use crate::scalar::Scalar;
@@ -17,7 +17,8 @@ pub(super) trait Equations<S: Scalar, Y: StateVector<S>, const K: usize> {
     /// Returns the first-order correction of the unknowns for a residual.
     fn correction(&self, residual: &[Y; K]) -> [Y; K];
 
-    /// The magnitude of the terms that make up each residual, of which rounding errors are a small part.
+    /// The magnitude of the terms that make up each residual, of which rounding errors are a small
+    /// part.
     fn magnitude(&self, unknowns: &[Y; K]) -> Y;
 }
 
@@ -33,7 +34,8 @@ const PATIENCE: u32 = 3;
 /// Corrections that fall by less than this factor do not fall.
 const FALL: f64 = 0.7;
 
-/// Solves `equations` from the starting values in `unknowns`. The last evaluation was at what is left there.
+/// Solves `equations` from the starting values in `unknowns`. The last evaluation was at what is
+/// left there.
 pub(super) fn solve<S: Scalar, Y: StateVector<S>, const K: usize>(
     equations: &mut impl Equations<S, Y, K>,
     unknowns: &mut [Y; K],
@@ -85,7 +87,8 @@ pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
 /// The corrections of each unknown so far.
 struct Convergence<S, Y> {
     rounding: S,
-    /// The smallest and the last, and the best of the ratios of one to the one before; nothing is known at first.
+    /// The smallest and the last, and the best of the ratios of one to the one before; nothing is
+    /// known at first.
     seen: Option<(Y, Y, Y)>,
 }
 
@@ -106,7 +109,8 @@ impl<S: Scalar, Y: StateVector<S>> Convergence<S, Y> {
                 settled = false;
                 falls |= *now < S::from_f64(FALL) * *smallest;
             }
-            // Zero is a pause of what depends on others in turns, and says nothing about how fast it settles.
+            // Zero is a pause of what depends on others in turns, and says nothing about how fast
+            // it settles.
             if *now == S::ZERO {
                 continue;
             }
@@ -150,8 +154,9 @@ fn infinite<S: Scalar, Y: StateVector<S>>() -> Y {
 /// True if the correction `now` is the rounding of an unknown, on which a change by `unseen` is
 /// lost.
 ///
-/// Without rounding it would be no larger than `expected`, what the best rate of convergence so far makes of the one
-/// before. Small is not enough: what slow convergence leaves has the same sign in every step.
+/// Without rounding it would be no larger than `expected`, what the best rate of convergence so far
+/// makes of the one before. Small is not enough: what slow convergence leaves has the same sign in
+/// every step.
 #[inline(always)]
 fn is_settled<S: Scalar>(now: S, expected: S, unseen: S) -> bool {
     now == S::ZERO || (now <= S::from_f64(100.0) * unseen && S::from_f64(8.0) * expected <= unseen)

@@ -1,4 +1,5 @@
-//! Starting values for the iterations of an implicit step: the polynomial of the last step, continued.
+//! Starting values for the iterations of an implicit step: the polynomial of the last step,
+//! continued.
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VIII.6.1.
 
@@ -15,13 +16,14 @@ pub(super) struct Prediction<S, Y, const K: usize> {
     targets: [S; K],
     /// Slopes of the last step and its length.
     last: Option<([Y; K], S)>,
-    /// For a ratio of the lengths of two steps: how much of each slope and of that at the end makes up each
-    /// starting value.
+    /// For a ratio of the lengths of two steps: how much of each slope and of that at the end makes
+    /// up each starting value.
     weights: Option<(S, [Weights<S, K>; K])>,
 }
 
 impl<S: Scalar, Y: StateVector<S>, const K: usize> Prediction<S, Y, K> {
-    /// Knows of no step yet. Slopes will be learnt at the nodes and asked for at the targets, parts of a step.
+    /// Knows of no step yet. Slopes will be learnt at the nodes and asked for at the targets, parts
+    /// of a step.
     pub(super) fn new(nodes: [S; K], targets: [S; K]) -> Self {
         Prediction { nodes, targets, last: None, weights: None }
     }

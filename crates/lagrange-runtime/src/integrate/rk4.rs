@@ -9,8 +9,8 @@
 //!     | 1/6  1/3  1/3  1/6
 //! ```
 //!
-//! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.1,
-//! table 1.2.
+//! Sources: Kutta 1901; Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
+//! §II.1, table 1.2.
 
 mod lanes;
 
@@ -24,10 +24,11 @@ use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta method.
+/// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta
+/// method.
 ///
-/// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps backwards
-/// in time. Nothing is checked: what is not finite is returned as it is.
+/// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
+/// backwards in time. Nothing is checked: what is not finite is returned as it is.
 #[inline]
 pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
 where
@@ -36,13 +37,14 @@ where
     combined(y, M::Scalar::ONE, &RungeKuttaStages::new(system, t, y, h, system.rhs(t, y)).increment(h))
 }
 
-/// The method is stable up to this |h λ| on the negative real axis, and a little farther on the imaginary one.
+/// The method is stable up to this |h λ| on the negative real axis, and a little farther on the
+/// imaginary one.
 const STABLE: f64 = 2.785;
 
 /// The classical Runge–Kutta method of order four in equal steps, for any system.
 ///
-/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵. Steps longer than about 2.8
-/// times the shortest time constant are refused as unstable.
+/// Four evaluations a step; not symplectic: the energy drifts in proportion to time and h⁵. Steps
+/// longer than about 2.8 times the shortest time constant are refused as unstable.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RungeKutta4<S> {
     /// Length of a step.
@@ -150,7 +152,8 @@ impl<Y> Classical<Y> {
     }
 }
 
-/// About the longest step that is stable where this one was tried; not a number if that cannot be told.
+/// About the longest step that is stable where this one was tried; not a number if that cannot be
+/// told.
 #[cold]
 fn longest_bearable<M: OdeSystem + ?Sized>(
     system: &M,

@@ -1,8 +1,9 @@
 //! Diagnosis of values that are not finite, which methods only detect.
 //!
-//! Methods check what they go on from and leave the rest to the loops that drive them: they know the system, whose
-//! [`undefined`](OdeSystem::undefined) gives names. What is finite where a run stopped is looked at ahead of there, along the
-//! direction of the motion at distances that double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
+//! Methods check what they go on from and leave the rest to the loops that drive them: they know
+//! the system, whose [`undefined`](OdeSystem::undefined) gives names. What is finite where a run
+//! stopped is looked at ahead of there, along the direction of the motion at distances that double
+//! from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
 
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
@@ -10,7 +11,8 @@ use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefined, VelocityMatrix, split};
 
-/// Steps that became too short for times to be told apart were stopped by what lies within this part of the way.
+/// Steps that became too short for times to be told apart were stopped by what lies within this
+/// part of the way.
 const NEAR: f64 = 1e-9;
 
 /// The cause by name, of a run that stopped at this time and state on its way to `end`.
@@ -66,8 +68,9 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// The first of the components of the state and of its rates at a time that is not finite, where rates are blamed on [parameters](MechanicalSystem::parameter)
-/// and inputs that are not, or else on a singular mass matrix, if there is one that determines accelerations.
+/// The first of the components of the state and of its rates at a time that is not finite, where
+/// rates are blamed on [parameters](MechanicalSystem::parameter) and inputs that are not, or else
+/// on a singular mass matrix, if there is one that determines accelerations.
 ///
 /// What emitted types answer to [`OdeSystem::undefined`].
 #[cold]
@@ -97,7 +100,8 @@ pub fn undefined<M: MechanicalSystem>(
     singular.or(Some(found))
 }
 
-/// The column and the value of the first pivot that is lost in rounding, if the mass matrix is singular.
+/// The column and the value of the first pivot that is lost in rounding, if the mass matrix is
+/// singular.
 fn lost_pivot<M: MechanicalSystem>(mass: &VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
     let rows: &[M::Velocities] = mass.as_ref();
     let matrix = Matrix::<M::Scalar, M::Velocities>::of(|row, column| rows[row].as_ref()[column]);

@@ -1,14 +1,15 @@
 //! Orthogonal factors of matrices that may lack full rank.
 //!
-//! Householder reflections bring the columns of a matrix to triangular form, each time that column first of which most is left.
-//! The rank is the number of columns of which more than rounding is left. Source: Golub, Van Loan, *Matrix Computations*,
-//! 4th ed., §5.2, §5.4.
+//! Householder reflections bring the columns of a matrix to triangular form, each time that column
+//! first of which most is left. The rank is the number of columns of which more than rounding is
+//! left. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 use core::ops::Range;
 
 use crate::scalar::Scalar;
 
-/// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were taken.
+/// The factors Q and R of a matrix whose columns are `columns`, in the order in which they were
+/// taken.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
     /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with
@@ -24,8 +25,8 @@ pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> 
 }
 
 impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, ROWS, COLUMNS> {
-    /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of the largest one depend on
-    /// those before.
+    /// The factors of finite columns. Columns of which no more is left than the part `tolerance` of
+    /// the largest one depend on those before.
     pub(crate) fn new(columns: [[S; ROWS]; COLUMNS], tolerance: S) -> Self {
         Self::leading(columns, [ROWS, COLUMNS], tolerance)
     }
@@ -86,7 +87,8 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         x
     }
 
-    /// Amounts of the independent columns that add up to `right` as closely as possible; zero of the others.
+    /// Amounts of the independent columns that add up to `right` as closely as possible; zero of
+    /// the others.
     pub(crate) fn combination(&self, right: [S; ROWS]) -> [S; COLUMNS] {
         let mut inner = self.inward(right);
         let mut amounts = [S::ZERO; COLUMNS];
@@ -110,7 +112,8 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
         self.outward(inner)
     }
 
-    /// A combination of columns that is zero but for rounding: one of the column taken l-th, which depends on the others.
+    /// A combination of columns that is zero but for rounding: one of the column taken l-th, which
+    /// depends on the others.
     pub(crate) fn dependence(&self, l: usize) -> [S; COLUMNS] {
         let mut amounts = [S::ZERO; COLUMNS];
         amounts[self.order[l]] = S::ONE;
@@ -126,11 +129,12 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     }
 }
 
-/// A column is taken before others of which as much is left but for this part, so that rounding does not choose between equals: the
-/// rank must not flicker near where it changes.
+/// A column is taken before others of which as much is left but for this part, so that rounding
+/// does not choose between equals: the rank must not flicker near where it changes.
 const PRECEDENCE: f64 = 0.125;
 
-/// The column, from that of the first row on, of which most is left in these rows or nearly so, and how much.
+/// The column, from that of the first row on, of which most is left in these rows or nearly so, and
+/// how much.
 fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usize>) -> (usize, S) {
     let mut most = (rows.start, S::ZERO);
     for (index, column) in columns.iter().enumerate().skip(rows.start) {
@@ -142,13 +146,15 @@ fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usiz
     most
 }
 
-/// Reflects what is left of the first column in these rows, of this length, onto the first of them, and the other columns with it. The reflection takes
-/// the place of what is left; returns the entry on the diagonal.
+/// Reflects what is left of the first column in these rows, of this length, onto the first of them,
+/// and the other columns with it. The reflection takes the place of what is left; returns the entry
+/// on the diagonal.
 fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<usize>, length: S) -> S {
     let k = rows.start;
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
     let diagonal = if column[k] > S::ZERO { -length } else { length };
-    // With this u the half of its square is length (length + |x|), which makes I − u uᵀ a reflection once u is divided by its root.
+    // With this u the half of its square is length (length + |x|), which makes I − u uᵀ a
+    // reflection once u is divided by its root.
     let root = (length * (length + column[k].abs())).sqrt();
     column[k] = column[k] - diagonal;
     for entry in &mut column[rows.clone()] {

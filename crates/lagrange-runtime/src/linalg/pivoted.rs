@@ -1,6 +1,7 @@
 //! Small dense systems of linear equations, real and complex, in arrays of fixed size.
 //!
-//! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
+//! Gaussian elimination with partial pivoting, without scaling. A matrix that is singular or not
+//! finite has no factors. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.
 
 use core::ops::{Index, IndexMut, Range};
 
@@ -99,7 +100,8 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
         Self::leading(matrix, matrix.rows())
     }
 
-    /// The factors of the matrix in so many first rows and columns, unless it is singular or not finite.
+    /// The factors of the matrix in so many first rows and columns, unless it is singular or not
+    /// finite.
     #[inline(always)]
     pub(crate) fn leading(mut matrix: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut exchanged = Y::ZERO_INDICES;
@@ -123,7 +125,8 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
         self.solve_leading(right, self.factors.rows())
     }
 
-    /// The solution for the first entries of a right-hand side, as many as there are factors for; the others stay what they are.
+    /// The solution for the first entries of a right-hand side, as many as there are factors for;
+    /// the others stay what they are.
     #[inline(always)]
     pub(crate) fn solve_leading(&self, right: &Y, count: usize) -> Y {
         let mut solution = *right;
@@ -147,7 +150,8 @@ impl<S: Scalar, Y: StateVector<S>> Factors<S, Y> {
     }
 }
 
-/// Subtracts multiples of the first of these rows, whose pivot is a reciprocal already, from the others.
+/// Subtracts multiples of the first of these rows, whose pivot is a reciprocal already, from the
+/// others.
 #[inline(always)]
 fn eliminate<S: Scalar, Y: StateVector<S>>(matrix: &mut Matrix<S, Y>, rows: Range<usize>) {
     let k = rows.start;
@@ -176,7 +180,8 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
         Self::leading(real, imaginary, real.rows())
     }
 
-    /// The factors of the matrix in so many first rows and columns, unless it is singular or not finite.
+    /// The factors of the matrix in so many first rows and columns, unless it is singular or not
+    /// finite.
     #[inline(always)]
     pub(crate) fn leading(real: Matrix<S, Y>, imaginary: Matrix<S, Y>, count: usize) -> Option<Self> {
         let mut factors = ComplexFactors { real, imaginary, exchanged: Y::ZERO_INDICES };
@@ -205,7 +210,8 @@ impl<S: Scalar, Y: StateVector<S>> ComplexFactors<S, Y> {
         self.solve_leading(right, self.real.rows())
     }
 
-    /// The solution for the first entries of a right-hand side, as many as there are factors for; the others stay what they are.
+    /// The solution for the first entries of a right-hand side, as many as there are factors for;
+    /// the others stay what they are.
     #[inline(always)]
     pub(crate) fn solve_leading(&self, right: (&Y, &Y), count: usize) -> (Y, Y) {
         let mut solution = (*right.0, *right.1);

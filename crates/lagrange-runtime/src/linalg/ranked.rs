@@ -5,10 +5,12 @@ use crate::linalg::vector::StateVector;
 use crate::scalar::Scalar;
 use crate::tolerance::DEPENDENT_PIVOT;
 
-/// The factors L and U of the first rows and columns of a matrix, both exchanged for the largest pivots.
+/// The factors L and U of the first rows and columns of a matrix, both exchanged for the largest
+/// pivots.
 ///
-/// Rows and columns are scaled to largest entries of one, so that their units do not matter. Where equations depend on each
-/// other, unknowns that are left over are zero. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §3.4.8.
+/// Rows and columns are scaled to largest entries of one, so that their units do not matter. Where
+/// equations depend on each other, unknowns that are left over are zero. Source: Golub, Van Loan, *Matrix
+/// Computations*, 4th ed., §3.4.8.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RankedFactors<S: Scalar, Y: StateVector<S>> {
     /// L without its diagonal of ones below, U above.
@@ -72,7 +74,8 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
         solution
     }
 
-    /// The column and the value of the first pivot that is that of dependent equations, if there is one.
+    /// The column and the value of the first pivot that is that of dependent equations, if there is
+    /// one.
     pub(crate) fn lost_pivot(&self) -> Option<(usize, S)> {
         if self.rank == self.size {
             return None;

@@ -1,14 +1,16 @@
 //! Small systems of linear equations that may be singular.
 //!
-//! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal factors of its rows.
+//! Regular ones by elimination. Of the solutions of a singular one the shortest, from orthogonal
+//! factors of its rows.
 
 use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
-/// Returns the shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be scaled, so that A has entries of
-/// about one. Equations that contradict each other count as rounded where they do so by little beside their terms or `scale`. Only the
-/// first `count` rows and columns are not zero.
+/// Returns the shortest x with A x = b, or NaN if there is none. Rows and columns are taken to be
+/// scaled, so that A has entries of about one. Equations that contradict each other count as
+/// rounded where they do so by little beside their terms or `scale`. Only the first `count` rows
+/// and columns are not zero.
 pub(crate) fn solve<S: Scalar, const K: usize>(
     a: &[[S; K]; K],
     b: &[S; K],
@@ -27,7 +29,8 @@ pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], co
         .unwrap_or_else(|| OrthogonalFactors::leading(*a, [count, count], negligible()).shortest(b))
 }
 
-/// The solution of so many first equations by elimination with partial pivoting, unless a pivot is negligible.
+/// The solution of so many first equations by elimination with partial pivoting, unless a pivot is
+/// negligible.
 fn eliminated<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> Option<[S; K]> {
     let (mut a, mut x) = (*a, *b);
     for k in 0..count {

@@ -35,7 +35,8 @@ fn lanes_do_not_depend_on_each_other() {
 
 #[test]
 fn small_zeros_are_found_where_digits_cancel() {
-    // ln(1 + y) = x: of x = 10⁻¹² the sum keeps four digits, and steps never become smaller than that.
+    // ln(1 + y) = x: of x = 10⁻¹² the sum keeps four digits, and steps never become smaller than
+    // that.
     let x = 1e-12;
     let found: f64 = newton(0.0, 30, |y| {
         let logarithm = (1.0 + y).ln();
@@ -56,7 +57,8 @@ fn what_has_no_zero_or_no_slope_is_not_a_number() {
     assert!(newton(1.0, 2, |y: f64| [y.powi(3) - 2.0, 3.0 * y * y, 4.0 * y.powi(3)]).is_nan());
 }
 
-/// Equations with one unknown y, each with its slope and what one rounding in each of its terms leaves of it.
+/// Equations with one unknown y, each with its slope and what one rounding in each of its terms
+/// leaves of it.
 fn equation<S: Number>(name: &str, x: S, y: S) -> [S; 3] {
     let (one, two) = (S::ONE, S::from_f64(2.0));
     let terms = |terms: &[S], slope: S| {
@@ -126,7 +128,8 @@ fn swept<S: Scalar>(start: f64, iterations: u32, epsilon: f64, to_f64: impl Fn(S
     counts
 }
 
-/// Solutions by mpmath, from `tools/algebraic_unknowns.py`: what is found is one of them, or nothing is.
+/// Solutions by mpmath, from `tools/algebraic_unknowns.py`: what is found is one of them, or
+/// nothing is.
 #[test]
 fn what_is_found_is_a_solution() {
     for (start, iterations) in [(0.0, 30), (1.0, 30), (1.0, 100), (-3.0, 100), (1e8, 60)] {

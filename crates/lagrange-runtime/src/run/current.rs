@@ -14,7 +14,8 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Current { given, switched: None }
     }
 
-    /// Becomes the system as a motion starts from this time and state towards `end`, after `act` has had its way with it.
+    /// Becomes the system as a motion starts from this time and state towards `end`, after `act`
+    /// has had its way with it.
     ///
     /// # Errors
     /// If no motion starts there; the system is then what it was.

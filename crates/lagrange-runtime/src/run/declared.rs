@@ -33,7 +33,8 @@ struct Change<S> {
 
 /// A switch that returns so often without having left its surface stays there,
 const MOST_RETURNS: u32 = 5;
-/// which it has not if it was never farther from it than this many times as far as right after the change.
+/// which it has not if it was never farther from it than this many times as far as right after the
+/// change.
 const NEAR: f64 = 4.0;
 
 impl<M: OdeSystem> DeclaredEvents<M> {
@@ -170,8 +171,9 @@ impl<S: Scalar> Passage<S> {
         core::array::from_fn(|k| self.is_passed[k] && k != event)
     }
 
-    /// Puts the event where the last of the sides passes its surface, as well as times are spaced. What is passed late, however
-    /// little, adds up: a body that bounces in a valley with a kink would gain energy.
+    /// Puts the event where the last of the sides passes its surface, as well as times are spaced.
+    /// What is passed late, however little, adds up: a body that bounces in a valley with a kink
+    /// would gain energy.
     fn on_surface<M>(
         &self,
         system: &M,

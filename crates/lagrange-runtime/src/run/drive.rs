@@ -6,9 +6,11 @@ use super::steps::{Run, Sink, Turn};
 use crate::integrate::{IntegrationError, Method, Outcome, Stepper, explained};
 use crate::system::OdeSystem;
 
-/// Goes from a start to the end, or to where an event stops the run, and returns time and state there.
+/// Goes from a start to the end, or to where an event stops the run, and returns time and state
+/// there.
 ///
-/// `observe` sees the start, the end of every step, and both states of an event that replaces one by another.
+/// `observe` sees the start, the end of every step, and both states of an event that replaces one
+/// by another.
 pub(super) fn drive<M, K, E>(
     system: &M,
     (t0, y0): (M::Scalar, M::State),

@@ -25,7 +25,8 @@ pub trait Events<M: OdeSystem> {
     /// True if there is nothing to look for.
     fn is_empty(&self) -> bool;
 
-    /// The next event in the last step of a run to `end`: of those at the same time, the one given first.
+    /// The next event in the last step of a run to `end`: of those at the same time, the one given
+    /// first.
     ///
     /// # Errors
     /// As [`Detector::next`](crate::event::Detector::next).

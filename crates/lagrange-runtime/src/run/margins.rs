@@ -1,14 +1,16 @@
 //! Switches are looked for a little beyond their surfaces.
 //!
-//! Otherwise rounding on a surface would pass it again and again. What rounding makes of a switching function is told by its own
-//! size: by the largest value that it was seen to have, and by what it changes by if each entry of the state is rounded. Other
-//! entries of the state say nothing about it, unless constraints hold them together.
+//! Otherwise rounding on a surface would pass it again and again. What rounding makes of a
+//! switching function is told by its own size: by the largest value that it was seen to have, and
+//! by what it changes by if each entry of the state is rounded. Other entries of the state say
+//! nothing about it, unless constraints hold them together.
 
 use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem};
 use crate::tolerance::SURFACE;
 
-/// Entries of a state are changed by these steps through the range from one half to one, lest equal changes cancel.
+/// Entries of a state are changed by these steps through the range from one half to one, lest equal
+/// changes cancel.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
@@ -40,8 +42,8 @@ impl<S: Scalar> Margins<S> {
         Margins { time, margins }
     }
 
-    /// The values of all declared events, and of others that never happen. Those of switches are zero a little beyond their
-    /// surfaces.
+    /// The values of all declared events, and of others that never happen. Those of switches are
+    /// zero a little beyond their surfaces.
     pub(super) fn values<M>(&self, system: &M, t: S, y: &M::State) -> [S; MOST_LOCATED]
     where
         M: OdeSystem<Scalar = S>,

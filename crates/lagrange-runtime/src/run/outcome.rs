@@ -41,8 +41,8 @@ impl<M: OdeSystem> EventOutcome<M> {
         if let Action::Replace(state) = self.action { Some(state) } else { None }
     }
 
-    /// The state to go on from, put onto the constraints, and the system if it is another one than `system`; `None` if the motion
-    /// ends.
+    /// The state to go on from, put onto the constraints, and the system if it is another one than
+    /// `system`; `None` if the motion ends.
     ///
     /// # Errors
     /// If no motion goes on from there.

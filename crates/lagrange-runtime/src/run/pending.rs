@@ -46,7 +46,8 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         self.detector.ranges()
     }
 
-    /// Counts the zeros of these functions, which have these values, as parts of the event that was found.
+    /// Counts the zeros of these functions, which have these values, as parts of the event that was
+    /// found.
     pub fn fire_together(&mut self, values: &[S; K], is_fired: &[bool; K]) {
         self.detector.fire_together(values, |k| is_fired[k]);
     }

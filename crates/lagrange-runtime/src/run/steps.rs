@@ -1,8 +1,9 @@
 //! A run in progress, turn by turn.
 //!
-//! One turn is a step of the method and what happens in it: restarts at times known beforehand, events one by one in the order of time, and how the
-//! motion goes on after one that replaces its state or its system. What is seen of it goes to a [`Sink`], so that loops that
-//! keep nothing and the front door, which keeps what is asked for, are the same.
+//! One turn is a step of the method and what happens in it: restarts at times known beforehand,
+//! events one by one in the order of time, and how the motion goes on after one that replaces its
+//! state or its system. What is seen of it goes to a [`Sink`], so that loops that keep nothing and
+//! the front door, which keeps what is asked for, are the same.
 
 use super::current::Current;
 use super::events::{Events, Found, Origin};
@@ -22,16 +23,19 @@ pub trait Sink<M: OdeSystem> {
     /// An event happened.
     fn happen(&mut self, _origin: Origin, _event: &Found<M>, _kind: EventKind<M::Scalar>) {}
 
-    /// The motion has got to the end of the last step, which counts as this time; whether it is to go on.
+    /// The motion has got to the end of the last step, which counts as this time; whether it is to
+    /// go on.
     fn reach_end(&mut self, system: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool;
 
-    /// The motion has got to an event at this time and state in the last step; whether it is to go on.
+    /// The motion has got to an event at this time and state in the last step; whether it is to go
+    /// on.
     fn reach(&mut self, system: &M, stepper: &mut impl Stepper<M>, reached: (M::Scalar, &M::State)) -> bool;
 
     /// The system is another one from here on.
     fn switch(&mut self, _system: &M) {}
 
-    /// The motion goes on from this state at the time that was reached, after an event that was told, unless it `is_silent`.
+    /// The motion goes on from this state at the time that was reached, after an event that was
+    /// told, unless it `is_silent`.
     fn replace(&mut self, system: &M, from: (M::Scalar, &M::State), is_silent: bool);
 
     /// The motion goes on with other inputs from this time and state.
@@ -114,7 +118,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.work()
     }
 
-    /// Takes a step, to `instant` at most, and goes through its events up to one after which the motion does not just go on.
+    /// Takes a step, to `instant` at most, and goes through its events up to one after which the
+    /// motion does not just go on.
     ///
     /// # Errors
     /// What the method met, the search for events or an event, with the last good state.
@@ -197,7 +202,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Ok((outcome, !is_told))
     }
 
-    /// Adds what comes of an event; whether it was told. A contact may touch without an impact and without closing, which is none.
+    /// Adds what comes of an event; whether it was told. A contact may touch without an impact and
+    /// without closing, which is none.
     fn answer(
         &mut self,
         sink: &mut impl Sink<M>,
@@ -216,8 +222,9 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         Ok(is_told)
     }
 
-    /// The next event that cannot be told from `time`, taken to find the state as it was replaced by then, if it was. What
-    /// contacts and friction do is not among them: they have been settled, or are once the motion goes on.
+    /// The next event that cannot be told from `time`, taken to find the state as it was replaced
+    /// by then, if it was. What contacts and friction do is not among them: they have been settled,
+    /// or are once the motion goes on.
     fn next_at_once(
         &mut self,
         outcome: &EventOutcome<M>,

@@ -8,8 +8,9 @@ use crate::event::{Detector, Occurrence};
 use crate::integrate::{Method, Outcome, Stepper};
 use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 
-/// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the E functions `values` that has the
-/// given direction; returns time and state at the end, which is earlier than `t_end` if an action was to stop.
+/// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the E functions
+/// `values` that has the given direction; returns time and state at the end, which is earlier than
+/// `t_end` if an action was to stop.
 ///
 /// # Errors
 /// What the method met or the search for events, with the last good state.

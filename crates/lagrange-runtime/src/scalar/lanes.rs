@@ -1,7 +1,8 @@
 //! Several numbers that go through the same formulas side by side.
 //!
-//! Every operation is a loop over the lanes that is always inlined, so that it becomes vector instructions of whatever target the caller is
-//! compiled for: a function with features that its crate does not have may call formulas, too.
+//! Every operation is a loop over the lanes that is always inlined, so that it becomes vector
+//! instructions of whatever target the caller is compiled for: a function with features that its
+//! crate does not have may call formulas, too.
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -9,12 +10,14 @@ use super::{Elementary, Mask, Number, Scalar};
 
 /// N numbers of the type T side by side, one in each lane.
 ///
-/// What comes of a lane has the same bits whatever is in the others and however many there are. Sums, products and square roots are those of T;
-/// [`multiply_add`](Number::multiply_add) rounds once if FUSED and twice otherwise, whatever the target is, so that one that is no
-/// instruction is a slow call. [`powi`](Number::powi) is made of products, as it is for one number; [`powf`](Number::powf) is that of T, lane by lane.
+/// What comes of a lane has the same bits whatever is in the others and however many there are.
+/// Sums, products and square roots are those of T; [`multiply_add`](Number::multiply_add) rounds
+/// once if FUSED and twice otherwise, whatever the target is, so that one that is no instruction is
+/// a slow call. [`powi`](Number::powi) is made of products, as it is for one number;
+/// [`powf`](Number::powf) is that of T, lane by lane.
 ///
-/// Other elementary functions are computed for all lanes together, from the same source whatever FUSED is, with errors in units in the
-/// last place of at most
+/// Other elementary functions are computed for all lanes together, from the same source whatever
+/// FUSED is, with errors in units in the last place of at most
 ///
 /// | `f64` | |
 /// |---|---|
@@ -26,8 +29,8 @@ use super::{Elementary, Mask, Number, Scalar};
 /// | `ln` | 1 |
 /// | `hypot` | 0.6 |
 ///
-/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Special values, zeros with their signs, infinity and NaN, are
-/// those of [`Number`].
+/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place.
+/// Special values, zeros with their signs, infinity and NaN, are those of [`Number`].
 ///
 /// ```
 /// use lagrange::Number;

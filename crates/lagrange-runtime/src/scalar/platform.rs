@@ -1,8 +1,10 @@
-//! `f64` and `f32` as numbers, with the functions of the standard library or, without it, those of `libm`.
+//! `f64` and `f32` as numbers, with the functions of the standard library or, without it, those of
+//! `libm`.
 
 use super::{Elementary, Number, Scalar, rough};
 
-/// Calls the method of the standard library or, without it, the function of `libm`, of which the second is for `f32`.
+/// Calls the method of the standard library or, without it, the function of `libm`, of which the
+/// second is for `f32`.
 macro_rules! platform {
     ($scalar:ident :: abs | $libm:ident $libmf:ident ($x:expr)) => {
         // Of the core library, too.

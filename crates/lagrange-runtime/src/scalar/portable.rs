@@ -11,12 +11,15 @@ pub trait Binary: Scalar + Into<f64> {}
 impl Binary for f64 {}
 impl Binary for f32 {}
 
-/// A number whose results have the same bits on every platform: on every processor and operating system, at every level of optimisation, and
-/// with every instruction set, alone or in [`Lanes`](super::Lanes).
+/// A number whose results have the same bits on every platform, alone or in
+/// [`Lanes`](super::Lanes). Neither processor, operating system, instruction set nor level of
+/// optimisation matters.
 ///
-/// A declaration with a type parameter computes in it, such as `struct Pendulum<S>;`. Everything that a motion depends on then computes in it
-/// too: methods of integration and their step lengths, events, contacts, tables, projections. Trajectories are equal bit by bit. They
-/// depend on the sources of this crate and of the declaration alone, if functions of the user's own crate call nothing of the platform.
+/// A declaration with a type parameter computes in it, such as `struct Pendulum<S>;`. Everything
+/// that a motion depends on then computes in it too: methods of integration and their step lengths,
+/// events, contacts, tables, projections. Trajectories are equal bit by bit. They depend on the
+/// sources of this crate and of the declaration alone, if functions of the user's own crate call
+/// nothing of the platform.
 ///
 /// ```
 /// use lagrange::{Portable, Simulate};
@@ -36,8 +39,9 @@ impl Binary for f32 {}
 /// # Ok::<(), lagrange::simulate::SimulationError<Pendulum<Portable>>>(())
 /// ```
 ///
-/// Sums, products, quotients and square roots are those of T, which IEEE 754 defines to the last bit, and products are never fused.
-/// Elementary functions are those of `lagrange-math`, which call nothing of the platform. Errors in units in the last place are at most
+/// Sums, products, quotients and square roots are those of T, which IEEE 754 defines to the last
+/// bit, and products are never fused. Elementary functions are those of `lagrange-math`, which call
+/// nothing of the platform. Errors in units in the last place are at most
 ///
 /// | `f64` | |
 /// |---|---|
@@ -48,8 +52,8 @@ impl Binary for f32 {}
 /// | `exp` | 0.6, or 1.2 below 2⁻¹⁰²² |
 /// | `hypot` | 0.6 |
 ///
-/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Only the sign and the payload of NaN, which no
-/// result depends on, are those of the processor.
+/// In `f32` they are computed in `f64` and rounded once, to 0.5000001 units in the last place. Only
+/// the sign and the payload of NaN, which no result depends on, are those of the processor.
 ///
 /// `docs/performance.md` measures the cost. `Debug` and `Display` show the number as T.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Default)]

@@ -1,7 +1,8 @@
-//! Powers to three digits, which is more than lengths of steps need: without a branch and without a table, so that they are computed for several
-//! steps at a time.
+//! Powers to three digits, which is more than lengths of steps need: without a branch and without a
+//! table, so that they are computed for several steps at a time.
 //!
-//! Exponents are read from and written to the bits of a number, and polynomials through Chebyshev nodes do the rest.
+//! Exponents are read from and written to the bits of a number, and polynomials through Chebyshev
+//! nodes do the rest.
 
 /// log₂ m for m from 1 to 2, to 1.1 · 10⁻⁴.
 const LOG2: [f64; 5] = [
@@ -19,7 +20,8 @@ const MANTISSA: u64 = (1 << 52) - 1;
 const BIAS: u64 = 1023;
 /// 2⁵²: a small integer, put into its last bits, is added to it.
 const WHOLE: f64 = 4_503_599_627_370_496.0;
-/// 1.5 · 2⁵²: added to a small number, rounds it to an integer, which then stands in the last bits, negative ones as well.
+/// 1.5 · 2⁵²: added to a small number, rounds it to an integer, which then stands in the last bits,
+/// negative ones as well.
 const SHIFT: f64 = 6_755_399_441_055_744.0;
 
 /// The binary logarithm of a positive normal number.

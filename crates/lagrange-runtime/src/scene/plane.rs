@@ -1,6 +1,7 @@
 //! Lines, shapes of bodies and kinds of joints in the plane.
 
-/// A straight line without ends: ground, a slope, a rail. Its free side is on the left of its direction.
+/// A straight line without ends: ground, a slope, a rail. Its free side is on the left of its
+/// direction.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Line<'a, S> {
     /// Its name.
@@ -13,7 +14,8 @@ pub struct Line<'a, S> {
     pub angle: S,
 }
 
-/// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia) says where centres of mass are.
+/// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia)
+/// says where centres of mass are.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Outline<'a, S> {
     /// A point mass at the origin.
@@ -28,18 +30,21 @@ pub enum Outline<'a, S> {
     Ring(S),
     /// A rectangle about the origin: lengths along X and along Y.
     Rectangle(S, S),
-    /// Half a disk of this radius, on the side of positive Y; the middle of its straight edge is in the origin.
+    /// Half a disk of this radius, on the side of positive Y; the middle of its straight edge is in
+    /// the origin.
     SemicircularDisk(S),
-    /// A sector of a disk: its radius and its opening angle, halved by the X axis; the apex is in the origin.
+    /// A sector of a disk: its radius and its opening angle, halved by the X axis; the apex is in
+    /// the origin.
     CircularSector(S, S),
     /// A triangle with the right angle in the origin and legs of these lengths along X and Y.
     RightTriangle(S, S),
-    /// A triangle of these three sides; the first goes from the origin along X, the second on from there, the third back; Y is
-    /// positive inside.
+    /// A triangle of these three sides; the first goes from the origin along X, the second on from
+    /// there, the third back; Y is positive inside.
     Triangle(S, S, S),
     /// An ellipse about the origin: semi-axes along X and along Y.
     Ellipse(S, S),
-    /// A regular polygon of this many corners on a circle of this radius about the origin, the first on the X axis.
+    /// A regular polygon of this many corners on a circle of this radius about the origin, the
+    /// first on the X axis.
     RegularPolygon(S, S),
     /// A polygon of these corners.
     Polygon(&'a [[S; 2]]),

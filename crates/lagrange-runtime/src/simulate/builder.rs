@@ -17,8 +17,9 @@ use crate::tolerance::DEFAULT_TOLERANCE;
 
 /// A run that can be started: what to integrate, how, and what to keep of it.
 ///
-/// K is the method, D what drives the inputs, E tells whether the run has an end: [`Ended`] or [`Unended`]. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only; other methods come
-/// with settings of their own:
+/// K is the method, D what drives the inputs, E tells whether the run has an end: [`Ended`] or
+/// [`Unended`]. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only;
+/// other methods come with settings of their own:
 ///
 /// ```compile_fail,E0599
 /// # lagrange::system! {
@@ -50,7 +51,8 @@ pub struct Simulation<'a, M: MechanicalSystem, K, D = Undriven, E = Ended> {
 #[derive(Clone, Copy, Debug)]
 pub enum Ended {}
 
-/// The run has no end yet: it needs [`until`](Simulation::until) or [`lasting`](Simulation::lasting).
+/// The run has no end yet: it needs [`until`](Simulation::until) or
+/// [`lasting`](Simulation::lasting).
 #[derive(Clone, Copy, Debug)]
 pub enum Unended {}
 
@@ -122,8 +124,8 @@ pub(crate) fn default_method<S: Scalar>() -> Verner98<S> {
 }
 
 impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
-    /// The error that is tolerated in a step: relative to a component of the state where that is larger than one,
-    /// absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    /// The error that is tolerated in a step: relative to a component of the state where that is
+    /// larger than one, absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
     ///
     /// The error at the end is the sum of these errors as the motion carries them on.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
@@ -171,8 +173,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Keeps besides the samples what [`Trajectory::at`](super::Trajectory::at) needs to know the state at any time: order + 2 states a
-    /// step, 6 at least.
+    /// Keeps besides the samples what [`Trajectory::at`](super::Trajectory::at) needs to know the
+    /// state at any time: order + 2 states a step, 6 at least.
     pub fn dense(mut self) -> Self {
         self.plan.settings.is_dense = true;
         self
@@ -197,8 +199,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Adds the column `energy`: the energy function, which is constant if L does not depend on time and forces do no
-    /// work.
+    /// Adds the column `energy`: the energy function, which is constant if L does not depend on
+    /// time and forces do no work.
     pub fn energy(mut self) -> Self
     where
         M: EnergyFunction,
@@ -217,18 +219,19 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Adds a column for each acceleration, such as `theta_ddot` of a coordinate `theta`, and `w_dot` of a velocity that is called `w`.
+    /// Adds a column for each acceleration, such as `theta_ddot` of a coordinate `theta`, and
+    /// `w_dot` of a velocity that is called `w`.
     pub fn accelerations(mut self) -> Self {
         self.plan.observe(acceleration_names::<M>(), Box::new(columns_of(M::acceleration)));
         self
     }
 
-    /// Records each zero of a function of time and state that is passed in this direction, under this name in
-    /// [`Trajectory::events`](super::Trajectory::events).
+    /// Records each zero of a function of time and state that is passed in this direction, under
+    /// this name in [`Trajectory::events`](super::Trajectory::events).
     ///
-    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it. Functions are given the system as it is then:
-    /// with the contacts closed and the friction sticking that are so. Events that the declaration states are recorded without
-    /// being asked for.
+    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it. Functions are given
+    /// the system as it is then: with the contacts closed and the friction sticking that are so.
+    /// Events that the declaration states are recorded without being asked for.
     pub fn event(
         self,
         name: &str,
@@ -248,7 +251,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero and then goes on, stops, or goes on from another state, as after an impact.
+    /// Records each such zero and then goes on, stops, or goes on from another state, as after an
+    /// impact.
     pub fn event_with(
         mut self,
         name: &str,
@@ -260,25 +264,28 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Gives up with an error after this many steps, rejected ones included. The default method has a limit of its own, a
-    /// hundred million; others have none.
+    /// Gives up with an error after this many steps, rejected ones included. The default method has
+    /// a limit of its own, a hundred million; others have none.
     pub fn max_steps(mut self, limit: u64) -> Self {
         self.plan.settings.max_steps = Some(limit);
         self
     }
 
-    /// Takes no step longer than this, so that nothing that lasts about a quarter of it is stepped over. By default steps of the
-    /// adaptive method are no longer than a twentieth of the run, and a two-hundredth while the system is at rest. For methods
-    /// whose steps have a length of their own it is an error.
+    /// Takes no step longer than this, so that nothing that lasts about a quarter of it is stepped
+    /// over. By default steps of the adaptive method are no longer than a twentieth of the run, and
+    /// a two-hundredth while the system is at rest. For methods whose steps have a length of their
+    /// own it is an error.
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.plan.settings.longest_step = Some(longest);
         self
     }
 
-    /// Ends a step at each of these times and starts another one there, for a force that jumps or has a kink at times known
-    /// beforehand. Times that are not between start and end do nothing; further ones may be added by asking again.
+    /// Ends a step at each of these times and starts another one there, for a force that jumps or
+    /// has a kink at times known beforehand. Times that are not between start and end do nothing;
+    /// further ones may be added by asking again.
     ///
-    /// No evaluation is made at such a time itself, so that it does not matter on which side of it a jump is defined to be.
+    /// No evaluation is made at such a time itself, so that it does not matter on which side of it
+    /// a jump is defined to be.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.plan.settings.restarts.extend(times);
         self
@@ -286,8 +293,9 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
 
     /// Calls back about 200 times during the run, as for a progress bar.
     ///
-    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the run, which then returns the trajectory
-    /// so far. It is also called, ever more seldom, while a run takes many steps and gets nowhere.
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the run, which then
+    /// returns the trajectory so far. It is also called, ever more seldom, while a run takes many
+    /// steps and gets nowhere.
     pub fn progress<V: Verdict>(self, callback: impl FnMut(Progress<M::Scalar>) -> V + 'a) -> Self {
         Simulation { reporter: Some(Reporter::new(callback)), ..self }
     }

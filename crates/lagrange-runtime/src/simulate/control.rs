@@ -154,7 +154,8 @@ where
         &self.plant
     }
 
-    /// With the plant's own inputs, on which the law may build, and not those that it had at a time and state.
+    /// With the plant's own inputs, on which the law may build, and not those that it had at a time
+    /// and state.
     fn around(&self, inner: M) -> Self {
         self.with_plant(inner.with_inputs(self.plant.inputs()))
     }

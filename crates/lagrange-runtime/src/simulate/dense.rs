@@ -1,7 +1,7 @@
 //! States between the samples.
 //!
-//! Each step is kept as its states at the Chebyshev points of the second kind, found by the method's own
-//! interpolation, and evaluated by the barycentric formula
+//! Each step is kept as its states at the Chebyshev points of the second kind, found by the
+//! method's own interpolation, and evaluated by the barycentric formula
 //!
 //! ```text
 //! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.
@@ -10,8 +10,9 @@
 //! with both sums times the distance of s from the nearest of these points, so that nothing
 //! overflows however small that is.
 //!
-//! A polynomial of degree d comes back but for rounding, and d is chosen not to be below the degree of what methods
-//! interpolate with. Source: Berrut, Trefethen, *Barycentric Lagrange Interpolation*, SIAM Review 46 (2004), §5.
+//! A polynomial of degree d comes back but for rounding, and d is chosen not to be below the degree
+//! of what methods interpolate with. Source: Berrut, Trefethen, *Barycentric Lagrange
+//! Interpolation*, SIAM Review 46 (2004), §5.
 
 use std::vec::Vec;
 
@@ -53,7 +54,8 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         self.steps.push((from, to));
     }
 
-    /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all steps.
+    /// The state at `t`, at an end shared by two steps that of the later one; `None` outside of all
+    /// steps.
     pub(super) fn at(&self, t: S) -> Option<Y> {
         let backwards = self.steps.first().is_some_and(|(from, to)| to < from);
         let is_past = |(from, _): &(S, S)| if backwards { *from >= t } else { *from <= t };

@@ -61,7 +61,8 @@ impl<M: MechanicalSystem> Display for SimulationError<M> {
     }
 }
 
-/// Writes why and when a run stopped, and what the event or the column is called that the cause is about.
+/// Writes why and when a run stopped, and what the event or the column is called that the cause is
+/// about.
 pub(crate) fn explain_run<S: Copy + Debug + PartialEq>(
     cause: &StepFailure<S>,
     name: Option<&str>,

@@ -18,9 +18,10 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! A run is requested in words: [`simulate`](Simulate::simulate) a start, [`until`](Simulation::until) an end, and other
-//! settings of [`Simulation`], in any order. The result is a [`Trajectory`], or a [`SimulationError`] that holds the
-//! trajectory up to the last good state.
+//! A run is requested in words: [`simulate`](Simulate::simulate) a start,
+//! [`until`](Simulation::until) an end, and other settings of [`Simulation`], in any order. The
+//! result is a [`Trajectory`], or a [`SimulationError`] that holds the trajectory up to the last
+//! good state.
 //!
 //! | to | say |
 //! |---|---|
@@ -37,8 +38,9 @@
 //!
 //! # Methods
 //!
-//! The module `integrate` of the crate `lagrange` lists them, with what each is for; the default is [`Verner98`]. Code for microcontrollers
-//! and inner loops goes without heap through [`integrate()`](crate::run::integrate).
+//! The module `integrate` of the crate `lagrange` lists them, with what each is for; the default is
+//! [`Verner98`]. Code for microcontrollers and inner loops goes without heap through
+//! [`integrate()`](crate::run::integrate).
 
 mod builder;
 mod control;

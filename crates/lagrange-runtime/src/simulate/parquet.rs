@@ -31,8 +31,8 @@ impl<M: MechanicalSystem> Trajectory<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does; an older file
-    /// stays until the new one is whole.
+    /// Writes all columns to a Parquet file, as [`write_parquet`](Trajectory::write_parquet) does;
+    /// an older file stays until the new one is whole.
     ///
     /// # Errors
     /// What the operating system says, with the path, or what the writer says.
@@ -41,9 +41,9 @@ where
         save(path, |error| cannot_write(path, &error).into(), |file| self.write_parquet(file))
     }
 
-    /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not compressed, the first being
-    /// the time `t`. A column whose [unit](Trajectory::unit) is known has it under `lagrange.unit.` and its name among the file's key–value
-    /// metadata.
+    /// Writes all columns in Apache Parquet format: required columns of type `DOUBLE`, not
+    /// compressed, the first being the time `t`. A column whose [unit](Trajectory::unit) is known
+    /// has it under `lagrange.unit.` and its name among the file's key–value metadata.
     ///
     /// # Errors
     /// What the writer says.

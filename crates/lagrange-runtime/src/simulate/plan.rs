@@ -14,7 +14,8 @@ use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::{TIME, repeated};
 use crate::system::{ControlledSystem, Direction, MechanicalSystem, SettingError, StateVector};
 
-/// The plan of a run, or of all motions of an ensemble: data, and functions of columns X, events W and controllers A.
+/// The plan of a run, or of all motions of an ensemble: data, and functions of columns X, events W
+/// and controllers A.
 pub(crate) struct Plan<M: MechanicalSystem, X, W, A> {
     pub(crate) settings: RunSettings<M::Scalar>,
     pub(crate) columns: Vec<X>,
@@ -101,8 +102,8 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
 }
 
 impl<S: Scalar> RunSettings<S> {
-    /// Checks all that can be checked before the run, the names of its columns among it, and returns the method with its
-    /// longest step.
+    /// Checks all that can be checked before the run, the names of its columns among it, and
+    /// returns the method with its longest step.
     ///
     /// # Errors
     /// If a setting makes no sense.
@@ -127,7 +128,8 @@ impl<S: Scalar> RunSettings<S> {
         method.check().map(|()| method)
     }
 
-    /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it is about.
+    /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it
+    /// is about.
     #[cfg(feature = "ensemble")]
     pub(crate) fn explain<M: MechanicalSystem>(&self, error: SettingError<S>) -> String {
         let names = self.names::<M>();

@@ -22,24 +22,28 @@ const SEPARATE: usize = 4;
 const WIDE: (u32, u32) = (860, 420);
 const SMALL: (u32, u32) = (480, 230);
 const SQUARE: (u32, u32) = (560, 520);
-/// Energies that change by more than this part of their initial value are not set in relation to it.
+/// Energies that change by more than this part of their initial value are not set in relation to
+/// it.
 const LARGE_DRIFT: f64 = 0.1;
-/// A drift that grows by more than this factor after the first tenth of the run is shown on a logarithmic axis.
+/// A drift that grows by more than this factor after the first tenth of the run is shown on a
+/// logarithmic axis.
 const GROWTH: f64 = 1e3;
 
 impl<M: MechanicalSystem> Trajectory<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else one for all
-    /// coordinates and one for all velocities, also where there are not as many of the one as of the other. First-order states share a panel
-    /// of their own.
+    /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else
+    /// one for all coordinates and one for all velocities, also where there are not as many of the
+    /// one as of the other. First-order states share a panel of their own.
     ///
-    /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for `x_ddot`, x₂ for `x[2]`. Words, and names that
-    /// would look like others, stay as they are. Units that a declaration says stand behind names, as in x in m: at the axis, and in the
+    /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for
+    /// `x_ddot`, x₂ for `x[2]`. Words, and names that would look like others, stay as they are.
+    /// Units that a declaration says stand behind names, as in x in m: at the axis, and in the
     /// legend where curves have several.
     ///
-    /// The extension of the file says what it is, here and in all plots: `svg` for drawings and `png` for pixels.
+    /// The extension of the file says what it is, here and in all plots: `svg` for drawings and
+    /// `png` for pixels.
     ///
     /// # Errors
     /// If the extension is another, or what the operating system says.
@@ -83,7 +87,8 @@ where
     /// Plots the velocity of a coordinate against the coordinate.
     ///
     /// # Errors
-    /// If there is no such coordinate, or none whose rate is a velocity, or the file cannot be written.
+    /// If there is no such coordinate, or none whose rate is a velocity, or the file cannot be
+    /// written.
     pub fn plot_phase(&self, coordinate: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let named = M::RATES_OF.iter().zip(M::VELOCITIES).find(|(of, _)| **of == coordinate);
         let velocity = named
@@ -115,12 +120,13 @@ where
             .save(path.as_ref())
     }
 
-    /// Plots how far the energy is from its initial value E₀, relative to that unless it is too small for it: against
-    /// time, and on a logarithmic axis if the distance grows by orders of magnitude.
+    /// Plots how far the energy is from its initial value E₀, relative to that unless it is too
+    /// small for it: against time, and on a logarithmic axis if the distance grows by orders of
+    /// magnitude.
     ///
     /// # Errors
-    /// If the run was not asked to observe its [`energy`](crate::simulate::Simulation::energy), or the file cannot be
-    /// written.
+    /// If the run was not asked to observe its [`energy`](crate::simulate::Simulation::energy), or
+    /// the file cannot be written.
     pub fn plot_energy(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         let energies = self.numbers(ENERGY).map_err(|_| PlotError::NoEnergy)?;
         let (drift, [signed, absolute], is_relative) = drift(&energies);
@@ -151,7 +157,8 @@ where
         Ok((name, x.zip(self.numbers(name)?).collect()))
     }
 
-    /// Returns a panel for columns. Units stand at the axes, and in the legend where curves have several.
+    /// Returns a panel for columns. Units stand at the axes, and in the legend where curves have
+    /// several.
     fn panel(&self, x: Label, y: &str, curves: Vec<NamedCurve<'_>>) -> Panel {
         let columns = Columns::new(self.names().iter().map(String::as_str));
         let mut units = curves.iter().map(|(name, _)| unit::<M>(name));

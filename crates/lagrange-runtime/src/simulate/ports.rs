@@ -11,18 +11,22 @@ use crate::system::{
     ControlledSystem, MechanicalSystem, OutputSystem, SettingError, StepFailure, Undefined, split,
 };
 
-// What is asked of a system stands at each method, so that the compiler says what is missing in its own words.
+// What is asked of a system stands at each method, so that the compiler says what is missing in its
+// own words.
 impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
-    /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a force over time.
+    /// Sets the inputs at every instant by a law, a function of time and state: a feedback, or a
+    /// force over time.
     ///
-    /// The law is part of the equations: methods evaluate it at trial states in any order, so that it cannot have a memory. It is
-    /// given the system with the inputs that were declared, set or [sampled](Simulation::sampled); inputs that it does not compute
-    /// it takes from there. Contacts, friction, events and whatever is observed know the inputs that it gives. Every input becomes a
-    /// column.
+    /// The law is part of the equations: methods evaluate it at trial states in any order, so that
+    /// it cannot have a memory. It is given the system with the inputs that were declared, set or
+    /// [sampled](Simulation::sampled); inputs that it does not compute it takes from there.
+    /// Contacts, friction, events and whatever is observed know the inputs that it gives. Every
+    /// input becomes a column.
     ///
-    /// Jumps and kinks of a law are not looked for. Where they matter write them into the declaration, as `min(u, 20)` for a force
-    /// that saturates: the compiler then knows where the motion is not smooth, and runs find it. For implicit methods its derivatives
-    /// are found by difference quotients.
+    /// Jumps and kinks of a law are not looked for. Where they matter write them into the
+    /// declaration, as `min(u, 20)` for a force that saturates: the compiler then knows where the
+    /// motion is not smooth, and runs find it. For implicit methods its derivatives are found by
+    /// difference quotients.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -54,14 +58,16 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
 }
 
 impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
-    /// Sets the inputs by a controller that is asked at the start and then every `period`, and holds them in between (a zero-order
-    /// hold).
+    /// Sets the inputs by a controller that is asked at the start and then every `period`, and
+    /// holds them in between (a zero-order hold).
     ///
-    /// A step ends at each of these instants, so that no step sees two values of an input. The controller may have a memory, such as
-    /// the integral of a deviation: it is asked at the start and then exactly once at each instant, in their order, with the state that
-    /// the motion has there; not at the end of a run. It is given the system with its present inputs, and takes from there those that it does
-    /// not compute. Of several controllers those that act at the same instant do so in the order in which they were given.
-    /// Every input becomes a column, which at an instant holds the new value.
+    /// A step ends at each of these instants, so that no step sees two values of an input. The
+    /// controller may have a memory, such as the integral of a deviation: it is asked at the start
+    /// and then exactly once at each instant, in their order, with the state that the motion has
+    /// there; not at the end of a run. It is given the system with its present inputs, and takes
+    /// from there those that it does not compute. Of several controllers those that act at the same
+    /// instant do so in the order in which they were given. Every input becomes a column, which at
+    /// an instant holds the new value.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -119,8 +125,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         self
     }
 
-    /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An output that is not declared is an
-    /// error of the run.
+    /// Adds the columns of this output, or of this component of one, such as `tip` or `tip.x`. An
+    /// output that is not declared is an error of the run.
     pub fn record(mut self, output: &'static str) -> Self
     where
         M: OutputSystem,

@@ -47,7 +47,8 @@ enum Samples<S> {
 }
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
-    /// Starts with the initial state as the first sample, and with functions of the columns after those of the state; the system may be another one there than that which was given.
+    /// Starts with the initial state as the first sample, and with functions of the columns after
+    /// those of the state; the system may be another one there than that which was given.
     pub(super) fn new(
         current: &Current<'_, C>,
         settings: &RunSettings<M::Scalar>,
@@ -119,7 +120,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         self.table.push(time, &self.row);
     }
 
-    /// Returns the names of the given events, and the trajectory with the last good state as its last sample.
+    /// Returns the names of the given events, and the trajectory with the last good state as its
+    /// last sample.
     pub(super) fn close(
         mut self,
         current: Current<'_, C>,
@@ -159,7 +161,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         self.reach(system, stepper, (time, &state))
     }
 
-    /// Keeps what is wanted of the last step, and reports after each sample within it. If the run is cancelled there, it ends at that sample.
+    /// Keeps what is wanted of the last step, and reports after each sample within it. If the run
+    /// is cancelled there, it ends at that sample.
     fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &M::State)) -> bool {
         let (to, state) = reached;
         let steps = stepper.work().steps;

@@ -28,7 +28,8 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         drive.close(system, |closed| run(closed, self))
     }
 
-    /// Returns the trajectory of this run, given the samples after its start, the last of which is its end, as lanes computed them.
+    /// Returns the trajectory of this run, given the samples after its start, the last of which is
+    /// its end, as lanes computed them.
     #[cfg(feature = "ensemble")]
     pub(crate) fn assemble(
         self,
@@ -121,7 +122,8 @@ fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     }
 }
 
-/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with it methods say.
+/// The start as methods take it: on the constraints if it nearly satisfies them. What is wrong with
+/// it methods say.
 fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scalar, M::State) {
     let mut admitted = y;
     match system.admit(t, &mut admitted) {
@@ -130,7 +132,8 @@ fn admitted<M: OdeSystem>(system: &M, (t, y): (M::Scalar, M::State)) -> (M::Scal
     }
 }
 
-/// Follows a run to its end. Controllers act between its turns, when their instants have been reached.
+/// Follows a run to its end. Controllers act between its turns, when their instants have been
+/// reached.
 fn follow<M, C, T, E>(
     mut run: Run<'_, '_, C, T, E>,
     record: &mut Record<'_, M, C>,

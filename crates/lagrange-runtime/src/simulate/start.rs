@@ -1,7 +1,7 @@
 //! The possible starts of a run.
 
-/// A state Y in any form: the array `[q…, v…]`, the emitted type with named fields, or another type that converts into the
-/// array.
+/// A state Y in any form: the array `[q…, v…]`, the emitted type with named fields, or another type
+/// that converts into the array.
 #[diagnostic::on_unimplemented(
     message = "a run cannot start from `{Self}`: the state is `{Y}`",
     label = "this is not a state of the system",

@@ -16,12 +16,12 @@ use crate::system::{MechanicalSystem, StateVector, normalised};
 
 /// The result of a run: samples in named columns, and the work of the run.
 ///
-/// Columns are the coordinates and velocities and then what observers added. There is at least one sample, the initial
-/// state, and the last sample is where the run ended.
+/// Columns are the coordinates and velocities and then what observers added. There is at least one
+/// sample, the initial state, and the last sample is where the run ended.
 ///
-/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()` and
-/// `trajectory.theta_dot()`; where one would be called like a method of this type, [`column`](Trajectory::column) finds
-/// it.
+/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
+/// and `trajectory.theta_dot()`; where one would be called like a method of this type,
+/// [`column`](Trajectory::column) finds it.
 pub struct Trajectory<M: MechanicalSystem> {
     pub(super) columns: M::Columns<Table<M::Scalar>>,
     pub(super) dense: Option<Dense<M::Scalar, M::State>>,
@@ -32,7 +32,8 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) last: (M::Scalar, M::State),
     pub(super) method: &'static str,
     pub(super) inputs: Option<InputColumns<M>>,
-    /// The system as it was in the end, if it was switched. Shared, so that trajectories can be cloned whatever it is.
+    /// The system as it was in the end, if it was switched. Shared, so that trajectories can be
+    /// cloned whatever it is.
     pub(super) system: Option<Arc<M>>,
 }
 
@@ -67,13 +68,15 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.table().names()
     }
 
-    /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer added.
+    /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer
+    /// added.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
     }
 
-    /// The unit of the column of this name, such as `rad/s`, and `s` of `t`; `1` of plain numbers. `None` if it is not known: the declaration
-    /// says no units, or an observer added the column under a name of its own.
+    /// The unit of the column of this name, such as `rad/s`, and `s` of `t`; `1` of plain numbers.
+    /// `None` if it is not known: the declaration says no units, or an observer added the column
+    /// under a name of its own.
     pub fn unit(&self, name: &str) -> Option<&'static str> {
         unit::<M>(name)
     }
@@ -117,14 +120,16 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.1
     }
 
-    /// The system as it was where the run ended, if contacts or friction switched it on the way or controllers set its inputs; `None` if
-    /// it still was the one that was given. A law of inputs is not part of it, and is asked for again. A run that is to be continued starts from it and from [`last`](Trajectory::last).
+    /// The system as it was where the run ended, if contacts or friction switched it on the way or
+    /// controllers set its inputs; `None` if it still was the one that was given. A law of inputs
+    /// is not part of it, and is asked for again. A run that is to be continued starts from it and
+    /// from [`last`](Trajectory::last).
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
     }
 
-    /// A system with the inputs of this sample, counted from zero; `None` if the run set none. Where a law sets them they are others
-    /// between samples.
+    /// A system with the inputs of this sample, counted from zero; `None` if the run set none.
+    /// Where a law sets them they are others between samples.
     pub fn with_inputs_at(&self, index: usize, system: &M) -> Option<M> {
         self.inputs.and_then(|inputs| inputs.at(self.table(), index, system))
     }
@@ -134,10 +139,11 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.0
     }
 
-    /// The state at any time of a run that was asked to be [`dense`](crate::simulate::Simulation::dense); at the time
-    /// of an impact, the state after it.
+    /// The state at any time of a run that was asked to be
+    /// [`dense`](crate::simulate::Simulation::dense); at the time of an impact, the state after it.
     ///
-    /// The error is that of the method's own interpolation, plus a few roundings. Unit quaternions are brought to length one.
+    /// The error is that of the method's own interpolation, plus a few roundings. Unit quaternions
+    /// are brought to length one.
     ///
     /// # Errors
     /// If the run was not asked to be dense, or did not pass this time.

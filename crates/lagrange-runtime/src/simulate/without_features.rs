@@ -1,6 +1,7 @@
 //! Compiler messages for methods of trajectories behind a missing feature.
 //!
-//! The methods exist without their features, too, with bounds that nothing fulfils and that name the feature; none is ever called.
+//! The methods exist without their features, too, with bounds that nothing fulfils and that name
+//! the feature; none is ever called.
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -8,7 +9,8 @@ use std::path::Path;
 use super::trajectory::Trajectory;
 use crate::system::MechanicalSystem;
 
-/// Declares methods that require a trait that no type implements, and the compiler's message for it.
+/// Declares methods that require a trait that no type implements, and the compiler's message for
+/// it.
 macro_rules! without_feature {
     (
         $required:tt: $message:literal, $label:literal, $note:literal;

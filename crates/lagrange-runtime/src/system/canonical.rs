@@ -1,11 +1,13 @@
-//! Systems in canonical coordinates, which symplectic methods take: velocities are the rates of the coordinates.
+//! Systems in canonical coordinates, which symplectic methods take: velocities are the rates of the
+//! coordinates.
 
 use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
 
 /// A system whose accelerations do not depend on its velocities and whose mass matrix is constant.
 ///
-/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit symplectic
-/// methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VI.3.
+/// This makes the Hamiltonian a sum of a function of momenta and one of coordinates, which explicit
+/// symplectic methods ask for. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+/// 2nd ed., §VI.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities or constraints, or its mass matrix is not constant",
     note = "compositions of kicks and drifts only accept separable systems without constraints",
@@ -16,11 +18,13 @@ use super::{ConstraintValues, MechanicalSystem, StateVector, VelocityMatrix};
 )]
 pub trait SeparableSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {}
 
-/// A system that is [separable](SeparableSystem), or would be without its constraints, all of which hold positions.
+/// A system that is [separable](SeparableSystem), or would be without its constraints, all of which
+/// hold positions.
 ///
-/// All separable systems are. Emitted types with constraints implement it if their mass matrix is constant and no force but
-/// those of the constraints depends on velocities. Explicit steps then end on the constraints by corrections in the space of
-/// constraint forces. Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
+/// All separable systems are. Emitted types with constraints implement it if their mass matrix is
+/// constant and no force but those of the constraints depends on velocities. Explicit steps then
+/// end on the constraints by corrections in the space of constraint forces. Source: Hairer, Lubich,
+/// Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
 #[diagnostic::on_unimplemented(
     message = "the accelerations of `{Self}` depend on velocities, or its mass matrix is not constant",
     note = "symplectic Euler and Störmer–Verlet only accept separable systems, possibly with constraints on positions",
@@ -32,8 +36,9 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
     /// True if constraints hold it, and the corrections below are known.
     const IS_HELD: bool = false;
 
-    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the coordinates `to` of the time
-    /// `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ = −c(later, to).
+    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the
+    /// coordinates `to` of the time `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ =
+    /// −c(later, to).
     #[inline]
     fn position_correction(
         &self,
@@ -45,7 +50,8 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
         Self::Coordinates::ZERO
     }
 
-    /// The change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ and A δ = −ċ(t, q, v).
+    /// The change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ and A δ =
+    /// −ċ(t, q, v).
     #[inline]
     fn velocity_correction(
         &self,
@@ -61,8 +67,9 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 
 /// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
 ///
-/// These are Hamilton's equations with velocities in the place of momenta; methods that are symplectic for any
-/// mass matrix integrate (q, p). Emitted types implement it if the declaration says `emit { momentum_rates }`.
+/// These are Hamilton's equations with velocities in the place of momenta; methods that are
+/// symplectic for any mass matrix integrate (q, p). Emitted types implement it if the declaration
+/// says `emit { momentum_rates }`.
 #[diagnostic::on_unimplemented(
     message = "the momenta of `{Self}` and their rates are unknown",
     note = "if its velocities are rates of coordinates, add `emit {{ momentum_rates }}` to its declaration",
@@ -89,8 +96,9 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         v: &Self::Coordinates,
     ) -> VelocityMatrix<Self>;
 
-    /// The rates of the momenta without the forces Aᵀλ of constraints. A method that finds these forces itself does not mind
-    /// combinations of the rows of A, so that the rates with them will do.
+    /// The rates of the momenta without the forces Aᵀλ of constraints. A method that finds these
+    /// forces itself does not mind combinations of the rows of A, so that the rates with them will
+    /// do.
     #[inline]
     fn free_momentum_rates(
         &self,

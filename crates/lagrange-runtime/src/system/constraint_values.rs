@@ -5,8 +5,9 @@ use crate::scalar::Scalar;
 
 /// Residuals and gradients of the constraints that act at a time and state.
 ///
-/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A; one on velocities holds itself and its gradient with
-/// respect to them. As many may act as there are coordinates: more cannot be independent, and everything is not a number then.
+/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A; one on velocities holds
+/// itself and its gradient with respect to them. As many may act as there are coordinates: more
+/// cannot be independent, and everything is not a number then.
 ///
 /// ```
 /// use lagrange::constraint::ConstraintValues;
@@ -46,7 +47,8 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         self.push(1, position, velocity, row);
     }
 
-    /// One more constraint on velocities alone: its residual and its gradient with respect to velocities.
+    /// One more constraint on velocities alone: its residual and its gradient with respect to
+    /// velocities.
     #[inline]
     pub fn push_nonholonomic(&mut self, velocity: S, row: &Q) {
         self.push(0, S::ZERO, velocity, row);

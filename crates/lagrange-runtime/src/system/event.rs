@@ -38,11 +38,12 @@ impl DeclaredEvent {
 /// The largest number of events that a system can declare.
 pub const MOST_DECLARED: usize = 32;
 
-/// The largest number of events that runs look for, those by which [switches](crate::event::Switches) change their sides among them.
+/// The largest number of events that runs look for, those by which
+/// [switches](crate::event::Switches) change their sides among them.
 pub(crate) const MOST_LOCATED: usize = 64;
 
-/// The direction in which a function passes zero as the integration proceeds. If time runs backwards, a
-/// function that rises with time is falling.
+/// The direction in which a function passes zero as the integration proceeds. If time runs
+/// backwards, a function that rises with time is falling.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// From negative to positive.
@@ -71,7 +72,8 @@ impl Direction {
 pub struct Response<M, S, Y> {
     /// Action.
     pub action: Action<Y>,
-    /// The system that goes on, if it is not the same: with other contacts closed, other friction sticking.
+    /// The system that goes on, if it is not the same: with other contacts closed, other friction
+    /// sticking.
     pub system: Option<M>,
     /// Kind of event.
     pub kind: EventKind<S>,
@@ -100,8 +102,8 @@ pub enum Action<Y> {
 pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
-    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction; with moving surfaces, as seen from
-    /// them. Never negative but for rounding.
+    /// The kinetic energy that was lost, in all contacts that were hit at once and by friction;
+    /// with moving surfaces, as seen from them. Never negative but for rounding.
     pub energy_loss: S,
 }
 
@@ -116,7 +118,8 @@ pub enum EventKind<S> {
     Impact(Impact<S>),
     /// A contact closed: after a plastic impact, or after infinitely many that accumulate at `at`.
     Closed {
-        /// When the contact is at rest; later than the event by what the last bounces take, and so perhaps after the end of the run.
+        /// When the contact is at rest; later than the event by what the last bounces take, and so
+        /// perhaps after the end of the run.
         at: S,
         /// The impact by which it closed.
         impact: Impact<S>,

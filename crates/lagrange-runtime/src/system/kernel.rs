@@ -2,11 +2,12 @@
 
 use super::{MechanicalSystem, NamedSystem};
 
-/// A system with its equations of motion as C, for graphics processors. Emitted types implement it if they declare
-/// `emit { kernel }`.
+/// A system with its equations of motion as C, for graphics processors. Emitted types implement it
+/// if they declare `emit { kernel }`.
 ///
-/// A text is whole: OpenCL C 1.2, CUDA C++ and C99 compile it as it is. It defines the numbers `REAL`, the lengths
-/// `LAGRANGE_POSITIONS`, `LAGRANGE_VELOCITIES` and `LAGRANGE_PARAMETERS`, and three functions of the qualifiers `LAGRANGE_FUNCTION`:
+/// A text is whole: OpenCL C 1.2, CUDA C++ and C99 compile it as it is. It defines the numbers
+/// `REAL`, the lengths `LAGRANGE_POSITIONS`, `LAGRANGE_VELOCITIES` and `LAGRANGE_PARAMETERS`, and
+/// three functions of the qualifiers `LAGRANGE_FUNCTION`:
 ///
 /// ```c
 /// void lagrange_acceleration(REAL t, const REAL *q, const REAL *v, const REAL *p, REAL *a);
@@ -14,9 +15,10 @@ use super::{MechanicalSystem, NamedSystem};
 /// void lagrange_normalise(REAL *q);
 /// ```
 ///
-/// They compute the accelerations at time t, positions q, velocities v and parameters p, the rates of the positions, and positions with
-/// quaternions of length one. Parameters are those of [`parameters`](Self::parameters). Conditions of `if` and the kinks of `abs`,
-/// `sign`, `min` and `max` are decided as the state says; what is NaN stays NaN.
+/// They compute the accelerations at time t, positions q, velocities v and parameters p, the rates
+/// of the positions, and positions with quaternions of length one. Parameters are those of
+/// [`parameters`](Self::parameters). Conditions of `if` and the kinks of `abs`, `sign`, `min` and
+/// `max` are decided as the state says; what is NaN stays NaN.
 ///
 /// ```
 /// use lagrange::system::KernelSystem;
@@ -51,8 +53,8 @@ pub trait KernelSystem: MechanicalSystem + NamedSystem {
     /// The text in single precision.
     const KERNEL_F32: &'static str;
 
-    /// The names of the parameters, then those of the inputs, in the order of the declaration. Units that are known are in
-    /// [`MechanicalSystem::UNITS`].
+    /// The names of the parameters, then those of the inputs, in the order of the declaration.
+    /// Units that are known are in [`MechanicalSystem::UNITS`].
     const PARAMETERS: &'static [&'static str];
 
     /// The parameters, then the inputs, as they are.

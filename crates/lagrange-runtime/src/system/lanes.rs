@@ -81,7 +81,8 @@ pub trait Equations<S: Number>: Copy {
     fn rhs(&self, t: S, y: &Self::State) -> Self::State;
 }
 
-/// A system that hands out its equations for numbers side by side: emitted types do with `emit { lanes }`.
+/// A system that hands out its equations for numbers side by side: emitted types do with
+/// `emit { lanes }`.
 ///
 /// Every motion has parameters of its own, so that they are numbers side by side, too.
 #[diagnostic::on_unimplemented(

@@ -1,7 +1,7 @@
 //! Traits that emitted types implement, so that integrators and adapters take any of them.
 //!
-//! The traits hold what an algorithm needs of a system; everything else that is known about it stays an
-//! inherent method of its type. Nothing here derives or integrates.
+//! The traits hold what an algorithm needs of a system; everything else that is known about it
+//! stays an inherent method of its type. Nothing here derives or integrates.
 
 mod canonical;
 mod constraint_values;
@@ -91,8 +91,9 @@ pub type VelocityMatrix<M> =
 /// assert_eq!(Decay { rate: 2.0 }.rhs(0.0, &[3.0]), [-6.0]);
 /// ```
 ///
-/// The members beside [`rhs`](Self::rhs) stand for a system that has nothing but its equations. A type that contains another system
-/// implements [`Wrapper`] instead, which keeps the constraints and events of that.
+/// The members beside [`rhs`](Self::rhs) stand for a system that has nothing but its equations. A
+/// type that contains another system implements [`Wrapper`] instead, which keeps the constraints
+/// and events of that.
 pub trait OdeSystem {
     /// The number type.
     type Scalar: Scalar;
@@ -104,8 +105,9 @@ pub trait OdeSystem {
     /// Where f is undefined, the result is not finite.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
 
-    /// The first of the components of the state `y` and of its `rates` at time `t` that is not finite, or what makes it so, by name:
-    /// runs ask when they cannot go on. Systems written by hand know no names but of their components' places.
+    /// The first of the components of the state `y` and of its `rates` at time `t` that is not
+    /// finite, or what makes it so, by name: runs ask when they cannot go on. Systems written by
+    /// hand know no names but of their components' places.
     #[inline]
     fn undefined(
         &self,
@@ -116,23 +118,26 @@ pub trait OdeSystem {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
     }
 
-    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the declaration says
-    /// `emit { jacobian }`. Implicit methods iterate by Newton's method. Where it is not known,
-    /// difference quotients take its place; methods of equal steps try fixed points first.
+    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the
+    /// declaration says `emit { jacobian }`. Implicit methods iterate by Newton's method. Where it
+    /// is not known, difference quotients take its place; methods of equal steps try fixed points
+    /// first.
     #[inline]
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
     }
 
-    /// The first time after `t` on the way to `end` at which the right-hand side jumps or is not smooth, if that is known
-    /// beforehand: runs end a step there and start another one, none of whose evaluations is made at that very time. `end` may
-    /// lie before `t`; only a time between the two counts.
+    /// The first time after `t` on the way to `end` at which the right-hand side jumps or is not
+    /// smooth, if that is known beforehand: runs end a step there and start another one, none of
+    /// whose evaluations is made at that very time. `end` may lie before `t`; only a time between
+    /// the two counts.
     #[inline]
     fn next_restart(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self::Scalar> {
         None
     }
 
-    /// The system as it goes on towards `end` from a time that [`next_restart`](Self::next_restart) named; `None` if it is the same.
+    /// The system as it goes on towards `end` from a time that [`next_restart`](Self::next_restart)
+    /// named; `None` if it is the same.
     #[inline]
     fn beyond(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self>
     where
@@ -146,8 +151,8 @@ pub trait OdeSystem {
     /// one.
     const IS_CONSTRAINED: bool = false;
 
-    /// Brings a state onto the constraints; methods ask for this after every accepted step, and before they hand out a state within
-    /// one.
+    /// Brings a state onto the constraints; methods ask for this after every accepted step, and
+    /// before they hand out a state within one.
     ///
     /// # Errors
     /// If that is not possible; the state is then what it was.
@@ -156,8 +161,9 @@ pub trait OdeSystem {
         Ok(())
     }
 
-    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the constraints if it nearly satisfies
-    /// them; methods ask for this before their first step from there.
+    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the
+    /// constraints if it nearly satisfies them; methods ask for this before their first step from
+    /// there.
     ///
     /// # Errors
     /// If it does not satisfy them; the state is then what it was.
@@ -166,7 +172,8 @@ pub trait OdeSystem {
         self.correct(t, y)
     }
 
-    /// Brings a state that an event put in the place of another onto the constraints, from however far.
+    /// Brings a state that an event put in the place of another onto the constraints, from however
+    /// far.
     ///
     /// # Errors
     /// If that is not possible; the state is then what it was.
@@ -183,9 +190,9 @@ pub trait OdeSystem {
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
-    /// Responds to the declared event of this index at the state `y` and the time `t`, after the time
-    /// `elapsed` since the start of the run. Durations that are negligible relative to `elapsed` need not
-    /// be resolved, independent of the origin of time.
+    /// Responds to the declared event of this index at the state `y` and the time `t`, after the
+    /// time `elapsed` since the start of the run. Durations that are negligible relative to
+    /// `elapsed` need not be resolved, independent of the origin of time.
     ///
     /// # Errors
     /// If the motion cannot go on.
@@ -203,9 +210,9 @@ pub trait OdeSystem {
         Ok(Response::new(Action::Continue))
     }
 
-    /// The system as a motion from this state starts: contacts closed and friction sticking where that fits the state, and on the
-    /// sides of its [switches](crate::event::Switches) on which the state is.
-    /// `None` if it is the same.
+    /// The system as a motion from this state starts: contacts closed and friction sticking where
+    /// that fits the state, and on the sides of its [switches](crate::event::Switches) on which the
+    /// state is. `None` if it is the same.
     ///
     /// # Errors
     /// If no motion can start there.

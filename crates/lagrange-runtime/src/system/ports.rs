@@ -7,7 +7,8 @@ use super::{MechanicalSystem, NamedSystem, OdeSystem, StateVector};
 /// A system with inputs: numbers that a control sets while it moves.
 ///
 /// Emitted types implement it if they declare an `input`. Runs set inputs by
-/// [`drive`](crate::simulate::Simulation::drive) and [`sampled`](crate::simulate::Simulation::sampled).
+/// [`drive`](crate::simulate::Simulation::drive) and
+/// [`sampled`](crate::simulate::Simulation::sampled).
 ///
 /// ```
 /// use lagrange::system::ControlledSystem;
@@ -52,7 +53,8 @@ pub trait ControlledSystem: NamedSystem + Sized {
 /// A system with outputs: quantities that its declaration names.
 ///
 /// Emitted types implement it if they declare an `output`. Runs record them by
-/// [`outputs`](crate::simulate::Simulation::outputs) and [`record`](crate::simulate::Simulation::record).
+/// [`outputs`](crate::simulate::Simulation::outputs) and
+/// [`record`](crate::simulate::Simulation::record).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` declares no outputs",
     note = "declare them as `output tip = (x, y);`, or record any value with `.observe(\"name\", |system, t, y| …)`"

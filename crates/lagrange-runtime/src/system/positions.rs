@@ -27,9 +27,10 @@ pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities)
 /// Error message for a quaternion that cannot be normalised.
 const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 
-/// Brings unit quaternions among the positions of a state back to length one, and leaves the rest as it is, as all of it where
-/// velocities are the rates of the positions. This is what
-/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions does where nothing else holds the state.
+/// Brings unit quaternions among the positions of a state back to length one, and leaves the rest
+/// as it is, as all of it where velocities are the rates of the positions. This is what
+/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions does where
+/// nothing else holds the state.
 ///
 /// # Errors
 /// [`StepFailure::Stuck`] if one is zero; the state is then what it was.

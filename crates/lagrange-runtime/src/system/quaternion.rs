@@ -1,8 +1,10 @@
-//! Unit quaternions among the positions of a system: the scalar part at an index, the vector part behind it.
+//! Unit quaternions among the positions of a system: the scalar part at an index, the vector part
+//! behind it.
 //!
 //! What emitted types make [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
-//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) of. A quaternion q turns the axes of a body into the world, and
-//! its rate is q̇ = ½ q ⊗ (0, ω) with the angular velocity ω along the axes of the body.
+//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) of. A quaternion q
+//! turns the axes of a body into the world, and its rate is q̇ = ½ q ⊗ (0, ω) with the angular
+//! velocity ω along the axes of the body.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §4.5.
 
@@ -11,7 +13,8 @@ use crate::scalar::Scalar;
 /// Smaller squares of lengths are taken of scaled components.
 const SMALLEST: f64 = 1e-30;
 
-/// Brings the quaternion that begins at an index to length one; one of zeros becomes one of numbers that are not.
+/// Brings the quaternion that begins at an index to length one; one of zeros becomes one of numbers
+/// that are not.
 ///
 /// ```
 /// let mut positions = [7.0, 3.0, 0.0, 4.0, 0.0];
@@ -33,8 +36,9 @@ pub fn normalise<S: Scalar>(positions: &mut [S], first: usize) {
     quaternion.iter_mut().for_each(|entry| *entry = *entry / length);
 }
 
-/// The small turn, as a vector along the axes of the body, that leads from one quaternion to another: 2 Im(q̄ ⊗ p), with the sign of p for
-/// which the scalar part is not negative, since p and −p are the same orientation.
+/// The small turn, as a vector along the axes of the body, that leads from one quaternion to
+/// another: 2 Im(q̄ ⊗ p), with the sign of p for which the scalar part is not negative, since p and
+/// −p are the same orientation.
 ///
 /// ```
 /// // A turn by 0.002 about z, seen from one that looks the other way.

@@ -2,7 +2,8 @@
 
 use core::fmt::{Display, Formatter, Result};
 
-/// A name with something behind it. Behind an element of an array that stands before the square brackets: `theta_dot[2]`.
+/// A name with something behind it. Behind an element of an array that stands before the square
+/// brackets: `theta_dot[2]`.
 pub(crate) struct WithSuffix<'a> {
     stem: &'a str,
     suffix: &'static str,

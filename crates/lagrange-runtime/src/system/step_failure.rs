@@ -11,13 +11,13 @@ use super::violation::Violation;
 pub enum StepFailure<S> {
     /// No step was tried, because a setting makes no sense.
     Setting(SettingError<S>),
-    /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say it by name where it can be
-    /// told, as [`Undefined`](StepFailure::Undefined).
+    /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say
+    /// it by name where it can be told, as [`Undefined`](StepFailure::Undefined).
     NotFinite,
     /// This is NaN or infinite, or makes what follows from it so.
     Undefined(Undefined<S>),
-    /// Errors of the initial state, measured by the tolerance, are not numbers or too large for them, so that no first step can be
-    /// chosen.
+    /// Errors of the initial state, measured by the tolerance, are not numbers or too large for
+    /// them, so that no first step can be chosen.
     NoFirstStep {
         /// The error that is tolerated as a part of the state.
         relative: S,
@@ -54,8 +54,8 @@ pub enum StepFailure<S> {
     StepTooLong {
         /// The length of the step.
         step: S,
-        /// About the longest step that is stable at this state: what the method stands over the magnitude of the largest
-        /// eigenvalue of the linearised equations.
+        /// About the longest step that is stable at this state: what the method stands over the
+        /// magnitude of the largest eigenvalue of the linearised equations.
         limit: S,
     },
     /// The equations of an implicit step could not be solved.
@@ -86,8 +86,8 @@ pub enum StepFailure<S> {
         /// The limit, or what it grows by with a unit of a contact force.
         value: S,
     },
-    /// No motion goes on from here, in words: no contact forces or friction fit the state, or a method of another
-    /// crate failed.
+    /// No motion goes on from here, in words: no contact forces or friction fit the state, or a
+    /// method of another crate failed.
     Stuck(&'static str),
     /// The number of events at the same time is so large that it counts as infinite, as for the
     /// bounces of a ball that comes to rest.
@@ -97,7 +97,8 @@ pub enum StepFailure<S> {
         /// Source of the last event.
         event: EventSource,
     },
-    /// The state slides along a surface on which the equations are not smooth: on either side they lead back to it.
+    /// The state slides along a surface on which the equations are not smooth: on either side they
+    /// lead back to it.
     Slides {
         /// The function that vanishes there and changes its sign, and the statement that holds it.
         surface: &'static str,
@@ -109,8 +110,8 @@ pub enum StepFailure<S> {
         /// Number of bisections.
         bisections: u32,
     },
-    /// An event function passes zero between two times so fast that neither is near its zero: times so far from zero are
-    /// too far apart.
+    /// An event function passes zero between two times so fast that neither is near its zero: times
+    /// so far from zero are too far apart.
     EventUnresolved {
         /// Source of the event.
         event: EventSource,
@@ -126,7 +127,8 @@ pub enum StepFailure<S> {
 pub enum EventSource {
     /// The declaration of the system, where it has this name.
     Declared(&'static str),
-    /// The run, to which it was given beside others, counted from zero. The front door knows it by name.
+    /// The run, to which it was given beside others, counted from zero. The front door knows it by
+    /// name.
     Given(usize),
 }
 

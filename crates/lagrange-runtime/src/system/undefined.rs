@@ -36,7 +36,8 @@ pub enum Undefined<S> {
         /// Value.
         value: S,
     },
-    /// A component of the state: of the initial one, or of one that an event put in the place of another.
+    /// A component of the state: of the initial one, or of one that an event put in the place of
+    /// another.
     State {
         /// Component.
         component: Component,
@@ -61,7 +62,8 @@ pub enum Undefined<S> {
     },
     /// The mass matrix, which is singular, so that accelerations do not follow from forces.
     MassMatrix {
-        /// The velocity of the first pivot that is lost in rounding if velocities are eliminated with the largest pivots first.
+        /// The velocity of the first pivot that is lost in rounding if velocities are eliminated
+        /// with the largest pivots first.
         velocity: Component,
         /// That pivot.
         pivot: S,
@@ -84,7 +86,8 @@ pub enum Component {
 }
 
 impl Component {
-    /// The component at this index of a state of the system M, or of a longer one that begins with that.
+    /// The component at this index of a state of the system M, or of a longer one that begins with
+    /// that.
     #[must_use]
     pub fn of<M: MechanicalSystem + ?Sized>(index: usize) -> Self {
         let velocity = |place| Component::of_velocity::<M>(place);
@@ -113,7 +116,8 @@ impl<S: Scalar> Undefined<S> {
         state.or_else(|| not_finite(rates).map(rate))
     }
 
-    /// Blames the first of these algebraic unknowns, in the order of declaration, that has no value, instead of what becomes undefined by it.
+    /// Blames the first of these algebraic unknowns, in the order of declaration, that has no
+    /// value, instead of what becomes undefined by it.
     #[must_use]
     pub fn with_unknowns(self, time: S, unknowns: &[(&'static str, S)]) -> Self {
         let unsolved = unknowns.iter().find(|(_, value)| !value.is_finite());
@@ -165,7 +169,8 @@ impl Display for Acceleration {
     }
 }
 
-/// The name by which a pivot of the mass matrix is told: that of the coordinate, where velocities have no names of their own.
+/// The name by which a pivot of the mass matrix is told: that of the coordinate, where velocities
+/// have no names of their own.
 struct Pivot(Component);
 
 impl Display for Pivot {

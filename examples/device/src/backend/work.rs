@@ -52,7 +52,8 @@ pub(crate) struct Work<T> {
     /// Parameters, then inputs; never empty, since buffers may not be.
     pub(crate) parameters: Vec<T>,
     pub(crate) times: Vec<T>,
-    /// The length of the next step, zero before the first; the error of the last; the part of the time that rounding cut off.
+    /// The length of the next step, zero before the first; the error of the last; the part of the
+    /// time that rounding cut off.
     pub(crate) controls: Vec<T>,
     /// Steps so far.
     pub(crate) taken: Vec<u32>,

@@ -1,4 +1,5 @@
-//! The text that CUDA compiles, as C with the words of CUDA defined away: a loop stands for the threads.
+//! The text that CUDA compiles, as C with the words of CUDA defined away: a loop stands for the
+//! threads.
 
 use std::fmt::Write;
 use std::path::Path;

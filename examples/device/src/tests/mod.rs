@@ -1,6 +1,7 @@
 //! Accelerations of all references without constraints, from the device and from the scalar code.
 //!
-//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an error.
+//! Without a device nothing is compared, which is said; `LAGRANGE_DEVICE=required` makes that an
+//! error.
 
 mod cuda;
 

@@ -1,11 +1,13 @@
-//! Factorisation of a mass matrix whose entries, pivots and right-hand sides have as little to cancel as is found.
+//! Factorisation of a mass matrix whose entries, pivots and right-hand sides have as little to
+//! cancel as is found.
 //!
-//! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy `strict`: without it the
-//! accelerations of a written-out double pendulum have relative errors up to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating
-//! x with the pivot D leaves W − a b / D of an entry W. If W D − a b has fewer terms when multiplied out, it
-//! is divided by D instead: of a double pendulum m₂ l₂² remains in the denominator and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) of
-//! the entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur complements of Golub and
-//! Van Loan, *Matrix Computations*, 4th ed., §3.2.
+//! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy
+//! `strict`: without it the accelerations of a written-out double pendulum have relative errors up
+//! to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating x with the pivot D leaves W − a b / D of
+//! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead: of a
+//! double pendulum m₂ l₂² remains in the denominator and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) of the
+//! entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur
+//! complements of Golub and Van Loan, *Matrix Computations*, 4th ed., §3.2.
 
 use super::solution::Solution;
 use crate::derive::algebra::Algebra;
@@ -14,15 +16,18 @@ use lagrange_algebra::simplify;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// More coordinates are factorised without looking for what cancels: the search in each entry would take too long.
+/// More coordinates are factorised without looking for what cancels: the search in each entry would
+/// take too long.
 pub(in crate::derive) const MAX_CONTRACTED: usize = 8;
-/// Number of parts up to which an expression is searched for what cancels; each round of the search opens every sum in it once.
+/// Number of parts up to which an expression is searched for what cancels; each round of the search
+/// opens every sum in it once.
 const LARGEST_OPENED: usize = 300;
-/// Number of sums opened one after the other in one expression. Each makes it shorter, so this bounds the time and nothing else.
+/// Number of sums opened one after the other in one expression. Each makes it shorter, so this
+/// bounds the time and nothing else.
 const MAX_ROUNDS: usize = 8;
 
-/// The form over the generalised velocities with its coefficients contracted: with those that stand there one acceleration of a spherical
-/// pendulum loses half of its digits near the pole.
+/// The form over the generalised velocities with its coefficients contracted: with those that stand
+/// there one acceleration of a spherical pendulum loses half of its digits near the pole.
 pub(in crate::derive) fn contracted(
     graph: &mut Graph,
     pushed: QuadraticForm,
@@ -46,8 +51,8 @@ pub(in crate::derive) fn contracted(
     form
 }
 
-/// The accelerations from a form over the generalised velocities. `None` if a pivot vanishes, or if there are too many
-/// coordinates.
+/// The accelerations from a form over the generalised velocities. `None` if a pivot vanishes, or if
+/// there are too many coordinates.
 pub(in crate::derive) fn solve_contracted(
     graph: &mut Graph,
     form: &QuadraticForm,
@@ -103,7 +108,8 @@ impl<'g> LinearSystem<'g> {
         (0..self.rows.len()).filter(|&i| !self.rows[i].is_done).collect()
     }
 
-    /// The remaining one that the fewest others depend on and whose pivot is made of the fewest sums.
+    /// The remaining one that the fewest others depend on and whose pivot is made of the fewest
+    /// sums.
     fn next(&self) -> Option<usize> {
         let remaining = self.remaining();
         let cost = |i: usize| {
@@ -116,8 +122,8 @@ impl<'g> LinearSystem<'g> {
         remaining.iter().copied().min_by_key(|&i| cost(i))
     }
 
-    /// Eliminates an acceleration from all other equations (Gauss and Jordan), those that are done included: in these
-    /// as well, what cancels is found as long as it is written down.
+    /// Eliminates an acceleration from all other equations (Gauss and Jordan), those that are done
+    /// included: in these as well, what cancels is found as long as it is written down.
     fn eliminate(&mut self, p: usize) {
         self.rows[p].is_done = true;
         let (pivot, linear) = (self.rows[p].entries[p], self.rows[p].linear);
@@ -154,7 +160,8 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     }
     let terms = [(algebra.graph.multiply(value, pivot), Number::ONE), (product, Number::MINUS_ONE)];
     let numerator = algebra.graph.sum(Number::ZERO, terms);
-    // Over the pivot only if something cancels: otherwise the fill-in keeps its own, shared quotient.
+    // Over the pivot only if something cancels: otherwise the fill-in keeps its own, shared
+    // quotient.
     if let Some(numerator) = shorter(algebra, numerator, simplify::is_no_difference) {
         return simplify::quotient(algebra.graph, numerator, pivot);
     }
@@ -163,8 +170,8 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     shortest(algebra, rest)
 }
 
-/// An expression with those sums opened in which something cancels then, or can be contracted: one after the other if
-/// that is enough, otherwise all that are no differences, and one that is.
+/// An expression with those sums opened in which something cancels then, or can be contracted: one
+/// after the other if that is enough, otherwise all that are no differences, and one that is.
 fn shortest(algebra: &mut Algebra<'_>, sum: ExprId) -> ExprId {
     let mut best = algebra.total(vec![(sum, Number::ONE)]);
     for _ in 0..MAX_ROUNDS {

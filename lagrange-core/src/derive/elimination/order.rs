@@ -19,13 +19,15 @@ enum Multipliers {
     Late,
 }
 
-/// Number of unknowns up to which both orders of elimination are written down; beyond it the trial would dominate the time of expansion.
+/// Number of unknowns up to which both orders of elimination are written down; beyond it the trial
+/// would dominate the time of expansion.
 const LARGEST_TRIAL: usize = 40;
 
-/// Eliminates all unknowns from a form that has been pushed down: a left-looking LDLᵀ factorisation of
-/// the mass matrix, bordered by the constraints, since every coefficient is summed only when its row is taken.
-/// Multipliers go as soon as their squares, −A M⁻¹ Aᵀ, are complete, which keeps chains of constrained bodies linear, or
-/// after all velocities, whichever counts cheaper. `None` if the matrix is structurally singular.
+/// Eliminates all unknowns from a form that has been pushed down: a left-looking LDLᵀ factorisation
+/// of the mass matrix, bordered by the constraints, since every coefficient is summed only when its
+/// row is taken. Multipliers go as soon as their squares, −A M⁻¹ Aᵀ, are complete, which keeps
+/// chains of constrained bodies linear, or after all velocities, whichever counts cheaper. `None`
+/// if the matrix is structurally singular.
 pub(in crate::derive) fn eliminate_dense(
     graph: &mut Graph,
     form: QuadraticForm,
@@ -79,10 +81,10 @@ fn eliminate_in_order(
     Some(elimination)
 }
 
-/// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the form is
-/// still written in velocities of bodies. On chains and trees the fill-in stays within one body: this is
-/// the articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*, §7) found by ordering.
-/// `None` if a pivot is missing.
+/// Eliminates each velocity as soon as nothing unprocessed depends on it, while the rest of the
+/// form is still written in velocities of bodies. On chains and trees the fill-in stays within one
+/// body: this is the articulated-body algorithm (Featherstone, *Rigid Body Dynamics Algorithms*,
+/// §7) found by ordering. `None` if a pivot is missing.
 pub(in crate::derive) fn eliminate_recursive(
     graph: &mut Graph,
     mut form: QuadraticForm,
@@ -90,8 +92,8 @@ pub(in crate::derive) fn eliminate_recursive(
     rotations: Rotations,
 ) -> Option<Elimination> {
     let (multipliers, velocities) = separated(graph, unknowns);
-    // What stands in no product couples nothing, and no velocity need wait for it: first of all the potential, which is often
-    // made of all bodies.
+    // What stands in no product couples nothing, and no velocity need wait for it: first of all the
+    // potential, which is often made of all bodies.
     let (heads, first): (Vec<_>, Vec<_>) = form.variables().into_iter().partition(|&id| form.is_coupled(id));
     let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged, rotations);
     let mut waiting = Waiting { partners: Queue::new(&form, &multipliers), ..Waiting::default() };
@@ -121,7 +123,8 @@ pub(in crate::derive) fn eliminate_recursive(
     Some(elimination)
 }
 
-/// Eliminates velocities without any inertia, each together with a multiplier whose constraint determines it.
+/// Eliminates velocities without any inertia, each together with a multiplier whose constraint
+/// determines it.
 fn eliminate_massless(
     elimination: &mut Elimination,
     graph: &mut Graph,
@@ -157,7 +160,8 @@ fn push_constrained(
     Some(())
 }
 
-/// Eliminates the partners, multipliers, to whose squares the velocities have added all that they can.
+/// Eliminates the partners, multipliers, to whose squares the velocities have added all that they
+/// can.
 fn eliminate_complete(
     elimination: &mut Elimination,
     graph: &mut Graph,
@@ -196,9 +200,10 @@ fn eliminate_all(
     Some(())
 }
 
-/// Eliminates one of the unknowns; rows with the fewest neighbours go first, which makes little fill-in (minimum degree; Tinney, Walker,
-/// Proc. IEEE 55 (1967) 1801–1809). What has no square of its own goes with another,
-/// or with one of the partners. A constraint of which nothing is left follows from others.
+/// Eliminates one of the unknowns; rows with the fewest neighbours go first, which makes little
+/// fill-in (minimum degree; Tinney, Walker, Proc. IEEE 55 (1967) 1801–1809). What has no square of
+/// its own goes with another, or with one of the partners. A constraint of which nothing is left
+/// follows from others.
 fn eliminate_next(
     elimination: &mut Elimination,
     graph: &mut Graph,

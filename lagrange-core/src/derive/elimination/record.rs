@@ -21,7 +21,8 @@ pub(in crate::derive) enum Move {
 pub(in crate::derive) struct Elimination {
     pub(in crate::derive) eliminated: Vec<Eliminated>,
     pub(in crate::derive) moves: Vec<Move>,
-    /// Composition of the variables that remained at an elimination, if they were not generalised velocities themselves.
+    /// Composition of the variables that remained at an elimination, if they were not generalised
+    /// velocities themselves.
     pub(in crate::derive) sweep: Option<Sweep>,
     /// Multipliers of constraints that follow from others wherever they hold.
     pub(in crate::derive) redundant: Vec<ExprId>,
@@ -38,8 +39,8 @@ impl Elimination {
         self.substitute_back(graph, &free, unknowns)
     }
 
-    /// The largest of the factors by which rounding grows where constraints are nearly dependent; infinite where they are. `None`
-    /// if it is one everywhere.
+    /// The largest of the factors by which rounding grows where constraints are nearly dependent;
+    /// infinite where they are. `None` if it is one everywhere.
     pub(in crate::derive) fn condition(&self, graph: &mut Graph) -> Option<ExprId> {
         let mut ratios =
             self.ratios.iter().copied().filter(|&ratio| !graph.is_one(ratio)).collect::<Vec<_>>();
@@ -52,8 +53,9 @@ impl Elimination {
         !self.redundant.is_empty()
     }
 
-    /// The stationary point of the form with another linear part, given by its coefficients at the unknowns: without
-    /// constraints M⁻¹ times their opposites, by the factors that are already there.
+    /// The stationary point of the form with another linear part, given by its coefficients at the
+    /// unknowns: without constraints M⁻¹ times their opposites, by the factors that are already
+    /// there.
     pub(in crate::derive) fn solve_again(
         &self,
         graph: &mut Graph,
@@ -72,7 +74,8 @@ impl Elimination {
                     rest.subtract(graph, &step.factors, value);
                 }
                 Move::EliminatePair(i) => {
-                    // Each of the two accelerations follows from the row of the other, and so do the factors.
+                    // Each of the two accelerations follows from the row of the other, and so do
+                    // the factors.
                     let (first, second) = (&self.eliminated[i], &self.eliminated[i + 1]);
                     let values = [first, second].map(|step| rest.take(graph, step.velocity));
                     free[i] = freed(graph, first, values[1]);
@@ -101,8 +104,8 @@ impl Elimination {
         unknowns.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect()
     }
 
-    /// Keeps a step, and what it says about how independent constraints are: all that velocities add to the square of a
-    /// multiplier has one sign, and other multipliers take away from it.
+    /// Keeps a step, and what it says about how independent constraints are: all that velocities
+    /// add to the square of a multiplier has one sign, and other multipliers take away from it.
     pub(in crate::derive) fn push(&mut self, graph: &mut Graph, step: Eliminated) {
         if is_multiplier(graph, step.velocity) {
             let gained = self.gained.remove(&step.velocity).unwrap_or_default();

@@ -32,7 +32,8 @@ pub(in crate::derive) struct Solution {
     pub(in crate::derive) labels: Vec<(ExprId, String)>,
     /// Pivots at whose zeros the accelerations are computed another way, to the same values.
     pub(in crate::derive) guards: Vec<ExprId>,
-    /// Growth of rounding through constraints, as [`Elimination::condition`] says; `None` if they are always independent.
+    /// Growth of rounding through constraints, as [`Elimination::condition`] says; `None` if they
+    /// are always independent.
     pub(in crate::derive) condition: Option<ExprId>,
     /// The steps that led there, for other right-hand sides; `None` if the strategy takes none.
     pub(in crate::derive) elimination: Option<Elimination>,
@@ -48,7 +49,8 @@ impl Solution {
         ids.for_each(|id| *id = image.get(id).copied().unwrap_or(*id));
     }
 
-    /// Returns derivatives of the values without products of inertias, as far as they are divided by some.
+    /// Returns derivatives of the values without products of inertias, as far as they are divided
+    /// by some.
     pub(in crate::derive) fn balanced(&self, graph: &mut Graph, slopes: &[ExprId]) -> Vec<ExprId> {
         let image = balanced(graph, slopes, self.divisor());
         slopes.iter().map(|id| image.get(id).copied().unwrap_or(*id)).collect()
@@ -69,9 +71,10 @@ pub(in crate::derive) fn solve_dense(
     Some(solution(eliminate_dense(graph, form, unknowns)?, graph, unknowns))
 }
 
-/// Solves a form body by body; `None` if a pivot is missing. Where bodies are turned by joints, velocities are eliminated in the axes of
-/// their bodies, or later, when rotations and what carries the body have been substituted as far as that goes, whichever counts cheaper: on
-/// parallel axes the latter.
+/// Solves a form body by body; `None` if a pivot is missing. Where bodies are turned by joints,
+/// velocities are eliminated in the axes of their bodies, or later, when rotations and what carries
+/// the body have been substituted as far as that goes, whichever counts cheaper: on parallel axes
+/// the latter.
 pub(in crate::derive) fn solve_recursive(
     graph: &mut Graph,
     form: QuadraticForm,

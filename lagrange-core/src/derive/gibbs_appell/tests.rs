@@ -13,7 +13,8 @@ fn model(statements: &str) -> Model {
     parse(statements).unwrap_or_else(|report| panic!("{report}")).model
 }
 
-/// The coefficient of q̇² and, with accelerations dropped and kept, that of q̇, for a system with one coordinate q.
+/// The coefficient of q̇² and, with accelerations dropped and kept, that of q̇, for a system with
+/// one coordinate q.
 fn coefficients(model: &mut Model) -> [ExprId; 3] {
     let velocities = model.velocities();
     let graph = &mut model.graph;

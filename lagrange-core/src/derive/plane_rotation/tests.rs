@@ -1,4 +1,5 @@
-//! The worked numbers of the module's documentation, and rotations against the same sums substituted one by one.
+//! The worked numbers of the module's documentation, and rotations against the same sums
+//! substituted one by one.
 
 use super::turned_block;
 use crate::derive::quadratic_form::QuadraticForm;
@@ -18,7 +19,8 @@ fn a_block_in_numbers() {
     assert_eq!(block, expected);
 }
 
-/// The angular velocity and the velocity of a point, each turned by θ with these signs, and what they are turned from.
+/// The angular velocity and the velocity of a point, each turned by θ with these signs, and what
+/// they are turned from.
 struct Turned {
     graph: Graph,
     wholes: [ExprId; 4],

@@ -39,8 +39,8 @@ pub(super) enum Substitution {
     InFrame { carriers: [(ExprId, AffineExpansion); 2], bend: ExprId, offset: ExprId },
 }
 
-/// An acceleration as `Σ coefficient · component + constant`: the components are computed, the sum is not
-/// before it is needed, and then often as a part of another.
+/// An acceleration as `Σ coefficient · component + constant`: the components are computed, the sum
+/// is not before it is needed, and then often as a part of another.
 #[derive(Clone)]
 struct AffineValue {
     components: LinearForm,
@@ -111,7 +111,8 @@ impl Back<'_> {
         }
     }
 
-    /// Two carriers in the frame of the direction in which the unknown moves them; returns the unknown.
+    /// Two carriers in the frame of the direction in which the unknown moves them; returns the
+    /// unknown.
     fn take_in_frame(
         &mut self,
         step: &EliminatedUnknown,

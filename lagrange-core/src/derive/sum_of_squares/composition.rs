@@ -20,8 +20,8 @@ pub(super) struct AffineExpansion {
 
 /// The composition of each variable: y = Σ slope·part, hence ÿ = Σ slope·p̈ + drift.
 ///
-/// Variables may be measured from an offset: what is called the acceleration of y is then ÿ plus the offset.
-/// Gravity as the offset of all points leaves no force behind.
+/// Variables may be measured from an offset: what is called the acceleration of y is then ÿ plus
+/// the offset. Gravity as the offset of all points leaves no force behind.
 pub(super) struct Composition {
     parts: HashMap<ExprId, LinearForm>,
     /// Variables made of this one that are still in use.
@@ -84,14 +84,15 @@ impl Composition {
             rates.push((rate, Number::MINUS_ONE));
             offsets.push((offset, Number::MINUS_ONE));
         }
-        // The rates of parts stand in that of the whole as they are; opened, they might not be found.
+        // The rates of parts stand in that of the whole as they are; opened, they might not be
+        // found.
         let own = graph.sum(Number::ZERO, rates);
         offsets.push((own, Number::ONE));
         algebra.total(offsets)
     }
 
-    /// The one variable through which alone `x` enters others, if it does so with a number for a slope. To
-    /// choose its acceleration is to choose that of `x`, and it depends on fewer others.
+    /// The one variable through which alone `x` enters others, if it does so with a number for a
+    /// slope. To choose its acceleration is to choose that of `x`, and it depends on fewer others.
     pub(super) fn only_user(&self, graph: &Graph, x: ExprId) -> Option<(ExprId, Number)> {
         let users = self.users.get(&x)?;
         let user = *users.first().filter(|_| users.len() == 1)?;

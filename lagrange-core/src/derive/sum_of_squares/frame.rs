@@ -11,16 +11,18 @@ use lagrange_expr::number::Number;
 
 /// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
 ///
-/// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is free:
-/// D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares along the normal. No
-/// component is a small difference of large ones, as the Cartesian ones may be.
+/// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is
+/// free: D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares
+/// along the normal. No component is a small difference of large ones, as the Cartesian ones may
+/// be.
 pub(super) struct Frame {
     pub(super) carriers: [(ExprId, AffineExpansion); 2],
     /// Σ wᵢ aᵢ eᵢ / D
     pub(super) bend: ExprId,
 }
 
-/// The frame in which to write the accelerations of two carriers, if the unknown moves them by a unit vector.
+/// The frame in which to write the accelerations of two carriers, if the unknown moves them by a
+/// unit vector.
 pub(super) fn frame(
     carriers: &Carriers,
     algebra: &mut Algebra<'_>,
@@ -30,7 +32,8 @@ pub(super) fn frame(
     let ([x, y], [a, b]) = (carriers.ids.as_slice(), carriers.expansions.as_slice()) else { return None };
     let length = [a, b].map(|e| (e.slope, e.slope, Number::ONE));
     let length = algebra.products(&length);
-    // Without a unit vector there is no frame to turn into, and variables beside the carriers have no component in it.
+    // Without a unit vector there is no frame to turn into, and variables beside the carriers have
+    // no component in it.
     if !algebra.graph.is_one(length) || squares.iter().any(|square| !square.others.is_empty()) {
         return None;
     }
@@ -48,7 +51,8 @@ pub(super) fn frame(
 }
 
 impl Frame {
-    /// The unknown as −Σ factor · variable, but for drift and load: the tangential component less t·y′.
+    /// The unknown as −Σ factor · variable, but for drift and load: the tangential component less
+    /// t·y′.
     pub(super) fn factors(&self, algebra: &mut Algebra<'_>) -> LinearForm {
         let [(_, a), (_, b)] = &self.carriers;
         let mut form: BTreeMap<ExprId, Vec<(ExprId, ExprId, Number)>> = BTreeMap::new();

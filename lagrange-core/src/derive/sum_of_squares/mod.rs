@@ -1,14 +1,16 @@
 //! Elimination that keeps the form a sum of squares.
 //!
-//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination is again a
-//! sum of squares, found by [`rotation`]. That keeps the digits which differences of large entries lose, and on chains and
-//! trees of points it is also the shortest way: between two points a single number stands for a subtree.
+//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination
+//! is again a sum of squares, found by [`rotation`]. That keeps the digits which differences of
+//! large entries lose, and on chains and trees of points it is also the shortest way: between two
+//! points a single number stands for a subtree.
 //!
 //! # The double pendulum in numbers
 //!
-//! Unit lengths and masses and g = 10, the upper rod horizontal (θ₁ = 90°) with θ̇₁ = 1, the lower one hanging from its end (θ₂ = 0)
-//! with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the accelerations of the points, measured from an offset: y is ÿ + 10, so that
-//! gravity is nowhere else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be made minimal.
+//! Unit lengths and masses and g = 10, the upper rod horizontal (θ₁ = 90°) with θ̇₁ = 1, the lower
+//! one hanging from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
+//! accelerations of the points, measured from an offset: y is ÿ + 10, so that gravity is nowhere
+//! else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be made minimal.
 //!
 //! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0):
 //! x₂ = 1 θ̈₂ + x₁, y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
@@ -20,16 +22,18 @@
 //! | minor t₁ y₂ − t₂ x₂, without θ̈₂ | y₁ + 4 |
 //! | left by Lagrange's identity | ½ · (1 · 1 / 1) · (y₁ + 4)² |
 //!
-//! What is left of the two squares of the second point is one, of the acceleration along the lower rod, and that is all that the
-//! upper rod feels of it. **θ̈₁ next.** In ½ (x₁² + y₁² + (y₁ + 4)²) the arms of θ̈₁ are 0, 1, 1:
+//! What is left of the two squares of the second point is one, of the acceleration along the lower
+//! rod, and that is all that the upper rod feels of it. **θ̈₁ next.** In ½ (x₁² + y₁² + (y₁ + 4)²)
+//! the arms of θ̈₁ are 0, 1, 1:
 //!
 //! | | |
 //! |---|---|
 //! | `pivot_0` | 1 + 1 = 2; in symbols m₁ + m₂ sin²(θ₁ − θ₂), a sum as ever |
 //! | stationary | y₁ + (y₁ + 4) = 0, hence y₁ = −2 and θ̈₁ = −12 |
 //!
-//! **Back.** Along and across the upper rod, in the frame of t = (0, 1), the end has `normal_0` = −x₁ = 1 and `minus_tangential_0` = 2.
-//! The lower rod has `normal_1` = y₁ + 4 = 2, and its tangential acceleration is free of load: θ̈₂ + x₁ = 0, so θ̈₂ = 1.
+//! **Back.** Along and across the upper rod, in the frame of t = (0, 1), the end has `normal_0` =
+//! −x₁ = 1 and `minus_tangential_0` = 2. The lower rod has `normal_1` = y₁ + 4 = 2, and its
+//! tangential acceleration is free of load: θ̈₂ + x₁ = 0, so θ̈₂ = 1.
 //!
 //! ```
 //! use std::f64::consts::FRAC_PI_2;
@@ -95,8 +99,9 @@ pub(super) enum Obstacle {
     Size,
 }
 
-/// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities, in the order of the
-/// velocities. `loads` are the linear part of the form without the rates of the squares.
+/// Accelerations from the squares of a Lagrangian without other terms quadratic in the velocities,
+/// in the order of the velocities. `loads` are the linear part of the form without the rates of the
+/// squares.
 pub(super) fn solve_sum_of_squares(
     graph: &mut Graph,
     split: &SplitLagrangian,
@@ -138,7 +143,8 @@ fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Squa
     ids
 }
 
-/// Writes loads along other variables as loads along the variables of squares and generalised velocities.
+/// Writes loads along other variables as loads along the variables of squares and generalised
+/// velocities.
 fn push_loads(
     graph: &mut Graph,
     sweep: &Sweep,
@@ -195,8 +201,9 @@ impl<'g> SquareElimination<'g> {
         let is_steady = graph.dependencies(offset).is_constant_in_motion();
         let one = graph.number(1);
         let mut square = Square { weight, linear: load, form: vec![(u, one)] };
-        // Gravity is such an offset, the same for all points, so that it drops out of their differences. What changes in motion stays a
-        // load, and so does a load on a generalised velocity itself, which no other variable shares.
+        // Gravity is such an offset, the same for all points, so that it drops out of their
+        // differences. What changes in motion stays a load, and so does a load on a generalised
+        // velocity itself, which no other variable shares.
         if is_steady && !self.composition.parts(u).is_empty() {
             self.composition.set_offset(u, offset);
             square.linear = graph.number(0);
@@ -300,7 +307,8 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// The way to the variable to eliminate for a velocity, which is one through which alone it enters.
+    /// The way to the variable to eliminate for a velocity, which is one through which alone it
+    /// enters.
     fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
         let mut ways = Vec::new();
         let mut part = velocity;
@@ -330,8 +338,8 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the length of a
-    /// rod, so that it no longer occurs in them.
+    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the
+    /// length of a rod, so that it no longer occurs in them.
     fn rescale(
         &mut self,
         expansions: &mut OrderedMap<ExprId, AffineExpansion>,
@@ -353,8 +361,8 @@ impl<'g> SquareElimination<'g> {
         scale
     }
 
-    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate of a rod
-    /// squared.
+    /// Writes the drifts of the carriers as multiples of what they have in common, such as the rate
+    /// of a rod squared.
     fn draw_out_of_drifts(
         &mut self,
         expansions: &mut OrderedMap<ExprId, AffineExpansion>,
@@ -373,7 +381,8 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// The load along the unknown; what loads along its carriers mean for other variables is moved there.
+    /// The load along the unknown; what loads along its carriers mean for other variables is moved
+    /// there.
     fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
         let mut along = Vec::new();
         for (&id, expansion) in expansions.iter() {

@@ -1,29 +1,30 @@
 //! Elimination of one unknown from a sum of squares.
 //!
-//! A sum of squares Σ ½ wᵢ rᵢ² with rᵢ = aᵢ x + pᵢ is minimal over x where D x = −Σ wᵢ aᵢ pᵢ, D = Σ wᵢ aᵢ², and
-//! what is left is again a sum of squares, by Lagrange's identity
+//! A sum of squares Σ ½ wᵢ rᵢ² with rᵢ = aᵢ x + pᵢ is minimal over x where D x = −Σ wᵢ aᵢ pᵢ, D = Σ
+//! wᵢ aᵢ², and what is left is again a sum of squares, by Lagrange's identity
 //!
 //! ```text
 //! Σ wᵢ pᵢ² − (Σ wᵢ aᵢ pᵢ)² / D = Σ_{i<j} (wᵢ wⱼ / D) (aᵢ pⱼ − aⱼ pᵢ)².
 //! ```
 //!
-//! In numbers: of ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)² the pivot is D = 1 + 2 = 3, the minimum is at x = −(3 + 12)/3 = −5, and what is
-//! left is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3, as −5 in the squares themselves gives: ½ · 4 + ½ · 2 · 1.
+//! In numbers: of ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)² the pivot is D = 1 + 2 = 3, the minimum is at
+//! x = −(3 + 12)/3 = −5, and what is left is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3, as −5 in the
+//! squares themselves gives: ½ · 4 + ½ · 2 · 1.
 //!
-//! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares computations by
-//! Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973), 329–336): one square keeps x
-//! and the other loses it. No difference of squares occurs, as in a Schur complement, and the condition
-//! of the mass matrix enters by its square root.
+//! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares
+//! computations by Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973),
+//! 329–336): one square keeps x and the other loses it. No difference of squares occurs, as in a
+//! Schur complement, and the condition of the mass matrix enters by its square root.
 //!
-//! Where x enters through variables y_k = t_k x + y′_k, as the angle of a rod does through the velocity of its
-//! end, rᵢ = Σ Jᵢₖ y_k, then
+//! Where x enters through variables y_k = t_k x + y′_k, as the angle of a rod does through the
+//! velocity of its end, rᵢ = Σ Jᵢₖ y_k, then
 //!
 //! ```text
 //! aᵢ pⱼ − aⱼ pᵢ = Σ_{k<l} (Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ) (t_k y′_l − t_l y′_k),
 //! ```
 //!
-//! so that what is left depends on the y′ only by way of the *minors* t_k y′_l − t_l y′_k. A rod between two
-//! points has a single one: the acceleration of its end across it.
+//! so that what is left depends on the y′ only by way of the *minors* t_k y′_l − t_l y′_k. A rod
+//! between two points has a single one: the acceleration of its end across it.
 
 use std::collections::BTreeMap;
 
@@ -34,8 +35,9 @@ use lagrange_algebra::simplify::{self, never_vanishes};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Squares times variables up to which they are rotated one after the other. Every rotation may fill in all variables,
-/// so that many squares of many variables cost far more than the mass matrix that they add up to.
+/// Squares times variables up to which they are rotated one after the other. Every rotation may
+/// fill in all variables, so that many squares of many variables cost far more than the mass matrix
+/// that they add up to.
 const LARGEST_ROTATION: usize = 1000;
 
 /// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.
@@ -53,14 +55,16 @@ pub(super) struct Pull {
     pub(super) applied: ExprId,
 }
 
-/// Eliminates the unknown; returns what it depends on and the squares that are left. `None` if those would be too many.
+/// Eliminates the unknown; returns what it depends on and the squares that are left. `None` if
+/// those would be too many.
 pub(super) fn eliminate(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,
     squares: &[Carried],
 ) -> Option<(Pull, Vec<Square>)> {
     let is_single_minor = carriers.minors.len() < 2 && squares.iter().all(|square| square.others.is_empty());
-    // All pairs of squares are then multiples of one form and add up to a single square, without rotations.
+    // All pairs of squares are then multiples of one form and add up to a single square, without
+    // rotations.
     if is_single_minor {
         let pull = pull(algebra, carriers, squares);
         // What depends on no acceleration cannot be made smaller.
@@ -97,7 +101,8 @@ fn rotate(algebra: &mut Algebra<'_>, carriers: &Carriers, squares: &[Carried]) -
     (pull, left)
 }
 
-/// The square that loses the unknown and the one that keeps it, with a guard unless the pivot is certain not to vanish.
+/// The square that loses the unknown and the one that keeps it, with a guard unless the pivot is
+/// certain not to vanish.
 fn rotate_pair(
     algebra: &mut Algebra<'_>,
     carriers: &Carriers,

@@ -1,4 +1,5 @@
-//! Squares that hold an unknown by way of variables, and the minors that are left of them without it.
+//! Squares that hold an unknown by way of variables, and the minors that are left of them without
+//! it.
 
 use std::collections::BTreeMap;
 

@@ -1,8 +1,9 @@
 //! Domains of what is written on fixed sides of switches.
 //!
-//! A step looks at states beyond a surface before the surface is located in it. |x|^(3/2) written as (s x)^(3/2) would have no value
-//! there, nor would the first branch of `if x > 0 { sqrt(x) } else { 0 }`. So an argument that a function restricts is brought
-//! back into the domain beyond the surfaces that it depends on or is chosen by, and nowhere else:
+//! A step looks at states beyond a surface before the surface is located in it. |x|^(3/2) written
+//! as (s x)^(3/2) would have no value there, nor would the first branch of
+//! `if x > 0 { sqrt(x) } else { 0 }`. So an argument that a function restricts is brought back into
+//! the domain beyond the surfaces that it depends on or is chosen by, and nowhere else:
 //!
 //! | argument | beyond one of its surfaces |
 //! |---|---|
@@ -10,9 +11,11 @@
 //! | of `asin` and `acos` | the nearest number from −1 to 1 |
 //! | of tables with `outside: error` | the nearest number between their ends |
 //!
-//! On the sides themselves the values are those of the declaration, NaN included, and they are continuous across the surfaces.
-//! What is singular at its surface, as |x|^(−1/2) is, has no value beyond: no step leads across. Where max(a, x)^(−1/2) becomes a^(−1/2),
-//! nothing is singular, and the base is kept as that of roots is. x |x|^(−1/2) is not singular, as s |x|^(1/2) shows, nor is x |x|^(p − 1) for positive p.
+//! On the sides themselves the values are those of the declaration, NaN included, and they are
+//! continuous across the surfaces. What is singular at its surface, as |x|^(−1/2) is, has no value
+//! beyond: no step leads across. Where max(a, x)^(−1/2) becomes a^(−1/2), nothing is singular, and
+//! the base is kept as that of roots is. x |x|^(−1/2) is not singular, as s |x|^(1/2) shows, nor is
+//! x |x|^(p − 1) for positive p.
 
 use super::Side;
 use lagrange_algebra::calculus::substitute;
@@ -46,7 +49,8 @@ impl<'a> Domains<'a> {
         Domains { sides, chosen_by }
     }
 
-    /// Rebuilds a node with its argument kept in the domain; `None` if the node has no restricted argument.
+    /// Rebuilds a node with its argument kept in the domain; `None` if the node has no restricted
+    /// argument.
     pub(super) fn keep(
         &self,
         graph: &mut Graph,
@@ -138,8 +142,8 @@ impl<'a> Domains<'a> {
         surfaces.into_iter().fold(mapped, |rest, side| beyond(graph, side, inside, rest))
     }
 
-    /// Returns the base of a negative power on its sides, and positive beyond surfaces where it does not vanish: as declared if that is
-    /// never negative, else its magnitude.
+    /// Returns the base of a negative power on its sides, and positive beyond surfaces where it
+    /// does not vanish. There it is as declared if that is never negative, else its magnitude.
     fn kept_off_poles(
         &self,
         graph: &mut Graph,
@@ -254,7 +258,8 @@ impl<'a> Domains<'a> {
         factors
     }
 
-    /// Writes xᵐ |c x|ᵖ at this place as sᵐ c⁻ᵐ |c x|ᵐ⁺ᵖ, and |x|ᵐ |c x|ᵖ without the sign, where p is not a number.
+    /// Writes xᵐ |c x|ᵖ at this place as sᵐ c⁻ᵐ |c x|ᵐ⁺ᵖ, and |x|ᵐ |c x|ᵖ without the sign, where p
+    /// is not a number.
     fn join_power(
         &self,
         graph: &mut Graph,

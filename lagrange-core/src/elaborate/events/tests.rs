@@ -218,19 +218,6 @@ fn ends_of_the_range_of_restitution_are_possible() {
     }
 }
 
-#[test]
-fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
-    let events = |count: usize| -> String {
-        (0..count).map(|i| format!("event e{i} = x - {i}, rising => record;")).collect()
-    };
-    let (dry, smooth) = ("friction dry = dot(x), 1;", "friction smooth = dot(x), 1, smooth: 1;");
-    assert_eq!(model(&format!("{smooth} {}", events(32))).events.len(), 32);
-    assert_eq!(model(&format!("{dry} {}", events(31))).events.len(), 31);
-    for text in [events(33), format!("{dry} {}", events(32)), format!("{} {dry}", events(32))] {
-        assert!(mistake(&text).ends_with("a system can have at most 32 events"));
-    }
-}
-
 /// The warnings about a point with these statements, which are right.
 fn warnings(statements: &str) -> String {
     let mut report = Report::default();

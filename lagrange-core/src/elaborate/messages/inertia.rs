@@ -1,4 +1,5 @@
-//! Diagnostics for mass geometry: calls of its functions, and obligations about masses and moments of inertia.
+//! Diagnostics for mass geometry: calls of its functions, and obligations about masses and moments
+//! of inertia.
 
 use lagrange_expr::diagnostics::messages;
 

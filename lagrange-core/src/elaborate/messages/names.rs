@@ -1,4 +1,5 @@
-//! Diagnostics for names and functions: declared twice, too late, not at all, or spelt as they are elsewhere.
+//! Diagnostics for names and functions: declared twice, too late, not at all, or spelt as they are
+//! elsewhere.
 
 use lagrange_expr::diagnostics::messages;
 

@@ -36,7 +36,8 @@ fn of_mass(statements: &str) -> String {
     })
 }
 
-/// What is reported of `let rod = …;` as a stated moment of inertia beside `let shape = …;` as that of the shape.
+/// What is reported of `let rod = …;` as a stated moment of inertia beside `let shape = …;` as that
+/// of the shape.
 fn of_inertia(statements: &str) -> String {
     reported(statements, |declaration| {
         let (stated, body) = named(declaration, "rod");

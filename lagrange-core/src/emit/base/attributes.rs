@@ -1,7 +1,8 @@
 //! Attributes of the head, and what they mean for everything else that is emitted.
 //!
-//! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about the declaration, too; what is
-//! expected of these is expected of them alone, since the struct never fulfils it.
+//! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about
+//! the declaration, too; what is expected of these is expected of them alone, since the struct
+//! never fulfils it.
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
@@ -53,7 +54,8 @@ impl Attribute<'_> {
         Some(quote!(#[derive(#(#kept),*)]))
     }
 
-    /// Attribute with those of its lints that are `chosen`, and the reason; `None` without such a lint.
+    /// Attribute with those of its lints that are `chosen`, and the reason; `None` without such a
+    /// lint.
     fn with(&self, level: &str, chosen: impl Fn(&str) -> bool) -> Option<TokenStream> {
         let is_reason = |argument: &TokenStream| argument.to_string().starts_with("reason =");
         let (reasons, lints): (Vec<_>, Vec<_>) = self.arguments().into_iter().partition(is_reason);
@@ -89,7 +91,8 @@ pub(in crate::emit) fn of_warnings(attributes: &TokenStream, lints: &[&str]) -> 
     })
 }
 
-/// Expectations of one of these lints, with the conditions of the struct; nothing if there are none.
+/// Expectations of one of these lints, with the conditions of the struct; nothing if there are
+/// none.
 pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) -> TokenStream {
     let expected = mapped(attributes, |attribute| match attribute.is("expect") {
         true => attribute.with("expect", |lint| lints.contains(&lint)),
@@ -99,8 +102,8 @@ pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) ->
     if expected.is_empty() { expected } else { quote!(#conditions #expected) }
 }
 
-/// The attributes that the struct keeps: what is expected of warnings about the declaration is only allowed there, and traits
-/// that were reported not to be derivable are left out.
+/// The attributes that the struct keeps: what is expected of warnings about the declaration is only
+/// allowed there, and traits that were reported not to be derivable are left out.
 pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic]) -> TokenStream {
     let underivable = declaration.underivable();
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));

@@ -159,7 +159,8 @@ fn bound_fields(shape: &Shape<'_>, model: &Model, used: &[Role], names: &mut Nam
     let bound = shape.number_fields().into_iter().filter_map(|field| {
         let own = roles.by_ref().take(field.names.len()).collect::<Vec<_>>();
         own.iter().any(|role| used.contains(role)).then(|| {
-            // A field can be named from the macro's side, and must be, for the local to be the macro's.
+            // A field can be named from the macro's side, and must be, for the local to be the
+            // macro's.
             let locals = own.into_iter().map(|role| match used.contains(&role) {
                 true => names.role(symbols, role).into_token_stream(),
                 false => quote!(_),

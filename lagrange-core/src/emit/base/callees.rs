@@ -1,4 +1,5 @@
-//! Functions of the user's crate: where they are named, and derivatives that are called and not named.
+//! Functions of the user's crate: where they are named, and derivatives that are called and not
+//! named.
 
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::opaque::Opaque;
@@ -36,7 +37,8 @@ fn externals(declaration: &Declaration) -> impl Iterator<Item = &ExternalFunctio
     })
 }
 
-/// Reports at the declaration of each function which of its derivatives is missing, and where that comes from.
+/// Reports at the declaration of each function which of its derivatives is missing, and where that
+/// comes from.
 pub(in crate::emit) fn report_missing(
     declaration: &Declaration,
     missing: &[MissingDerivative],

@@ -43,8 +43,8 @@ const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
-/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep them
-/// short; `None` if even that would be too long to read.
+/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep
+/// them short; `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
     if model.speeds.len() > MAX_COORDINATES {
         return None;
@@ -65,8 +65,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
-/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep them
-/// short; nothing if M is large and was not asked for.
+/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep
+/// them short; nothing if M is large and was not asked for.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     if equations.mass_matrix.is_empty() {
         return String::new();
@@ -108,7 +108,8 @@ fn right_sides(model: &mut Model, equations: &Equations) -> Vec<ExprId> {
     sides
 }
 
-/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint, then each state and its rate.
+/// The left and the right side of each row of M q̈ = f + Aᵀλ, then of each constraint, then each
+/// state and its rate.
 fn sides(model: &mut Model, equations: &Equations, right: &[ExprId]) -> Vec<ExprId> {
     let mass = readable(&mut model.graph, &equations.mass_matrix.concat());
     let rows = mass.chunks(right.len().max(1)).zip(right);

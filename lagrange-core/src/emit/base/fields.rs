@@ -36,7 +36,8 @@ impl Field {
         })
     }
 
-    /// The field with values or patterns for its names, as it stands in a literal or a pattern of the struct.
+    /// The field with values or patterns for its names, as it stands in a literal or a pattern of
+    /// the struct.
     pub(in crate::emit) fn with(&self, values: &[TokenStream]) -> TokenStream {
         let field = &self.identifier;
         let value = self.nested(values);
@@ -74,7 +75,8 @@ impl Field {
     }
 }
 
-/// Fields for names in their order: arrays where all names of one follow each other, numbers elsewhere. No two have the same name.
+/// Fields for names in their order: arrays where all names of one follow each other, numbers
+/// elsewhere. No two have the same name.
 pub(in crate::emit) fn fields(names: &[&Name], arrays: &[DeclaredArray]) -> Vec<Field> {
     let firsts = arrays.iter().filter_map(|array| Some((array.elements.first()?.name.clone(), array)));
     let firsts = firsts.collect::<HashMap<_, _>>();
@@ -112,7 +114,8 @@ fn without_clashes(fields: Vec<Field>) -> Vec<Field> {
     fields.into_iter().flat_map(apart).collect()
 }
 
-/// A literal or a pattern of a struct with these fields, of values or patterns for all names in their order.
+/// A literal or a pattern of a struct with these fields, of values or patterns for all names in
+/// their order.
 pub(in crate::emit) fn entries(fields: &[Field], values: &[TokenStream]) -> Vec<TokenStream> {
     let mut rest = values;
     let entries = fields.iter().map(|field| {
@@ -157,7 +160,8 @@ impl Shape<'_> {
         self.number_fields().into_iter().map(|field| field.identifier).collect()
     }
 
-    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`; with the marker, if there is one.
+    /// These fields, those of modes among them, in a literal of the struct, as they are in `self`;
+    /// with the marker, if there is one.
     pub(in crate::emit) fn kept_fields(&self, keeps: impl Fn(&Name) -> bool) -> TokenStream {
         let kept = self.fields.iter().copied().filter(|name| keeps(name)).collect::<Vec<_>>();
         let modes = self.fields_of_modes().filter(|name| keeps(name)).map(identifier);

@@ -3,7 +3,8 @@
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use lagrange_language::syntax::print;
 
-/// Returns a number that tells what a declaration says from what others say: its statements with the numbers of tables, and its accuracy.
+/// Returns a number that tells what a declaration says from what others say: its statements with
+/// the numbers of tables, and its accuracy.
 ///
 /// Comments, documentation, pictures and the layout of the source are no part of it.
 pub fn fingerprint(declaration: &Declaration) -> u64 {
@@ -15,7 +16,8 @@ pub fn fingerprint(declaration: &Declaration) -> u64 {
 
 /// The hash FNV-1a of 64 bits, which is the same on every platform and in every version of Rust.
 ///
-/// Source: Fowler, Noll, Vo, Eastlake, Hansen, *The FNV Non-Cryptographic Hash Algorithm*, draft-eastlake-fnv, §2.
+/// Source: Fowler, Noll, Vo, Eastlake, Hansen, *The FNV Non-Cryptographic Hash Algorithm*,
+/// draft-eastlake-fnv, §2.
 fn fnv1a(text: &str) -> u64 {
     const BASIS: u64 = 0xcbf2_9ce4_8422_2325;
     const PRIME: u64 = 0x0000_0100_0000_01b3;

@@ -21,7 +21,8 @@ const NAMED: [f64; 10] = [
     consts::LOG2_10,
     consts::LOG10_2,
 ];
-/// Distance, relative to a constant, from which on nothing is taken for it or for its multiples by powers of two.
+/// Distance, relative to a constant, from which on nothing is taken for it or for its multiples by
+/// powers of two.
 const UNLIKE: f64 = 1e-3;
 
 /// True of constants that are rounded, or look like those of the standard library.

@@ -52,7 +52,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) callees: Vec<Opaque>,
     /// Functions that solve equations.
     pub(in crate::emit) solvers: TokenStream,
-    /// Statements and a list of the unknowns that rates are made of, each with its name and its value.
+    /// Statements and a list of the unknowns that rates are made of, each with its name and its
+    /// value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
     /// True if explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
@@ -108,7 +109,8 @@ pub(in crate::emit) struct Prepared {
 pub(in crate::emit) struct Lanes {
     /// The body of `Equations::rhs`.
     pub(in crate::emit) rhs: TokenStream,
-    /// The body of the method that says on which sides of its switches each motion is, if there are any.
+    /// The body of the method that says on which sides of its switches each motion is, if there are
+    /// any.
     pub(in crate::emit) sides: Option<TokenStream>,
     /// Documentation of the type.
     pub(in crate::emit) docs: String,

@@ -1,4 +1,5 @@
-//! Common ground of features: the shape of the emitted type, methods and their arguments, documentation, limits of size.
+//! Common ground of features: the shape of the emitted type, methods and their arguments,
+//! documentation, limits of size.
 
 pub(super) mod attributes;
 pub(super) mod bindings;

@@ -60,8 +60,8 @@ fn demand(declaration: &Declaration, product: Product) -> Span {
     items.flatten().rfind(is_demand).map_or(declaration.name.span, |item| item.product.span)
 }
 
-/// Reports constants that the scalar cannot represent and that only derivation makes: what the user wrote has been
-/// checked.
+/// Reports constants that the scalar cannot represent and that only derivation makes: what the user
+/// wrote has been checked.
 fn report_too_large(declaration: &Declaration, constants: &[String], report: &mut Report) {
     let (scalar, largest) = match &declaration.scalar {
         ScalarType::F32 => ("f32", f64::from(f32::MAX)),

@@ -105,7 +105,8 @@ impl<'a> Shape<'a> {
                 StatementKind::Output(name, value) => {
                     shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
                 }
-                // Part of the state, of the equations or of other types, or gone once the declaration is plain.
+                // Part of the state, of the equations or of other types, or gone once the
+                // declaration is plain.
                 StatementKind::Coordinates(_)
                 | StatementKind::States(_)
                 | StatementKind::Quaternion(_)
@@ -161,7 +162,8 @@ impl<'a> Shape<'a> {
         }
     }
 
-    /// Names and directions of all events, as declared and then those of friction. Those that switch modes have no direction.
+    /// Names and directions of all events, as declared and then those of friction. Those that
+    /// switch modes have no direction.
     pub(in crate::emit) fn event_names(&self) -> Vec<(&'a Name, Option<Direction>)> {
         let declared = self.events.iter().map(|event| match event.action {
             Action::Impact(_) => (&event.name, None),

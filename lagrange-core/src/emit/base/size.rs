@@ -1,7 +1,8 @@
 //! Cost of emitted code to the compiler, and from where on it is worth a warning or too much.
 //!
-//! Emitted methods are straight-line code, so that the compiler's time and memory are proportional to their size.
-//! The rates were measured with `tools/compile_time.py --large`; `docs/performance.md` shows from what.
+//! Emitted methods are straight-line code, so that the compiler's time and memory are proportional
+//! to their size. The rates were measured with `tools/compile_time.py --large`;
+//! `docs/performance.md` shows from what.
 
 use super::messages;
 use crate::derive::most_coupled;
@@ -47,7 +48,8 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
-/// Reports more of a kind than can be derived, at the first one too many, before anything is found out about them.
+/// Reports more of a kind than can be derived, at the first one too many, before anything is found
+/// out about them.
 pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
     let names = |of: fn(&StatementKind) -> Vec<&Name>| {
         declaration.statements.iter().flat_map(|statement| of(&statement.kind)).collect::<Vec<_>>()
@@ -107,9 +109,10 @@ fn events(kind: &StatementKind) -> Vec<&Name> {
     }
 }
 
-/// Reports a model from which more would follow than can be emitted, before anything is derived from it: methods
-/// hold about as many operations as energies have expressions, Jacobians an entry for each row and column, and mass matrices one for
-/// every two velocities that move the same part. `None` if there is no point in deriving.
+/// Reports a model from which more would follow than can be emitted, before anything is derived
+/// from it: methods hold about as many operations as energies have expressions, Jacobians an entry
+/// for each row and column, and mass matrices one for every two velocities that move the same part.
+/// `None` if there is no point in deriving.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
     let excess = model.constraints.len().saturating_sub(model.speeds.len());
     if excess > MAX_DEPENDENT_CONSTRAINTS {

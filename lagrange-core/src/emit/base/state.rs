@@ -1,4 +1,5 @@
-//! The state of an emitted system as a struct with named fields, and tables of states with named columns.
+//! The state of an emitted system as a struct with named fields, and tables of states with named
+//! columns.
 
 use proc_macro2::{Ident, Span, TokenStream};
 use quote::{ToTokens, quote};
@@ -185,7 +186,8 @@ fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
         let line = lines.by_ref().take(field.names.len()).collect::<Vec<_>>().into_iter().next()?.of(&field);
         let number = first;
         first += field.names.len();
-        // At the user's place but the macro's own, so that nobody is told about columns that are never used.
+        // At the user's place but the macro's own, so that nobody is told about columns that are
+        // never used.
         let name =
             Ident::new(&field.identifier.to_string(), Span::mixed_site().located_at(field.identifier.span()));
         let docs = doc(&line.text);
@@ -208,8 +210,8 @@ fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
     columns.collect()
 }
 
-/// Arguments for the indices of an array, and the number of the column of that element. An array of units panics in the place of the
-/// column of something else.
+/// Arguments for the indices of an array, and the number of the column of that element. An array of
+/// units panics in the place of the column of something else.
 fn indexed(field: &Field, first: usize) -> (TokenStream, TokenStream) {
     let mut names = Names::default();
     let indices = field.sizes.iter().map(|_| names.fresh("index")).collect::<Vec<_>>();

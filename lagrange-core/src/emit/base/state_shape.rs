@@ -1,4 +1,5 @@
-//! Shape of the state of an emitted system: how many positions and velocities it has, and what they are called.
+//! Shape of the state of an emitted system: how many positions and velocities it has, and what they
+//! are called.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -34,7 +35,8 @@ impl Shape<'_> {
         position + self.states >= self.coordinates.len()
     }
 
-    /// True if names of velocities must be said, since they do not follow from those of the positions.
+    /// True if names of velocities must be said, since they do not follow from those of the
+    /// positions.
     pub(in crate::emit) fn names_velocities(&self) -> bool {
         let has_states = self.states > 0;
         has_states
@@ -73,7 +75,8 @@ impl Shape<'_> {
         fields(&names.iter().collect::<Vec<_>>(), &arrays)
     }
 
-    /// `<S: Copy>` or nothing, for conversions of states and inputs: what is in an array is copied out of it.
+    /// `<S: Copy>` or nothing, for conversions of states and inputs: what is in an array is copied
+    /// out of it.
     pub(in crate::emit) fn copied_generics(&self, fields: &[Field]) -> TokenStream {
         match &self.declaration.scalar {
             ScalarType::Generic(name) if fields.iter().any(Field::is_array) => {

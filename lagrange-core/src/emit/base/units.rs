@@ -16,7 +16,8 @@ impl Shape<'_> {
         self.units.get(name).map(|named| named.unit.as_str())
     }
 
-    /// ` in m`, as it follows a name, with a default that is written in another unit; nothing for plain numbers and where no unit is known.
+    /// ` in m`, as it follows a name, with a default that is written in another unit; nothing for
+    /// plain numbers and where no unit is known.
     pub(in crate::emit) fn in_unit(&self, name: &str) -> String {
         match self.units.get(name) {
             Some(NamedUnit { unit, default: Some(default) }) if self.is_alike(name) => {

@@ -48,7 +48,8 @@ impl<'a> MethodWriter<'a> {
         MethodWriter { shape, model, equations, members, labels, size, unrepresentable }
     }
 
-    /// The members with their size, if the compiler could get through them and the scalar has all their constants.
+    /// The members with their size, if the compiler could get through them and the scalar has all
+    /// their constants.
     pub(in crate::emit) fn finish(self) -> Result<(Members, Size), Refusal> {
         if self.size.is_hopeless() {
             return Err(Refusal::Size);
@@ -110,8 +111,8 @@ impl<'a> MethodWriter<'a> {
         });
     }
 
-    /// A body that computes `roots` on the sides of the switches that the system is on, and makes its result of them, unless those
-    /// before it are too large already.
+    /// A body that computes `roots` on the sides of the switches that the system is on, and makes
+    /// its result of them, unless those before it are too large already.
     pub(in crate::emit) fn lowered(
         &mut self,
         roots: &[ExprId],
@@ -246,7 +247,8 @@ impl<'a> MethodWriter<'a> {
         self.written(program, scalar, names)
     }
 
-    /// A program as statements and results; `None` if it holds constants that are too large, which is kept in mind.
+    /// A program as statements and results; `None` if it holds constants that are too large, which
+    /// is kept in mind.
     fn written(&mut self, program: &Program, scalar: &Scalar, names: &mut Names) -> Option<FunctionBody> {
         self.members.has_rounded_constants |= program.values().any(|(_, op)| looks_rounded(op));
         self.shape.callees.iter().for_each(|callee| names.place_callee(&callee.text, callee.span));

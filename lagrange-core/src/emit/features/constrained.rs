@@ -13,7 +13,8 @@ use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::ExprId;
 
-/// Number of coordinates up to which dependent constraints are made good; a matrix of more is too large for the stack.
+/// Number of coordinates up to which dependent constraints are made good; a matrix of more is too
+/// large for the stack.
 const LARGEST_REDUNDANT: usize = 100;
 
 const MULTIPLIERS: [&str; 2] = [
@@ -21,7 +22,8 @@ const MULTIPLIERS: [&str; 2] = [
     "constraint on a length is the force along it.",
 ];
 
-/// `acceleration` and `multipliers`, and the methods of `ConstrainedSystem`; the operations of the first.
+/// `acceleration` and `multipliers`, and the methods of `ConstrainedSystem`; the operations of the
+/// first.
 pub(in crate::emit) fn write_constrained(writer: &mut MethodWriter<'_>, docs: &[&str]) -> OperationCounts {
     write_hooks(writer);
     if is_guarded(writer) {
@@ -55,7 +57,8 @@ fn write_free_momentum_rates(writer: &mut MethodWriter<'_>) {
     writer.members.canonical.push(Method { name, docs, arguments: Arguments::State, returns, body });
 }
 
-/// A method that returns `roots`, or where constraints depend on each other this field of what `redundant_motion` returns.
+/// A method that returns `roots`, or where constraints depend on each other this field of what
+/// `redundant_motion` returns.
 fn write_guarded(
     writer: &mut MethodWriter<'_>,
     name: &str,
@@ -115,7 +118,8 @@ fn write_correction(writer: &mut MethodWriter<'_>) {
     writer.push_constrained("correction", Arguments::Residuals, Returns::Vector(roots.len()), body);
 }
 
-/// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v by the velocities, which takes as long as the momenta.
+/// Writes `ConstrainedSystem::mass_times`: M a is the gradient of a · ∂L/∂v by the velocities,
+/// which takes as long as the momenta.
 fn write_mass_times(writer: &mut MethodWriter<'_>) {
     let (lagrangian, velocities) = (writer.model.lagrangian, writer.model.velocities());
     let changes = writer.model.speeds.iter().map(|speed| speed.acceleration).collect::<Vec<_>>();
@@ -151,8 +155,8 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let violation = quote!(#krate::constraint::Violation<#scalar>);
     quote! {
-        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass matrix where they
-        /// are found measures distances: first positions, then velocities.
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the
+        /// mass matrix where they are found measures distances: first positions, then velocities.
         ///
         /// # Errors
         /// If that does not succeed; both are then what they were.
@@ -233,8 +237,8 @@ fn dense_scales(shape: &Shape<'_>, members: &Members) -> TokenStream {
     }
 }
 
-/// Members for methods that are symplectic for any mass matrix, about the constraints. Of more constraints than coordinates, some
-/// depend on others: states are then corrected after steps.
+/// Members for methods that are symplectic for any mass matrix, about the constraints. Of more
+/// constraints than coordinates, some depend on others: states are then corrected after steps.
 pub(in crate::emit) fn canonical_constraints(
     shape: &Shape<'_>,
     members: &Members,

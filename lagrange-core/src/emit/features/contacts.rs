@@ -1,4 +1,5 @@
-//! Members for contacts and friction: fields for their modes, and what run-time code must know of their forces.
+//! Members for contacts and friction: fields for their modes, and what run-time code must know of
+//! their forces.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -57,7 +58,8 @@ pub(in crate::emit) fn write_touching(writer: &mut MethodWriter<'_>, docs: &[&st
     counts
 }
 
-/// The accelerations as they are without reactions where none acts, and otherwise what `otherwise` computes.
+/// The accelerations as they are without reactions where none acts, and otherwise what `otherwise`
+/// computes.
 fn write_acceleration(
     writer: &mut MethodWriter<'_>,
     docs: &[&str],

@@ -8,8 +8,8 @@ use crate::emit::base::writer::MethodWriter;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::ExprId;
 
-/// `acceleration`, which goes a second way where a pivot vanishes or is small; its operations. Mass matrix and forcing are there for
-/// it: most of them was computed anyway.
+/// `acceleration`, which goes a second way where a pivot vanishes or is small; its operations. Mass
+/// matrix and forcing are there for it: most of them was computed anyway.
 pub(in crate::emit) fn write_indefinite(
     writer: &mut MethodWriter<'_>,
     docs: &[&str],

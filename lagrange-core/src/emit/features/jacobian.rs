@@ -1,10 +1,12 @@
 //! Jacobians of the right-hand side ẏ = [q̇, a], as methods.
 //!
-//! Positions q are displaced to q + N(q) δ, and with them velocities to v + ε. Where velocities are rates of coordinates, δ̇ = ε. Of a unit
-//! quaternion δ is a small turn along the turned axes, which turn with ω: δ̇ = ε − ω × δ. Accelerations follow by the chain rule,
-//! ε̇ = ∂a/∂q N δ + ∂a/∂v ε.
+//! Positions q are displaced to q + N(q) δ, and with them velocities to v + ε. Where velocities are
+//! rates of coordinates, δ̇ = ε. Of a unit quaternion δ is a small turn along the turned axes,
+//! which turn with ω: δ̇ = ε − ω × δ. Accelerations follow by the chain rule, ε̇ = ∂a/∂q N δ +
+//! ∂a/∂v ε.
 //!
-//! Source: Sola, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", 2018, §IV.
+//! Source: Sola, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", 2018,
+//! §IV.
 
 use crate::model::Model;
 use lagrange_algebra::calculus::jacobian;

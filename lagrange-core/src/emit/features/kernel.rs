@@ -1,7 +1,9 @@
-//! The equations of motion as C, for graphics processors: constants with the text, and the trait by which a driver finds what belongs to it.
+//! The equations of motion as C, for graphics processors: constants with the text, and the trait by
+//! which a driver finds what belongs to it.
 //!
-//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else. Conditions, kinks and jumps are decided as the
-//! state says, since nobody there looks for the places where they change.
+//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else.
+//! Conditions, kinks and jumps are decided as the state says, since nobody there looks for the
+//! places where they change.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -131,7 +133,8 @@ pub(in crate::emit) fn kernel_constants(double: &str, single: &str) -> TokenStre
     }
 }
 
-/// Text as a literal of several lines, in which names and prelude are ASCII and no quotation mark is followed by a hash.
+/// Text as a literal of several lines, in which names and prelude are ASCII and no quotation mark
+/// is followed by a hash.
 fn raw(text: &str) -> Literal {
     format!("r#\"{text}\"#").parse().unwrap_or_else(|_| Literal::string(text))
 }

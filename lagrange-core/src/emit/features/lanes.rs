@@ -1,8 +1,8 @@
 //! The type for numbers side by side: right-hand side, and parameters of as many motions.
 //!
-//! Where equations have switches it is on the side that each motion is on at that state, as the system is while its switches are free.
-//! Runs fix sides and stop at each surface, which motions side by side do at different times: such a system does not offer its type
-//! to ensembles.
+//! Where equations have switches it is on the side that each motion is on at that state, as the
+//! system is while its switches are free. Runs fix sides and stop at each surface, which motions
+//! side by side do at different times: such a system does not offer its type to ensembles.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -158,7 +158,8 @@ fn system_impl(shape: &Shape<'_>) -> TokenStream {
     }
 }
 
-/// `MechanicalSystem::with_lanes`, unless there are surfaces at which each motion would stop at a time of its own.
+/// `MechanicalSystem::with_lanes`, unless there are surfaces at which each motion would stop at a
+/// time of its own.
 pub(in crate::emit) fn with_lanes(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, visitor_type, visitor) = (shape.krate, shape.other_type_parameter("V"), local("visitor"));
     let is_offered = members.lanes.is_some() && shape.switches.is_empty();

@@ -1,4 +1,5 @@
-//! Members for inputs and outputs: a struct of the inputs, and the traits by which runs set and record them.
+//! Members for inputs and outputs: a struct of the inputs, and the traits by which runs set and
+//! record them.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};

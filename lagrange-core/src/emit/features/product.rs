@@ -35,7 +35,8 @@ pub(in crate::emit) fn plan(
     Some(Plan { docs, arguments, returns, roots })
 }
 
-/// Arguments and result of a product's method, if it has one; `is_moving` says whether the mass matrix depends on velocities.
+/// Arguments and result of a product's method, if it has one; `is_moving` says whether the mass
+/// matrix depends on velocities.
 pub(in crate::emit) fn signature(
     product: Product,
     shape: &Shape<'_>,

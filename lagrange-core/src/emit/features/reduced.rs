@@ -1,4 +1,5 @@
-//! Reduced types: what is said of them, and how they and their states convert to the whole system and back.
+//! Reduced types: what is said of them, and how they and their states convert to the whole system
+//! and back.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -72,7 +73,8 @@ const EXPANDED: [&str; 2] = [
     "it to first order. Outputs are exact.",
 ];
 
-/// Conversions between a system and a reduced type of it; `None` if a value is too large for the scalar, which is reported.
+/// Conversions between a system and a reduced type of it; `None` if a value is too large for the
+/// scalar, which is reported.
 pub fn conversions(
     (full, model, equations): (&Declaration, &Model, &Equations),
     (part, reduced, reduced_equations): (&Declaration, &Reduced, &Equations),
@@ -175,7 +177,8 @@ fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Resul
     Ok(inherent_impl(full, part, &expand, &deviation))
 }
 
-/// For each entry of the state of one shape, the same entry in the state of another; nothing where that has none.
+/// For each entry of the state of one shape, the same entry in the state of another; nothing where
+/// that has none.
 fn values_of(of: &Shape<'_>, (other, fields): (&Shape<'_>, &[Field]), state: &Ident) -> Vec<TokenStream> {
     let names = other.state_names().into_iter().map(|name| name.text);
     let places = names.zip(places(fields)).collect::<HashMap<_, _>>();
@@ -185,7 +188,8 @@ fn values_of(of: &Shape<'_>, (other, fields): (&Shape<'_>, &[Field]), state: &Id
     values.collect()
 }
 
-/// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a value of zero.
+/// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a
+/// value of zero.
 fn pinned<'v>(
     all: &[Pinned],
     values: &'v [Option<TokenStream>],
@@ -199,8 +203,8 @@ fn pinned<'v>(
     is_pinned(full.position_of(&full.velocities[velocity])?).map(|_| None)
 }
 
-/// A body that computes values and puts them into a state of the whole system; `fields` gets the state, the
-/// values that are not zero, and zero.
+/// A body that computes values and puts them into a state of the whole system; `fields` gets the
+/// state, the values that are not zero, and zero.
 fn with_values(
     part: &Shape<'_>,
     reduced: &Reduced,
@@ -263,9 +267,9 @@ fn inherent_impl(
             }
 
             #deviation_docs
-            /// differences from their values for coordinates that are frozen or small, their velocities, and
-            /// zero for everything else. What is frozen is lost in the reduced state; of what is small, the
-            /// third power is neglected in energies.
+            /// differences from their values for coordinates that are frozen or small, their
+            /// velocities, and zero for everything else. What is frozen is lost in the reduced
+            /// state; of what is small, the third power is neglected in energies.
             #[must_use]
             #[inline]
             pub fn deviation(&self, #state: #whole #generics) -> #whole #generics {

@@ -13,10 +13,12 @@ use lagrange_expr::expr::Node;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// Equations that take more names, numbers and signs than this are not written out in documentation.
+/// Equations that take more names, numbers and signs than this are not written out in
+/// documentation.
 const LONGEST_EQUATION: u64 = 60;
 
-/// Writes the unknowns that accelerations and rates of states are made of, so that errors name the one without a value.
+/// Writes the unknowns that accelerations and rates of states are made of, so that errors name the
+/// one without a value.
 pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     let rates = [&writer.equations.accelerations[..], &writer.model.position_rates()].concat();
     let graph = &writer.model.graph;
@@ -60,7 +62,8 @@ fn solver(writer: &mut MethodWriter<'_>, function: &Opaque) -> Option<TokenStrea
     let (before, from) = (start.statements, start.outputs);
     let (statements, results) = (equation.statements, equation.outputs);
     let iterations = length(program.iterations as usize);
-    // Numbers side by side are computed in functions for what the processor has, and only what is inlined there is.
+    // Numbers side by side are computed in functions for what the processor has, and only what is
+    // inlined there is.
     let inline = match scalar {
         Scalar::SideBySide { .. } => quote!(#[inline(always)]),
         _ => quote!(#[inline]),

@@ -9,10 +9,11 @@ use crate::emit::base::writer::MethodWriter;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Matrices with no more entries than this are written in rows, zeros included, since they are easier to read that way.
+/// Matrices with no more entries than this are written in rows, zeros included, since they are
+/// easier to read that way.
 const LARGEST_IN_ROWS: usize = 10_000;
-/// Share of entries that differ from zero, one in so many, up to which a larger matrix is listed; of a fuller one rows are shorter than
-/// entries with their indices.
+/// Share of entries that differ from zero, one in so many, up to which a larger matrix is listed;
+/// of a fuller one rows are shorter than entries with their indices.
 const FEWEST_ZEROS: usize = 4;
 
 /// The entries of a matrix that are not zero, with their rows and columns.
@@ -57,7 +58,8 @@ pub(in crate::emit) fn lowered_sparse(
     })
 }
 
-/// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming for it.
+/// `ConstrainedSystem::residual_scales`, if the Jacobian of the constraints is not worth forming
+/// for it.
 pub(in crate::emit) fn write_sparse_scales(writer: &mut MethodWriter<'_>) {
     let (n, m) = (writer.model.speeds.len(), writer.model.constraints.len());
     let roots = writer.equations.constraints.jacobian.concat();

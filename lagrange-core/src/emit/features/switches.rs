@@ -1,4 +1,5 @@
-//! Members for switches: a field that fixes their sides, the functions that vanish on them, and what runs ask.
+//! Members for switches: a field that fixes their sides, the functions that vanish on them, and
+//! what runs ask.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -65,7 +66,8 @@ fn surface_name(graph: &Graph, switch: &Switch) -> String {
     }
 }
 
-/// The functions that vanish on the switches, the sides that follow from them, and times at which switches are passed.
+/// The functions that vanish on the switches, the sides that follow from them, and times at which
+/// switches are passed.
 pub(in crate::emit) fn write_switches(writer: &mut MethodWriter<'_>) {
     let switches = &writer.equations.switches[..writer.shape.switches.len()];
     if switches.is_empty() {

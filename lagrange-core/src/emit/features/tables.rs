@@ -29,7 +29,8 @@ pub(in crate::emit) fn tables(shape: &Shape<'_>, members: &Members) -> TokenStre
     items
 }
 
-/// The name of a table in capital letters; with underscores behind it where two names differ in nothing else.
+/// The name of a table in capital letters; with underscores behind it where two names differ in
+/// nothing else.
 fn constant_name(name: &str, known: &[(String, Ident)]) -> Ident {
     let mut constant = name.to_uppercase();
     while known.iter().any(|(_, other)| *other == constant) {

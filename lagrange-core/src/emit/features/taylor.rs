@@ -1,4 +1,5 @@
-//! Taylor series of the motion: the coefficients of all orders at a state, in a loop over the orders.
+//! Taylor series of the motion: the coefficients of all orders at a state, in a loop over the
+//! orders.
 //!
 //! Products of series are computed in groups of four, which vector registers hold side by side.
 

@@ -9,7 +9,8 @@ use lagrange_expr::expr::evaluate;
 use lagrange_expr::symbol::Role;
 use quote::quote;
 
-/// An arm with all kinds of steps: turns about other axes than z, an oblique one, a slide, a screw and a branch.
+/// An arm with all kinds of steps: turns about other axes than z, an oblique one, a slide, a screw
+/// and a branch.
 const ARM: &str = "
     param m = 2, l = 0.7, e = 0.3;
     gravity = (0, 0, -9.81);
@@ -160,7 +161,8 @@ fn jacobians_by_velocities_are_what_outputs_say() {
     assert_near(&found[3..], &values.output("v"), 1e-13);
 }
 
-/// Columns of the lower rows are slopes of the origin, those of the upper ones the axial vectors of ∂R/∂q Rᵀ.
+/// Columns of the lower rows are slopes of the origin, those of the upper ones the axial vectors of
+/// ∂R/∂q Rᵀ.
 #[test]
 fn jacobians_are_slopes_of_frames() {
     const STEP: f64 = 1e-5;
@@ -185,7 +187,8 @@ fn entries_of_joints_that_do_not_move_a_frame_are_exactly_zero() {
     let values = Values::of(&format!("{ARM} emit {{ frame_jacobians }}"));
     let graph = &values.derived.model.graph;
     let n = values.q.len();
-    // Coordinates q1, q2, s, q3, u; slides turn nothing, and wrist and slider have no part in each other's branch.
+    // Coordinates q1, q2, s, q3, u; slides turn nothing, and wrist and slider have no part in each
+    // other's branch.
     let moved = [("base", [1, 0, 0, 0, 0]), ("arm", [1, 1, 0, 0, 0]), ("nut", [1, 0, 0, 0, 1])];
     for (name, moves) in moved {
         let twists = &values.derived.model.scene.twists;

@@ -2,7 +2,8 @@
 
 use lagrange_core::model::{Availability, Extent, Product};
 
-/// A declaration, with the powers of the units of mass and of length in its parameters, coordinates and constraints.
+/// A declaration, with the powers of the units of mass and of length in its parameters, coordinates
+/// and constraints.
 #[derive(Debug)]
 pub(super) struct Subject {
     pub(super) name: String,
@@ -13,8 +14,8 @@ pub(super) struct Subject {
     pub(super) coordinates: Vec<i32>,
     /// The power of length in the unit of each constraint.
     pub(super) constraints: Vec<i32>,
-    /// States lie in this distance from zero: constraints that follow from each other in one configuration only have
-    /// solutions there.
+    /// States lie in this distance from zero: constraints that follow from each other in one
+    /// configuration only have solutions there.
     pub(super) spread: f64,
 }
 
@@ -254,7 +255,8 @@ const TABLE: &str = "param m = 1, l = 1, g = 9.81; coord z, a, b;
     constraint one = z + l * a - l * b; constraint two = z + l * a + l * b;
     constraint three = z - l * a - l * b; constraint four = z - l * a + l * b;";
 
-/// Two rods in one line, whose end is held: across the line the constraint does not depend on one angle but for its square.
+/// Two rods in one line, whose end is held: across the line the constraint does not depend on one
+/// angle but for its square.
 const DEAD_POINT: &str = "param m = 1, l = 1, g = 9.81; coord a, b;
     let (x, y) = (l * sin(a) + l * sin(b), -l * cos(a) - l * cos(b));
     kinetic = 1/2 * m * l^2 * (dot(a)^2 + dot(b)^2); potential = m * g * y + m * g * l * a;

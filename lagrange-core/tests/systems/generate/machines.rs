@@ -7,7 +7,8 @@ use crate::tree::{Expr, Statement, add, call, divide, multiply, name, number, po
 use super::quantities::Dimension;
 use super::{Generator, Level};
 
-/// A point that masses and forces are at, and the coordinates that it has beside those of its carrier.
+/// A point that masses and forces are at, and the coordinates that it has beside those of its
+/// carrier.
 struct Point {
     expression: Expr,
     dimension: usize,

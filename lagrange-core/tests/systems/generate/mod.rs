@@ -17,7 +17,8 @@ use crate::world::State;
 
 use quantities::Dimension;
 
-/// A declaration, the way in which it is derived, and states, each with accelerations that forces are to produce.
+/// A declaration, the way in which it is derived, and states, each with accelerations that forces
+/// are to produce.
 #[derive(Clone, Debug)]
 pub(crate) struct Case {
     pub(crate) declaration: Declaration,

@@ -1,7 +1,8 @@
 //! Trees evaluated along a motion.
 //!
-//! At a state with accelerations every coordinate is a [`Jet`] with two variations for each velocity: a displacement that stays, and one
-//! that grows as τ. Expressions follow by arithmetic with jets; what statements add up to is in [`Sums`].
+//! At a state with accelerations every coordinate is a [`Jet`] with two variations for each
+//! velocity: a displacement that stays, and one that grows as τ. Expressions follow by arithmetic
+//! with jets; what statements add up to is in [`Sums`].
 
 mod statements;
 mod values;
@@ -62,7 +63,8 @@ pub(crate) struct World<'a> {
 }
 
 impl<'a> World<'a> {
-    /// The world at a state with accelerations, and with rates of first-order states if they are known.
+    /// The world at a state with accelerations, and with rates of first-order states if they are
+    /// known.
     pub(crate) fn new(
         field: &'a mut Field,
         layout: &'a Layout,

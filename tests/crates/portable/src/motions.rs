@@ -1,4 +1,5 @@
-//! Motions: chaotic ones, which make any difference in a last bit large, and ones with contacts, impacts, friction and events.
+//! Motions: chaotic ones, which make any difference in a last bit large, and ones with contacts,
+//! impacts, friction and events.
 
 use lagrange::Portable;
 use lagrange::integrate::{GaussLegendre4, Method, RungeKutta4, Taylor, Verner98, integrate};
@@ -36,7 +37,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two discs that fall onto the ground and into a wall, which they rub against, and onto each other.
+    /// Two discs that fall onto the ground and into a wall, which they rub against, and onto each
+    /// other.
     #[derive(Clone, Debug)]
     struct Discs<S>;
 
@@ -141,15 +143,16 @@ mod tests {
 
     use super::{Bead, DISCS_END, DISCS_START, Discs};
 
-    /// Reductions of energy by impacts and friction, and gains by blows, show that what the hashes are for takes place.
+    /// Reductions of energy by impacts and friction, and gains by blows, show that what the hashes
+    /// are for takes place.
     #[test]
     fn discs_lie_and_slide_after_impacts() {
         let (system, method) = (Discs::<Portable>::default(), Verner98::tolerance(Portable(1e-9)));
         let end = integrate(&system, Portable(0.0), DISCS_START, DISCS_END, &method, |_, _| {}).unwrap();
-        assert_eq!(
-            [end[1], end[3], end[5], end[7]].map(|Portable(component)| component),
-            [0.2, 0.2, 0.0, 0.0]
-        );
+        let vertical = [end[1], end[3], end[5], end[7]].map(|Portable(component)| component);
+        for (found, expected) in vertical.into_iter().zip([0.2, 0.2, 0.0, 0.0]) {
+            assert!((found - expected).abs() < 1e-12, "{vertical:?}");
+        }
     }
 
     #[test]

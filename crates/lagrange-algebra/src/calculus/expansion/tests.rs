@@ -52,7 +52,8 @@ fn every_function_is_met_to_third_order() {
             let at = [0.6 + h, 0.4 - 2.0 * h, 0.0, 0.0];
             (value(&g, series.closed, at) - value(&g, f, at)).abs()
         };
-        // Third derivatives are of the order of ten or a hundred here; second ones would show at 1e-6.
+        // Third derivatives are of the order of ten or a hundred here; second ones would show at
+        // 1e-6.
         assert!(error(0.0) < 1e-15 && error(1e-3) < 1e-7, "{}: {} {}", row.name, error(0.0), error(1e-3));
     }
 }

@@ -1,7 +1,8 @@
 //! Programs as the body of a C function, for devices that rustc does not compile for.
 //!
-//! The text is C99, OpenCL C 1.2 and CUDA C++ at once: what these call by different names is a macro of the [`prelude`], of which there is
-//! one for all. A value is a statement, and its variable is numbered, since every language has words of its own that a name may not be; what the
+//! The text is C99, OpenCL C 1.2 and CUDA C++ at once: what these call by different names is a
+//! macro of the [`prelude`], of which there is one for all. A value is a statement, and its
+//! variable is numbered, since every language has words of its own that a name may not be; what the
 //! declaration calls it stands in a comment.
 
 use super::body::Unrepresentable;
@@ -46,7 +47,8 @@ pub fn prelude(precision: Precision) -> String {
 
 /// The statements of a function that computes a program, each on a line of its own, indented once.
 ///
-/// `place` is the expression under which C finds a symbol, and the results are stored to the elements of `results`.
+/// `place` is the expression under which C finds a symbol, and the results are stored to the
+/// elements of `results`.
 ///
 /// # Errors
 /// If a constant of the program is out of the range of the numbers.
@@ -197,7 +199,8 @@ impl StatementWriter<'_> {
             Op::Select { relation, left, right, then, otherwise } => {
                 let (holds, fails) = relations(*relation);
                 let [left, right, then, otherwise] = [left, right, then, otherwise].map(at);
-                // Where both comparisons fail one of the sides is not a number, and so is their sum.
+                // Where both comparisons fail one of the sides is not a number, and so is their
+                // sum.
                 format!(
                     "{left} {holds} {right} ? {then} : {left} {fails} {right} ? {otherwise} : {left} + {right}"
                 )

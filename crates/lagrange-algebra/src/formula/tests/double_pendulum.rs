@@ -8,7 +8,8 @@ use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// The double pendulum with absolute angles, derived by brute force from the positions of its masses.
+/// The double pendulum with absolute angles, derived by brute force from the positions of its
+/// masses.
 struct DoublePendulum {
     graph: Graph,
     mass: [[ExprId; 2]; 2],

@@ -1,7 +1,8 @@
 //! Products of several masses and their quotients, multiplied and divided in turn.
 //!
-//! m₁ m₂/D is a mass as each of the three is, but m₁ m₂ leaves the range of floating-point numbers where the masses are so small or so
-//! large that their exponents add up to more than there is. So (m₁/D) m₂ is computed where [grades](crate::calculus::Grades) are known.
+//! m₁ m₂/D is a mass as each of the three is, but m₁ m₂ leaves the range of floating-point numbers
+//! where the masses are so small or so large that their exponents add up to more than there is. So
+//! (m₁/D) m₂ is computed where [grades](crate::calculus::Grades) are known.
 
 use super::lowering::{Lowering, Signed};
 use super::power::lower_power;
@@ -16,7 +17,8 @@ const MAX_UNITS: i32 = 8;
 /// A value with its grade.
 type Graded = (ValueId, Number);
 
-/// True if a product of masses is met on the usual way to a value that is none: numerators first, then one division.
+/// True if a product of masses is met on the usual way to a value that is none: numerators first,
+/// then one division.
 pub(super) fn needs_interleaving(lowering: &Lowering<'_>, factors: &[(ExprId, Number)]) -> bool {
     if !lowering.graph.is_graded() {
         return false;

@@ -8,8 +8,8 @@ use crate::program::labels::Labels;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// A value that stands for an expression or for its opposite: signs are carried along until something
-/// absorbs them.
+/// A value that stands for an expression or for its opposite: signs are carried along until
+/// something absorbs them.
 #[derive(Clone, Copy)]
 pub(super) struct Signed {
     pub(super) value: ValueId,

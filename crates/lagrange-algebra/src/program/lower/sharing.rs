@@ -46,7 +46,8 @@ impl Sharing {
         sharing
     }
 
-    /// A sum takes in products with any coefficient, other sums only where it need not multiply them out.
+    /// A sum takes in products with any coefficient, other sums only where it need not multiply
+    /// them out.
     fn merge_children(&mut self, graph: &Graph, id: ExprId, alone: impl Fn(ExprId) -> bool) {
         let is_product = |child| matches!(graph.node(child), Node::Product(_));
         let is_sum = |child| matches!(graph.node(child), Node::Sum { .. });
@@ -100,8 +101,8 @@ impl Sharing {
         self.reciprocals.get(&reciprocal).is_some_and(|&count| count > 1)
     }
 
-    /// The factors of a product and of those merged into it, in the order in which they stand. Those whose
-    /// square is needed elsewhere too are put together.
+    /// The factors of a product and of those merged into it, in the order in which they stand.
+    /// Those whose square is needed elsewhere too are put together.
     pub(super) fn factors(&self, graph: &Graph, product: ExprId) -> Vec<(ExprId, Number)> {
         let mut factors: Vec<(ExprId, Number)> = Vec::new();
         for (base, exponent) in self.flat_factors(graph, product) {
@@ -131,7 +132,8 @@ impl Sharing {
         found
     }
 
-    /// The constant and the terms of a sum and of those merged into it, in the order in which they stand.
+    /// The constant and the terms of a sum and of those merged into it, in the order in which they
+    /// stand.
     pub(super) fn terms(
         &self,
         graph: &Graph,

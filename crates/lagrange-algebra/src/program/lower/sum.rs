@@ -7,7 +7,8 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 
-/// `constant + Σ coefficient · term`, or its opposite if that is wanted; terms whose coefficients have the same magnitude are added before they are multiplied by it.
+/// `constant + Σ coefficient · term`, or its opposite if that is wanted; terms whose coefficients
+/// have the same magnitude are added before they are multiplied by it.
 pub(super) fn lower_sum(
     lowering: &mut Lowering<'_>,
     constant: &Number,
@@ -76,8 +77,8 @@ fn scaled(lowering: &mut Lowering<'_>, coefficient: &Number, term: ExprId) -> Si
     Signed::positive(lowering.builder.multiply(coefficient, value))
 }
 
-/// The sum of the terms. Known numbers are added up and come last; if no term is positive, neither is
-/// the result.
+/// The sum of the terms. Known numbers are added up and come last; if no term is positive, neither
+/// is the result.
 fn chained(lowering: &mut Lowering<'_>, terms: &[Signed]) -> Signed {
     let (constants, mut chain): (Vec<Signed>, Vec<Signed>) =
         terms.iter().partition(|term| lowering.builder.op(term.value).is_constant());

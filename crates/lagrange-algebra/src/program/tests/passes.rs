@@ -99,7 +99,8 @@ fn values_are_computed_close_to_their_use() {
     assert_eq!(schedule(&program), program);
 }
 
-/// c·d waits for nothing, sin(a·b) for a product: that comes first, and the other stands where it is needed.
+/// c·d waits for nothing, sin(a·b) for a product: that comes first, and the other stands where it
+/// is needed.
 #[test]
 fn what_waits_longest_is_computed_first() {
     let (mut g, [a, b, c, d], _) = letters();

@@ -61,8 +61,8 @@ fn agree(value: f64, expected: f64, shifted: f64) -> bool {
     value == expected || (value - expected).abs() <= tolerance || !tolerance.is_finite()
 }
 
-/// Whether some condition compares values that are equal but for rounding, or infinite for that reason, and whether a function that jumps
-/// is taken there: either branch is right then.
+/// Whether some condition compares values that are equal but for rounding, or infinite for that
+/// reason, and whether a function that jumps is taken there: either branch is right then.
 fn decides_by_rounding(graph: &Graph, outputs: &[ExprId]) -> bool {
     let at = |ids: &[ExprId]| evaluate(graph, ids, |role| at(role, 0.0));
     graph.reachable(outputs).into_iter().any(|id| match graph.node(id) {

@@ -1,4 +1,5 @@
-//! Sums of products of sines and cosines, contracted and opened, and what expressions have in common.
+//! Sums of products of sines and cosines, contracted and opened, and what expressions have in
+//! common.
 
 use proptest::collection::vec;
 use proptest::prelude::{ProptestConfig, Strategy, prop, prop_assert, prop_assert_eq, proptest};

@@ -91,7 +91,8 @@ fn hold_only_what_changes() {
             Change::Bends(_) => 'b',
         })
         .collect();
-    // Ground, path, rod, disk, velocity, force, label; a time for each tenth of a second, to which 1.16 s is rounded, too.
+    // Ground, path, rod, disk, velocity, force, label; a time for each tenth of a second, to which
+    // 1.16 s is rounded, too.
     let times =
         film.times().iter().map(|time| format!("{time:.1}")).collect::<std::collections::BTreeSet<_>>();
     let wanted: Vec<char> = "sgmmbsm".chars().chain(std::iter::repeat_n('s', times.len())).collect();

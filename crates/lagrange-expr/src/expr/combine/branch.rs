@@ -1,14 +1,16 @@
 //! Products with a choice between something and zero.
 //!
-//! The derivative of `if x > 0 { x^(3/2) } else { 0 }` is an indicator, one where x > 0 and zero elsewhere, times that of x^(3/2).
-//! Zero times NaN is no zero. So factors that may be undefined are moved into the branch that is not zero.
+//! The derivative of `if x > 0 { x^(3/2) } else { 0 }` is an indicator, one where x > 0 and zero
+//! elsewhere, times that of x^(3/2). Zero times NaN is no zero. So factors that may be undefined
+//! are moved into the branch that is not zero.
 
 use crate::expr::weighted::Weighted;
 use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 
 impl Graph {
-    /// Moves factors that may be undefined into the branch of a choice whose other branch is zero, if there is one.
+    /// Moves factors that may be undefined into the branch of a choice whose other branch is zero,
+    /// if there is one.
     pub(in crate::expr) fn move_into_branch(&mut self, factors: &mut Vec<Weighted>) {
         let is_choice = |(base, exponent): &Weighted| exponent.is_one() && self.is_choice_with_zero(*base);
         let Some(at) = factors.iter().position(is_choice) else { return };

@@ -1,8 +1,9 @@
 //! Powers of magnitudes in products: |x|, √x², hypot, and the slope of |x|.
 //!
-//! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y². Written with the magnitude they
-//! would have the wrong second derivative where it vanishes, because the sign of zero is zero. What is left, f(|x|) in general, is
-//! differentiated by [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
+//! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y².
+//! Written with the magnitude they would have the wrong second derivative where it vanishes,
+//! because the sign of zero is zero. What is left, f(|x|) in general, is differentiated by
+//! [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
 use crate::collections::HashMap;
 use crate::expr::weighted::{LONGEST_OPENED, Weighted};
@@ -47,7 +48,8 @@ impl Graph {
         Some(opened)
     }
 
-    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, a hypotenuse or a division vanishes thereby.
+    /// (Π b)ᵉ = Π bᵉ where a root of what is not negative, a hypotenuse or a division vanishes
+    /// thereby.
     fn opened_power(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let hides_root = |(base, exponent): &Weighted| {
             let Node::Product(inner) = self.node(*base) else { return false };
@@ -85,8 +87,9 @@ impl Graph {
         self.product(parts)
     }
 
-    /// A sum whose first coefficient is positive and whose coefficients, if they are integers, have no common divisor:
-    /// −2 x + 4 y = −2 (x − 2 y). Other coefficients are left as they were written, but for the sign.
+    /// A sum whose first coefficient is positive and whose coefficients, if they are integers, have
+    /// no common divisor: −2 x + 4 y = −2 (x − 2 y). Other coefficients are left as they were
+    /// written, but for the sign.
     fn primitive(&mut self, id: ExprId) -> (Number, ExprId) {
         let Node::Sum { constant, terms } = self.node(id).clone() else { return (Number::ONE, id) };
         let Some((_, first)) = terms.first() else { return (Number::ONE, id) };
@@ -145,7 +148,8 @@ impl Graph {
         found
     }
 
-    /// Takes out the slopes of |x| that stand in several factors, or in a factor with an even exponent: s² = 1.
+    /// Takes out the slopes of |x| that stand in several factors, or in a factor with an even
+    /// exponent: s² = 1.
     fn paired_slopes(&mut self, factors: &mut Vec<Weighted>) -> Option<Vec<Weighted>> {
         let mut odd: Vec<ExprId> = Vec::new();
         let whole = factors.iter().filter(|(_, exponent)| exponent.is_integer());

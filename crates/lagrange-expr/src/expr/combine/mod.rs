@@ -1,8 +1,9 @@
 //! The constructors of sums and products.
 //!
-//! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a product.
-//! Equal operands are collected. A nested operand of the same kind is opened only if that makes
-//! something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a shared part.
+//! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a
+//! product. Equal operands are collected. A nested operand of the same kind is opened only if that
+//! makes something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a
+//! shared part.
 
 mod branch;
 mod magnitude;
@@ -19,8 +20,8 @@ impl Graph {
     ///
     /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
     /// coefficients all have the same magnitude is written as that magnitude times a sum with
-    /// coefficients ±1, and the first coefficient of a sum is positive, so that `a - b`, `b - a` and
-    /// `2·a - 2·b` share one node.
+    /// coefficients ±1, and the first coefficient of a sum is positive, so that `a - b`, `b - a`
+    /// and `2·a - 2·b` share one node.
     pub fn sum(&mut self, constant: Number, terms: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut constant = constant;
         let mut collected = Vec::new();
@@ -30,7 +31,8 @@ impl Graph {
         self.sum_of(constant, collected)
     }
 
-    /// The sum of terms that are no numbers. It is compiled once, whatever the iterator they came from.
+    /// The sum of terms that are no numbers. It is compiled once, whatever the iterator they came
+    /// from.
     fn sum_of(&mut self, mut constant: Number, mut collected: Vec<Weighted>) -> ExprId {
         merge(&mut collected, |_, a, b| Some(a + b));
         while let Some(position) = self.cancelling_sum(&constant, &collected) {
@@ -108,9 +110,10 @@ impl Graph {
 
     /// `Π base ^ exponent`
     ///
-    /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of powers are
-    /// combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½` does unless `x` is known not to be negative. Magnitudes
-    /// have none but odd powers: `(x²)^½` is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
+    /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of
+    /// powers are combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½`
+    /// does unless `x` is known not to be negative. Magnitudes have none but odd powers: `(x²)^½`
+    /// is `|x|` and `|x|²` is `x²`, which has a second derivative at 0.
     pub fn product(&mut self, factors: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut coefficient = Number::ONE;
         let mut collected = Vec::new();
@@ -120,7 +123,8 @@ impl Graph {
         self.product_of(coefficient, collected)
     }
 
-    /// The product of factors that are no numbers. It is compiled once, whatever the iterator they came from.
+    /// The product of factors that are no numbers. It is compiled once, whatever the iterator they
+    /// came from.
     fn product_of(&mut self, mut coefficient: Number, mut collected: Vec<Weighted>) -> ExprId {
         if coefficient.is_zero() {
             return self.number(Number::ZERO);
@@ -157,7 +161,8 @@ impl Graph {
         factors.push(factor);
     }
 
-    /// A number taken out of a factor and what is left of it, if anything can be taken out or flattened.
+    /// A number taken out of a factor and what is left of it, if anything can be taken out or
+    /// flattened.
     fn reduce_factor(&self, (base, exponent): &Weighted) -> Option<(Number, Option<Weighted>)> {
         if let Some(value) = self.as_number(*base) {
             return Some((fold_power(value, exponent)?, None));
@@ -240,8 +245,8 @@ fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
     }
 }
 
-/// Sorts by operand and combines the weights of equal ones with `combine`, unless it declines. Operands of
-/// weight zero are dropped.
+/// Sorts by operand and combines the weights of equal ones with `combine`, unless it declines.
+/// Operands of weight zero are dropped.
 fn merge(operands: &mut Vec<Weighted>, combine: impl Fn(ExprId, &Number, &Number) -> Option<Number>) {
     operands.sort_unstable_by(|(a, m), (b, n)| (a, m).cmp(&(b, n)));
     let mut merged: Vec<Weighted> = Vec::with_capacity(operands.len());
@@ -259,8 +264,8 @@ fn merge(operands: &mut Vec<Weighted>, combine: impl Fn(ExprId, &Number, &Number
     *operands = merged;
 }
 
-/// The position of an operand with parts (according to `parts`) of which one has total weight zero when
-/// all operands with parts are opened.
+/// The position of an operand with parts (according to `parts`) of which one has total weight zero
+/// when all operands with parts are opened.
 fn vanishing<'a>(
     operands: &'a [Weighted],
     parts: impl Fn(ExprId) -> Option<&'a [Weighted]>,
@@ -276,7 +281,8 @@ fn vanishing<'a>(
             }
             None => opened.push((*id, weight.clone(), None)),
         }
-        // A part may also stand beside the operand that contains it as an operand with parts itself.
+        // A part may also stand beside the operand that contains it as an operand with parts
+        // itself.
         if parts(*id).is_some() {
             opened.push((*id, weight.clone(), None));
         }

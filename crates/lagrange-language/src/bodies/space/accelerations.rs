@@ -1,6 +1,7 @@
 //! Accelerations of frames in their own axes, joint by joint.
 //!
-//! With A a = α × a + ω × (ω × a), the relative acceleration of a point that is fixed in a frame at a, and S(θ) the turn of a joint:
+//! With A a = α × a + ω × (ω × a), the relative acceleration of a point that is fixed in a frame at
+//! a, and S(θ) the turn of a joint:
 //!
 //! | step | angular acceleration | acceleration of the origin |
 //! |---|---|---|
@@ -12,8 +13,8 @@
 //!
 //! The ground accelerates by −g, which is what weight does to all that it carries.
 //!
-//! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J. Dyn. Syst. Meas. Control 102 (1980);
-//! Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
+//! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J.
+//! Dyn. Syst. Meas. Control 102 (1980); Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
 
 use super::frames::{FrameStep, JointAxis, Pose, Relative, TurningAxes};
 use super::poses::{named_vector, rotation_about, turned_components};
@@ -31,7 +32,8 @@ pub(super) struct Acceleration {
     pub(super) origin: Triple,
 }
 
-/// That of a frame whose motion is written in the rates of what the user wrote: ω̇, and Rᵀ (r̈ − g).
+/// That of a frame whose motion is written in the rates of what the user wrote: ω̇, and Rᵀ (r̈ −
+/// g).
 pub(super) fn acceleration_by_hand(
     translation: &mut Translation<'_>,
     name: &str,

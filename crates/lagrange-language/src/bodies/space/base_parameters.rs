@@ -1,18 +1,21 @@
 //! Base parameters: inertia that a joint cannot tell from its carrier's, moved to the carrier.
 //!
-//! Seen from a joint that turns about z, a body with its mass on the axis and the same moment of inertia J about x and y moves as if it
-//! belonged to the carrier: m, the first moment along the axis and J may be counted there. Of a joint that slides the whole tensor may,
-//! since it never turns against its carrier; of a ball joint only the mass. Equations of motion stay the same, with fewer parameters that are not zero; energies do
-//! not, and are written with what the user declared. What is known is computed in numbers, what is not is written in terms of parameters
+//! Seen from a joint that turns about z, a body with its mass on the axis and the same moment of
+//! inertia J about x and y moves as if it belonged to the carrier: m, the first moment along the
+//! axis and J may be counted there. Of a joint that slides the whole tensor may, since it never
+//! turns against its carrier; of a ball joint only the mass. Equations of motion stay the same,
+//! with fewer parameters that are not zero; energies do not, and are written with what the user
+//! declared. What is known is computed in numbers, what is not is written in terms of parameters
 //! ([`super::quantities`]); orientations must be made of numbers.
 //!
 //! Source: Khalil, Dombre, *Modeling, Identification and Control of Robots*, §9.4.
 //!
 //! # In numbers
 //!
-//! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre: all that is left of it is the moment
-//! 6 about its axis. Its carrier gets the mass 2 at the joint and the moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes that
-//! is the first moment (0, 0, 2) and the moments 3 + 2, 3 + 2 and 0.
+//! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre:
+//! all that is left of it is the moment 6 about its axis. Its carrier gets the mass 2 at the joint
+//! and the moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes that is the first moment
+//! (0, 0, 2) and the moments 3 + 2, 3 + 2 and 0.
 
 use super::quantities::{Quantity, difference, inner, product, sum};
 use crate::bodies::terms::TermWriter;
@@ -137,7 +140,8 @@ impl InertialParameters {
         hidden
     }
 
-    /// The axes across one whose moment is kept as what it is more than the other's, and whose moment is hidden: of terms the simpler.
+    /// The axes across one whose moment is kept as what it is more than the other's, and whose
+    /// moment is hidden: of terms the simpler.
     fn kept_and_hidden(&self, axis: usize) -> [usize; 2] {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         match self.tensor[next][next].is_zero() && self.tensor[last][last].term.is_some() {
@@ -157,8 +161,8 @@ impl InertialParameters {
         InertialParameters { mass: self.mass, moment, tensor: symmetric(|row, column| tensor[row][column]) }
     }
 
-    /// About the origin of a frame with the same axes in which the origin here is at a place p: h′ = h + m p, and
-    /// J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
+    /// About the origin of a frame with the same axes in which the origin here is at a place p: h′ =
+    /// h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
     fn seen_from(self, terms: &mut TermWriter<'_>, place: [Quantity; 3]) -> InertialParameters {
         let InertialParameters { mass, moment: h, tensor } = self;
         let moment = each(|axis| {

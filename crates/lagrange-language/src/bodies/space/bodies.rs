@@ -1,4 +1,5 @@
-//! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when their energies are written.
+//! Bodies and frames in space: declared first, then placed by a joint or by hand, which is when
+//! their energies are written.
 
 use super::compound::{compound_properties, visual_outlines};
 use super::frames::{FrameStep, JointAxis, Pose};
@@ -50,7 +51,8 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
     }
 }
 
-/// True if the user says where the body is; a place that could not be read does not count if a joint places the body.
+/// True if the user says where the body is; a place that could not be read does not count if a
+/// joint places the body.
 fn is_placed_by_hand(translation: &Translation<'_>, statement: &ast::Body) -> bool {
     let is_read = |place: AstId| !matches!(translation.expressions.get(place), Expression::Invalid);
     let is_jointed = translation.names.is_placed_by_joint(&statement.name.text);

@@ -1,6 +1,7 @@
 //! Bodies in space that are made of parts, holes among them.
 //!
-//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Rᵢ Jᵢ Rᵢᵀ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)) with dᵢ = rᵢ − r_S (Steiner, Huygens), holes with the lower sign.
+//! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Rᵢ Jᵢ Rᵢᵀ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)) with dᵢ = rᵢ − r_S
+//! (Steiner, Huygens), holes with the lower sign.
 
 use super::inertia::{fixed_triple, oblige, outline_of, shape_of, tensor_of_solid};
 use super::links::MassProperties;
@@ -29,7 +30,8 @@ struct SpatialPart {
     outline: Outline,
 }
 
-/// The common mass, centre of mass and tensor, and the parts as they are drawn; `None` after a mistake.
+/// The common mass, centre of mass and tensor, and the parts as they are drawn; `None` after a
+/// mistake.
 pub(super) fn compound_properties(
     translation: &mut Translation<'_>,
     statement: &ast::Body,

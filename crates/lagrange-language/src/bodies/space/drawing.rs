@@ -8,8 +8,8 @@ use crate::bodies::plain::{Drawn, DrawnKind, SpatialJointForm};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, ElementaryMotion, JointLine, Mobilizer};
 
-/// Bodies and frames in the order of their declaration, and loads on coordinates in their places among the others; nothing unless
-/// somebody asks for it.
+/// Bodies and frames in the order of their declaration, and loads on coordinates in their places
+/// among the others; nothing unless somebody asks for it.
 pub(in crate::bodies) fn draw_scene(translation: &mut Translation<'_>) {
     if translation.space.is_none() {
         return;
@@ -90,7 +90,8 @@ pub(in crate::bodies) fn draw_pin(
     translation.drawing.push(Drawn { kind, values: vec![at, axis], needs: Vec::new() });
 }
 
-/// A load on a link as it was written: on the body that it is, or in which it is fixed if it is a frame, with the centre of that body.
+/// A load on a link as it was written: on the body that it is, or in which it is fixed if it is a
+/// frame, with the centre of that body.
 pub(super) fn loaded_body(translation: &mut Translation<'_>, link: usize) -> Option<(String, AstId)> {
     let space = translation.space.as_ref()?;
     let Link { name, inertia, placed, .. } = space.links[space.loaded_link(link)?].clone();

@@ -1,7 +1,8 @@
-//! Bodies and frames of a scene in space in expressions: their parts, points, vectors, rates and momenta.
+//! Bodies and frames of a scene in space in expressions: their parts, points, vectors, rates and
+//! momenta.
 //!
-//! Vectors are in world axes; `v in name` are the components in the axes of a body or frame, which are found without a way around the world
-//! where v belongs to that body itself.
+//! Vectors are in world axes; `v in name` are the components in the axes of a body or frame, which
+//! are found without a way around the world where v belongs to that body itself.
 
 use super::frames::Pose;
 use super::links::{Link, MassProperties};
@@ -29,7 +30,8 @@ pub(in crate::bodies) fn part_of_link(
     Some(world_place(translation, &pose, point))
 }
 
-/// The place that the name of a link stands for: the centre of mass of a body, the origin of a frame.
+/// The place that the name of a link stands for: the centre of mass of a body, the origin of a
+/// frame.
 pub(in crate::bodies) fn place_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
     let (inertia, pose) = link_in_place(translation, link);
     let point = centroid_or_origin(translation, inertia);

@@ -1,4 +1,5 @@
-//! Frames of a scene in space, as data: where they are, how they move, and the steps from one to the next.
+//! Frames of a scene in space, as data: where they are, how they move, and the steps from one to
+//! the next.
 
 use super::vectors::{Matrix, Triple, combined, cross, inner, plus, scale, unit, zero_triple};
 use crate::bodies::terms::TermWriter;

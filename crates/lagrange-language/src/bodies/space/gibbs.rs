@@ -1,11 +1,14 @@
-//! The Gibbs function of bodies that joints carry: their equations of motion in accelerations, as recursive Newton–Euler has them.
+//! The Gibbs function of bodies that joints carry: their equations of motion in accelerations, as
+//! recursive Newton–Euler has them.
 //!
-//! A body with the mass m, the first moment h and the tensor J about its origin adds
-//! S = ½ m a² + a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in its own axes: ∂S/∂a = m a + A h is
-//! the force on it and ∂S/∂α = J α + h × a + ω × J ω the moment about its origin. Since the ground accelerates by −g, weights are in
-//! it. With [`super::base_parameters`] most entries of h and J are zero.
+//! A body with the mass m, the first moment h and the tensor J about its origin adds S = ½ m a² +
+//! a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in its own
+//! axes: ∂S/∂a = m a + A h is the force on it and ∂S/∂α = J α + h × a + ω × J ω the moment about
+//! its origin. Since the ground accelerates by −g, weights are in it. With
+//! [`super::base_parameters`] most entries of h and J are zero.
 //!
-//! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical Mechanics*, §7.9.
+//! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical
+//! Mechanics*, §7.9.
 
 use super::accelerations::{
     Acceleration, acceleration_behind, acceleration_by_hand, acceleration_of_ground, relative,
@@ -19,10 +22,12 @@ use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Statement, StatementKind};
 use lagrange_expr::accuracy::Accuracy;
 
-/// Number of freedoms up to which energies are more accurate at the level `strict`: what cancels in their mass matrix is then found.
+/// Number of freedoms up to which energies are more accurate at the level `strict`: what cancels in
+/// their mass matrix is then found.
 const FEW: usize = 3;
 
-/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the user's says it all by itself.
+/// Writes the Gibbs function of all bodies that have their places by joints. A Lagrangian of the
+/// user's says it all by itself.
 pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) {
     if translation.lagrangian.is_some() || translation.report.has_errors() {
         return;
@@ -93,7 +98,8 @@ fn lagrangian_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
     }
 }
 
-/// Accelerations of the frames on the way to a link, whose carrier's is known, itself being the last.
+/// Accelerations of the frames on the way to a link, whose carrier's is known, itself being the
+/// last.
 fn accelerations_of(
     translation: &mut Translation<'_>,
     link: usize,
@@ -157,8 +163,9 @@ fn gibbs_of_frame(
     }
 }
 
-/// ½ α·J α + α·(ω × J ω) by components. With x, y, z in cyclic order the moments add ½ J_zz α_z² + (J_yy − J_xx) ω_x ω_y α_z, and the
-/// products J_xy (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² − ω_y²) α_z, but for terms without accelerations.
+/// ½ α·J α + α·(ω × J ω) by components. With x, y, z in cyclic order the moments add ½ J_zz α_z² +
+/// (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² −
+/// ω_y²) α_z, but for terms without accelerations.
 fn rotational_parts(
     terms: &mut TermWriter<'_>,
     tensor: Tensor,

@@ -142,7 +142,8 @@ pub(super) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str
     components_of(translation, value)
 }
 
-/// The components of what must be a vector in space; none of what cannot be one, which is reported as a whole.
+/// The components of what must be a vector in space; none of what cannot be one, which is reported
+/// as a whole.
 pub(super) fn components_of(translation: &mut Translation<'_>, value: AstId) -> Triple {
     match is_no_vector(translation, value) {
         true => [translation.terms().invalid(); 3],

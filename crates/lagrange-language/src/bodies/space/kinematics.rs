@@ -1,10 +1,13 @@
 //! Poses and motions of bodies and frames in world axes, as returned by emitted code.
 //!
-//! Motions are those of the recursion in own axes, turned into the world. Twists are written joint by joint from the way to a frame:
-//! a turn by θ about the axis e through the point o adds θ̇ e to ω and θ̇ e × (r − o) to the velocity of the origin r, a move by s along e
-//! adds ṡ e to the velocity. What stands beside the rates is so the geometric Jacobian, without a way around the recursion.
+//! Motions are those of the recursion in own axes, turned into the world. Twists are written joint
+//! by joint from the way to a frame: a turn by θ about the axis e through the point o adds θ̇ e to
+//! ω and θ̇ e × (r − o) to the velocity of the origin r, a move by s along e adds ṡ e to the
+//! velocity. What stands beside the rates is so the geometric Jacobian, without a way around the
+//! recursion.
 //!
-//! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*, §3.1.
+//! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*,
+//! §3.1.
 
 use super::frames::{FrameStep, Pose};
 use super::links::{Link, MassProperties, Path};
@@ -87,8 +90,8 @@ fn motion(
     }
 }
 
-/// Velocity and acceleration of a point that is fixed in a frame, in the world. With v its velocity in own axes, its acceleration in these
-/// is v̇ + ω × v.
+/// Velocity and acceleration of a point that is fixed in a frame, in the world. With v its velocity
+/// in own axes, its acceleration in these is v̇ + ω × v.
 fn rates_of_point(terms: &mut TermWriter<'_>, pose: &Pose, point: Triple) -> [Triple; 2] {
     let velocity = pose.velocity_of(terms, point);
     let rate = velocity.map(|component| terms.rate(component));

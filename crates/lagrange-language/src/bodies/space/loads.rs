@@ -1,6 +1,7 @@
 //! Forces at points of bodies and torques on bodies in space.
 //!
-//! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that nothing is differentiated.
+//! They do work along velocities that are known in the axes of the body: F·v_P and M·ω, so that
+//! nothing is differentiated.
 
 use super::drawing::loaded_body;
 use super::expressions::{point_on_link, rate_of_link_point};
@@ -54,7 +55,8 @@ pub(in crate::bodies) fn translate_spatial_torque(
     push_load(translation, components, pose.spin, statement);
 }
 
-/// The own components of a load if it was written as a vector of the body, else the components in the world.
+/// The own components of a load if it was written as a vector of the body, else the components in
+/// the world.
 fn own_load(
     translation: &mut Translation<'_>,
     load: AstId,

@@ -1,7 +1,9 @@
-//! Joints that make coordinates: where they put the body or frame behind them, and how it moves with them.
+//! Joints that make coordinates: where they put the body or frame behind them, and how it moves
+//! with them.
 //!
-//! A joint is a frame that is fixed in its carrier, and one to three elementary motions after it ([`super::poses`]). An axis that is none
-//! of the coordinate axes is made one by turning the frame, and what follows the motion back.
+//! A joint is a frame that is fixed in its carrier, and one to three elementary motions after it
+//! ([`super::poses`]). An axis that is none of the coordinate axes is made one by turning the
+//! frame, and what follows the motion back.
 
 use super::bodies::settle;
 use super::drawing::draw_mobilizer;
@@ -96,7 +98,8 @@ fn walk(
     (pose, path)
 }
 
-/// Declares the coordinates, and what else the state has of a joint; the expressions of the coordinates.
+/// Declares the coordinates, and what else the state has of a joint; the expressions of the
+/// coordinates.
 pub(in crate::bodies) fn coordinates_of(
     translation: &mut Translation<'_>,
     joint: &Mobilizer,
@@ -266,7 +269,8 @@ fn turning(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<Frame
     Some(FrameStep::Orientation(TurningAxes { matrix, spin }))
 }
 
-/// The rotation of a unit quaternion: 1 + 2 w v× + 2 v× v×, with the vector part v (Featherstone, *Rigid Body Dynamics Algorithms*, eq. 4.11).
+/// The rotation of a unit quaternion: 1 + 2 w v× + 2 v× v×, with the vector part v (Featherstone, *Rigid
+/// Body Dynamics Algorithms*, eq. 4.11).
 fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
     let (one, two) = (terms.number(1), terms.number(2));
     let vector = [x, y, z];
@@ -288,7 +292,8 @@ fn rotation_of(terms: &mut TermWriter<'_>, [w, x, y, z]: [AstId; 4]) -> Matrix {
     })
 }
 
-/// The axis of a joint in its frame or, if it is oblique and made of numbers, z in one that is turned to it.
+/// The axis of a joint in its frame or, if it is oblique and made of numbers, z in one that is
+/// turned to it.
 fn axis_of(translation: &mut Translation<'_>, joint: &Mobilizer) -> Option<(JointAxis, Option<Matrix>)> {
     let Some(axis) = joint.axis else { return Some((JointAxis::positive(Z), None)) };
     let direction = fixed_triple(translation, axis, &joints::axis_of(joint.kind.name()));

@@ -1,8 +1,9 @@
 //! Forces and moments on the coordinates of joints: those of motors, and damping.
 //!
-//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about the axis e, that of a moment u e on what it places and of
-//! −u e on what carries it is the same; where it moves by q along e, that of forces ±u e at the origin of what it places. A screw does
-//! both at once, so that neither is known.
+//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about the axis e, that
+//! of a moment u e on what it places and of −u e on what carries it is the same; where it moves by
+//! q along e, that of forces ±u e at the origin of what it places. A screw does both at once, so
+//! that neither is known.
 
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, Path};
@@ -135,7 +136,8 @@ fn motion_by(translation: &mut Translation<'_>, coordinate: AstId) -> Option<Joi
     Some(JointMotion { turns, axis, at: last.origin, sides: [Some(link), carrier] })
 }
 
-/// The step that a coordinate moves, whether it turns, and its axis in the frame behind it, which is at rest in that before, too.
+/// The step that a coordinate moves, whether it turns, and its axis in the frame behind it, which
+/// is at rest in that before, too.
 fn step_by(
     translation: &Translation<'_>,
     steps: &[(FrameStep, Pose)],

@@ -1,7 +1,8 @@
 //! Orientations and directions that are made of numbers, computed while statements are translated.
 //!
-//! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense matrix of it, and robot descriptions round
-//! π/2 to as many digits as their tool prints. Rows and columns whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
+//! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense
+//! matrix of it, and robot descriptions round π/2 to as many digits as their tool prints. Rows and
+//! columns whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
 
 use super::vectors::{Matrix, Triple};
 use crate::bodies::constants::number;
@@ -75,7 +76,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// A rotation of numbers as syntax, exact where it is a quarter turn.
 pub(super) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
     let is_whole = |entry: &f64| (entry - entry.round()).abs() < SNAPPED;
-    // A row with one entry near 1 whose others do not vanish is a small turn: cosines alone must not be rounded.
+    // A row with one entry near 1 whose others do not vanish is a small turn: cosines alone must
+    // not be rounded.
     let is_axis = |row: &[f64; 3]| row.iter().all(is_whole);
     let rows = rotation.map(|row| if is_axis(&row) { row.map(f64::round) } else { row });
     let columns = [0, 1, 2].map(|column| rows.map(|row| row[column]));

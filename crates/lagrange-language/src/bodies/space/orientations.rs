@@ -6,7 +6,8 @@ use super::vectors::{Matrix, matrix_product, unit};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// Rz(yaw) Ry(pitch) Rx(roll) of three angles that do not change; exact where they are quarter turns in numbers.
+/// Rz(yaw) Ry(pitch) Rx(roll) of three angles that do not change; exact where they are quarter
+/// turns in numbers.
 pub(super) fn orientation(translation: &mut Translation<'_>, angles: AstId, what: &str) -> Matrix {
     let angles = fixed_triple(translation, angles, what);
     if let Some(angles) = triple_of_numbers(translation, angles) {

@@ -1,16 +1,19 @@
 //! Poses of frames and how they move, one elementary step after another.
 //!
-//! Angular velocity ω and the velocity v of the origin are kept in the frame's *own* axes, since there what a joint adds has one component
-//! and inertia does not change; the axes and the origin of the frame are kept in the world. From a frame to one that is fixed in it at p,
-//! turned by R: ω′ = Rᵀ ω, v′ = Rᵀ (v + ω × p). A turn by θ about its z-axis: x′ = c x + s y, y′ = c y − s x for the components of ω and
-//! v and for the axes in the world alike, and θ̇ is added to the z-component of ω. A move by s along z adds s ω × e_z + ṡ e_z to v.
+//! Angular velocity ω and the velocity v of the origin are kept in the frame's *own* axes, since
+//! there what a joint adds has one component and inertia does not change; the axes and the origin
+//! of the frame are kept in the world. From a frame to one that is fixed in it at p, turned by R:
+//! ω′ = Rᵀ ω, v′ = Rᵀ (v + ω × p). A turn by θ about its z-axis: x′ = c x + s y, y′ = c y − s x for
+//! the components of ω and v and for the axes in the world alike, and θ̇ is added to the
+//! z-component of ω. A move by s along z adds s ω × e_z + ṡ e_z to v.
 //!
-//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §2.8 and 4.4; Khalil, Dombre, *Modeling, Identification and Control of Robots*, §9.6.
+//! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §2.8 and 4.4; Khalil, Dombre, *Modeling,
+//! Identification and Control of Robots*, §9.6.
 //!
 //! # In numbers
 //!
-//! A frame that turns with ω = (0, 0, 2) carries at p = (3, 0, 0) one that is turned by a quarter about z: v + ω × p = (0, 6, 0), whose
-//! components along x′ = y and y′ = −x are (6, 0, 0).
+//! A frame that turns with ω = (0, 0, 2) carries at p = (3, 0, 0) one that is turned by a quarter
+//! about z: v + ω × p = (0, 6, 0), whose components along x′ = y and y′ = −x are (6, 0, 0).
 
 use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::links::Link;
@@ -31,7 +34,8 @@ pub(super) fn behind(translation: &mut Translation<'_>, name: &str, pose: Pose, 
         FrameStep::Slide(along, distance) => slid(&mut terms, pose, along, distance),
         FrameStep::Orientation(TurningAxes { matrix, spin }) => {
             let turned = in_axes(&mut terms, pose, transposed(matrix));
-            // Apart, so that what the joint alone moves can be eliminated before anything is turned.
+            // Apart, so that what the joint alone moves can be eliminated before anything is
+            // turned.
             let carried = named_vector(translation, &format!("{name}_carried_w"), turned.spin);
             Pose { spin: plus(&mut translation.terms(), carried, spin), ..turned }
         }
@@ -146,7 +150,8 @@ fn named(translation: &mut Translation<'_>, name: &str, pose: Pose) -> Pose {
     }
 }
 
-/// A vector under a name, unless all of its components are numbers or have names. Components that are numbers stay so.
+/// A vector under a name, unless all of its components are numbers or have names. Components that
+/// are numbers stay so.
 pub(super) fn named_vector(translation: &mut Translation<'_>, wish: &str, vector: Triple) -> Triple {
     if vector.iter().all(|&component| is_atom(translation, component)) {
         return vector;
@@ -161,7 +166,8 @@ pub(super) fn named_vector(translation: &mut Translation<'_>, wish: &str, vector
     })
 }
 
-/// An expression under a name, unless it needs none; the name is left out in the end if nothing needs it.
+/// An expression under a name, unless it needs none; the name is left out in the end if nothing
+/// needs it.
 pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: AstId) -> AstId {
     if is_atom(translation, value) {
         return value;

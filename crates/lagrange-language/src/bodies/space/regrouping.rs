@@ -1,8 +1,9 @@
 //! Inertial parameters on their way inwards: what is left of them in the frame behind each step.
 //!
-//! Links are met from the leaves to the ground. Each keeps, behind every step that moves, what that step can tell from its carrier
-//! ([`super::base_parameters`]), and the carrier receives the rest. What is written of parameters gets a name at every link, so that
-//! text stays as long as the scene is large.
+//! Links are met from the leaves to the ground. Each keeps, behind every step that moves, what that
+//! step can tell from its carrier ([`super::base_parameters`]), and the carrier receives the rest.
+//! What is written of parameters gets a name at every link, so that text stays as long as the scene
+//! is large.
 
 use super::base_parameters::{InertialParameters, JointStep};
 use super::frames::{FrameStep, JointAxis};
@@ -118,7 +119,8 @@ fn regrouping_steps(
         // What turns in any direction is to accelerate in axes that do not.
         _ if is_free(path) => true,
         _ if translation.accuracy == Accuracy::Strict => false,
-        // Nothing but the mass would go, and what it becomes in the carrier costs more than it saves.
+        // Nothing but the mass would go, and what it becomes in the carrier costs more than it
+        // saves.
         _ if turns_freely(path) && !all.is_known() => false,
         (Some(carrier), _) if !is_carried(translation, carrier) => false,
         (_, 0) | (None, 1) => true,
@@ -128,8 +130,8 @@ fn regrouping_steps(
     })
 }
 
-/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame before, whose axes do not turn with it:
-/// there it is the same in all directions.
+/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame
+/// before, whose axes do not turn with it: there it is the same in all directions.
 fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> {
     let mut kept = vec![InertialParameters::NONE; path.steps.len().max(1)];
     if let [.., before, _] = &mut kept[..]

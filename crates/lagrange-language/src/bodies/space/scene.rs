@@ -12,7 +12,8 @@ use lagrange_expr::diagnostics::Origin;
 /// A scene in space as known so far.
 #[derive(Default)]
 pub(in crate::bodies) struct Space {
-    /// Bodies and frames in the order of their declaration, by whose numbers everything else names them.
+    /// Bodies and frames in the order of their declaration, by whose numbers everything else names
+    /// them.
     pub(in crate::bodies) links: Vec<Link>,
     /// Bodies that nothing places.
     pub(super) unplaced: Vec<Name>,
@@ -24,7 +25,8 @@ pub(in crate::bodies) struct Space {
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
-    /// Names of `let`s that say where frames are and how they move: those that nothing needs are left out in the end.
+    /// Names of `let`s that say where frames are and how they move: those that nothing needs are
+    /// left out in the end.
     pub(in crate::bodies) kinematic: HashSet<String>,
     /// Loads on coordinates, in their order.
     pub(super) loads_on_coordinates: Vec<LoadOnCoordinate>,
@@ -49,7 +51,8 @@ impl Space {
         &self.links[link].name.text
     }
 
-    /// The link that bears what acts on one: of a frame that is fixed in something, this, and none if that is the ground.
+    /// The link that bears what acts on one: of a frame that is fixed in something, this, and none
+    /// if that is the ground.
     pub(in crate::bodies) fn loaded_link(&self, mut link: usize) -> Option<usize> {
         loop {
             match &self.links[link] {

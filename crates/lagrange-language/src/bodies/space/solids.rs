@@ -1,7 +1,7 @@
 //! Solids in space: one row each.
 //!
-//! Axes of symmetry are z, long sides of rods x. Moments of inertia are the principal ones about the centre of mass, along x, y and z, for
-//! a mass of one.
+//! Axes of symmetry are z, long sides of rods x. Moments of inertia are the principal ones about
+//! the centre of mass, along x, y and z, for a mass of one.
 //!
 //! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4.
 

@@ -1,6 +1,7 @@
 //! Vectors of three components, matrices and symmetric tensors as syntax.
 //!
-//! Zeros and ones are left out, as everywhere in [`TermWriter`], so that sparse frames stay sparse in print.
+//! Zeros and ones are left out, as everywhere in [`TermWriter`], so that sparse frames stay sparse
+//! in print.
 
 use crate::bodies::terms::TermWriter;
 use crate::syntax::ast::AstId;
@@ -90,7 +91,8 @@ pub(super) fn turned_tensor(terms: &mut TermWriter<'_>, rotation: Matrix, tensor
     TENSOR_PLACES.map(|(row, column)| inner(terms, half[row], rotation[column]))
 }
 
-/// m (d² 1 − d dᵀ), what a mass at a place adds to the tensor of inertia about the origin (Steiner, Huygens).
+/// m (d² 1 − d dᵀ), what a mass at a place adds to the tensor of inertia about the origin (Steiner,
+/// Huygens).
 pub(super) fn tensor_of_point(terms: &mut TermWriter<'_>, mass: AstId, place: Triple) -> Tensor {
     TENSOR_PLACES.map(|(row, column)| {
         let moment = match row == column {

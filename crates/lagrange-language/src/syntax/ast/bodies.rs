@@ -124,7 +124,8 @@ pub struct Body {
     pub mass: Option<AstId>,
     /// `inertia: j;`, about the centre of mass; of a body in space a vector of principal moments.
     pub inertia: Option<AstId>,
-    /// `inertia: (xx, yy, zz, xy, xz, yz);`, the tensor about the centre of mass in the body's own axes.
+    /// `inertia: (xx, yy, zz, xy, xz, yz);`, the tensor about the centre of mass in the body's own
+    /// axes.
     pub tensor: Option<[AstId; 6]>,
     /// `center: (x, y);`, where the centre of mass is.
     pub center: Option<AstId>,
@@ -142,7 +143,8 @@ pub struct Body {
     pub shape: Option<Shape>,
     /// `compound { … }`; empty if there is none.
     pub parts: Vec<Part>,
-    /// `visual { … }`, what pictures show in the place of shape or compound; empty if there is none.
+    /// `visual { … }`, what pictures show in the place of shape or compound; empty if there is
+    /// none.
     pub visuals: Vec<Part>,
 }
 
@@ -181,7 +183,8 @@ pub struct Shape {
     pub origin: Origin,
 }
 
-/// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is missing.
+/// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is
+/// missing.
 #[derive(Clone, Debug)]
 pub struct Part {
     /// True if it is cut out of the others.

@@ -40,7 +40,8 @@ pub struct Condition {
     pub right: AstId,
 }
 
-/// The function that `v in body` is: components of a vector in the axes of a body. It is a keyword, so that no call has this name.
+/// The function that `v in body` is: components of a vector in the axes of a body. It is a keyword,
+/// so that no call has this name.
 pub const IN_AXES: &str = "in";
 
 /// An expression.
@@ -204,7 +205,8 @@ impl Expressions {
         (id.0 as usize) < self.written
     }
 
-    /// Adds expressions that say once more what others say, with numbers that were computed of those of others: these have no units.
+    /// Adds expressions that say once more what others say, with numbers that were computed of
+    /// those of others: these have no units.
     pub fn computed<T>(
         of: &mut T,
         expressions: impl Fn(&mut T) -> &mut Expressions,

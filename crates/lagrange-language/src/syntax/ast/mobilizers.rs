@@ -29,8 +29,8 @@ pub enum JointLine {
     Frame(usize),
 }
 
-/// Makes the kinds of joints and their properties from rows: kind, word, coordinates as they are written, motions,
-/// tokens that must follow the word, and form of the statement.
+/// Makes the kinds of joints and their properties from rows: kind, word, coordinates as they are
+/// written, motions, tokens that must follow the word, and form of the statement.
 macro_rules! joints {
     ($(
         #[doc = $doc:literal]
@@ -97,7 +97,8 @@ joints! {
         "write `weld arm to hand { at: p; turned: (roll, pitch, yaw); }`";
 }
 
-/// A joint that makes coordinates and places a body by them, which is what Simbody and Drake call a mobilizer.
+/// A joint that makes coordinates and places a body by them, which is what Simbody and Drake call a
+/// mobilizer.
 ///
 /// ```text
 /// mobilizer = "weld" NAME "to" NAME tail
@@ -122,7 +123,8 @@ pub struct Mobilizer {
     pub outboard: Name,
     /// `at: (x, y, z);`, the origin of the joint's frame in the axes of its carrier.
     pub at: Option<AstId>,
-    /// `turned: (roll, pitch, yaw);`, orientation of the joint's frame in its carrier; in the plane an angle.
+    /// `turned: (roll, pitch, yaw);`, orientation of the joint's frame in its carrier; in the plane
+    /// an angle.
     pub turned: Option<AstId>,
     /// `axis: (x, y, z);`, in the joint's frame.
     pub axis: Option<AstId>,

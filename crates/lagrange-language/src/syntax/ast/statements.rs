@@ -1,6 +1,7 @@
 //! Statements, one variant each, with what each says of itself.
 //!
-//! Whoever walks over statements asks for their names and expressions here, and so learns of a variant as soon as it is listed.
+//! Whoever walks over statements asks for their names and expressions here, and so learns of a
+//! variant as soon as it is listed.
 
 mod loops;
 mod names;
@@ -67,8 +68,9 @@ pub struct Statement {
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 /// ```
 ///
-/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of functions, of their parameters and of types;
-/// behind the name of an array a value may be a `list`.
+/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of
+/// functions, of their parameters and of types; behind the name of an array a value may be a
+/// `list`.
 ///
 /// ```text
 /// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
@@ -80,7 +82,8 @@ pub struct Statement {
 /// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
 /// ```
 ///
-/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that of [`SceneStatement`].
+/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that
+/// of [`SceneStatement`].
 #[derive(Clone, Debug)]
 pub enum StatementKind {
     /// `param a, b = 1.0;`
@@ -340,7 +343,8 @@ impl StatementKind {
         }
     }
 
-    /// The names that a statement declares, each with the expression for its value or where its value starts.
+    /// The names that a statement declares, each with the expression for its value or where its
+    /// value starts.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
         match self {
             StatementKind::Parameters(list)

@@ -40,7 +40,8 @@ impl Cursor {
         }
     }
 
-    /// True if what stands behind so many tokens may follow a name in a list: a comma, the end, a number of elements, a colon.
+    /// True if what stands behind so many tokens may follow a name in a list: a comma, the end, a
+    /// number of elements, a colon.
     fn goes_on_as_list(&self, count: usize) -> bool {
         match self.peek_past(count) {
             None => true,

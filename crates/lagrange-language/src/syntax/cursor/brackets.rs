@@ -47,7 +47,8 @@ impl SquareBrackets {
         behind.groups.clone()
     }
 
-    /// The first that nobody read behind a word before this one. All of these count as read from now on.
+    /// The first that nobody read behind a word before this one. All of these count as read from
+    /// now on.
     pub(super) fn forget(&mut self, end: usize) -> Option<Group> {
         let mut first = None;
         for behind in self.0.range_mut(..end).map(|(_, behind)| behind).filter(|behind| !behind.is_read) {

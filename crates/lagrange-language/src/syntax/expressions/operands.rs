@@ -206,7 +206,8 @@ enum Elements {
     Vector(Vec<AstId>),
 }
 
-/// True if a group is parentheses, or the invisible brackets around a fragment of a `macro_rules!` macro.
+/// True if a group is parentheses, or the invisible brackets around a fragment of a `macro_rules!`
+/// macro.
 fn is_transparent(group: &Group) -> bool {
     matches!(group.delimiter(), Delimiter::Parenthesis | Delimiter::None)
 }

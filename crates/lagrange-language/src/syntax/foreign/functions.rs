@@ -3,8 +3,8 @@
 use super::filled;
 use super::rates::derivative;
 
-/// Functions with other names, or with another number of arguments than theirs, and how they are written: `#1` is the first
-/// argument. Rows with more arguments than there are do not fit.
+/// Functions with other names, or with another number of arguments than theirs, and how they are
+/// written: `#1` is the first argument. Rows with more arguments than there are do not fit.
 pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["log", "loge", "Log"], 1, "ln(#1)"),
     (&["log"], 2, "ln(#1)/ln(#2)"),
@@ -60,7 +60,8 @@ fn bracketed(argument: &str) -> String {
     if is_word || is_enclosed { argument.to_owned() } else { format!("({argument})") }
 }
 
-/// True if the first bracket of a text is closed by its last character, and nothing but a word stands before it.
+/// True if the first bracket of a text is closed by its last character, and nothing but a word
+/// stands before it.
 fn closes_at_its_end(text: &str) -> bool {
     let Some(open) = text.find('(') else { return false };
     let is_call = text[..open].chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');

@@ -28,7 +28,8 @@ pub(in crate::syntax) fn with_space(number: &str, unit: &str) -> String {
     format!("write {}", quoted(format!("{number} {unit}")))
 }
 
-/// Advice where the factors of a unit stand behind a number; `rest` is what the quantity is multiplied with.
+/// Advice where the factors of a unit stand behind a number; `rest` is what the quantity is
+/// multiplied with.
 pub(in crate::syntax) fn in_brackets(number: &str, unit: &str, rest: &str) -> String {
     format!("write {}", quoted(format!("{number} [{unit}]{rest}")))
 }

@@ -1,6 +1,7 @@
 //! Expressions as text.
 //!
-//! What is still to be written waits on a stack, so that chains of any length are printed without recursion.
+//! What is still to be written waits on a stack, so that chains of any length are printed without
+//! recursion.
 
 use super::Printer;
 use super::numbers::{Form, numeral};

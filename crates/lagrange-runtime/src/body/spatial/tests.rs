@@ -5,7 +5,8 @@ use super::{SpatialMotion, Vector, cross, difference, inner, scaled, sum};
 /// How many random motions each law is tried on.
 const TRIALS: u64 = 100;
 
-/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random enough for places.
+/// Knuth's generator of 64 bits with the constants of MMIX; the upper half of its state is random
+/// enough for places.
 struct Random(u64);
 
 impl Random {
@@ -46,7 +47,8 @@ impl Random {
 
 const IDENTITY: [Vector<f64>; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
-/// A rotation after which another follows about a vector, by an angle that is its length (Rodrigues).
+/// A rotation after which another follows about a vector, by an angle that is its length
+/// (Rodrigues).
 fn turned(by: Vector<f64>, rotation: [Vector<f64>; 3]) -> [Vector<f64>; 3] {
     let angle = inner(by, by).sqrt();
     if angle == 0.0 {

@@ -1,4 +1,5 @@
-//! Singular equations whose solutions are known, and conditions that tell minimum-norm solutions from others.
+//! Singular equations whose solutions are known, and conditions that tell minimum-norm solutions
+//! from others.
 
 use super::{RedundantMotion, minimum_norm, redundant_correction, redundant_motion};
 
@@ -161,7 +162,8 @@ fn a_correction_is_the_smallest_by_mass_and_serves_copies_too() {
     assert_near(change, [-0.2e-3, -0.8e-3], 1e-14);
 }
 
-/// Between what is dependent and what is not, errors of the multipliers grow as the angle falls, and no motion is refused.
+/// Between what is dependent and what is not, errors of the multipliers grow as the angle falls,
+/// and no motion is refused.
 #[test]
 fn nearly_dependent_constraints_never_give_nonsense() {
     let (mass, forcing) = ([[1.0, 0.0], [0.0, 1.0]], [3.0, -4.0]);

@@ -219,7 +219,8 @@ impl Mechanism<2, 1> for Ground {
     }
 }
 
-/// A point mass of different masses by direction on an ellipse that may breathe: x²/a² + y²/b² = (1 + t)².
+/// A point mass of different masses by direction on an ellipse that may breathe: x²/a² + y²/b² = (1 +
+/// t)².
 #[derive(Clone, Copy, Debug)]
 struct Ellipse {
     masses: [f64; 2],
@@ -253,9 +254,9 @@ impl Mechanism<2, 1> for Ellipse {
     }
 }
 
-/// The nearest point of x²/a² + y²/b² = 1 from outside or inside, by bisection for the multiplier: with M (q₀ − q) = μ A and
-/// masses as weights, qᵢ = mᵢ aᵢ² pᵢ/(mᵢ aᵢ² + μ) and Σ (qᵢ/aᵢ)² = 1, whose largest root is the global minimum (Eberly, *Distance from
-/// a point to an ellipse*, 2013).
+/// The nearest point of x²/a² + y²/b² = 1 from outside or inside, by bisection for the multiplier:
+/// with M (q₀ − q) = μ A and masses as weights, qᵢ = mᵢ aᵢ² pᵢ/(mᵢ aᵢ² + μ) and Σ (qᵢ/aᵢ)² = 1,
+/// whose largest root is the global minimum (Eberly, *Distance from a point to an ellipse*, 2013).
 fn nearest_on_ellipse(masses: [f64; 2], axes: [f64; 2], p: [f64; 2]) -> [f64; 2] {
     let weights = [0, 1].map(|i| masses[i] * axes[i] * axes[i]);
     let at = |mu: f64| [0, 1].map(|i| weights[i] * p[i] / (weights[i] + mu));

@@ -68,8 +68,8 @@ fn friction_that_gives_way_without_a_jump_slips_the_way_it_is_driven() {
     }
 }
 
-/// A block on a moving belt, held by a spring: it sticks until the spring pulls as hard as static friction, then swings with the
-/// kinetic one until it has the speed of the belt again.
+/// A block on a moving belt, held by a spring: it sticks until the spring pulls as hard as static
+/// friction, then swings with the kinetic one until it has the speed of the belt again.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Block { weight: 0.0, belt: 0.5, stiffness: 8.0, kinetic: 4.0, fixed: 6.0, ..INCLINE };
@@ -80,7 +80,8 @@ fn a_block_on_a_belt_sticks_and_slips() {
         let wanted = if n % 2 == 0 { EventKind::Slipped } else { EventKind::Stuck };
         assert_eq!(event.kind, wanted, "{n}");
     }
-    // It gives way at x = 6/8, and swings about 4/8 with ω = 2: x − 1/2 = A cos 2τ + B sin 2τ with A = 1/4 = B.
+    // It gives way at x = 6/8, and swings about 4/8 with ω = 2: x − 1/2 = A cos 2τ + B sin 2τ with
+    // A = 1/4 = B.
     for event in events.iter().step_by(2) {
         assert!((event.state[0] - 0.75).abs() < 1e-11, "{:?}", event.state);
     }
@@ -131,7 +132,8 @@ fn a_block_slides_to_rest_on_a_floor_and_keeps_lying() {
 
 #[test]
 fn a_contact_that_opens_frees_its_friction() {
-    // Lifted with 4 N/s: the floor is left at t = m g/4 = 4.905. Pulled with 1 N/s, the block gives way where t = 0.3 (m g − 4 t).
+    // Lifted with 4 N/s: the floor is left at t = m g/4 = 4.905. Pulled with 1 N/s, the block gives
+    // way where t = 0.3 (m g − 4 t).
     let lifted = Slider { lift: 4.0, pull: 1.0, ..SLIDER };
     let trajectory = lifted.simulate([0.0; 4]).until(6.0).tolerance(1e-12).run().expect("runs");
     let found: Vec<_> = trajectory.events().iter().map(|event| (event.name.as_str(), event.kind)).collect();
@@ -152,7 +154,8 @@ fn a_contact_that_opens_frees_its_friction() {
     );
 }
 
-/// Bounces rub as much as lying does: over any number of them friction takes μ times the momentum that the floor gave.
+/// Bounces rub as much as lying does: over any number of them friction takes μ times the momentum
+/// that the floor gave.
 #[test]
 fn a_bouncing_block_is_slowed_like_a_sliding_one() {
     let bouncing = Slider { e: 0.5, ..SLIDER };
@@ -162,7 +165,8 @@ fn a_bouncing_block_is_slowed_like_a_sliding_one() {
     assert!((trajectory.last()[2] - (5.0 - 0.25 * 9.81 * 1.5)).abs() < 1e-8, "{:?}", trajectory.last());
 }
 
-/// A drive that is exactly as large as static friction, but for rounding, moves nothing and makes nothing go back and forth.
+/// A drive that is exactly as large as static friction, but for rounding, moves nothing and makes
+/// nothing go back and forth.
 #[test]
 fn a_block_exactly_at_its_limit_stays() {
     for weight in [-8.0, -8.0 * (1.0 + 1e-15), -8.0 * (1.0 - 1e-15)] {
@@ -174,7 +178,8 @@ fn a_block_exactly_at_its_limit_stays() {
     }
 }
 
-/// A limit that grows from nothing, as where a rough stretch begins, takes hold of what moves and of what rests.
+/// A limit that grows from nothing, as where a rough stretch begins, takes hold of what moves and
+/// of what rests.
 #[test]
 fn friction_whose_limit_begins_later_is_met() {
     let slider = Slider { lift: -4.0, g: 0.0, ..SLIDER };

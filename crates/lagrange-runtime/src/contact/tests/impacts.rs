@@ -82,7 +82,8 @@ fn a_coefficient_of_restitution_that_is_not_from_0_to_1_is_refused_by_name() {
     }
 }
 
-/// A rod that moves broadside and meets a peg with one end turns with ω = 3 v/(2 L) and loses a quarter of its energy.
+/// A rod that moves broadside and meets a peg with one end turns with ω = 3 v/(2 L) and loses a
+/// quarter of its energy.
 #[test]
 fn a_rod_turns_round_a_peg() {
     let rod = Rod { supports: [0.0, -9.0], ..Rod::new(0.0, 0.0) };
@@ -103,12 +104,14 @@ fn both_ends_of_a_rod_hit_the_floor_at_once() {
     assert!((energy_loss - 0.5 * 3.0 * (16.0 - 4.0)).abs() < 1e-12);
 }
 
-/// A rod on its left end is hit near its centre: that throws the left end up, which a contact that cannot pull does not prevent.
+/// A rod on its left end is hit near its centre: that throws the left end up, which a contact that
+/// cannot pull does not prevent.
 #[test]
 fn a_contact_that_would_pull_is_left_out() {
     let rod = Rod { places: [-1.0, 0.2], modes: [CLOSED, OPEN], ..Rod::new(9.81, 0.0) };
     let (y, rod, kind) = after(&rod, 1, 1.0, [0.0, 0.0, -1.0, -1.0]);
-    // Alone, the right support stops −1.2 by Λ with G = (1 + 3/25)/m, and G between the two is (1 − 3/5)/m.
+    // Alone, the right support stops −1.2 by Λ with G = (1 + 3/25)/m, and G between the two is (1 −
+    // 3/5)/m.
     assert!((impact(kind).impulse - 1.2 * 3.0 / 1.12).abs() < 1e-14);
     let rates = [y[2] - y[3], y[2] + 0.2 * y[3]];
     assert_near(rates, [1.2 * 0.4 / 1.12, 0.0]);
@@ -131,8 +134,8 @@ fn an_impact_conserves_momentum_and_an_elastic_one_energy() {
     }
 }
 
-/// Contacts that are closed take part in an impact at the same instant, so that two balls that touch are hit like one; a hair's
-/// breadth apart, they pass the motion on to the last.
+/// Contacts that are closed take part in an impact at the same instant, so that two balls that
+/// touch are hit like one; a hair's breadth apart, they pass the motion on to the last.
 #[test]
 fn balls_that_touch_are_hit_together() {
     let cradle = Cradle { masses: [1.0; 3], e: 1.0, modes: [OPEN, OPEN] };
@@ -220,8 +223,8 @@ fn modes_at_the_start_fit_the_state() {
     assert_eq!(modes(Ball { g: -1.0, ..closed }, [0.0, 0.0]), [OPEN]);
 }
 
-/// Newton's law of restitution would create energy in some impacts with friction; no impact here does, and the loss that is told
-/// is what the motion has lost.
+/// Newton's law of restitution would create energy in some impacts with friction; no impact here
+/// does, and the loss that is told is what the motion has lost.
 #[test]
 fn no_impact_creates_energy() {
     let mut reduced = 0;
@@ -242,7 +245,8 @@ fn no_impact_creates_energy() {
     assert!(reduced > 0, "some of them are the paradox");
 }
 
-/// Painlevé's paradox: a rough rod that is dragged can have no forces under which its end neither leaves nor enters the floor.
+/// Painlevé's paradox: a rough rod that is dragged can have no forces under which its end neither
+/// leaves nor enters the floor.
 #[test]
 fn where_no_forces_fit_the_motion_is_refused() {
     let stick = Stick { m: 1.0, length: 2.0, g: 9.81, e: 0.0, mu: 3.0, modes: [OPEN, FREE] };

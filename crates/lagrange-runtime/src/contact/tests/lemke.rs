@@ -46,7 +46,8 @@ fn kinetic_energy(v: &[f64; 3]) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1] + INERTIA * v[2] * v[2])
 }
 
-/// How far impulses are from the law at velocities after an impact without restitution, in its own terms.
+/// How far impulses are from the law at velocities after an impact without restitution, in its own
+/// terms.
 fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) -> f64 {
     let mut worst = 0.0_f64;
     for k in (0..K).step_by(2) {
@@ -61,7 +62,8 @@ fn violation(terms: &Terms<f64, 3, K>, impulses: &[f64; K], after: &[f64; 3]) ->
     worst
 }
 
-/// Wedged between four walls, with any friction: there are impulses, they obey the law, and no energy comes of them.
+/// Wedged between four walls, with any friction: there are impulses, they obey the law, and no
+/// energy comes of them.
 #[test]
 fn every_impact_has_impulses() {
     let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
@@ -82,7 +84,8 @@ fn every_impact_has_impulses() {
     }
 }
 
-/// With restitution there are impulses, too, nothing is left that approaches, and no energy is created.
+/// With restitution there are impulses, too, nothing is left that approaches, and no energy is
+/// created.
 #[test]
 fn every_impact_with_restitution_has_impulses() {
     let modes: [Mode; K] = core::array::from_fn(|k| if k % 2 == 0 { OPEN } else { FREE });
@@ -121,8 +124,8 @@ fn lemkes_method_ends_at_impulses() {
     }
 }
 
-/// A rod that is dragged over a floor so rough that no force fits its slip stops slipping at once, by impulses that follow from
-/// G Λ = −(0, slip), and holds.
+/// A rod that is dragged over a floor so rough that no force fits its slip stops slipping at once,
+/// by impulses that follow from G Λ = −(0, slip), and holds.
 #[test]
 fn a_rod_that_is_dragged_against_strong_friction_jams() {
     let angle: f64 = 1.0;
@@ -155,7 +158,8 @@ fn a_rod_that_is_dragged_against_strong_friction_jams() {
     assert_eq!(jammed, 2, "one way, fast and slowly");
 }
 
-/// A block of mass 2 on a floor, its friction a quarter of the normal force: the numbers of the documentation.
+/// A block of mass 2 on a floor, its friction a quarter of the normal force: the numbers of the
+/// documentation.
 fn block(free: [f64; 2], rates: [f64; 2]) -> Terms<f64, 2, 2> {
     let mut terms = nothing::<2, 2>();
     terms.free = free;

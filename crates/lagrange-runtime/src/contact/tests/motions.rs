@@ -9,7 +9,8 @@ use crate::run::{integrate, integrate_with_events};
 use crate::simulate::{Ending, Simulate};
 use crate::system::{Action, Direction, EventKind, StepFailure, split};
 
-/// When the ball that falls from 1 m with e = 0.8 at g = 9.81 first hits the ground, and when it has come to rest.
+/// When the ball that falls from 1 m with e = 0.8 at g = 9.81 first hits the ground, and when it
+/// has come to rest.
 const FIRST: f64 = 0.451_523_640_985_73;
 const REST: f64 = 4.063_712_768_871_58;
 
@@ -200,7 +201,8 @@ fn balls_a_hair_apart_pass_the_motion_on() {
     }
 }
 
-/// A rod that falls broadside onto two supports rattles and comes to rest on both, each with half of its weight.
+/// A rod that falls broadside onto two supports rattles and comes to rest on both, each with half
+/// of its weight.
 #[test]
 fn a_rod_comes_to_rest_on_two_supports() {
     let rod = Rod::new(9.81, 0.6);

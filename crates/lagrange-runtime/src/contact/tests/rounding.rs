@@ -1,4 +1,5 @@
-//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times smaller or larger.
+//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times
+//! smaller or larger.
 
 use super::systems::{Ball, nothing};
 use crate::contact::choice::Choice;
@@ -10,7 +11,8 @@ use crate::contact::{ContactSystem, Terms};
 
 const EPSILON: f64 = f64::EPSILON;
 
-/// A ball above a floor that is at the height one at the time one, so that the terms of its gap are one.
+/// A ball above a floor that is at the height one at the time one, so that the terms of its gap are
+/// one.
 const ABOVE_ONE: Ball = Ball { rise: 2.0, ..Ball::new(0.5) };
 
 #[test]
@@ -42,7 +44,8 @@ fn gaps_are_known_as_well_as_the_time_of_an_event() {
     assert_eq!([1.0, 64.0].map(touches), [[true], [false]]);
 }
 
-/// The velocity of a contact, beside that of the floor, after it was thrown up with this speed by an impact at this place and time.
+/// The velocity of a contact, beside that of the floor, after it was thrown up with this speed by
+/// an impact at this place and time.
 fn after_hop(ball: &Ball, t: f64, q: [f64; 1], speed: f64) -> f64 {
     let floor = ball.rise * t;
     let before = ball.terms(t, &q, &[floor - 2.0 * speed]);

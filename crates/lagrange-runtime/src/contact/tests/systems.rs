@@ -1,6 +1,7 @@
 //! The systems of the tests.
 
-/// Implements the traits of a mechanical system with reactions from its constant or hand-written [`Terms`](crate::contact::Terms).
+/// Implements the traits of a mechanical system with reactions from its constant or hand-written
+/// [`Terms`](crate::contact::Terms).
 macro_rules! contact_system {
     ($name:ident, $n:literal coordinates $coordinates:tt, $k:literal reactions $reactions:tt) => {
         impl crate::system::OdeSystem for $name {
@@ -154,8 +155,8 @@ impl Ball {
 
 contact_system!(Ball, 1 coordinates ["y"], 1 reactions ["floor"]);
 
-/// A block on a belt that moves with the speed `belt`, pulled by a spring and a force `drive`·t, with Coulomb friction between
-/// constant limits.
+/// A block on a belt that moves with the speed `belt`, pulled by a spring and a force `drive`·t,
+/// with Coulomb friction between constant limits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block {
     pub(super) m: f64,
@@ -249,7 +250,8 @@ pub(super) struct Rod {
     pub(super) length: f64,
     pub(super) g: f64,
     pub(super) e: f64,
-    /// Where it may be supported, from −1 at its left end to 1 at its right end, and the heights of what is there.
+    /// Where it may be supported, from −1 at its left end to 1 at its right end, and the heights of
+    /// what is there.
     pub(super) places: [f64; 2],
     pub(super) supports: [f64; 2],
     pub(super) modes: [Mode; 2],
@@ -305,8 +307,8 @@ impl Corner {
 
 contact_system!(Corner, 2 coordinates ["x", "y"], 3 reactions ["wall", "floor", "carpet"]);
 
-/// A slender rod whose left end touches a rough floor: position and height of its centre, and its angle. Its reactions are the
-/// contact of the end and the friction there.
+/// A slender rod whose left end touches a rough floor: position and height of its centre, and its
+/// angle. Its reactions are the contact of the end and the friction there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stick {
     pub(super) m: f64,

@@ -1,8 +1,9 @@
 //! Ensembles side by side: several motions in the lanes of vector instructions.
 //!
-//! A chunk of motions goes in lanes if its system hands out its equations for that, the method can, and no more than ends and samples was asked for. What is
-//! out of the ordinary, lanes leave to a run of its own: motions that fail, with their cause, and those of systems that wait for a time at
-//! which they jump.
+//! A chunk of motions goes in lanes if its system hands out its equations for that, the method can,
+//! and no more than ends and samples was asked for. What is out of the ordinary, lanes leave to a
+//! run of its own: motions that fail, with their cause, and those of systems that wait for a time
+//! at which they jump.
 
 mod dispatch;
 mod refill;
@@ -28,7 +29,8 @@ use crate::scalar::{Number, Scalar};
 use crate::simulate::{Drive, Grid, Sampling, Trajectory};
 use crate::system::{LanesSystem, LanesVisitor, MechanicalSystem, ScalarOf};
 
-/// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond that
+/// Samples of motions that are computed together, at most: some megabytes of a small system. Beyond
+/// that
 const MOST_SAMPLES: f64 = 1_048_576.0;
 /// as many motions are, two for each lane,
 const LEAST_TOGETHER: usize = 16;
@@ -53,15 +55,19 @@ where
     /// True if motions are computed side by side, several at a time with each instruction of the
     /// processor.
     ///
-    /// They are if the declaration says `emit { lanes }` and has neither constraints nor events, contacts or friction, if the method is
-    /// [`Verner98`](crate::integrate::Verner98), [`RungeKutta4`](crate::integrate::RungeKutta4),
-    /// [`StormerVerlet`](crate::integrate::StormerVerlet), [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
-    /// [`BlanesMoan4`](crate::integrate::BlanesMoan4), and if nothing is asked for but ends, samples and columns: no laws, controllers, events
-    /// or restarts. A motion that fails, or jumps at a time known beforehand, is a run by itself in any case.
+    /// They are if the declaration says `emit { lanes }` and has neither constraints nor events,
+    /// contacts or friction, if the method is [`Verner98`](crate::integrate::Verner98),
+    /// [`RungeKutta4`](crate::integrate::RungeKutta4),
+    /// [`StormerVerlet`](crate::integrate::StormerVerlet),
+    /// [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
+    /// [`BlanesMoan4`](crate::integrate::BlanesMoan4), and if nothing is asked for but ends,
+    /// samples and columns: no laws, controllers, events or restarts. A motion that fails, or jumps
+    /// at a time known beforehand, is a run by itself in any case.
     ///
-    /// What comes of a motion then depends neither on the others nor on threads or shards, but on whether the processor fuses products and
-    /// sums; and it is that of a single run only to within what the tolerance leaves open. [`one_by_one`](Self::one_by_one) gives the bits of
-    /// single runs.
+    /// What comes of a motion then depends neither on the others nor on threads or shards, but on
+    /// whether the processor fuses products and sums; and it is that of a single run only to within
+    /// what the tolerance leaves open. [`one_by_one`](Self::one_by_one) gives the bits of single
+    /// runs.
     pub fn is_in_lanes(&self) -> bool {
         let is_plain = !self.batch.needs_runs() && !M::IS_CONSTRAINED && M::EVENTS.is_empty();
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()
@@ -81,7 +87,8 @@ where
         })
     }
 
-    /// Computes motions and hands over in their order what came of them, until the ensemble is cancelled.
+    /// Computes motions and hands over in their order what came of them, until the ensemble is
+    /// cancelled.
     pub(super) fn each(
         &self,
         motions: Range<usize>,
@@ -187,7 +194,8 @@ where
         ends.unwrap_or_else(|| starts.iter().map(|_| None).collect())
     }
 
-    /// The trajectory of a motion that went in a lane: its start, its samples and its end, with all columns.
+    /// The trajectory of a motion that went in a lane: its start, its samples and its end, with all
+    /// columns.
     pub(super) fn trajectory_of(&self, index: usize, system: &M, arrival: &ArrivalOf<M>) -> Trajectory<M> {
         let ((_, start), Arrival { state, samples, work }) = (self.batch.origin(index), arrival);
         let end = (self.batch.span()[1], *state);

@@ -1,7 +1,7 @@
 //! A few motions at a time, one in each lane; a lane whose motion has ended takes the next one.
 //!
-//! Motions are started one by one, each in a lane of its own: what methods do there once costs little, and a copy of it for all lanes would be a
-//! third of what is compiled.
+//! Motions are started one by one, each in a lane of its own: what methods do there once costs
+//! little, and a copy of it for all lanes would be a third of what is compiled.
 
 use std::vec::Vec;
 
@@ -167,7 +167,8 @@ where
     let mut progress = QueueProgress { queue, method, ends: Vec::new(), next: 0, busy: 0, sampler };
     progress.ends.resize_with(queue.starts.len(), || None);
     loop {
-        // One place of call each for starts, steps and samples, so that the right-hand side is inlined no more often.
+        // One place of call each for starts, steps and samples, so that the right-hand side is
+        // inlined no more often.
         if progress.busy < S::LANES && progress.has_more() {
             progress.refill(&mut running);
         }
@@ -301,7 +302,8 @@ where
         }
     }
 
-    /// Puts another motion once more into a lane that is free: NaN would take the slow way through elementary functions.
+    /// Puts another motion once more into a lane that is free: NaN would take the slow way through
+    /// elementary functions.
     #[cold]
     fn replace(&self, running: &mut LanesGroupOf<M, L, S>, lane: usize) {
         if let Some(busy) = running.busy_lane() {

@@ -7,7 +7,8 @@ use crate::scalar::{Mask, Number, Scalar};
 use crate::simulate::Grid;
 use crate::system::{Equations, SideBySide, StateVector};
 
-/// Samples of the motions that are in lanes at present, of states Y, with what is known of the last steps, W.
+/// Samples of the motions that are in lanes at present, of states Y, with what is known of the last
+/// steps, W.
 pub(super) struct Sampler<S: SideBySide, Y, W> {
     /// The times of the samples of every motion,
     grid: Grid<S::Element>,
@@ -57,7 +58,8 @@ where
         stepper.begin(&mut self.last);
     }
 
-    /// Keeps what samples there are of the last steps, of which those are taken back that do not tell states within them.
+    /// Keeps what samples there are of the last steps, of which those are taken back that do not
+    /// tell states within them.
     #[inline(always)]
     pub(super) fn keep<E: Equations<S>>(
         &mut self,

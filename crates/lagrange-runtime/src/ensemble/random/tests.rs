@@ -47,7 +47,8 @@ fn first_bits(seed: u64, index: usize) -> [u64; 3] {
     ]
 }
 
-/// Of what is drawn under one seed nothing depends on the rest: five standard deviations of a correlation of so many.
+/// Of what is drawn under one seed nothing depends on the rest: five standard deviations of a
+/// correlation of so many.
 #[test]
 fn purposes_are_independent_of_each_other() {
     let number = 20_000;

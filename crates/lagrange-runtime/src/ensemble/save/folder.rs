@@ -44,7 +44,8 @@ impl Folder {
         Folder { path: path.into(), checked: BTreeSet::new() }
     }
 
-    /// Makes the folder if there is none, and keeps others from writing the parts of this shard until the lock is dropped.
+    /// Makes the folder if there is none, and keeps others from writing the parts of this shard
+    /// until the lock is dropped.
     ///
     /// # Errors
     /// If somebody else writes the same parts there.
@@ -65,10 +66,12 @@ impl Folder {
         Ok(lock)
     }
 
-    /// Returns the parts that exist. The parts of this shard, and one of another, are checked, each once.
+    /// Returns the parts that exist. The parts of this shard, and one of another, are checked, each
+    /// once.
     ///
     /// # Errors
-    /// If one of these is damaged or belongs to another ensemble, or another file has a name like a part.
+    /// If one of these is damaged or belongs to another ensemble, or another file has a name like a
+    /// part.
     pub(super) fn find(
         &mut self,
         shard: &Range<usize>,
@@ -107,7 +110,8 @@ impl Folder {
 
     /// Writes a part, as a whole or not at all.
     ///
-    /// `write` is given the file, and what makes an error of what the operating system says about it.
+    /// `write` is given the file, and what makes an error of what the operating system says about
+    /// it.
     ///
     /// # Errors
     /// Those of `write`, and what the operating system says.

@@ -179,8 +179,9 @@ fn write_column<T: DataType>(
     column.close()
 }
 
-/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Parameters do, the first columns, and times
-/// behind them, and indices are one more than those before, or the same.
+/// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time. Parameters
+/// do, the first columns, and times behind them, and indices are one more than those before, or the
+/// same.
 fn properties<M: SharedSystem>(names: &[&str], parameters: usize, label: &Label) -> WriterProperties {
     let metadata = label.pairs().into_iter().chain(units::<M>(names.iter().copied()));
     let builder = WriterProperties::builder()

@@ -1,7 +1,7 @@
 //! Checksums of whole files.
 //!
-//! The metadata at the end of a file hold the XXH64 of all its bytes, with zeros in the place of the checksum. Other readers of Parquet pass it
-//! over.
+//! The metadata at the end of a file hold the XXH64 of all its bytes, with zeros in the place of
+//! the checksum. Other readers of Parquet pass it over.
 
 use core::hash::Hasher;
 use std::format;
@@ -29,7 +29,8 @@ pub(super) fn seal(mut file: &File) -> io::Result<()> {
     file.write_all(digits.as_bytes())
 }
 
-/// True if the file has all bytes that it had when it was sealed; none if it never was, as far as its metadata tell.
+/// True if the file has all bytes that it had when it was sealed; none if it never was, as far as
+/// its metadata tell.
 pub(super) fn is_intact(mut file: &File) -> io::Result<Option<bool>> {
     let Some(place) = place(file)? else { return Ok(None) };
     let digits = format!("{:016x}", checksum(file, place)?);
@@ -52,7 +53,8 @@ fn place(mut file: &File) -> io::Result<Option<u64>> {
     let mut metadata = vec![0; (end - start) as usize];
     file.seek(SeekFrom::Start(start))?;
     file.read_exact(&mut metadata)?;
-    // In the compact protocol of Thrift the value is the next field, a text, and its length one byte.
+    // In the compact protocol of Thrift the value is the next field, a text, and its length one
+    // byte.
     let before: Vec<u8> = [KEY.as_bytes(), &[0x18, UNSEALED.len() as u8], LABEL.as_bytes()].concat();
     let found = metadata.windows(before.len() + ZEROS.len()).rposition(|bytes| bytes.starts_with(&before));
     Ok(found.map(|found| start + (found + before.len()) as u64))

@@ -101,8 +101,8 @@ fn bits<S: Copy + Into<f64>>(values: &[S]) -> String {
     bits.collect::<Vec<_>>().join(" ")
 }
 
-/// Number of steps whose bits identify what names do not: methods, functions of the user's crate, inputs
-/// and columns.
+/// Number of steps whose bits identify what names do not: methods, functions of the user's crate,
+/// inputs and columns.
 const STEPS: u64 = 8;
 
 /// Prefix of lines about single motions. They differ if other lines do, which are more informative.

@@ -16,12 +16,13 @@ pub struct Verified {
     pub missing: usize,
 }
 
-/// Checks every byte of all parts that [`save_parquet`](crate::ensemble::Ensemble::save_parquet) wrote into a folder, and that they are parts of
-/// one ensemble in their places. Nothing is written.
+/// Checks every byte of all parts that [`save_parquet`](crate::ensemble::Ensemble::save_parquet)
+/// wrote into a folder, and that they are parts of one ensemble in their places. Nothing is
+/// written.
 ///
 /// # Errors
-/// If a part is damaged, under the name of another, of another ensemble than the first or no part; if there are none, or a file
-/// cannot be read.
+/// If a part is damaged, under the name of another, of another ensemble than the first or no part;
+/// if there are none, or a file cannot be read.
 pub fn verify(folder: impl AsRef<Path>) -> Result<Verified, EnsembleError> {
     let (mut first, mut parts) = (None::<Label>, 0);
     for (path, index) in Folder::open(folder.as_ref()).parts()? {

@@ -10,7 +10,8 @@ use crate::system::{
     Action, DeclaredEvent, Direction, EventSource, OdeSystem, Reacted, Response, StepFailure,
 };
 
-/// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and one that is not a number late.
+/// ẏ = 1 with an event that is recorded, one that moves the state, one that ends the motion, and
+/// one that is not a number late.
 #[derive(Clone, Copy)]
 struct Marks {
     /// How far the second event moves the state.

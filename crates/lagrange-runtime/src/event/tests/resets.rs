@@ -8,8 +8,9 @@ use crate::integrate::{Method, RungeKutta4, Verner98};
 use crate::run::integrate_with_events;
 use crate::system::{Action, Direction, EventSource, StepFailure};
 
-/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed, and follows it beyond the time at which
-/// it comes to rest. What came of it, and the lowest place that was seen above the floor.
+/// Lets a ball fall by 5 m onto a floor at this height, where it keeps a part of its speed, and
+/// follows it beyond the time at which it comes to rest. What came of it, and the lowest place that
+/// was seen above the floor.
 fn bounce(
     method: &impl Method<Ball>,
     floor: f64,
@@ -34,7 +35,8 @@ fn bounce(
     (result, lowest, times)
 }
 
-/// Nothing falls through the floor: infinitely many bounces are an error, and every bounce that can be told from rounding happens.
+/// Nothing falls through the floor: infinitely many bounces are an error, and every bounce that can
+/// be told from rounding happens.
 #[test]
 fn no_ball_tunnels_through_a_floor() {
     for floor in [0.0, -3.7, 100.0] {
@@ -67,7 +69,8 @@ fn no_ball_tunnels_through_a_floor() {
     }
 }
 
-/// A ball that is slowed down at a surface sinks through it: that happens once, however little is left of its speed.
+/// A ball that is slowed down at a surface sinks through it: that happens once, however little is
+/// left of its speed.
 #[test]
 fn what_goes_on_in_its_direction_has_one_event() {
     for kept in [1.0, 0.5, 1e-3, 1e-6] {

@@ -43,7 +43,8 @@ fn crossings(method: &impl Method<Rest>, end: f64, function: impl Fn(f64) -> f64
     found.into_iter().map(|(_, time)| time).collect()
 }
 
-/// Asserts that these zeros are found in single steps of any length and in those of the pair, and no others.
+/// Asserts that these zeros are found in single steps of any length and in those of the pair, and
+/// no others.
 fn assert_zeros(what: &str, end: f64, wanted: &[f64], function: impl Fn(f64) -> f64) {
     let steps = [end, end / 3.0, end / 17.0].map(|step| crossings(&RungeKutta4 { step }, end, &function));
     for found in steps.into_iter().chain([crossings(&pair(), end, &function)]) {
@@ -148,7 +149,8 @@ impl OdeSystem for Driven {
     }
 }
 
-/// Along a chaotic motion as many zeros are found as a search in five thousand places a second finds.
+/// Along a chaotic motion as many zeros are found as a search in five thousand places a second
+/// finds.
 #[test]
 fn zeros_along_a_chaotic_motion_are_those_of_a_close_look() {
     let functions: [fn(&[f64; 2]) -> f64; 3] =
@@ -190,7 +192,8 @@ impl Random {
     }
 }
 
-/// Polynomials with known roots and products of sines, 60 of each, or as many as `LAGRANGE_EVENTS` says:
+/// Polynomials with known roots and products of sines, 60 of each, or as many as `LAGRANGE_EVENTS`
+/// says:
 /// `LAGRANGE_EVENTS=20000 cargo test --release -p lagrange-runtime --lib event::tests::zeros`.
 #[test]
 fn random_polynomials_and_products_of_sines_have_the_zeros_that_they_were_made_of() {

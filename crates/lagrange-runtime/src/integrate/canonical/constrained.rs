@@ -6,10 +6,11 @@
 //! P(q, v) = p + Aᵀμ,    ċ(t, q, v) = A v + c_t = 0,
 //! ```
 //!
-//! which is the projection of p onto the momenta that constraints admit, with the inverse mass matrix as metric. A mass matrix
-//! that is singular without the constraints is stiffened by ρ AᵀA, which changes nothing but multipliers where ċ = 0.
-//! Sources: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3; Benzi, Golub, Liesen, *Numerical
-//! solution of saddle point problems*, Acta Numerica 14 (2005), §3.4.
+//! which is the projection of p onto the momenta that constraints admit, with the inverse mass
+//! matrix as metric. A mass matrix that is singular without the constraints is stiffened by ρ AᵀA,
+//! which changes nothing but multipliers where ċ = 0. Sources: Hairer, Lubich, Wanner, *Geometric
+//! Numerical Integration*, 2nd ed., §VII.1.3; Benzi, Golub, Liesen, *Numerical solution of saddle
+//! point problems*, Acta Numerica 14 (2005), §3.4.
 
 use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
@@ -24,8 +25,8 @@ use crate::system::{
 
 type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// The velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there; the length `h` of the step that led
-/// here tells which velocities are small.
+/// The velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there; the length
+/// `h` of the step that led here tells which velocities are small.
 pub(in crate::integrate) fn constrained_velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

@@ -1,15 +1,16 @@
 //! The common parts of implicit methods in coordinates and momenta.
 //!
-//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of P(Q, V) = ∂L/∂v and that of
-//! the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method needs derivatives. Differentiating d/dt P = R along
-//! the motion gives
+//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of
+//! P(Q, V) = ∂L/∂v and that of the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method
+//! needs derivatives. Differentiating d/dt P = R along the motion gives
 //!
 //! ```text
 //! ∂P/∂v = M,    ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt,    ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q,
 //! ```
 //!
-//! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes the number of
-//! iterations alone, and no more than the change of the derivatives within a step does.
+//! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes
+//! the number of iterations alone, and no more than the change of the derivatives within a step
+//! does.
 
 mod constrained;
 mod pencil;
@@ -77,7 +78,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         join::<M>(&q, &system.momenta(t, &q, &v))
     }
 
-    /// The state of coordinates and momenta at the end of a step of the length `h`, from a guess of velocities.
+    /// The state of coordinates and momenta at the end of a step of the length `h`, from a guess of
+    /// velocities.
     pub(super) fn finish(
         &mut self,
         system: &M,
@@ -93,8 +95,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         Ok(join::<M>(&q, &v))
     }
 
-    /// The force Aᵀμ that constraints add to the momenta at the end of a step, so that they admit the velocities, from a guess
-    /// of these.
+    /// The force Aᵀμ that constraints add to the momenta at the end of a step, so that they admit
+    /// the velocities, from a guess of these.
     pub(super) fn hold(
         &mut self,
         system: &M,
@@ -110,13 +112,15 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         Ok(reaction)
     }
 
-    /// The velocities at the end of the step that is being taken, where constraints have been seen to.
+    /// The velocities at the end of the step that is being taken, where constraints have been seen
+    /// to.
     pub(super) fn held(&self) -> M::Coordinates {
         self.next.0
     }
 
-    /// The state at the end of the step that is being taken was brought onto constraints, and so are the variables. Momenta change
-    /// by what the velocities and the coordinates make of them, so that those that do not are kept to the last digit.
+    /// The state at the end of the step that is being taken was brought onto constraints, and so
+    /// are the variables. Momenta change by what the velocities and the coordinates make of them,
+    /// so that those that do not are kept to the last digit.
     pub(super) fn follow(
         &mut self,
         system: &M,
@@ -165,8 +169,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
     }
 }
 
-/// The magnitude of slopes and of those that would move `from` by itself or by one within a step of the length `h`: in
-/// floating point it makes no difference to change them by their rounding.
+/// The magnitude of slopes and of those that would move `from` by itself or by one within a step of
+/// the length `h`: in floating point it makes no difference to change them by their rounding.
 pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h: S) -> Y {
     for (slope, from) in slopes.as_mut().iter_mut().zip(from.as_ref()) {
         *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();

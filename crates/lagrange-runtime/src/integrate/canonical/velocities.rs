@@ -9,8 +9,8 @@ use crate::system::{CanonicalSystem, StateVector, StepFailure};
 
 /// The velocities v with ∂L/∂v = p, from a guess and the mass matrix there.
 ///
-/// One correction does if L is quadratic in the velocities; another removes what rounding left of it. The length `h` of
-/// the step that led here tells which velocities are small.
+/// One correction does if L is quadratic in the velocities; another removes what rounding left of
+/// it. The length `h` of the step that led here tells which velocities are small.
 pub(in crate::integrate) fn velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

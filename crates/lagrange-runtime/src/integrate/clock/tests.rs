@@ -44,7 +44,8 @@ fn walk<S: Scalar + Into<f64>>(start: S, limit: S, step: S) -> usize {
     steps
 }
 
-/// Ways of a few steps between times that are multiples of the step, their neighbours, or anything else.
+/// Ways of a few steps between times that are multiples of the step, their neighbours, or anything
+/// else.
 fn check_frames<S: Scalar + Into<f64>>(count: usize) {
     let mut random = Random(1);
     for frame in 0..count {

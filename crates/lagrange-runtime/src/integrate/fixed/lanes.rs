@@ -94,8 +94,8 @@ where
         (h, clock)
     }
 
-    /// Takes steps by these increments up to where the clock then is; they hint at instability where the mask is true. What they were is asked
-    /// for only there.
+    /// Takes steps by these increments up to where the clock then is; they hint at instability
+    /// where the mask is true. What they were is asked for only there.
     #[inline(always)]
     pub(in crate::integrate) fn accept(
         &mut self,

@@ -1,13 +1,14 @@
 //! Gauss methods in coordinates and momenta.
 //!
-//! Hamilton's equations with velocities in the place of momenta: the stages hold velocities Vᵢ that satisfy
+//! Hamilton's equations with velocities in the place of momenta: the stages hold velocities Vᵢ that
+//! satisfy
 //!
 //! ```text
 //! Qᵢ = q + h Σ aᵢⱼ Vⱼ,    P(Qᵢ, Vᵢ) = p + h Σ aᵢⱼ R(Qⱼ, Vⱼ),    P = ∂L/∂v,    R = ∂L/∂q + Q,
 //! ```
 //!
-//! so that no mass matrix has to be inverted within a stage. To first order, a change of the velocities changes what is
-//! left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
+//! so that no mass matrix has to be inverted within a stage. To first order, a change of the
+//! velocities changes what is left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::Formula;

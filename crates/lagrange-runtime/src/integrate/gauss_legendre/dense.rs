@@ -1,8 +1,8 @@
 //! States within a step of a Gauss method.
 //!
-//! The polynomial through the stages is accurate to the order K + 1 of h only, so that for two and three stages states
-//! and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
-//! §II.6.
+//! The polynomial through the stages is accurate to the order K + 1 of h only, so that for two and
+//! three stages states and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving
+//! Ordinary Differential Equations I*, §II.6.
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
 use crate::integrate::method::Work;
@@ -13,7 +13,8 @@ use crate::system::{CanonicalSystem, OdeSystem, StateVector, join, split};
 /// A state with its time.
 type At<'a, M> = (<M as OdeSystem>::Scalar, &'a <M as OdeSystem>::State);
 
-/// The state between the ends of a step of the method with K stages, with an error of the order of the method.
+/// The state between the ends of a step of the method with K stages, with an error of the order of
+/// the method.
 pub(super) fn between<M: CanonicalSystem + ?Sized, const K: usize>(
     system: &M,
     from: At<'_, M>,
@@ -68,7 +69,8 @@ fn third_degree<M: OdeSystem + ?Sized>(
     cubic(Place { h, s: (t - from.0) / h }, [from.1, to.1], [&rates[0], &rates[1]])
 }
 
-/// States at both ends, with the rates there and at two places between, to which the cubic leads. The error is O(h⁵).
+/// States at both ends, with the rates there and at two places between, to which the cubic leads.
+/// The error is O(h⁵).
 fn fifth_order<M: OdeSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,
@@ -86,8 +88,9 @@ fn fifth_order<M: OdeSystem + ?Sized>(
     integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
 }
 
-/// Coordinates by the quintic through states and accelerations at the ends; velocities from those and from the
-/// accelerations at two places between, to which the quintic leads. The error is O(h⁶).
+/// Coordinates by the quintic through states and accelerations at the ends; velocities from those
+/// and from the accelerations at two places between, to which the quintic leads. The error is
+/// O(h⁶).
 fn sixth_order<M: CanonicalSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,
@@ -118,7 +121,8 @@ fn thirds<S: Scalar>() -> [S; 2] {
     [1.0, 2.0].map(|number| S::from_f64(number) / S::from_f64(3.0))
 }
 
-/// Values from those at the ends and from their rates at zero, one, two and three thirds of the step.
+/// Values from those at the ends and from their rates at zero, one, two and three thirds of the
+/// step.
 fn integrated<S: Scalar, Y: StateVector<S>>(ends: [&Y; 2], rates: &[Y; 4], place: Place<S>) -> Y {
     let mut result = *ends[0];
     for (i, (y, end)) in result.as_mut().iter_mut().zip(ends[1].as_ref()).enumerate() {

@@ -1,8 +1,8 @@
 //! The linear equations of a Newton iteration over all stages of a Gauss method.
 //!
-//! With the derivatives frozen, those equations are polynomials in the matrix of coefficients. In the basis of its
-//! eigenvectors they fall apart into one real system as large as one stage and a complex one. Source: Hairer, Wanner,
-//! *Solving Ordinary Differential Equations II*, §IV.8.
+//! With the derivatives frozen, those equations are polynomials in the matrix of coefficients. In
+//! the basis of its eigenvectors they fall apart into one real system as large as one stage and a
+//! complex one. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
 
 use crate::integrate::canonical::Pencil;
 use crate::integrate::gauss_legendre::tableau::{EigenMode, Tableau};
@@ -27,7 +27,8 @@ pub(super) enum Linearised<S: Scalar, Y: StateVector<S>, const K: usize> {
 }
 
 impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
-    /// The factors, of the constant alone if derivatives are not known or lead to a singular matrix.
+    /// The factors, of the constant alone if derivatives are not known or lead to a singular
+    /// matrix.
     pub(super) fn new(pencil: &Pencil<S, Y>, tableau: &Tableau<S, K>) -> Option<Self> {
         let modes = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
             let real = match tableau.real {

@@ -1,7 +1,8 @@
 //! Gauss methods in the state itself.
 //!
-//! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution of these equations is
-//! more accurate than f at its rounded argument; the step therefore adds up the solution.
+//! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution
+//! of these equations is more accurate than f at its rounded argument; the step therefore adds up
+//! the solution.
 
 use crate::integrate::canonical::{Pencil, magnitude};
 use crate::integrate::fixed::Formula;

@@ -1,7 +1,8 @@
 //! Coefficients of the Gauss methods and the eigenvalues of their matrices.
 //!
-//! Sources: Butcher 1964; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §II.1.3, table 1.1. The
-//! eigenvalues and eigenvectors only steer iterations, so that the precision of `f64` does for every number type.
+//! Sources: Butcher 1964; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §II.1.3, table
+//! 1.1. The eigenvalues and eigenvectors only steer iterations, so that the precision of `f64` does
+//! for every number type.
 
 use crate::scalar::Scalar;
 
@@ -16,11 +17,13 @@ pub struct Tableau<S, const K: usize> {
     pub(super) c: [S; K],
     /// The real eigenvalue of `a`, if there is one.
     pub(super) real: Option<EigenMode<f64, K>>,
-    /// The pair of complex eigenvalues of `a`, if there is one: that with the positive imaginary part.
+    /// The pair of complex eigenvalues of `a`, if there is one: that with the positive imaginary
+    /// part.
     pub(super) complex: Option<EigenMode<(f64, f64), K>>,
 }
 
-/// An eigenvalue with its right eigenvector, a column, and its left one, a row; the product of row and column is one.
+/// An eigenvalue with its right eigenvector, a column, and its left one, a row; the product of row
+/// and column is one.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EigenMode<N, const K: usize> {
     pub(super) value: N,

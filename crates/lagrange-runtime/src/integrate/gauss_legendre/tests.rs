@@ -122,8 +122,9 @@ fn stiff_springs_neither_limit_steps_nor_disturb_slow_motion() {
 
 #[test]
 fn an_almost_upright_pendulum_falls_in_time() {
-    // The quarter of its period is K(cos δ/2) = ln(4/sin(δ/2)) but for terms in δ², at the angle π − δ. What is left of
-    // the rounding of angles near π, 4e-16, grows until then as δ does, by nine powers of ten.
+    // The quarter of its period is K(cos δ/2) = ln(4/sin(δ/2)) but for terms in δ², at the angle π
+    // − δ. What is left of the rounding of angles near π, 4e-16, grows until then as δ does, by
+    // nine powers of ten.
     let angle = core::f64::consts::PI - 1e-9;
     let delta = (core::f64::consts::PI - angle) + 1.224_646_799_147_353e-16;
     let quarter = (4.0 / (delta / 2.0).sin()).ln();
@@ -204,7 +205,8 @@ fn single_precision_reaches_its_own_rounding() {
 #[test]
 fn a_pendulum_shaken_a_thousand_times_a_second_stands_on_its_head() {
     let system = smooth(ShakenPendulum { amplitude: 1e-3, frequency: 2000.0 * core::f64::consts::PI });
-    // It swings about the upright position with the frequency √(a²Ω²/2 − 1) of the averaged motion, here 4.3.
+    // It swings about the upright position with the frequency √(a²Ω²/2 − 1) of the averaged motion,
+    // here 4.3.
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     integrate(&system, 0.0, [3.0, 0.0], 2.0, &GaussLegendre4 { step: 1e-4 }, |_, [angle, _]| {
         (least, most) = (least.min(*angle), most.max(*angle));

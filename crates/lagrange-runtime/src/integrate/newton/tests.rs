@@ -4,7 +4,8 @@ use super::{Equations, solve};
 use crate::integrate::method::Work;
 use crate::system::StepFailure;
 
-/// x² = target for every unknown, with the derivative 2x taken at a wrong place; unknowns of several scales.
+/// x² = target for every unknown, with the derivative 2x taken at a wrong place; unknowns of
+/// several scales.
 struct Roots {
     targets: [f64; 3],
     slopes: [f64; 3],

@@ -1,7 +1,8 @@
 //! The choice of the next step length.
 //!
-//! The step follows the error of the last two steps, and Newton's iterations: many of them ask for a shorter step.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8, "Step size selection".
+//! The step follows the error of the last two steps, and Newton's iterations: many of them ask for
+//! a shorter step. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8,
+//! "Step size selection".
 
 use super::newton::MOST_ITERATIONS;
 use crate::scalar::Scalar;
@@ -41,12 +42,14 @@ impl<S: Scalar> ReuseControl<S> {
         self.was_rejected
     }
 
-    /// True if an error above one is to be doubted: that of a first step, or of one after a rejection.
+    /// True if an error above one is to be doubted: that of a first step, or of one after a
+    /// rejection.
     pub(super) fn doubts(&self) -> bool {
         self.was_rejected || self.last.is_none()
     }
 
-    /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
+    /// A step of length `taken`, which may be shorter than asked for, had this error, not above
+    /// one.
     pub(super) fn accept(&mut self, taken: S, error: S, iterations: u32) {
         let mut wanted = wanted(error, iterations);
         if let Some((before, error_before)) = self.last {

@@ -1,9 +1,10 @@
 //! States within a step.
 //!
-//! The polynomial of the stages has the order three, less than the step. Where the rate of a component is another one, as q̇ = v, both follow from
-//! the quintic polynomial of positions, velocities and accelerations at the ends; other components are cubic. The slopes at the ends are
-//! those of the polynomial of the stages at its end, in this step and the one before: equal to the rates but for what Newton's method
-//! leaves, which a stiff system would magnify.
+//! The polynomial of the stages has the order three, less than the step. Where the rate of a
+//! component is another one, as q̇ = v, both follow from a quintic polynomial. It takes positions,
+//! velocities and accelerations at the ends. Other components are cubic. The slopes at the ends are
+//! those of the polynomial of the stages, in this step and the one before. They equal the rates but
+//! for what Newton's method leaves, which a stiff system would magnify.
 
 use super::linear::LeadingPositions;
 use super::newton::{StageChanges, numbers, weighted};
@@ -50,8 +51,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         self.slope(&END_SLOPE)
     }
 
-    /// Returns the step with the slopes of the polynomial of the stages at both ends, which fast motions that the step does not
-    /// resolve do not spoil.
+    /// Returns the step with the slopes of the polynomial of the stages at both ends. Fast motions
+    /// that the step does not resolve do not spoil these.
     pub(super) fn smooth(&self) -> Self {
         StepTaken { slopes: [self.slope(&START_SLOPE), self.slope(&END_SLOPE)], ..*self }
     }
@@ -62,7 +63,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         slope
     }
 
-    /// The changes from the part `s` of the step to the nodes of one of the length `h` that begins there.
+    /// The changes from the part `s` of the step to the nodes of one of the length `h` that begins
+    /// there.
     #[inline(always)]
     pub(super) fn continued(&self, s: S, h: S) -> StageChanges<Y> {
         let (start, ratio) = (parts(s), h / self.h);
@@ -98,7 +100,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         y
     }
 
-    /// The components whose rates are others, with these: not those whose rates are others and something that depends on time.
+    /// The components whose rates are others, with these: not those whose rates are others and
+    /// something that depends on time.
     fn positions(
         &self,
         LeadingPositions { count, rates }: LeadingPositions,
@@ -109,7 +112,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         })
     }
 
-    /// The slope of the interpolant at the part `s` of the step, by differences that are exact for quartic polynomials.
+    /// The slope of the interpolant at the part `s` of the step, by differences that are exact for
+    /// quartic polynomials.
     pub(super) fn slope_at(&self, positions: LeadingPositions, s: S) -> Y {
         let mut slope = Y::ZERO;
         for (steps, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {

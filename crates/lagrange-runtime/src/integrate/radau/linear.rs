@@ -1,20 +1,23 @@
 //! The linear equations (μ − J) x = r of a Newton iteration, for real and complex μ.
 //!
-//! Where the rates of the first components are others, as q̇ = v, their equations μ q − v = r say q = (r + v) / μ, and the factors are
-//! those of the other equations alone: for a mechanical system of half as many, at an eighth of the cost. For q̇ = v, v̇ = A q + B v, these are
+//! Where the rates of the first components are others, as q̇ = v, their equations μ q − v = r give
+//! q = (r + v) / μ. The factors are those of the other equations alone, at an eighth of the cost
+//! for a mechanical system. For q̇ = v, v̇ = A q + B v, these are
 //!
 //! ```text
 //! (μ − B − A/μ) δv = r_v + A r_q / μ,    δq = (r_q + δv) / μ.
 //! ```
 //!
 //! With A = −6, B = −1, μ = 2, r = (1, 7): (2 + 1 + 3) δv = 7 − 3, so δv = 2/3 and δq = 5/6.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8, "Second order equations".
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8, "Second order
+//! equations".
 
 use crate::linalg::pivoted::{ComplexFactors, Factors, Matrix, product};
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// The components that follow from others: the first ones, as many as these, and where those begin that are their rates.
+/// The components that follow from others: the first ones, as many as these, and where those begin
+/// that are their rates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct LeadingPositions {
     pub(super) count: usize,
@@ -32,7 +35,8 @@ impl LeadingPositions {
         LeadingPositions { count: (0..rows.len()).take_while(is_position).count(), rates }
     }
 
-    /// Calls a function with these positions, known at compile time where they are none or half of all components.
+    /// Calls a function with these positions, known at compile time where they are none or half of
+    /// all components.
     #[inline(always)]
     fn known<R>(self, size: usize, call: impl Fn(LeadingPositions) -> R) -> R {
         let (half, none) =
@@ -69,7 +73,8 @@ impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
         self.positions
     }
 
-    /// A part of the matrix of the other components: that of μ with that of 1 / μ, and `share` of the Jacobian.
+    /// A part of the matrix of the other components: that of μ with that of 1 / μ, and `share` of
+    /// the Jacobian.
     #[inline(always)]
     fn matrix(
         &self,
@@ -214,7 +219,8 @@ mod tests {
     use super::{ComplexShift, LeadingPositions, LinearSystem, RealShift};
     use crate::linalg::pivoted::{Matrix, product};
 
-    /// q̇ = v, ż of any form, v̇; then without structure, and with a first component whose rate is the second.
+    /// q̇ = v, ż of any form, v̇; then without structure, and with a first component whose rate is
+    /// the second.
     const MATRICES: [[[f64; 5]; 5]; 3] = [
         [
             [0.0, 0.0, 0.0, 1.0, 0.0],

@@ -1,7 +1,8 @@
 //! Simplified Newton iterations for the changes at the stages of a step.
 //!
-//! Unlike those of symplectic methods they end at a part of the tolerance. In the basis of the eigenvectors of A⁻¹, the equations for
-//! w = T⁻¹ z are one real and one complex system. Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.8.
+//! Unlike those of symplectic methods they end at a part of the tolerance. In the basis of the
+//! eigenvectors of A⁻¹, the equations for w = T⁻¹ z are one real and one complex system. Source:
+//! Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.8.
 
 use super::linear::{ComplexShift, LinearSystem, RealShift};
 use super::tableau::{BASIS, COMPLEX, INVERSE_BASIS, NODES, REAL, STAGES};
@@ -61,7 +62,8 @@ pub(super) struct NewtonOutcome<S> {
 }
 
 impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
-    /// Solves the equations from the starting values in `stages`, given the remainder of the last step.
+    /// Solves the equations from the starting values in `stages`, given the remainder of the last
+    /// step.
     ///
     /// # Errors
     /// If iterations do not converge, or lead where the system is not defined.

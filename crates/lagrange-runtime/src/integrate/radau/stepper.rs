@@ -19,7 +19,8 @@ use crate::linalg::vector::{add, difference};
 use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// The Jacobian is evaluated anew where corrections fall by less than this in more than two iterations.
+/// The Jacobian is evaluated anew where corrections fall by less than this in more than two
+/// iterations.
 const SLOW: f64 = 1e-3;
 
 /// An integration by [`Radau5`] in progress.
@@ -46,7 +47,8 @@ pub struct RadauStepper<M: OdeSystem + ?Sized> {
     factors: Option<StageFactors<M::Scalar, M::State>>,
     /// The corrections that would follow the last one, as a part of it.
     remainder: M::Scalar,
-    /// The last step, and which of its ends the present state is: the first where it was taken back.
+    /// The last step, and which of its ends the present state is: the first where it was taken
+    /// back.
     last: StepTaken<M::Scalar, M::State>,
     end: usize,
     crawling: Crawling<M::Scalar>,

@@ -1,8 +1,9 @@
 //! Coefficients of the Radau IIA method of order five.
 //!
-//! Its matrix A has one real eigenvalue and a complex pair. In the basis of eigenvectors, T⁻¹ A⁻¹ T = diag(μ, [α −β; β α]), so that Newton's equations
-//! for the three stages are one real and one complex system of the size of a state.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential StageSystem II*, §IV.5 and §IV.8.
+//! Its matrix A has one real eigenvalue and a complex pair. In the basis of eigenvectors, T⁻¹ A⁻¹ T =
+//! diag(μ, [α −β; β α]). So Newton's equations for the three stages are one real and one complex
+//! system of the size of a state. Source: Hairer, Wanner, *Solving Ordinary Differential Equations
+//! II*, §IV.5 and §IV.8.
 
 /// Number of stages.
 pub(super) const STAGES: usize = 3;
@@ -14,7 +15,8 @@ pub(super) const NODES: [f64; STAGES] = [(4.0 - ROOT) / 10.0, (4.0 + ROOT) / 10.
 
 /// The real eigenvalue of A⁻¹, 3 + 3^(2/3) − 3^(1/3).
 pub(super) const REAL: f64 = 3.637_834_252_744_496;
-/// The complex eigenvalue of A⁻¹ that belongs to the second and third row of [`INVERSE_BASIS`], as real and imaginary part.
+/// The complex eigenvalue of A⁻¹ that belongs to the second and third row of [`INVERSE_BASIS`], as
+/// real and imaginary part.
 pub(super) const COMPLEX: (f64, f64) = (2.681_082_873_627_752, -3.050_430_199_247_411);
 
 /// T.
@@ -31,17 +33,20 @@ pub(super) const INVERSE_BASIS: [[f64; STAGES]; STAGES] = [
     [0.502_872_634_945_786_8, -2.571_926_949_855_605, 0.596_039_204_828_224_9],
 ];
 
-/// Weights of the changes at the stages in the error of a step, which is (μ/h − J)⁻¹ (f(t, y) + Σ eᵢ zᵢ / h).
+/// Weights of the changes at the stages in the error of a step, which is (μ/h − J)⁻¹ (f(t, y) + Σ
+/// eᵢ zᵢ / h).
 pub(super) const ERROR: [f64; STAGES] = [(-13.0 - 7.0 * ROOT) / 3.0, (-13.0 + 7.0 * ROOT) / 3.0, -1.0 / 3.0];
 
-/// Coefficients of t, t² and t³ in the polynomial that is one at a stage, and zero at the others and at the start.
+/// Coefficients of t, t² and t³ in the polynomial that is one at a stage, and zero at the others
+/// and at the start.
 pub(super) const POLYNOMIALS: [[f64; STAGES]; STAGES] = [
     [(13.0 + 7.0 * ROOT) / 3.0, (-23.0 - 22.0 * ROOT) / 3.0, 10.0 / 3.0 + 5.0 * ROOT],
     [(13.0 - 7.0 * ROOT) / 3.0, (-23.0 + 22.0 * ROOT) / 3.0, 10.0 / 3.0 - 5.0 * ROOT],
     [1.0 / 3.0, -8.0 / 3.0, 10.0 / 3.0],
 ];
 
-/// Weights of the changes at the stages in h times the slope of their polynomial at the start of a step,
+/// Weights of the changes at the stages in h times the slope of their polynomial at the start of a
+/// step,
 pub(super) const START_SLOPE: [f64; STAGES] = [POLYNOMIALS[0][0], POLYNOMIALS[1][0], POLYNOMIALS[2][0]];
 
 /// and at its end, the last row of A⁻¹.

@@ -179,8 +179,9 @@ impl OdeSystem for Damped {
     }
 }
 
-/// The step that the message names is as long as may be, but for the part by which the domain of stability is not a circle: a
-/// little shorter is stable from any start, and nothing stable is refused.
+/// The step that the message names is as long as may be, but for the part by which the domain of
+/// stability is not a circle: a little shorter is stable from any start, and nothing stable is
+/// refused.
 #[test]
 fn the_longest_step_of_stiff_oscillations_is_named() {
     for (frequency, damping) in [(1e2, 0.0), (1e4, 0.02), (1e4, 0.3), (1e6, 0.7), (1e3, 0.95)] {

@@ -1,12 +1,12 @@
 //! A fourth-order composition with small errors.
 //!
-//! Among the symmetric compositions that are of order four where the kinetic energy is quadratic in the velocities, its
-//! coefficients were chosen for the smallest error at equal cost: some hundred times less than that of the three-stage
-//! composition of Yoshida and of Forest and Ruth.
+//! Among the symmetric compositions that are of order four where the kinetic energy is quadratic in
+//! the velocities, its coefficients were chosen for the smallest error at equal cost: some hundred
+//! times less than that of the three-stage composition of Yoshida and of Forest and Ruth.
 //!
-//! Source: Blanes, Moan, *Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström methods*, Journal of
-//! Computational and Applied Mathematics 142 (2002), 313–330, table 3, the method of order four with six stages that
-//! begins with a kick.
+//! Source: Blanes, Moan, *Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström
+//! methods*, Journal of Computational and Applied Mathematics 142 (2002), 313–330, table 3, the
+//! method of order four with six stages that begins with a kick.
 
 use crate::integrate::fixed::fixed_steps;
 use crate::integrate::method::Method;
@@ -15,8 +15,8 @@ use crate::system::SeparableSystem;
 
 /// The optimised composition of order four by Blanes and Moan in equal steps.
 ///
-/// Symplectic and symmetric. Six accelerations a step. The energy oscillates by O(h⁴) without drift; steps longer than
-/// about 3.16/ω, with the fastest frequency ω, resonate with it.
+/// Symplectic and symmetric. Six accelerations a step. The energy oscillates by O(h⁴) without
+/// drift; steps longer than about 3.16/ω, with the fastest frequency ω, resonate with it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BlanesMoan4<S> {
     /// Length of a step.

@@ -1,19 +1,21 @@
 //! A step under constraints on positions.
 //!
-//! The impulse of the constraints at the start makes positions at the end satisfy them, and that at the end the velocities
-//! there (SHAKE and RATTLE):
+//! The impulse of the constraints at the start makes positions at the end satisfy them, and that at
+//! the end the velocities there (SHAKE and RATTLE):
 //!
 //! ```text
 //! u = v + β₀ h a(t, q) + M⁻¹A(q)ᵀμ,    q₁ = q + h u,    c(t₁, q₁) = 0,
 //! v₁ = u + β₁ h a(t₁, q₁) + M⁻¹A(q₁)ᵀν,    ċ(t₁, q₁, v₁) = 0.
 //! ```
 //!
-//! Accelerations with constraint forces in them differ by combinations of the rows of A, which the impulses make up for, so
-//! that it does not matter at which velocities they are taken. With half kicks this is RATTLE, symplectic and symmetric of
-//! order two; with one kick it is the symplectic Euler method of order one.
+//! Accelerations with constraint forces in them differ by combinations of the rows of A, which the
+//! impulses make up for, so that it does not matter at which velocities they are taken. With half
+//! kicks this is RATTLE, symplectic and symmetric of order two; with one kick it is the symplectic
+//! Euler method of order one.
 //!
-//! Sources: Ryckaert, Ciccotti, Berendsen, Journal of Computational Physics 23 (1977), 327–341; Andersen, Journal of
-//! Computational Physics 52 (1983), 24–34; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.3.
+//! Sources: Ryckaert, Ciccotti, Berendsen, Journal of Computational Physics 23 (1977), 327–341;
+//! Andersen, Journal of Computational Physics 52 (1983), 24–34; Hairer, Lubich, Wanner, *Geometric
+//! Numerical Integration*, 2nd ed., §VII.1.3.
 
 use crate::integrate::canonical::magnitude;
 use crate::integrate::method::Work;
@@ -29,7 +31,8 @@ type Tried<M> = (
     <M as MechanicalSystem>::Coordinates,
 );
 
-/// The step with a kick on either side of one drift, from `q` and `v` at time `t`, where the acceleration is `start`.
+/// The step with a kick on either side of one drift, from `q` and `v` at time `t`, where the
+/// acceleration is `start`.
 pub(super) fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,
     composition: &Composition<DRIFTS>,

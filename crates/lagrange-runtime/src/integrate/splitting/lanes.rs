@@ -1,7 +1,8 @@
 //! Compositions of kicks and drifts for several motions side by side.
 //!
-//! Equations side by side are rates of whole states, [v…, a…]; steps use the accelerations in them. Coordinates and velocities are the halves
-//! of a state, since only systems with q̇ = v are separable.
+//! Equations side by side are rates of whole states, [v…, a…]; steps use the accelerations in them.
+//! Coordinates and velocities are the halves of a state, since only systems with q̇ = v are
+//! separable.
 
 use super::Composition;
 use super::blanes_moan::{self, BlanesMoan4};

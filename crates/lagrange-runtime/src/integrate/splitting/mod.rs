@@ -6,12 +6,14 @@
 //! kick:   v += β h a(t, q)                drift:   q += α h v,   t += α h
 //! ```
 //!
-//! and a method composes kicks β₀, β₁, … and drifts α₁, α₂, …: first the kick β₀, then each drift αᵢ with the kick βᵢ
-//! after it. Every part is symplectic in (q, M v) with the constant mass matrix M, and so is their composition, however
-//! the forces depend on time. Each kick and drift also keeps momenta that belong to linear symmetries, such as the
-//! angular momentum in Cartesian coordinates. A last kick shares its acceleration with the first one of the next step.
+//! and a method composes kicks β₀, β₁, … and drifts α₁, α₂, …: first the kick β₀, then each drift
+//! αᵢ with the kick βᵢ after it. Every part is symplectic in (q, M v) with the constant mass matrix
+//! M, and so is their composition, however the forces depend on time. Each kick and drift also
+//! keeps momenta that belong to linear symmetries, such as the angular momentum in Cartesian
+//! coordinates. A last kick shares its acceleration with the first one of the next step.
 //!
-//! A single drift between kicks also ends on constraints of positions; several would leave them in between.
+//! A single drift between kicks also ends on constraints of positions; several would leave them in
+//! between.
 //!
 //! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §II.5 and §VI.3.
 
@@ -165,8 +167,8 @@ where
     }
 }
 
-/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`, and the change of
-/// the velocities.
+/// The step by this composition from `q` and `v` at time `t`, where the acceleration is `start`,
+/// and the change of the velocities.
 #[inline]
 fn composed<M: LeapfrogSystem + ?Sized, const DRIFTS: usize>(
     system: &M,

@@ -1,17 +1,20 @@
 //! The symplectic Euler method.
 //!
-//! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem VI.3.3.
+//! Source: Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §I.1.2 and theorem
+//! VI.3.3.
 
 use crate::integrate::fixed::fixed_steps;
 use crate::integrate::method::Method;
 use crate::integrate::splitting::{Composition, Splitting};
 use crate::system::LeapfrogSystem;
 
-/// The symplectic Euler method in equal steps: velocities first, then coordinates with the new velocities.
+/// The symplectic Euler method in equal steps: velocities first, then coordinates with the new
+/// velocities.
 ///
-/// Order one; symplectic, not symmetric. One acceleration a step. The energy oscillates by O(h) without drift, so that
-/// games and sketches stay alive for ever; [`StormerVerlet`](crate::integrate::StormerVerlet) costs the same and has
-/// order two. Constraints on positions are satisfied as there.
+/// Order one; symplectic, not symmetric. One acceleration a step. The energy oscillates by O(h)
+/// without drift, so that games and sketches stay alive for ever;
+/// [`StormerVerlet`](crate::integrate::StormerVerlet) costs the same and has order two. Constraints
+/// on positions are satisfied as there.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct SymplecticEuler<S> {
     /// Length of a step.

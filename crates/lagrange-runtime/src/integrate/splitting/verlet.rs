@@ -1,7 +1,7 @@
 //! The Störmer–Verlet method in its velocity form.
 //!
-//! Source: Hairer, Lubich, Wanner, *Geometric numerical integration illustrated by the Störmer–Verlet method*, Acta
-//! Numerica 12 (2003), 399–450.
+//! Source: Hairer, Lubich, Wanner, *Geometric numerical integration illustrated by the
+//! Störmer–Verlet method*, Acta Numerica 12 (2003), 399–450.
 
 use crate::integrate::fixed::fixed_steps;
 use crate::integrate::method::Method;
@@ -10,11 +10,12 @@ use crate::system::LeapfrogSystem;
 
 /// The Störmer–Verlet method in equal steps: half a kick, a drift, half a kick.
 ///
-/// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²) without drift; steps
-/// longer than 2/ω, with the fastest frequency ω, are unstable.
+/// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²)
+/// without drift; steps longer than 2/ω, with the fastest frequency ω, are unstable.
 ///
-/// Constraints on positions are satisfied to rounding at the end of each step, and by velocities there (RATTLE), with iterations
-/// in between that take one correction each; momenta of symmetries that the constraints share are kept.
+/// Constraints on positions are satisfied to rounding at the end of each step, and by velocities
+/// there (RATTLE), with iterations in between that take one correction each; momenta of symmetries
+/// that the constraints share are kept.
 ///
 /// ```
 /// use lagrange::integrate::{StormerVerlet, integrate};

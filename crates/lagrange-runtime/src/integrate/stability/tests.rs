@@ -17,7 +17,8 @@ fn units_do_not_matter() {
     assert!((largest_eigenvalue(mixed, &[1.0, 1.0], 0.1, &[1.0, 1.0]) / 100.0 - 1.0).abs() < 1e-6);
 }
 
-/// A pair of eigenvalues is found whatever the damping, the units of the rates, and the phase of the motion in which it is asked for.
+/// A pair of eigenvalues is found whatever the damping, the units of the rates, and the phase of
+/// the motion in which it is asked for.
 #[test]
 fn damped_oscillations_are_told_by_their_frequency() {
     for frequency in [0.01_f64, 3.0, 1e4] {

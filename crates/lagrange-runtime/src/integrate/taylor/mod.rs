@@ -1,12 +1,14 @@
 //! Taylor series with steps as long as a tolerance allows.
 //!
-//! Each step expands the motion about its state and follows the polynomial. Its length follows from the size of the last
-//! coefficients. The expansion at its end, which the next step starts from, gives the exact rate there; where the slope of the
-//! polynomial differs from it by more than is tolerated, the step is taken back and halved.
+//! Each step expands the motion about its state and follows the polynomial. Its length follows from
+//! the size of the last coefficients. The expansion at its end, which the next step starts from,
+//! gives the exact rate there; where the slope of the polynomial differs from it by more than is
+//! tolerated, the step is taken back and halved.
 //!
-//! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods",
-//! *Experimental Mathematics* 14 (2005) 99–117. They look at two coefficients; a motion whose coefficients vanish in turn, such as a
-//! double pendulum that starts at right angles at rest, requires four, and the check at the end.
+//! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of
+//! high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117. They look at two
+//! coefficients; a motion whose coefficients vanish in turn, such as a double pendulum that starts
+//! at right angles at rest, requires four, and the check at the end.
 
 mod stepper;
 mod widest;
@@ -18,20 +20,23 @@ use crate::system::{MAX_ORDER, SettingError, StepFailure, TaylorSystem};
 
 pub use self::stepper::TaylorStepper;
 
-/// Taylor series in steps as long as the tolerance allows, for systems that declare `emit { taylor }` and are not stiff.
+/// Taylor series in steps as long as the tolerance allows, for systems that declare
+/// `emit { taylor }` and are not stiff.
 ///
-/// The last terms of the series are at most a hundredth of `absolute + relative · |y|` in each component. The states within a step
-/// are as accurate as its end.
+/// The last terms of the series are at most a hundredth of `absolute + relative · |y|` in each
+/// component. The states within a step are as accurate as its end.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Taylor<S> {
     /// Error of a step as a part of the state.
     pub relative: S,
     /// Error of a step in the units of the state.
     pub absolute: S,
-    /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the tolerance if not given.
+    /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the
+    /// tolerance if not given.
     pub order: Option<usize>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that was in view there, and a
-    /// two-hundredth while the state stays where it is: series do not show what is still to come then.
+    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
+    /// was in view there, and a two-hundredth while the state stays where it is: series do not show
+    /// what is still to come then.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -45,7 +50,8 @@ const LOWEST_CHOSEN: f64 = 8.0;
 const LOWEST: usize = 4;
 
 impl<S: Scalar> Taylor<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where it is smaller.
+    /// With this tolerance relative to the state where that is larger than one, and absolute where
+    /// it is smaller.
     pub fn tolerance(tolerance: S) -> Self {
         Taylor {
             relative: tolerance,
@@ -61,7 +67,8 @@ impl<S: Scalar> Taylor<S> {
         self.relative.max(self.absolute)
     }
 
-    /// The order of the series: about −ln of the tolerance and three more, which costs least where the cost grows with the order.
+    /// The order of the series: about −ln of the tolerance and three more, which costs least where
+    /// the cost grows with the order.
     fn chosen_order(&self) -> usize {
         self.order.unwrap_or_else(|| {
             let wanted = S::from_f64(3.0) - self.loosest().ln();

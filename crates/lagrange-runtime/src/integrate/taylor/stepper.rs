@@ -11,9 +11,11 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 use crate::tolerance::LEAST_TOLERANCE;
 
-/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and so do steps.
+/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and
+/// so do steps.
 const SAFETY: f64 = 0.01;
-/// The rate at the end of a step may differ from the slope of its polynomial by this many tolerances over the length of the step.
+/// The rate at the end of a step may differ from the slope of its polynomial by this many
+/// tolerances over the length of the step.
 const LARGEST_DEFECT: f64 = 1.0;
 /// Orders that the length of a step follows from: coefficients may vanish in turn.
 const LAST_ORDERS: usize = 4;
@@ -88,7 +90,8 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
         })
     }
 
-    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the one before.
+    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the
+    /// one before.
     #[inline(always)]
     fn polynomial(&self, order: usize, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
         let square = h * h;
@@ -148,8 +151,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         self.work.evaluations += 1;
     }
 
-    /// The length of a step whose last terms are small enough: the largest h with |cₖ| hᵏ ≤ tolerance for the last four orders k, where
-    /// each is taken to the order of the whole series.
+    /// The length of a step whose last terms are small enough: the largest h with |cₖ| hᵏ ≤
+    /// tolerance for the last four orders k, where each is taken to the order of the whole series.
     fn length(&self) -> M::Scalar {
         let order = M::Scalar::from_f64(self.order as f64);
         let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());
@@ -171,7 +174,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         shortest.map_or(longest, |radius| (radius + wanted).rough_exp2().min(longest))
     }
 
-    /// True if the polynomial of the last step has the slope that the motion has at its end, as far as is tolerated.
+    /// True if the polynomial of the last step has the slope that the motion has at its end, as far
+    /// as is tolerated.
     fn fits(&self, h: M::Scalar) -> bool {
         let slope = self.last().slope(self.order, h);
         let rates = slope.as_ref().iter().zip(self.ahead().coefficients[0].as_ref());

@@ -1,10 +1,12 @@
 //! Expansions by the widest instructions that help them.
 //!
-//! Products of series come in fours. With AVX2, which the default target of x86-64 does without, an expansion takes about two thirds of
-//! the time. Results have the same bits: no products are fused that are not fused on the target at large.
+//! Products of series come in fours. With AVX2, which the default target of x86-64 does without, an
+//! expansion takes about two thirds of the time. Results have the same bits: no products are fused
+//! that are not fused on the target at large.
 //!
-//! This is the one file of the crate with unsafe code: a function that is compiled for AVX2 may only be called where the processor has it,
-//! and only a test at run time knows. A crate for such calls would be a dependency of every user.
+//! This is the one file of the crate with unsafe code. A function that is compiled for AVX2 may
+//! only be called where the processor has it, and only a test at run time knows. A crate for such
+//! calls would be a dependency of every user.
 
 #![cfg_attr(
     all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")),

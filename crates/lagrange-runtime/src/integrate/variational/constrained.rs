@@ -1,22 +1,26 @@
 //! The equations of a step under constraints.
 //!
-//! Constraint forces Aᵀλ join the rates of the momenta at all three places. With c on positions and g on velocities alone,
+//! Constraint forces Aᵀλ join the rates of the momenta at all three places. With c on positions and
+//! g on velocities alone,
 //!
 //! ```text
 //! c(tₘ, qₘ) = 0,    c(t₁, q₁) = 0,
 //! 5/24 g₀ + 1/3 gₘ − 1/24 g₁ = 0,    1/6 g₀ + 2/3 gₘ + 1/6 g₁ = 0
 //! ```
 //!
-//! determine the multipliers at the start and in the middle: the parabola ends every half step on positions that are admitted,
-//! and what a constraint on velocities adds up to is nothing. The multipliers at the end make the momenta there admissible,
-//! A v₁ + c_t = 0. So constraints hold at the ends of all steps, and the step is symmetric in time; with constraints on
-//! positions alone it is symplectic on what they leave, with constraints on velocities a discrete Lagrange–d'Alembert principle.
+//! determine the multipliers at the start and in the middle: the parabola ends every half step on
+//! positions that are admitted, and what a constraint on velocities adds up to is nothing. The
+//! multipliers at the end make the momenta there admissible, A v₁ + c_t = 0. So constraints hold at
+//! the ends of all steps, and the step is symmetric in time; with constraints on positions alone it
+//! is symplectic on what they leave, with constraints on velocities a discrete Lagrange–d'Alembert
+//! principle.
 //!
-//! Sources: Jay, *Symplectic partitioned Runge–Kutta methods for constrained Hamiltonian systems*, SIAM Journal on Numerical
-//! Analysis 33 (1996), 368–387; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §VII.1.4; Marsden, West,
-//! Acta Numerica 10 (2001), §3.5; for constraints on velocities Cortés, Martínez, *Non-holonomic integrators*, Nonlinearity 14
-//! (2001), 1365–1392, and Jay, *Lagrange–d'Alembert SPARK integrators for nonholonomic Lagrangian systems*, whose integrated
-//! constraints these are.
+//! Sources: Jay, *Symplectic partitioned Runge–Kutta methods for constrained Hamiltonian systems*,
+//! SIAM Journal on Numerical Analysis 33 (1996), 368–387; Hairer, Lubich, Wanner, *Geometric
+//! Numerical Integration*, 2nd ed., §VII.1.4; Marsden, West, Acta Numerica 10 (2001), §3.5; for
+//! constraints on velocities Cortés, Martínez, *Non-holonomic integrators*, Nonlinearity 14 (2001),
+//! 1365–1392, and Jay, *Lagrange–d'Alembert SPARK integrators for nonholonomic Lagrangian systems*,
+//! whose integrated constraints these are.
 
 use crate::integrate::canonical::{Derivatives, Step, magnitude};
 use crate::integrate::method::Work;
@@ -29,7 +33,8 @@ use crate::system::{
     CanonicalSystem, MechanicalSystem, ScalarOf, StateVector, StepFailure, Vector, join, split,
 };
 
-/// The equations for the velocities at both ends of a step, with the multipliers at the start and in the middle.
+/// The equations for the velocities at both ends of a step, with the multipliers at the start and
+/// in the middle.
 pub(super) struct ConstrainedEquations<'a, M: CanonicalSystem + ?Sized> {
     step: &'a Step<'a, M>,
     derivatives: Derivatives<M>,
@@ -56,7 +61,8 @@ impl<'a, M: CanonicalSystem + ?Sized> ConstrainedEquations<'a, M> {
         Ok(ConstrainedEquations { step, derivatives, coupled, start, known, change: Vector::<M>::ZERO })
     }
 
-    /// The velocities at both ends and the multipliers, from a guess of them, and the change of the momenta.
+    /// The velocities at both ends and the multipliers, from a guess of them, and the change of the
+    /// momenta.
     pub(super) fn solve(
         mut self,
         ends: &[M::Coordinates; 2],

@@ -1,5 +1,5 @@
-//! The linear equations of an iteration under constraints: velocities at both ends of a step, multipliers at its start and
-//! in its middle.
+//! The linear equations of an iteration under constraints: velocities at both ends of a step,
+//! multipliers at its start and in its middle.
 
 use crate::integrate::canonical::{Derivatives, Pencil, factors, stiffened, stiffness};
 use crate::integrate::variational::linearised::{Linearised, turned};
@@ -103,7 +103,8 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
         missing
     }
 
-    /// Adds ρ Aᵀ times what A makes of each velocity, which is known from what it makes of both parts of the step.
+    /// Adds ρ Aᵀ times what A makes of each velocity, which is known from what it makes of both
+    /// parts of the step.
     fn stiffen(&self, forces: &mut [M::Coordinates; 2], [half, whole]: [&M::Coordinates; 2]) {
         let middle = &self.places[1];
         let (half, whole) = (middle.force(half), middle.force(whole));
@@ -119,7 +120,8 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
 type Stiffened<M> =
     (Linearised<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>, <M as OdeSystem>::Scalar);
 
-/// The factors of the equations without constraints, with stiffness in the place of inertia that is missing.
+/// The factors of the equations without constraints, with stiffness in the place of inertia that is
+/// missing.
 fn linearised<M: CanonicalSystem + ?Sized>(
     pencil: &Derivatives<M>,
     middle: &AtPlace<M>,

@@ -32,7 +32,8 @@ struct Rest<S: Scalar, Y: StateVector<S>> {
 }
 
 impl<S: Scalar, Y: StateVector<S>> Linearised<S, Y> {
-    /// The factors, of the mass matrix alone if derivatives are not known or lead to a singular matrix.
+    /// The factors, of the mass matrix alone if derivatives are not known or lead to a singular
+    /// matrix.
     pub(super) fn new(pencil: &Pencil<S, Y>) -> Option<Self> {
         let coupled = pencil.derivatives.as_ref().and_then(|(linear, quadratic)| {
             let block = |i: usize, j: usize| {

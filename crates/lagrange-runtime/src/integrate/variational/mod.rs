@@ -1,24 +1,27 @@
 //! A variational integrator: the discrete Euler–Lagrange equations of a discrete Lagrangian.
 //!
-//! Between ends q₀ and q₁, coordinates run along the parabola that makes the action, taken by Simpson's rule, stationary:
+//! Between ends q₀ and q₁, coordinates run along the parabola that makes the action, taken by
+//! Simpson's rule, stationary:
 //!
 //! ```text
 //! L_d(q₀, q₁) = ext h/6 (L(q₀, v₀) + 4 L(qₘ, vₘ) + L(q₁, v₁))   over the middle qₘ,
 //! p₀ = −∂L_d/∂q₀,    p₁ = ∂L_d/∂q₁.
 //! ```
 //!
-//! With P = ∂L/∂v and R = ∂L/∂q + Q at the three places, forces entering by the discrete Lagrange–d'Alembert principle with
-//! the same quadrature, this is
+//! With P = ∂L/∂v and R = ∂L/∂q + Q at the three places, forces entering by the discrete
+//! Lagrange–d'Alembert principle with the same quadrature, this is
 //!
 //! ```text
 //! P₁ = P₀ + h Rₘ,    p₀ = (P₀ + 2 Pₘ)/3 − h/6 (R₀ + Rₘ),    p₁ = p₀ + h/6 (R₀ + 4 Rₘ + R₁),
 //! ```
 //!
-//! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. Its relative of degree one
-//! with the midpoint in the place of Simpson's rule is the implicit midpoint rule.
+//! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. Its
+//! relative of degree one with the midpoint in the place of Simpson's rule is the implicit midpoint
+//! rule.
 //!
-//! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10 (2001), §1.5, §2.2, §2.6 and
-//! §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*, §VI.6.
+//! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10
+//! (2001), §1.5, §2.2, §2.6 and §3.2; Hairer, Lubich, Wanner, *Geometric Numerical Integration*,
+//! §VI.6.
 
 mod constrained;
 mod coupled;
@@ -39,20 +42,25 @@ use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector,
 
 /// A variational integrator of order four in equal steps, for any Lagrangian and any force.
 ///
-/// It follows from a discrete Lagrangian and so keeps what a Lagrangian keeps: the step is symplectic in coordinates and
-/// momenta for any mass matrix, and by the discrete theorem of Noether every momentum map of a symmetry that is linear in
-/// the coordinates is conserved. Momenta of cyclic coordinates are kept to rounding, since momenta are carried on and not
-/// computed from velocities. The energy of a conservative system oscillates and does not drift. Symmetric in time.
+/// It follows from a discrete Lagrangian and so keeps what a Lagrangian keeps: the step is
+/// symplectic in coordinates and momenta for any mass matrix, and by the discrete theorem of
+/// Noether every momentum map of a symmetry that is linear in the coordinates is conserved. Momenta
+/// of cyclic coordinates are kept to rounding, since momenta are carried on and not computed from
+/// velocities. The energy of a conservative system oscillates and does not drift. Symmetric in
+/// time.
 ///
-/// Constraints hold at the ends of all steps to rounding, positions and velocities alike, without projection: constraint forces
-/// are part of the principle. Holonomic ones, moving or not, leave the method symplectic on what they admit, and momenta of
-/// symmetries that they share are kept; nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, symmetric in time
-/// and of order four as well. A mass matrix may be singular where constraints make up for it, and of constraints that
-/// say the same one counts. A step then iterates over multipliers, too, some two iterations more.
+/// Constraints hold at the ends of all steps to rounding, positions and velocities alike, without
+/// projection: constraint forces are part of the principle. Holonomic ones, moving or not, leave
+/// the method symplectic on what they admit, and momenta of symmetries that they share are kept;
+/// nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, symmetric in time and of
+/// order four as well. A mass matrix may be singular where constraints make up for it, and of
+/// constraints that say the same one counts. A step then iterates over multipliers, too, some two
+/// iterations more.
 ///
-/// An iteration evaluates momenta and their rates three times; a step takes four to seven with the Jacobian that
-/// `emit { jacobian }` provides, and hardly more without if it is short. On a double pendulum it costs as much as 23 to 30
-/// evaluations of the right-hand side. Steps must resolve vibrations, h ω < √8, with a Jacobian, too; for stiff springs take
+/// An iteration evaluates momenta and their rates three times; a step takes four to seven with the
+/// Jacobian that `emit { jacobian }` provides, and hardly more without if it is short. On a double
+/// pendulum it costs as much as 23 to 30 evaluations of the right-hand side. Steps must resolve
+/// vibrations, h ω < √8, with a Jacobian, too; for stiff springs take
 /// [`GaussLegendre`](crate::integrate::GaussLegendre).
 ///
 /// States within a step are cubics through states and rates at its ends, with an error O(h⁴).
@@ -70,7 +78,8 @@ impl<M: CanonicalSystem + ?Sized> Method<M> for Variational<M::Scalar> {
 #[derive(Debug)]
 pub struct Discrete<M: CanonicalSystem + ?Sized> {
     rounding: ScalarOf<M>,
-    /// Velocities at both ends of the next step, from those at the start and in the middle of the last one.
+    /// Velocities at both ends of the next step, from those at the start and in the middle of the
+    /// last one.
     prediction: Prediction<ScalarOf<M>, Vector<M>, 2>,
     /// Differences between the velocities of the parabola and those of the motion, for a step of
     /// length one.

@@ -1,7 +1,8 @@
 //! The choice of the next step length.
 //!
-//! A proportional–integral controller: the step follows the error of the last two steps, so that it does not swing.
-//! Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+//! A proportional–integral controller: the step follows the error of the last two steps, so that it
+//! does not swing. Source: Gustafsson 1991; Hairer, Wanner, *Solving Ordinary Differential
+//! Equations II*, §IV.2.
 
 use crate::scalar::Scalar;
 
@@ -42,7 +43,8 @@ impl<S: Scalar> Control<S> {
         self.was_rejected
     }
 
-    /// A step of length `taken`, which may be shorter than asked for, had this error, not above one.
+    /// A step of length `taken`, which may be shorter than asked for, had this error, not above
+    /// one.
     pub(super) fn accept(&mut self, taken: S, error: S) {
         let power = S::from_f64(1.0 / POWER - 0.75 * MEMORY);
         let memory = S::from_f64(MEMORY);

@@ -43,7 +43,8 @@ pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S,
 #[inline(always)]
 pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
     let (both, mut bend) = (s * (S::ONE - s), Y::ZERO);
-    // Loops and no closures, which are not inlined into functions of other instructions than their own.
+    // Loops and no closures, which are not inlined into functions of other instructions than their
+    // own.
     for (rate, coefficients) in &BEND {
         let (value, _) = polynomial(coefficients, s);
         bend = combined(&bend, both * value, &rates[*rate]);
@@ -96,7 +97,8 @@ fn beside<S: Number, Y: StateVector<S>>(rate: Y, slope: &Y, rates: &[Y; RATES]) 
     defect
 }
 
-/// A part of every step, with the weights there of rates in the bend and in its slope, which need no polynomials at run time.
+/// A part of every step, with the weights there of rates in the bend and in its slope, which need
+/// no polynomials at run time.
 pub(super) struct FixedPart {
     pub(super) s: f64,
     bend: [f64; BEND.len()],

@@ -35,8 +35,9 @@ where
         LanesControl { step, error, most_growth: S::from_f64(MOST_GROWTH) }
     }
 
-    /// Steps of these lengths, which may be shorter than asked for, had these errors, and were taken where the mask is true. Errors that are
-    /// not finite are of steps that led to NaN or infinity.
+    /// Steps of these lengths, which may be shorter than asked for, had these errors, and were
+    /// taken where the mask is true. Errors that are not finite are of steps that led to NaN or
+    /// infinity.
     #[inline(always)]
     pub(super) fn follow(&mut self, length: S, error: S, is_taken: S::Mask) {
         let safety = S::from_f64(LOG_SAFETY);
@@ -54,7 +55,8 @@ where
         self.most_growth = S::select(is_taken, S::from_f64(MOST_GROWTH), S::ONE);
     }
 
-    /// Steps of these lengths that were taken are taken back where the mask is true, by these errors.
+    /// Steps of these lengths that were taken are taken back where the mask is true, by these
+    /// errors.
     pub(super) fn take_back(&mut self, length: S, error: S, are_taken_back: S::Mask) {
         let log_error = larger(error, S::from_f64(NEGLIGIBLE)).each(Scalar::rough_log2);
         self.step = S::select(are_taken_back, length * shrinking(error, log_error), self.step);

@@ -1,12 +1,14 @@
 //! An explicit Runge–Kutta pair of order nine with steps as long as a tolerance allows.
 //!
-//! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within a step, nine more
-//! give the state anywhere to order nine; they are evaluated only for steps in which it is asked for. Not symplectic,
-//! but at tolerances near rounding the drift of the energy is rounding.
+//! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within
+//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps in
+//! which it is asked for. Not symplectic, but at tolerances near rounding the drift of the energy
+//! is rounding.
 //!
-//! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical Algorithms* 53 (2010)
-//! 383–396, in the version of 2024; step control and first step: Hairer, Nørsett, Wanner, *Solving Ordinary Differential
-//! Equations I*, §II.4; stiffness: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+//! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical
+//! Algorithms* 53 (2010) 383–396, in the version of 2024; step control and first step: Hairer,
+//! Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.4; stiffness: Hairer, Wanner, *Solving
+//! Ordinary Differential Equations II*, §IV.2.
 
 mod control;
 mod dense;
@@ -29,11 +31,12 @@ pub use self::lanes_dense::VernerLastStep;
 pub use self::stepper::VernerStepper;
 use self::tolerance::check_settings;
 
-/// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not stiff.
+/// Verner's pair of order nine in steps as long as the tolerance allows, for any system that is not
+/// stiff.
 ///
-/// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean square over the
-/// components of the state; the error at the end is the sum of these as the motion carries them on. What is less than
-/// 16 roundings of the state is always tolerated.
+/// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean
+/// square over the components of the state; the error at the end is the sum of these as the motion
+/// carries them on. What is less than 16 roundings of the state is always tolerated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verner98<S> {
     /// Error of a step as a part of the state.
@@ -42,9 +45,10 @@ pub struct Verner98<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that was in view there, and a
-    /// two-hundredth while the state stays where it is: what is still to come then does not show in the errors. Forces that act
-    /// for a shorter time than about a quarter of a step may be stepped over.
+    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
+    /// was in view there, and a two-hundredth while the state stays where it is: what is still to
+    /// come then does not show in the errors. Forces that act for a shorter time than about a
+    /// quarter of a step may be stepped over.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -53,7 +57,8 @@ pub struct Verner98<S> {
 }
 
 impl<S: Scalar> Verner98<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where it is smaller.
+    /// With this tolerance relative to the state where that is larger than one, and absolute where
+    /// it is smaller.
     pub fn tolerance(tolerance: S) -> Self {
         Verner98 {
             relative: tolerance,

@@ -57,8 +57,8 @@ impl<const N: usize> Stage<N> {
     }
 }
 
-/// A stage whose number of weights is no part of its type: all stages of numbers side by side go through the same instructions, of which
-/// there are many enough without a copy for each stage.
+/// A stage whose number of weights is no part of its type: all stages of numbers side by side go
+/// through the same instructions, of which there are many enough without a copy for each stage.
 pub(super) struct TableauRow {
     node: f64,
     weights: &'static [(usize, f64)],
@@ -88,7 +88,8 @@ fn moved<S: Number, Y: StateVector<S>>(rate: Y, y: &Y, h: S) -> Y {
     point
 }
 
-/// Components of a state whose sums are added up together: each sum waits for its last product, and registers hold no more of them.
+/// Components of a state whose sums are added up together: each sum waits for its last product, and
+/// registers hold no more of them.
 const BLOCK: usize = 4;
 
 /// Σ wⱼ kⱼ

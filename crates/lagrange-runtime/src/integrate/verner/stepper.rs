@@ -26,11 +26,12 @@ const NEAR: f64 = 0.7;
 const FAST: f64 = 100.0;
 /// and that motion goes on if it changes the state by at least this part of it in a step.
 const SLOWEST: f64 = 1e-9;
-/// The parts of a step after which the defect of the interpolant is looked at: the middle of the widest gap between stages, and
-/// near the end, where it is large if the motion is smooth.
+/// The parts of a step after which the defect of the interpolant is looked at: the middle of the
+/// widest gap between stages, and near the end, where it is large if the motion is smooth.
 pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
-/// The interpolant is refused if its defect times the step is larger than this times what is tolerated. On smooth motions the defect
-/// at the places above is a third to a half of the estimated error of the step, and the error within the step less than that.
+/// The interpolant is refused if its defect times the step is larger than this times what is
+/// tolerated. On smooth motions the defect at the places above is a third to a half of the
+/// estimated error of the step, and the error within the step less than that.
 pub(super) const LARGEST_DEFECT: f64 = 2.0;
 /// Index of the rate at the end of a step, which starts the next one.
 pub(super) const END: usize = 16;
@@ -207,8 +208,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two states that differ in
-    /// the direction that grows fastest.
+    /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two
+    /// states that differ in the direction that grows fastest.
     fn refuse_stiff(
         &mut self,
         system: &M,
@@ -224,7 +225,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let limit = M::Scalar::from_f64(STABLE) / eigenvalue;
         let is_at_limit = h.abs() > M::Scalar::from_f64(NEAR) * limit;
         let (size, speed) = (l1_norm(&ends[0]), l1_norm(&self.rates[14]));
-        // A motion that is slower than its tolerance, or has ended, may take the steps that stability leaves.
+        // A motion that is slower than its tolerance, or has ended, may take the steps that
+        // stability leaves.
         let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
         let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
         if !(is_at_limit && goes_on && is_fast) {

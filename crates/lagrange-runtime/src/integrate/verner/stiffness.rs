@@ -1,7 +1,7 @@
 //! Detection of steps limited by stability.
 //!
-//! Two stages lie at the end of a step. How much their rates differ for how much their states do hints at the largest
-//! eigenvalue of the Jacobian, which is computed before a system is refused.
+//! Two stages lie at the end of a step. How much their rates differ for how much their states do
+//! hints at the largest eigenvalue of the Jacobian, which is computed before a system is refused.
 //! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
 use crate::linalg::vector::{l1_distance, l1_norm};
@@ -9,7 +9,8 @@ use crate::scalar::{Number, Scalar};
 use crate::system::StateVector;
 use crate::tolerance::SAME_STATE;
 
-/// The method is stable up to |h λ| about this: 2.9 on the imaginary axis, 4.4 on the negative real one.
+/// The method is stable up to |h λ| about this: 2.9 on the imaginary axis, 4.4 on the negative real
+/// one.
 pub(super) const STABLE: f64 = 2.9;
 /// This many steps at the limit tell that the system is stiff;
 const MOST_AT_LIMIT: u32 = 15;
@@ -36,8 +37,8 @@ impl Stiffness {
         self.at_limit > 0 || steps.is_multiple_of(INTERVAL)
     }
 
-    /// Looks at two stages at the end of an accepted step of length `h` with `ahead` to go; whether it is likely that
-    /// the limit of stability makes it long.
+    /// Looks at two stages at the end of an accepted step of length `h` with `ahead` to go; whether
+    /// it is likely that the limit of stability makes it long.
     pub(super) fn watch<S: Scalar, Y: StateVector<S>>(
         &mut self,
         lengths: (S, S),

@@ -54,8 +54,8 @@ fn dense_error(h: f64, part: f64) -> f64 {
     (x - (part * h).cos()).hypot(v + (part * h).sin())
 }
 
-/// ẏ₀ = 0, ẏₖ = yₖ₋₁ with solution tᵏ/k!: a step of length one from (1, 0, …) gives the coefficients of the stability
-/// function.
+/// ẏ₀ = 0, ẏₖ = yₖ₋₁ with solution tᵏ/k!: a step of length one from (1, 0, …) gives the
+/// coefficients of the stability function.
 struct Powers;
 
 impl OdeSystem for Powers {

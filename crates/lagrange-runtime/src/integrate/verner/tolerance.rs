@@ -15,7 +15,8 @@ pub(in crate::integrate) struct Tolerated<S> {
 }
 
 impl<S: Number> Tolerated<S> {
-    /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
+    /// The root mean square of `h · error` in units of what is tolerated between the states `from`
+    /// and `to`.
     #[inline(always)]
     pub(in crate::integrate) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         let ends = from.as_ref().iter().zip(to.as_ref());
@@ -36,7 +37,8 @@ impl<S: Number> Tolerated<S> {
         self.norm(h, rate, y, y).less(S::from_f64(AT_REST))
     }
 
-    /// The length of an Euler step over which [`first_step`](Self::first_step) looks at how rates change.
+    /// The length of an Euler step over which [`first_step`](Self::first_step) looks at how rates
+    /// change.
     #[inline(always)]
     pub(super) fn trial<Y: StateVector<S>>(&self, y: &Y, rate: &Y, longest: S) -> S {
         let small = S::from_f64(1e-5);
@@ -46,8 +48,9 @@ impl<S: Number> Tolerated<S> {
         guess.min(longest)
     }
 
-    /// A first step whose error, which grows with the `power` of its length, is small in all likelihood, not longer than `longest`, given the
-    /// rates at the state and after an Euler step of the length `trial` from there; NaN if there is none because errors measured by the tolerance are no numbers.
+    /// A first step of small error in all likelihood, not longer than `longest`. Errors grow with
+    /// the `power` of the length. Given are the rates at the state and after an Euler step of the
+    /// length `trial`. NaN if errors measured by the tolerance are no numbers.
     #[inline(always)]
     pub(super) fn first_step<Y: StateVector<S>>(
         &self,
@@ -75,8 +78,8 @@ impl<S: Scalar> Tolerated<S> {
         Tolerated { relative: relative.max(LEAST_TOLERANCE.part::<S>()), absolute }
     }
 
-    /// A first step whose error, which grows with the `power` of its length, is small in all likelihood, not longer than `longest`, from a
-    /// state at this rate.
+    /// A first step of small error in all likelihood, not longer than `longest`, from a state at
+    /// this rate. Errors grow with the `power` of the length.
     ///
     /// # Errors
     /// If there is none because errors measured by the tolerance are no numbers.
@@ -120,7 +123,8 @@ pub(in crate::integrate) fn check_settings<S: Scalar>(
     Err(SettingError::Invalid("step sizes must be positive and finite"))
 }
 
-/// The longest step that is tried on a way of this length, with the state moving or at rest, unless it is a setting.
+/// The longest step that is tried on a way of this length, with the state moving or at rest, unless
+/// it is a setting.
 pub(in crate::integrate) fn longest_step<S: Scalar>(setting: Option<S>, span: S, is_at_rest: bool) -> S {
     let part = if is_at_rest { LONGEST_AT_REST } else { LONGEST };
     setting.unwrap_or(span.abs() * S::from_f64(part))
@@ -132,7 +136,8 @@ impl<S: Scalar> Verner98<S> {
         Tolerated::new(self.relative, self.absolute)
     }
 
-    /// The root mean square of `h · error` in units of what is tolerated between the states `from` and `to`.
+    /// The root mean square of `h · error` in units of what is tolerated between the states `from`
+    /// and `to`.
     pub(super) fn norm<Y: StateVector<S>>(&self, h: S, error: &Y, from: &Y, to: &Y) -> S {
         self.tolerated().norm(h, error, from, to)
     }

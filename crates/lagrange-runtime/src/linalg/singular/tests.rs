@@ -16,7 +16,8 @@ fn of_many_solutions_the_shortest_is_taken() {
     for (x, wanted) in x.iter().zip([1.5, 1.5, 2.0]) {
         assert!((x - wanted).abs() < 1e-14, "{x}");
     }
-    // Four legs of a table with unsymmetrical load: the shortest of all forces in balance is an affine function of the place.
+    // Four legs of a table with unsymmetrical load: the shortest of all forces in balance is an
+    // affine function of the place.
     let place = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]];
     let g = |i: usize, j: usize| 1.0 + place[i][0] * place[j][0] + place[i][1] * place[j][1];
     let matrix = core::array::from_fn(|i| core::array::from_fn(|j| g(i, j)));
@@ -38,7 +39,8 @@ fn what_cannot_be_solved_is_not_a_number() {
     assert_eq!(zero, [0.0; 2]);
 }
 
-/// Rows and columns of zeros behind those that count change nothing, neither for regular nor for singular equations.
+/// Rows and columns of zeros behind those that count change nothing, neither for regular nor for
+/// singular equations.
 #[test]
 fn only_the_first_equations_count() {
     for last in [2.0, 1.0] {

@@ -37,7 +37,8 @@ fn push(second: f64) -> f64 {
     if second.rem_euclid(2.0) == 0.0 { second + 1.0 } else { -(second + 1.0) }
 }
 
-/// The state after so many whole seconds and half of the next, from rest at the origin, where nothing pushes before the time 0.
+/// The state after so many whole seconds and half of the next, from rest at the origin, where
+/// nothing pushes before the time 0.
 fn half_past(seconds: i32) -> [f64; 2] {
     let pushed = |[x, v]: [f64; 2], second: i32, time: f64| {
         let a = push(f64::from(second));
@@ -134,7 +135,8 @@ fn times_that_are_not_ahead_do_nothing() {
     }
 }
 
-/// Restarts and events in one run: an event within a step, and one that replaces the state at the time of a restart.
+/// Restarts and events in one run: an event within a step, and one that replaces the state at the
+/// time of a restart.
 #[test]
 fn events_come_in_between() {
     let system = SYSTEMS[0];

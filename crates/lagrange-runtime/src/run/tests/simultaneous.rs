@@ -8,7 +8,8 @@ use crate::integrate::{RungeKutta4, Verner98};
 use crate::run::integrate;
 use crate::system::{DeclaredEvent, OdeSystem, Reacted, StepFailure};
 
-/// N oscillators ẍ = −x − |x|/2, with L = 2 N entries of the state. It counts evaluations of the functions of its events.
+/// N oscillators ẍ = −x − |x|/2, with L = 2 N entries of the state. It counts evaluations of the
+/// functions of its events.
 #[derive(Clone, Copy)]
 struct Row<'a, const N: usize, const L: usize> {
     switches: Switches,
@@ -71,7 +72,8 @@ fn exact(t: f64) -> f64 {
     }
 }
 
-/// Evaluations of event functions in a run from these amplitudes, and its largest error relative to them.
+/// Evaluations of event functions in a run from these amplitudes, and its largest error relative to
+/// them.
 fn run<const N: usize, const L: usize>(amplitude: impl Fn(usize) -> f64, is_fixed: bool) -> (usize, f64) {
     let evaluations = Cell::new(0);
     let row = Row::<N, L> { switches: Switches::FREE, evaluations: &evaluations };

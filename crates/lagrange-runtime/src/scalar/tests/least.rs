@@ -88,7 +88,8 @@ impl<T: Scalar> Number for Least<T> {
     }
 }
 
-/// Sweeps from tiny to large, with the corners of all domains, zeros of both signs, infinities and NaN.
+/// Sweeps from tiny to large, with the corners of all domains, zeros of both signs, infinities and
+/// NaN.
 fn samples() -> impl Iterator<Item = f64> {
     let swept = (-300..=300).map(|step| f64::from(step) * 0.037);
     let powers = (-60..=60).map(|power| 1.7 * 2.0_f64.powi(power));

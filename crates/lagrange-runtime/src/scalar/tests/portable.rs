@@ -1,4 +1,5 @@
-//! Numbers with the same bits everywhere: alone, together, in lanes that fuse products and in lanes that do not.
+//! Numbers with the same bits everywhere: alone, together, in lanes that fuse products and in lanes
+//! that do not.
 
 use std::vec::Vec;
 

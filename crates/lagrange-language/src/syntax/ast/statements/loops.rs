@@ -44,7 +44,8 @@ impl Block {
         }
     }
 
-    /// Returns the expressions in front of the braces, and the statements between each pair of them.
+    /// Returns the expressions in front of the braces, and the statements between each pair of
+    /// them.
     pub fn parts_mut(&mut self) -> (Vec<&mut AstId>, Vec<&mut Vec<Statement>>) {
         match self {
             Block::Repeat(repetition) => {

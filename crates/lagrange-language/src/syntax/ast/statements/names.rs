@@ -6,8 +6,9 @@ use crate::syntax::ast::bodies::SceneStatement;
 use crate::syntax::ast::mobilizers::MobilizerKind;
 
 impl StatementKind {
-    /// All names outside of expressions, to be read or replaced: those that the statement declares, but for what is made of them, and
-    /// those that it mentions. Those within loops are not among them.
+    /// All names outside of expressions, to be read or replaced: those that the statement declares,
+    /// but for what is made of them, and those that it mentions. Those within loops are not among
+    /// them.
     pub fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
             StatementKind::Parameters(list)
@@ -49,8 +50,8 @@ impl StatementKind {
         }
     }
 
-    /// The names that a statement declares but for those of types, each as a name that stands in the text and what follows that: a
-    /// quaternion `hip` declares `hip` with `_qw` behind it.
+    /// The names that a statement declares but for those of types, each as a name that stands in
+    /// the text and what follows that: a quaternion `hip` declares `hip` with `_qw` behind it.
     pub fn written_names(&self) -> Vec<(&Name, String)> {
         match self {
             StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),

@@ -135,7 +135,8 @@ mod saved {
     use crate::ensemble::{Ensemble, EnsembleError, Keep, SharedSystem};
     use crate::simulate::Undriven;
 
-    /// Asserts that an ensemble that was interrupted goes on to the same files, and that shards write them.
+    /// Asserts that an ensemble that was interrupted goes on to the same files, and that shards
+    /// write them.
     pub(super) fn assert_same<M: SharedSystem, K, P: Keep>(
         name: &str,
         kept: &str,

@@ -10,7 +10,8 @@ use crate::simulate::Undriven;
 
 type Sampled<'a, M, K> = Ensemble<'a, M, K, Undriven, KeepSamples>;
 
-/// The largest difference between samples in lanes and those of runs, of which there are so many for each motion.
+/// The largest difference between samples in lanes and those of runs, of which there are so many
+/// for each motion.
 fn largest_difference<K>(
     ensemble: impl Fn() -> Sampled<'static, DoublePendulum<f64>, K>,
     number: usize,

@@ -46,7 +46,8 @@ pub(crate) fn canonical<M: CanonicalSystem>(system: &M, t: M::Scalar, y: &M::Sta
 
 /// The largest entry of JᵀΩJ − Ω for the derivative J of one step in coordinates and momenta.
 ///
-/// J is taken by differences of fourth order, whose errors are below 1e-9 for motion that the step resolves.
+/// J is taken by differences of fourth order, whose errors are below 1e-9 for motion that the step
+/// resolves.
 pub(crate) fn defect_of_symplecticity<M, K>(system: &M, start: M::State, step: f64, method: &K) -> f64
 where
     M: CanonicalSystem<Scalar = f64>,

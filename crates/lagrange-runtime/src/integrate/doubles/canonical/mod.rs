@@ -209,7 +209,8 @@ impl Lagrangian<2> for Kepler {
     }
 }
 
-/// A unit mass on a spring of unit length and stiffness k, in polar coordinates with the angle from below, g = 9.81.
+/// A unit mass on a spring of unit length and stiffness k, in polar coordinates with the angle from
+/// below, g = 9.81.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct SpringPendulum<S> {
     pub(in crate::integrate) stiffness: S,
@@ -244,7 +245,8 @@ macro_rules! spring_pendulum {
 spring_pendulum!(f64);
 spring_pendulum!(f32);
 
-/// A pendulum of unit length and mass, g = 1, whose pivot goes up and down by `amplitude` cos(`frequency` t).
+/// A pendulum of unit length and mass, g = 1, whose pivot goes up and down by `amplitude`
+/// cos(`frequency` t).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct ShakenPendulum {
     pub(in crate::integrate) amplitude: f64,

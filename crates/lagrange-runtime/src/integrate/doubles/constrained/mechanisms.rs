@@ -46,7 +46,8 @@ impl Mechanism<2> for PlanePendulum {
     }
 }
 
-/// A unit mass on a rod of unit length in space, the last coordinate upwards; said twice, once in other units.
+/// A unit mass on a rod of unit length in space, the last coordinate upwards; said twice, once in
+/// other units.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct SphericalPendulum {
     pub(in crate::integrate) is_said_twice: bool,
@@ -91,7 +92,8 @@ impl Mechanism<3> for SphericalPendulum {
     }
 }
 
-/// Two unit masses on rods of unit length, one below the other, the second coordinate of each upwards.
+/// Two unit masses on rods of unit length, one below the other, the second coordinate of each
+/// upwards.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct TwoRods;
 
@@ -130,7 +132,8 @@ impl Mechanism<4> for TwoRods {
     }
 }
 
-/// A sleigh on a slope: a blade at (x, y) with the angle θ, and the centre of mass ahead of it. Its mass matrix depends on θ.
+/// A sleigh on a slope: a blade at (x, y) with the angle θ, and the centre of mass ahead of it. Its
+/// mass matrix depends on θ.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Sleigh {
     /// Gravity along −y.
@@ -289,13 +292,14 @@ impl Mechanism<3> for Dragged {
     }
 }
 
-/// A unit bar with unit moment of inertia on three parallel cranks of unit length, of which two would do: constraints depend on
-/// each other wherever they hold, and only there.
+/// A unit bar with unit moment of inertia on three parallel cranks of unit length, of which two
+/// would do: constraints depend on each other wherever they hold, and only there.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct ThreeCranks;
 
 impl ThreeCranks {
-    /// Each crank as a vector, with the point of the bar that it carries seen from the first, and across.
+    /// Each crank as a vector, with the point of the bar that it carries seen from the first, and
+    /// across.
     fn cranks([x, y, angle]: &[f64; 3]) -> [[f64; 6]; 3] {
         let (s, c) = angle.sin_cos();
         [0.0, 1.0, 2.0].map(|along| {

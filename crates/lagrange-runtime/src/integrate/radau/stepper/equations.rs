@@ -20,7 +20,8 @@ const LARGEST_REMAINDER: f64 = 0.03;
 const ROUNDINGS: f64 = 10.0;
 /// Factors for a step whose length differs by less than this are as good.
 const SAME_LENGTH: f64 = 1e-6;
-/// Parts of a step after which the defect of its interpolant is looked at: where it is large for cubic and for quintic ones.
+/// Parts of a step after which the defect of its interpolant is looked at: where it is large for
+/// cubic and for quintic ones.
 const CHECKED: [f64; 2] = [0.2, 0.55];
 
 /// The changes at the stages of a step, and how they were found.
@@ -112,7 +113,8 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         norm(&filtered(&system.rhs(self.clock.time(), &combined(y, M::Scalar::ONE, &error))))
     }
 
-    /// The error of an interpolant of the last step relative to the tolerance; one is just accurate enough.
+    /// The error of an interpolant of the last step relative to the tolerance; one is just accurate
+    /// enough.
     pub(super) fn excess(&mut self, system: &M, span: &StepTaken<M::Scalar, M::State>) -> M::Scalar {
         let (Some(linearised), Some(factors)) = (&self.linearised, &self.factors) else {
             return M::Scalar::NAN;

@@ -4,7 +4,8 @@ use super::{DRIVEN, Force, HENON_HEILES, KEPLER, PENDULUM, difference, run};
 use crate::integrate::{BlanesMoan4, Method, RungeKutta4, Stepper, StormerVerlet, SymplecticEuler};
 use crate::system::OdeSystem;
 
-/// A motion, where it leads, and how many steps show the order of a method of high and of low order.
+/// A motion, where it leads, and how many steps show the order of a method of high and of low
+/// order.
 struct Case<M: OdeSystem> {
     system: M,
     start: M::State,
@@ -96,8 +97,8 @@ fn blanes_moan_is_far_more_accurate_than_runge_kutta_at_equal_cost() {
     assert!(composed < classical / 50.0, "{composed:e} and {classical:e}");
 }
 
-/// The largest error within the first step from rest at (1, 0), of coordinates and of velocities, where the end of
-/// the step is as exact as numbers are.
+/// The largest error within the first step from rest at (1, 0), of coordinates and of velocities,
+/// where the end of the step is as exact as numbers are.
 fn within<K: Method<Force<f64, 1, 2>>>(method: &K, step: f64) -> [f64; 2] {
     let oscillator = super::OSCILLATOR;
     let mut stepper = method.start(&oscillator, 0.0, &[1.0, 0.0], step).expect("valid");

@@ -125,7 +125,8 @@ fn growth_is_not_stiffness() {
 
 #[test]
 fn scales_of_coordinates_are_not_stiffness() {
-    /// Two coupled oscillators with frequencies 1 and √3, one coordinate in millionths of the other.
+    /// Two coupled oscillators with frequencies 1 and √3, one coordinate in millionths of the
+    /// other.
     const SCALED: Force<f64, 2, 4> =
         Force { acceleration: |_, [x, y]| [1e-6 * y - 2.0 * x, 1e6 * x - 2.0 * y] };
     let start = [1.0, 0.5e6, 0.0, 0.0];

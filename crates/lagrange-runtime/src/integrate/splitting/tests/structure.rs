@@ -4,8 +4,9 @@ use super::{DRIVEN, Force, HENON_HEILES, KEPLER, PENDULUM, difference, run};
 use crate::integrate::{BlanesMoan4, Method, RungeKutta4, StormerVerlet, SymplecticEuler};
 use crate::run::integrate;
 
-/// Hénon and Heiles with a force that depends on time, and the linear equations of its neighbours: a method that is a
-/// composition of kicks and drifts does the same with both, so that the neighbours follow the derivative of its step.
+/// Hénon and Heiles with a force that depends on time, and the linear equations of its neighbours:
+/// a method that is a composition of kicks and drifts does the same with both, so that the
+/// neighbours follow the derivative of its step.
 const NEIGHBOURS: Force<f64, 4, 8> = Force {
     acceleration: |t, [x, y, dx, dy]| {
         let [ax, ay] = (HENON_HEILES.acceleration)(t, &[*x, *y]);

@@ -26,7 +26,8 @@ impl Struck {
         (-((t - self.centre) / self.width).powi(2)).exp()
     }
 
-    /// The state at `t` of the motion that begins at rest, by Simpson's rule on ∫ push(s) sin(t − s) ds.
+    /// The state at `t` of the motion that begins at rest, by Simpson's rule on ∫ push(s) sin(t −
+    /// s) ds.
     fn exact(&self, t: f64) -> [f64; 2] {
         const PANELS: u32 = 1000;
         let (from, to) = (self.centre - 7.0 * self.width, t.min(self.centre + 7.0 * self.width));

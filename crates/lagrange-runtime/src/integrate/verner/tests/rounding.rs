@@ -1,4 +1,5 @@
-//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times smaller or larger.
+//! Differences that count as rounding, from both sides: each test fails if a tolerance is 64 times
+//! smaller or larger.
 
 use core::cell::Cell;
 

@@ -103,7 +103,8 @@ fn quaternions_keep_their_length_and_bodies_their_angular_momentum() {
     }
 }
 
-/// A symmetric body turns about its angular momentum at the rate L/I₁, and within that about its axis.
+/// A symmetric body turns about its angular momentum at the rate L/I₁, and within that about its
+/// axis.
 #[test]
 fn a_symmetric_body_moves_as_it_must() {
     let body = FreeBody([2.0, 2.0, 0.7]);

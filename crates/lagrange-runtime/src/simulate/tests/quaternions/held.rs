@@ -17,7 +17,8 @@ use crate::system::{
 
 /// Principal moments of inertia about the joint.
 const INERTIA: Vector = [1.5, 1.0, 0.8];
-/// The weight times the distance of the centre of mass, which is below the joint in its rest position.
+/// The weight times the distance of the centre of mass, which is below the joint in its rest
+/// position.
 const WEIGHT: f64 = 9.81;
 const AXIS: Vector = [1.0, 0.0, 0.0];
 /// The directions in the world at right angles to which the axis is held.
@@ -195,7 +196,8 @@ fn projection_from_afar_ends_on_the_constraints_at_unit_length() {
         to_unit(&mut from);
         let way = rotation(q, from);
         assert!(length(&way) > 1e-10);
-        // What is left about the free axis would lead nearer; the free part of the angular velocity stays.
+        // What is left about the free axis would lead nearer; the free part of the angular velocity
+        // stays.
         assert!(way[0].abs() < 1e-13, "{way:?}");
         assert!((w[0] - 1.0).abs() < 1e-14 && w[1].abs() + w[2].abs() < 1e-14, "{w:?}");
         // Of all orientations that the hinge admits, none is nearer.

@@ -1,4 +1,5 @@
-//! A body that falls to the ground on a corner: positions of which some are rates' and some are a unit quaternion.
+//! A body that falls to the ground on a corner: positions of which some are rates' and some are a
+//! unit quaternion.
 
 use super::{Quaternion, Vector, conjugate, cross, dot, length, rates, rotation, times, to_unit, turned};
 use crate::contact::{self, Contact, ContactSystem, EventKind, Mode, Terms};

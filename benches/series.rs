@@ -1,0 +1,122 @@
+//! Taylor series beside the default pair: a row for each motion and tolerance, with steps, errors
+//! and microseconds of both.
+//!
+//! `cargo bench -p lagrange-benches --bench series`. The two take turns, and each time is the
+//! shortest of many. Errors are those of the state at the end, in its largest component, against a
+//! series of order 36.
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use lagrange::integrate::{Method, Stepper, Taylor, Verner98};
+use lagrange::system::{OdeSystem, TaylorSystem};
+
+lagrange::system! {
+    /// Two point masses on massless rods.
+    struct DoublePendulum;
+
+    param m1 = 1.0, m2 = 1.0, l1 = 1.0, l2 = 1.0, g = 9.81;
+    coord theta1, theta2;
+    let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+    let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+    potential = m1 * g * y1 + m2 * g * y2;
+    emit { taylor }
+}
+
+lagrange::system! {
+    /// A planet around a fixed sun.
+    struct Kepler;
+
+    coord r, phi;
+    kinetic = 1/2 * (dot(r)^2 + (r * dot(phi))^2);
+    potential = -1 / r;
+    emit { taylor }
+}
+
+lagrange::system! {
+    /// Six point masses on massless rods.
+    struct Chain;
+
+    param m[6] = 1.0, l[6] = 1.0, g = 9.81;
+    coord theta[6];
+    for i in 0..6 {
+        let x[i] = sum(j in 0..i + 1, l[j] * sin(theta[j]));
+        let y[i] = -sum(j in 0..i + 1, l[j] * cos(theta[j]));
+    }
+    kinetic = sum(i in 0..6, 1/2 * m[i] * (dot(x[i])^2 + dot(y[i])^2));
+    potential = sum(i in 0..6, m[i] * g * y[i]);
+    emit { taylor }
+}
+
+lagrange::system! {
+    /// A heavy body with one fixed point.
+    struct Top;
+
+    param a = 1.0, c = 0.5, h = 0.7;
+    quaternion r;
+    kinetic = 1/2 * a * (r_wx^2 + r_wy^2) + 1/2 * c * r_wz^2;
+    potential = h * (1 - 2 * (r_qx^2 + r_qy^2));
+    emit { taylor }
+}
+
+const REPEATS: usize = 40;
+const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-9, 1e-12, 1e-14];
+
+/// The end of a motion, and its number of steps.
+fn end<M: OdeSystem<Scalar = f64>>(
+    system: &M,
+    start: &M::State,
+    end: f64,
+    method: &impl Method<M>,
+) -> (M::State, u64) {
+    let mut stepper = method.start(system, 0.0, start, end).expect("starts");
+    while stepper.time() < end {
+        stepper.step(system, end).expect("goes on");
+    }
+    (*stepper.state(), stepper.work().steps)
+}
+
+/// Microseconds that a run takes.
+fn microseconds<T>(run: impl FnOnce() -> T) -> f64 {
+    let began = Instant::now();
+    black_box(run());
+    1e6 * began.elapsed().as_secs_f64()
+}
+
+fn compare<M: TaylorSystem<Scalar = f64>>(name: &str, system: &M, start: M::State, until: f64) {
+    let exact = Taylor { order: Some(36), ..Taylor::tolerance(1e-17) };
+    let (reference, _) = end(system, &start, until, &exact);
+    let error = |y: &M::State| {
+        let pairs = y.as_ref().iter().zip(reference.as_ref());
+        pairs.fold(0.0_f64, |most, (found, expected)| most.max((found - expected).abs()))
+    };
+    for tolerance in TOLERANCES {
+        let (series, pair) = (Taylor::tolerance(tolerance), Verner98::tolerance(tolerance));
+        let [of_series, of_pair] = [end(system, &start, until, &series), end(system, &start, until, &pair)];
+        let (mut best, mut best_pair) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..REPEATS {
+            best = best.min(microseconds(|| end(system, &start, until, &series)));
+            best_pair = best_pair.min(microseconds(|| end(system, &start, until, &pair)));
+        }
+        println!(
+            "{name:>16} {tolerance:e}: series {:>5} steps {:.1e} {best:>8.1}   pair {:>5} steps {:.1e} {best_pair:>8.1}",
+            of_series.1,
+            error(&of_series.0),
+            of_pair.1,
+            error(&of_pair.0),
+        );
+    }
+}
+
+fn main() {
+    let right = std::f64::consts::FRAC_PI_2;
+    let pendulum = DoublePendulum::default();
+    compare("double pendulum", &pendulum, [2.0, 1.5, 0.0, 0.0], 10.0);
+    compare("right angles", &pendulum, [right, right, 0.0, 0.0], 10.0);
+    // Eccentricity 0.6, ten revolutions of length 2π.
+    compare("Kepler", &Kepler::default(), [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
+    let chain = [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    compare("chain of six", &Chain::default(), chain, 3.0);
+    compare("heavy top", &Top::default(), [0.9, 0.3, 0.1, 0.3, 0.1, 0.2, 5.0], 10.0);
+}

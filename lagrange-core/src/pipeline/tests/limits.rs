@@ -1,0 +1,19 @@
+//! Limits that several kinds of statements share.
+
+use crate::pipeline::parse;
+
+#[test]
+fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
+    let point = "coord x; kinetic = 1/2 * dot(x)^2; ";
+    let events = |count: usize| -> String {
+        (0..count).map(|i| format!("event e{i} = x - {i}, rising => record;")).collect()
+    };
+    let (dry, smooth) = ("friction dry = dot(x), 1;", "friction smooth = dot(x), 1, smooth: 1;");
+    for text in [format!("{smooth} {}", events(32)), format!("{dry} {}", events(31))] {
+        assert!(parse(&format!("{point}{text}")).is_ok(), "{text}");
+    }
+    for text in [events(33), format!("{dry} {}", events(32)), format!("{} {dry}", events(32))] {
+        let report = parse(&format!("{point}{text}")).expect_err("too many events").to_string();
+        assert!(report.contains("a system can have at most 32 events"), "{report}");
+    }
+}
