@@ -114,7 +114,7 @@ fn assigned_index(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<usiz
     let found = entry_of_state(elaborator, text, is_velocity);
     if is_velocity && state_named(elaborator, text).is_some() {
         let help = states::assigned_rate_help(text);
-        return elaborator.evaluator.refuse(syntax, &states::assigned_rate(text), &help);
+        return elaborator.evaluator.refuse(syntax, states::assigned_rate(text), &help);
     }
     if found.is_none() {
         let name = Name::new(text.as_str(), elaborator.evaluator.origin(coordinate).start);

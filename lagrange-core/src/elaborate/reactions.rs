@@ -105,7 +105,7 @@ fn sound_restitution(elaborator: &mut Elaborator<'_>, syntax: AstId, event: &Nam
         None => Some(value),
         Some(number) => elaborator.evaluator.refuse(
             syntax,
-            &messages::restitution_out_of_range(number),
+            messages::restitution_out_of_range(number),
             messages::RESTITUTION_HELP,
         ),
     }
@@ -117,12 +117,12 @@ fn slip_velocity(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> O
     if !elaborator.evaluator.graph.dependencies(velocity).intersects(Dependencies::VELOCITY) {
         return elaborator.evaluator.refuse(
             syntax,
-            &messages::slip_without_velocity(name),
+            messages::slip_without_velocity(name),
             messages::SLIP_HELP,
         );
     }
     if degree_in(elaborator, velocity, Dependencies::VELOCITY) == Degree::Nonlinear {
-        return elaborator.evaluator.refuse(syntax, &messages::nonlinear_slip(name), messages::SLIP_HELP);
+        return elaborator.evaluator.refuse(syntax, messages::nonlinear_slip(name), messages::SLIP_HELP);
     }
     forbid_states(elaborator, syntax, velocity, messages::SLIP)?;
     // To stick is to keep the slip velocity, whose rate must then be known.
@@ -149,7 +149,7 @@ fn friction_limit(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -
         None => Some(limit),
         Some(number) => elaborator.evaluator.refuse(
             syntax,
-            &messages::negative_limit(number),
+            messages::negative_limit(number),
             messages::NEGATIVE_LIMIT_HELP,
         ),
     }
@@ -169,7 +169,7 @@ fn friction_width(elaborator: &mut Elaborator<'_>, syntax: AstId) -> Option<Expr
     match elaborator.numeric(width).filter(|&number| number <= 0.0) {
         None => Some(width),
         Some(number) => {
-            elaborator.evaluator.refuse(syntax, &messages::width_not_positive(number), messages::WIDTH_HELP)
+            elaborator.evaluator.refuse(syntax, messages::width_not_positive(number), messages::WIDTH_HELP)
         }
     }
 }
