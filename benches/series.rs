@@ -115,7 +115,7 @@ fn main() {
     compare("double pendulum", &pendulum, [2.0, 1.5, 0.0, 0.0], 10.0);
     compare("right angles", &pendulum, [right, right, 0.0, 0.0], 10.0);
     // Eccentricity 0.6, ten revolutions of length 2π.
-    compare("Kepler", &Kepler::default(), [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
+    compare("Kepler", &Kepler, [0.4, 0.0, 0.0, 5.0], 20.0 * std::f64::consts::PI);
     let chain = [1.0, 1.2, 1.4, 1.6, 1.8, 2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     compare("chain of six", &Chain::default(), chain, 3.0);
     compare("heavy top", &Top::default(), [0.9, 0.3, 0.1, 0.3, 0.1, 0.2, 5.0], 10.0);

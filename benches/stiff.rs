@@ -114,10 +114,10 @@ fn main() {
     ];
     let case =
         Case { name: "elastic_pendulum", start: [1.0, 1.0, 0.0, 0.0], end: 4.0, sizes: [1.0; 4], reference };
-    compare(&ElasticPendulum::default(), &case, |y| *y);
+    compare(&ElasticPendulum, &case, |y| *y);
     let reference = [1.706_167_732_170_483, -0.892_809_701_024_797_5];
     let case = Case { name: "van_der_pol", start: [2.0, 0.0], end: 2.0, sizes: [1.0; 2], reference };
-    compare(&VanDerPol::default(), &case, |y| *y);
+    compare(&VanDerPol, &case, |y| *y);
     let reference = [0.149_254_668_919_120_8, -0.833_435_002_173_662_5];
     let case = Case { name: "bounce", start: [0.5, 0.0], end: 0.6, sizes: [1e-3, 1.0], reference };
     compare(&Bounce::default(), &case, |y| *y);

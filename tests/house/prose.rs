@@ -211,7 +211,7 @@ mod tests {
     #[test]
     fn comments_are_filled_under_their_marker() {
         let words = "word ".repeat(30);
-        let file = format!("    /// - {}`a b` end\n    ///   more\n    fn f() {{}}\n", words);
+        let file = format!("    /// - {words}`a b` end\n    ///   more\n    fn f() {{}}\n");
         let found = wrapped(&file, true);
         assert!(found.lines().all(|line| line.chars().count() <= MAX_COLUMNS), "{found}");
         assert!(found.starts_with("    /// - word word") && found.contains("\n    ///   word"), "{found}");

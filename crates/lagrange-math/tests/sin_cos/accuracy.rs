@@ -6,8 +6,11 @@ use lagrange_math::{LARGEST_ANGLE, precise_sines_and_cosines, sin_cos_each, sin_
 
 use crate::double_double::{DoubleDouble, error_in_ulps, sin_cos};
 
+/// Sine and cosine of an angle.
+type SineAndCosine = fn(f64) -> (f64, f64);
+
 /// The functions of one angle, with bounds of their errors in units in the last place.
-pub(crate) const FUNCTIONS: [(fn(f64) -> (f64, f64), f64); 2] = [(fast, 0.9), (precise, 0.55)];
+pub(crate) const FUNCTIONS: [(SineAndCosine, f64); 2] = [(fast, 0.9), (precise, 0.55)];
 
 pub(crate) fn fast(angle: f64) -> (f64, f64) {
     sin_cos_each([angle])[0]
