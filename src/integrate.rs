@@ -11,7 +11,7 @@
 //! | method | for systems | order | symplectic | cost of a step | take it for |
 //! |---|---|---|---|---|---|
 //! | [`Verner98`], the default of the front door | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
-//! | [`Taylor`] | with `emit { taylor }`, not stiff | 8 to 40, adaptive | no | one expansion, in time linear to quadratic in the order | errors below 1e-11 |
+//! | [`Taylor`] | with `emit { taylor }`, not stiff | 8 to 40, adaptive | no | one expansion, in time linear to quadratic in the order | errors below 1e-9 |
 //! | [`Radau5`] | any, stiff ones first of all | 5, adaptive | no | two to three iterations of 3 evaluations | stiff springs with dampers, compliant contacts, relaxation |
 //! | [`RungeKutta4`] | any that is not stiff | 4 | no | 4 evaluations | fixed frame rates, forces with jumps |
 //! | [`SymplecticEuler`] | separable, or held by constraints on positions | 1 | yes | 1 acceleration | the cheapest frame that stays alive |
