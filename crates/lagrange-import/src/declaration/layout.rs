@@ -2,6 +2,8 @@
 
 /// Lines are broken where they would be longer.
 const WIDEST: usize = 120;
+/// Comments are wrapped where they would be longer, as this workspace wraps its own.
+const WIDEST_COMMENT: usize = 100;
 /// Indentation of every statement.
 const INDENT: &str = "    ";
 
@@ -20,7 +22,7 @@ impl Page {
     pub(super) fn comment(&mut self, mark: &str, text: &str) {
         let mut line = mark.to_owned();
         for word in text.split_whitespace() {
-            if line.chars().count() + word.chars().count() + INDENT.len() >= WIDEST && line != mark {
+            if line.chars().count() + word.chars().count() + INDENT.len() >= WIDEST_COMMENT && line != mark {
                 self.line(&line);
                 mark.clone_into(&mut line);
             }
