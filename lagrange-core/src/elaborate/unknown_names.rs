@@ -42,7 +42,9 @@ fn remember(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) {
 /// declared where the declaration could not be read. Names of one statement are too far down
 /// together.
 pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> bool {
-    let Some((statement, declaration)) = evaluator.declaration.find(name) else {
+    let all = evaluator.declaration;
+    let places = evaluator.unresolved.declared.get_or_insert_with(|| all.places());
+    let Some(&(statement, declaration)) = places.get(&name.to_owned()) else {
         return evaluator.declaration.lacks_names
             || evaluator.declaration.unreadable_words.contains(&name.to_owned());
     };
@@ -108,7 +110,9 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
     if foreign::is_library(name) {
         return messages::names::PLAIN_NAMES_HELP.to_owned();
     }
-    if let ([single], true) = (&evaluator.declaration.coordinates()[..], foreign::is_word_for_rate(name)) {
+    if foreign::is_word_for_rate(name)
+        && let [single] = &evaluator.declaration.coordinates()[..]
+    {
         return messages::names::rate_of_single(&single.text);
     }
     match evaluator.scope.nearest(name, NameKind::has_value) {

@@ -2,8 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use lagrange_expr::collections::OrderedMap;
+use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::Origin;
+use proc_macro2::Span;
 
 /// Names that were reported.
 #[derive(Default)]
@@ -13,6 +14,8 @@ pub(super) struct Unresolved {
     pub(super) late: Vec<Late>,
     /// The number of the statement that is looked at.
     pub(super) statement: usize,
+    /// Statements and places of all declared names, once one of them is missing.
+    pub(super) declared: Option<HashMap<String, (usize, Span)>>,
 }
 
 /// A name that is used before it is declared. One statement that stands too early or too late is

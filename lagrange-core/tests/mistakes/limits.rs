@@ -186,6 +186,7 @@ fn giants() -> Vec<String> {
         "coord x; kinetic = dot(x)^2 * 2^999999999;".to_owned(),
         "coord x; kinetic = dot(x)^2 * 9^9^9^9^9;".to_owned(),
         "coord x; kinetic = dot(x)^2; param k[2^2^2^2^2];".to_owned(),
+        format!("coord x; {}", (0..5_000).map(|i| format!("force x = u{i};")).collect::<String>()),
         format!("coord x; kinetic = {} * dot(x)^2;", "9".repeat(5_001)),
         deep("(", "x", ")"),
         deep("sin(", "x", ")"),

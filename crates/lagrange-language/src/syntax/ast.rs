@@ -84,13 +84,15 @@ pub struct Declaration {
 }
 
 impl Declaration {
-    /// Returns the index of the statement that declares a name, and the place of the name.
-    pub fn find(&self, name: &str) -> Option<(usize, Span)> {
-        let numbered = self.statements.iter().enumerate();
-        let mut declared = numbered.flat_map(|(number, statement)| {
-            statement.kind.declared_names().into_iter().map(move |declared| (number, declared))
-        });
-        declared.find(|(_, declared)| declared.text == name).map(|(number, declared)| (number, declared.span))
+    /// Returns the index of the statement that first declares each name, and the place of the name.
+    pub fn places(&self) -> HashMap<String, (usize, Span)> {
+        let mut places = HashMap::default();
+        for (number, statement) in self.statements.iter().enumerate() {
+            for declared in statement.kind.declared_names() {
+                places.get_or_insert_with(declared.text.clone(), || (number, declared.span));
+            }
+        }
+        places
     }
 
     /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.

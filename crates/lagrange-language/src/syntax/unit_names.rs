@@ -18,18 +18,21 @@ impl Parser<'_> {
         is_unit && self.declared(word).is_none() && !BUILT_IN.contains(&word)
     }
 
-    /// The place of a unit of several factors that stands here behind a number, and how it is
-    /// written in brackets.
+    /// Returns the place of a unit of several factors that stands here behind a number, and how it
+    /// is written in brackets. Names of the declaration may stand between its factors: in
+    /// `9.81 kg*m/s^2`, a parameter `m` would leave the second alone.
     pub(super) fn several_factors(&self, cursor: &Cursor) -> Option<(Origin, String)> {
         let text = |from: usize, to: usize| {
             (from..to).filter_map(|at| cursor.peek_past(at)).map(ToString::to_string)
         };
-        let next = |&end: &usize| {
-            let follows = self.unit_follows(cursor, end);
-            follows.then(|| factor_length(cursor, end + 1)).flatten().map(|length| end + 1 + length)
+        // Each factor ends at a token, and is free or not.
+        let next = |&(end, _): &(usize, bool)| {
+            let is_free = self.following_unit(cursor, end)?;
+            Some((end + 1 + factor_length(cursor, end + 1)?, is_free))
         };
-        let first = factor_length(cursor, 0)?;
-        let end = std::iter::successors(Some(first), next).last().filter(|&end| end != first)?;
+        let first = (factor_length(cursor, 0)?, false);
+        let factors = std::iter::successors(Some(first), next);
+        let (end, _) = factors.filter(|&(_, is_free)| is_free).last()?;
         let (number, unit) = (cursor.previous()?.to_string(), text(0, end).collect::<String>());
         let rest = match at_product(cursor, end) {
             true => text(end, end + 2).map(|token| format!(" {token}")).collect::<String>(),
@@ -38,14 +41,13 @@ impl Parser<'_> {
         Some((cursor.reaching(end), words::in_brackets(&number, &unit, &rest)))
     }
 
-    /// True if `*` or `/` and the name of a unit stand behind the next tokens, which is no name of
-    /// the declaration.
-    fn unit_follows(&self, cursor: &Cursor, count: usize) -> bool {
-        let word = match cursor.peek_past(count + 1) {
-            Some(TokenTree::Ident(word)) => word.to_string(),
-            _ => return false,
-        };
-        at_product(cursor, count) && meaning(&word).is_some() && self.is_free_unit(&word)
+    /// Returns true if the unit that follows the next tokens behind `*` or `/` is no name of the
+    /// declaration, and `None` if no unit follows.
+    fn following_unit(&self, cursor: &Cursor, count: usize) -> Option<bool> {
+        let Some(TokenTree::Ident(word)) = cursor.peek_past(count + 1) else { return None };
+        let word = word.to_string();
+        let is_unit = at_product(cursor, count) && meaning(&word).is_some();
+        is_unit.then(|| self.is_free_unit(&word))
     }
 }
 

@@ -21,6 +21,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) krate: &'a TokenStream,
     /// Parameters and inputs in declaration order, parameters first.
     pub(in crate::emit) fields: Vec<&'a Name>,
+    /// Names of the inputs among them.
+    inputs: HashSet<&'a str>,
     /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
     /// Number of first-order states, which are the last of the positions.
@@ -72,6 +74,7 @@ impl<'a> Shape<'a> {
             declaration,
             krate,
             fields: Vec::new(),
+            inputs: HashSet::default(),
             coordinates: declaration.coordinates(),
             states: 0,
             velocities: declaration.velocities(),
@@ -134,6 +137,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::Scene(_) => {}
             }
         }
+        shape.inputs = inputs.iter().map(|input| input.text.as_str()).collect();
         shape.fields.extend(inputs);
         shape.add_bodies();
         shape.drop_repeated_names();
@@ -219,10 +223,7 @@ impl<'a> Shape<'a> {
 
     /// True if a field is an input.
     pub(in crate::emit) fn is_input(&self, name: &Name) -> bool {
-        self.declaration.statements.iter().any(|statement| match &statement.kind {
-            StatementKind::Inputs(list) => list.iter().any(|definition| definition.name.text == name.text),
-            _ => false,
-        })
+        self.inputs.contains(name.text.as_str())
     }
 
     /// The user's documentation of a declared name, if there is any.

@@ -11,6 +11,7 @@ use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Method, Returns};
 use crate::emit::base::shape::{Shape, doc, identifier, length, local};
 use lagrange_algebra::code::Names;
+use lagrange_expr::collections::HashMap;
 use lagrange_language::syntax::ast::Name;
 
 /// Names of the first components of a vector; further ones have their index.
@@ -106,10 +107,12 @@ fn outputs<'a>(shape: &Shape<'a>, members: &Members) -> Vec<(&'a Name, Returns)>
     let is_output = |method: &Method| {
         method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
     };
-    let written = |name: &Name| {
-        members.methods.iter().filter(|method| is_output(method)).find(|method| method.name == name.text)
-    };
-    shape.outputs.iter().filter_map(|(name, _)| Some((*name, written(name)?.returns))).collect()
+    let methods = members.methods.iter().filter(|method| is_output(method));
+    // Of two methods of one name the first counts.
+    let written = methods.rev().map(|method| (method.name.to_string(), method.returns));
+    let written = written.collect::<HashMap<_, _>>();
+    let of_output = |name: &'a Name| Some((name, *written.get(&name.text)?));
+    shape.outputs.iter().filter_map(|&(name, _)| of_output(name)).collect()
 }
 
 /// True if there is an implementation of `OutputSystem`.

@@ -232,7 +232,8 @@ fn words_of_scenes_are_free_as_names() {
 fn names_of_a_scene_are_declared() {
     let text = "body a {} line b {} spring c {} spring {} pin d = a to a; slide e = a on b; roll f = a on b;";
     let declaration = read(text);
-    let declared = ["a", "b", "c", "d", "e", "f", "g"].map(|name| declaration.find(name).is_some());
+    let places = declaration.places();
+    let declared = ["a", "b", "c", "d", "e", "f", "g"].map(|name| places.contains(&name.to_owned()));
     assert_eq!(declared, [true, true, true, true, true, true, false]);
 }
 

@@ -73,6 +73,10 @@ fn what_is_no_unit_is_said() {
         ("let a = 2 [kg m];", "error at 1:15: expected a unit, found `m`"),
         ("let a = 2 [];", "error at 1:12: expected a unit, found nothing"),
         ("let a = 2 m/s;", "error at 1:11: a unit of several factors needs square brackets after its number"),
+        (
+            "param m = 1; let a = 2 kg*m/s^2;",
+            "error at 1:24: a unit of several factors needs square brackets after its number",
+        ),
         ("let a = 2m;", "error at 1:9: a space is missing between a number and its unit"),
     ];
     for (text, message) in messages {
