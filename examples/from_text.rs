@@ -5,18 +5,16 @@
 //! that are not known when the program is compiled. The interpreter is much slower than compiled
 //! code.
 //!
-//! Without an argument the declaration below takes both ways, and the accelerations are compared.
+//! The declaration below takes both ways, and the accelerations are compared.
 //! Look for the equations, the structure and the cost, which are also the documentation of the
 //! emitted struct, and for the accelerations, which agree to rounding.
 //!
-//! `cargo run --features symbolic --example from_text -- FILE` takes the first way for the
-//! declaration in a file.
+//! For the declaration in a file, `lagrange equations FILE` writes the same.
 
 mod common;
 
 use std::error::Error;
 use std::process::ExitCode;
-use std::{env, fs};
 
 use common::compare;
 use lagrange::symbolic::derive::StrategyChoice;
@@ -42,17 +40,13 @@ compiled_with_text! {
 }
 
 fn main() -> ExitCode {
-    let result = env::args().nth(1).map_or_else(both_ways, |path| of_file(&path));
+    let result = both_ways();
     if let Err(error) = &result {
         // Mistakes of a declaration are written for people: every one with its line, its column and
         // help.
         eprintln!("{error}");
     }
     ExitCode::from(u8::from(result.is_err()))
-}
-
-fn of_file(path: &str) -> Result<(), Box<dyn Error>> {
-    describe(&fs::read_to_string(path)?).map(drop)
 }
 
 /// Prints what is known of a system.

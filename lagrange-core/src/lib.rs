@@ -45,7 +45,8 @@
 //!    [`Program`](program::Program)s, [`code`] writes those as the body of a function, [`formula`]
 //!    writes expressions as text, LaTeX or graphs.
 //!
-//! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`] and [`pipeline`]. It
+//! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`], [`pipeline`] and
+//! [`files`], which reads tables. It
 //! re-exports the modules of three crates below it: `lagrange-expr`, the graph that owns every
 //! expression of a system, with its vocabulary; `lagrange-algebra`, the algorithms that take the
 //! graph; and `lagrange-language`, from tokens to plain statements. `ARCHITECTURE.md` lists their
@@ -55,6 +56,7 @@
 pub mod derive;
 pub mod elaborate;
 pub mod emit;
+pub mod files;
 pub mod model;
 pub mod pipeline;
 

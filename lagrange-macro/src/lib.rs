@@ -4,10 +4,9 @@
 //! from text. Use the macro as `lagrange::system!`, which is where its language is documented.
 #![forbid(unsafe_code)]
 
-mod files;
-
 use std::path::PathBuf;
 
+use lagrange_core::files;
 use lagrange_core::tables::FileText;
 use proc_macro2::{TokenStream, TokenTree};
 

@@ -14,9 +14,10 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 14] = [
+pub(crate) const LIBRARIES: [Library; 15] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
+    Library { name: "lagrange-cli", layers: CLI },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-double", layers: DOUBLE },
     Library { name: "lagrange-draw", layers: DRAW },
@@ -24,7 +25,7 @@ pub(crate) const LIBRARIES: [Library; 14] = [
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-language", layers: LANGUAGE },
-    Library { name: "lagrange-macro", layers: MACRO },
+    Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
     Library { name: "lagrange-plot", layers: PLOT },
     Library { name: "lagrange-runtime", layers: RUNTIME },
@@ -109,7 +110,10 @@ const LANGUAGE: &[Layer] = &[
 ];
 
 const CORE: &[Layer] = &[
-    Layer { modules: &["model"], purpose: "the model of a system, as expressions" },
+    Layer {
+        modules: &["files", "model"],
+        purpose: "reading of table files; the model of a system, as expressions",
+    },
     Layer {
         modules: &["derive", "elaborate"],
         purpose: "model to equations: quadratic form, elimination, structure; declaration to model, \
@@ -119,7 +123,14 @@ const CORE: &[Layer] = &[
     Layer { modules: &["pipeline"], purpose: "all phases, in order" },
 ];
 
-const MACRO: &[Layer] = &[Layer { modules: &["files"], purpose: "reading of table files" }];
+const CLI: &[Layer] = &[
+    Layer {
+        modules: &["arguments", "source"],
+        purpose: "the command line, read into a command; files that hold declarations",
+    },
+    Layer { modules: &["mistakes"], purpose: "mistakes as the compiler shows them, and as JSON" },
+    Layer { modules: &["commands"], purpose: "the commands" },
+];
 
 const MATH: &[Layer] = &[
     Layer {
@@ -286,9 +297,9 @@ const IMPORT: &[Layer] = &[
 
 const XTASK: &[Layer] = &[
     Layer {
-        modules: &["performance", "prose", "size", "urdf"],
+        modules: &["performance", "prose", "size"],
         purpose: "measurements, written to `docs/performance.md`; paragraphs of comments and pages; lines of \
-                  code by crate; import of robots",
+                  code by crate",
     },
     Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
 ];

@@ -3,7 +3,7 @@
 //! docs/performance.md; `cargo xtask performance spatial` does so for bodies in space alone.
 //! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask wrap`: wraps
 //! comments and pages at 100 columns. `cargo xtask sentences`: lists sentences of more than 25
-//! words. `cargo xtask urdf robot.urdf`: writes the declaration of a robot.
+//! words.
 #![forbid(unsafe_code)]
 
 mod performance;
@@ -11,7 +11,6 @@ mod performance;
 #[path = "../../tests/house/prose.rs"]
 mod prose;
 mod size;
-mod urdf;
 mod wrap;
 
 use std::env;
@@ -63,11 +62,9 @@ fn main() -> ExitCode {
         ["size", revision] => code(size::size(root, Some(revision))),
         ["wrap"] => code(wrap::wrap(root)),
         ["sentences"] => code(wrap::sentences(root)),
-        ["urdf", ref options @ ..] => code(urdf::urdf(options)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | performance [spatial] | size [REVISION] | wrap | sentences\n       {}",
-                urdf::USAGE
+                "usage: cargo xtask check | performance [spatial] | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }

@@ -1,8 +1,8 @@
 //! Declarations for `lagrange` from descriptions of robots.
 //!
 //! [`urdf`] reads URDF files. What comes out is text for `lagrange::system!`, written to be read,
-//! edited and kept; nothing here is needed where it is compiled. `cargo xtask urdf robot.urdf` is
-//! the same as a command.
+//! edited and kept; nothing here is needed where it is compiled. `lagrange urdf robot.urdf` is the
+//! same as a command.
 #![forbid(unsafe_code)]
 
 mod decimal;

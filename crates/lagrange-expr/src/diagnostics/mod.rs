@@ -7,6 +7,7 @@ mod rows;
 mod spelling;
 
 use std::fmt;
+use std::ops::Range;
 
 use proc_macro2::Span;
 
@@ -32,16 +33,27 @@ impl Origin {
         Origin { start: self.start, end: other.end }
     }
 
-    /// Line and column of its first character, `3:7`, both counted from one, with the name of the
-    /// file before them if it has one: `src/main.rs:3:7`. `None` where nothing is known of them, as
-    /// in servers of editors.
+    /// Line and column of its first character, both counted from one. `None` where nothing is known
+    /// of them, as in servers of editors.
+    pub fn position(self) -> Option<[usize; 2]> {
+        let start = self.start.start();
+        let is_known = start.line > 0 && !NOWHERE.contains(&self.start.file().as_str());
+        is_known.then_some([start.line, start.column + 1])
+    }
+
+    /// Its bytes in the text that was parsed, where [`Origin::position`] is known.
+    pub fn bytes(self) -> Option<Range<usize>> {
+        let (start, end) = (self.start.byte_range(), self.end.byte_range());
+        self.position().map(|_| start.start..end.end.max(start.end))
+    }
+
+    /// Its position, `3:7`, with the name of the file before it if it has one: `src/main.rs:3:7`.
     fn place(self) -> Option<String> {
-        let (file, start) = (self.start.file(), self.start.start());
-        let is_known = start.line > 0 && !NOWHERE.contains(&file.as_str());
-        let place = format!("{}:{}", start.line, start.column + 1);
+        let [line, column] = self.position()?;
+        let file = self.start.file();
         // What has no file has a name such as `<parsed string 1>`.
-        let is_named = !file.starts_with('<');
-        is_known.then(|| if is_named { format!("{file}:{place}") } else { place })
+        let file = if file.starts_with('<') { String::new() } else { format!("{file}:") };
+        Some(format!("{file}{line}:{column}"))
     }
 }
 

@@ -1,4 +1,4 @@
-//! Files that a declaration names, read from the package that is compiled.
+//! Files that a declaration names.
 //!
 //! A build must come to an end, whatever a path leads to: pipes and devices would be waited for, or
 //! never end.
@@ -7,14 +7,14 @@ use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
 
-use lagrange_core::limits::MAX_FILE_BYTES;
-use lagrange_core::tables::{FileText, decoded};
+use lagrange_expr::limits::MAX_FILE_BYTES;
+use lagrange_language::tables::{FileText, decoded};
 
 /// Reads a regular file of a folder, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
 /// The reason why it cannot be read.
-pub(crate) fn read(folder: &Path, path: &str) -> Result<FileText, String> {
+pub fn read(folder: &Path, path: &str) -> Result<FileText, String> {
     let path = folder.join(path);
     let metadata = fs::metadata(&path).map_err(|error| error.to_string())?;
     if metadata.is_dir() {

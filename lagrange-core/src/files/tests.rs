@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use lagrange_core::limits::MAX_FILE_BYTES;
+use lagrange_expr::limits::MAX_FILE_BYTES;
 
 use super::read;
 
@@ -10,7 +10,7 @@ struct Folder(PathBuf);
 
 impl Folder {
     fn new(name: &str) -> Folder {
-        let path = std::env::temp_dir().join(format!("lagrange-macro-{}-{name}", std::process::id()));
+        let path = std::env::temp_dir().join(format!("lagrange-core-{}-{name}", std::process::id()));
         fs::create_dir_all(&path).expect("a folder");
         Folder(path)
     }

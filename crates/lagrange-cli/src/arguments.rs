@@ -1,0 +1,158 @@
+//! The command line, read into a command.
+
+use std::ffi::OsString;
+use std::path::PathBuf;
+
+use lagrange_core::code::Precision;
+use lagrange_import::urdf::Options;
+use lexopt::{Arg, Error, Parser, ValueExt};
+
+/// All commands and options.
+pub(crate) const HELP: &str = "\
+Declarations of mechanical systems, as `lagrange::system!` takes them, from files.
+
+Usage: lagrange COMMAND FILE [OPTIONS]
+
+Commands:
+  check FILE…       list mistakes and warnings
+  equations FILE    write the equations of motion, their structure and their cost
+  statements FILE   write the declaration in plain statements: no arrays, loops or bodies
+  rust FILE         write the code that the macro emits
+  c FILE            write the equations of motion as C
+  urdf FILE         write the declaration of a robot that a URDF file describes
+
+A file named `-` is the standard input. Tables are files beside the declaration.
+
+Options:
+  -o, --output FILE   write to a file instead of the standard output
+      --json          list mistakes as JSON: an array of objects on the standard output (check)
+      --latex         write the equations in LaTeX (equations)
+      --single        compute in single precision (c)
+      --name NAME     name the struct (urdf)
+      --free          let the base move freely (urdf)
+      --inputs        drive each joint by an input (urdf)
+      --trust-inertia accept moments of inertia that no body has (urdf)
+  -h, --help          print this
+  -V, --version       print the version
+
+Exit codes: 0, no errors; 1, a file has errors or cannot be read or written; 2, wrong usage.
+";
+
+/// A request of a command line.
+#[derive(Debug)]
+pub(crate) enum Request {
+    /// All commands and options.
+    Help,
+    /// The version.
+    Version,
+    /// A command.
+    Command(Command),
+}
+
+/// A command with its files.
+#[derive(Debug)]
+pub(crate) struct Command {
+    /// The action.
+    pub(crate) action: Action,
+    /// Files to read; one, except for checks.
+    pub(crate) inputs: Vec<PathBuf>,
+    /// File to write; the standard output without one.
+    pub(crate) output: Option<PathBuf>,
+}
+
+/// An action on files.
+#[derive(Clone, Debug)]
+pub(crate) enum Action {
+    /// Lists mistakes.
+    Check {
+        /// True for JSON.
+        is_json: bool,
+    },
+    /// Writes what follows from a declaration.
+    Write(Text),
+    /// Imports a robot.
+    Urdf(Options),
+}
+
+/// A text that follows from a declaration.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Text {
+    /// Equations, structure and cost.
+    Equations,
+    /// Equations in LaTeX.
+    Latex,
+    /// Plain statements.
+    Statements,
+    /// Emitted code.
+    Rust,
+    /// The kernel in C.
+    C(Precision),
+}
+
+impl Action {
+    fn named(name: &str) -> Option<Action> {
+        Some(match name {
+            "check" => Action::Check { is_json: false },
+            "equations" => Action::Write(Text::Equations),
+            "statements" => Action::Write(Text::Statements),
+            "rust" => Action::Write(Text::Rust),
+            "c" => Action::Write(Text::C(Precision::Double)),
+            "urdf" => Action::Urdf(Options::default()),
+            _ => return None,
+        })
+    }
+
+    /// Sets a flag; false if the action has none of this name.
+    fn set(&mut self, flag: &str) -> bool {
+        match (self, flag) {
+            (Action::Check { is_json }, "json") => *is_json = true,
+            (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
+            (Action::Write(Text::C(precision)), "single") => *precision = Precision::Single,
+            (Action::Urdf(options), "free") => options.is_free = true,
+            (Action::Urdf(options), "inputs") => options.has_inputs = true,
+            (Action::Urdf(options), "trust-inertia") => options.trusts_inertia = true,
+            _ => return false,
+        }
+        true
+    }
+}
+
+/// Reads the arguments behind the name of the program.
+///
+/// # Errors
+/// If they are no command, an option does not belong to it, or the number of files is wrong.
+pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
+    let mut action = match parser.next()? {
+        Some(Arg::Value(name)) => action(name)?,
+        Some(Arg::Short('h') | Arg::Long("help")) => return Ok(Request::Help),
+        Some(Arg::Short('V') | Arg::Long("version")) => return Ok(Request::Version),
+        Some(argument) => return Err(argument.unexpected()),
+        None => return Err("a command is missing".into()),
+    };
+    let (mut inputs, mut output) = (Vec::new(), None);
+    while let Some(argument) = parser.next()? {
+        match argument {
+            Arg::Short('h') | Arg::Long("help") => return Ok(Request::Help),
+            Arg::Short('o') | Arg::Long("output") => output = Some(PathBuf::from(parser.value()?)),
+            Arg::Value(file) => inputs.push(PathBuf::from(file)),
+            Arg::Long("name") if matches!(action, Action::Urdf(_)) => {
+                let name = parser.value()?.string()?;
+                if let Action::Urdf(options) = &mut action {
+                    options.name = Some(name);
+                }
+            }
+            Arg::Long(flag) if action.set(flag) => {}
+            other => return Err(other.unexpected()),
+        }
+    }
+    match (&action, inputs.len()) {
+        (_, 0) => Err("the name of a file is missing; `-` is the standard input".into()),
+        (Action::Check { .. }, _) | (_, 1) => Ok(Request::Command(Command { action, inputs, output })),
+        _ => Err("this command takes one file at a time".into()),
+    }
+}
+
+fn action(name: OsString) -> Result<Action, Error> {
+    let name = name.string()?;
+    Action::named(&name).ok_or_else(|| format!("unknown command `{name}`").into())
+}

@@ -1,0 +1,123 @@
+//! The commands.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::diagnostics::Report;
+use lagrange_files::save_bytes;
+use lagrange_import::listing;
+use lagrange_import::urdf::{Import, Options, import};
+use proc_macro2::TokenStream;
+use quote::quote;
+use serde_json::Value;
+
+use crate::arguments::{Action, Command, Text};
+use crate::mistakes;
+use crate::source::Source;
+
+/// A command that came to no result; its mistakes are printed.
+struct Printed;
+
+type Outcome<T> = Result<T, Printed>;
+
+impl Command {
+    /// Runs the command. Returns true if there was no error; errors are printed.
+    pub(crate) fn run(&self) -> bool {
+        let text = match &self.action {
+            Action::Check { is_json } => return self.check(*is_json),
+            Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
+            Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
+        };
+        text.and_then(|text| write(self.output.as_deref(), &text)).is_ok()
+    }
+
+    /// Reads the only file.
+    fn source(&self) -> Outcome<Source> {
+        let path = self.inputs.first().ok_or(Printed)?;
+        Source::read(path).map_err(|message| print_error(&message))
+    }
+
+    fn check(&self, is_json: bool) -> bool {
+        let (mut has_errors, mut all) = (false, Vec::new());
+        for path in &self.inputs {
+            let Ok(source) = Source::read(path).map_err(|message| print_error(&message)) else {
+                has_errors = true;
+                continue;
+            };
+            let report = checked(&source);
+            has_errors |= report.has_errors();
+            match is_json {
+                true => all.extend(mistakes::as_json(&source, &report)),
+                false => mistakes::print(&source, &report),
+            }
+        }
+        let json = is_json.then(|| format!("{:#}\n", Value::Array(all)));
+        let is_written = json.is_none_or(|json| write(self.output.as_deref(), &json).is_ok());
+        is_written && !has_errors
+    }
+}
+
+/// Returns everything that is reported of a declaration, up to its code.
+fn checked(source: &Source) -> Report {
+    let derived = match source.system().and_then(|system| system.derive(StrategyChoice::Cheapest)) {
+        Ok(derived) => derived,
+        Err(report) => return report,
+    };
+    let warnings = derived.report.clone();
+    derived.emit(&quote!(::lagrange)).err().unwrap_or(warnings)
+}
+
+/// Returns a text that follows from a declaration; prints warnings and errors.
+fn written(source: &Source, text: Text) -> Outcome<String> {
+    let refused = |report: Report| {
+        mistakes::print(source, &report);
+        Printed
+    };
+    let system = source.system().map_err(refused)?;
+    if let Text::Statements = text {
+        mistakes::print(source, &system.report);
+        return Ok(system.statements());
+    }
+    let mut derived = system.derive(StrategyChoice::Cheapest).map_err(refused)?;
+    mistakes::print(source, &derived.report);
+    match text {
+        Text::Statements | Text::Equations => Ok(derived.documentation().join("\n") + "\n"),
+        Text::Latex => Ok(derived.equations_latex() + "\n"),
+        Text::C(precision) => derived.kernel(precision).map_err(refused),
+        Text::Rust => rust(derived.emit(&quote!(::lagrange)).map_err(refused)?),
+    }
+}
+
+/// Lays emitted items out.
+fn rust(items: TokenStream) -> Outcome<String> {
+    let file = syn::parse2(items).map_err(|error| print_error(&format!("emitted code: {error}")))?;
+    Ok(prettyplease::unparse(&file))
+}
+
+/// Returns the declaration of a robot; prints warnings and errors.
+fn robot(source: &Source, options: &Options) -> Outcome<String> {
+    match import(&source.text, options) {
+        Ok(Import { declaration, warnings, .. }) => {
+            eprint!("{}", listing(&source.name, &warnings));
+            Ok(declaration)
+        }
+        Err(mistakes) => {
+            eprint!("{}", listing(&source.name, &mistakes));
+            Err(Printed)
+        }
+    }
+}
+
+fn write(output: Option<&Path>, text: &str) -> Outcome<()> {
+    let result = match output {
+        Some(path) => save_bytes(path, text).map_err(|error| format!("{}: {error}", path.display())),
+        None => io::stdout().lock().write_all(text.as_bytes()).map_err(|error| error.to_string()),
+    };
+    result.map_err(|message| print_error(&message))
+}
+
+fn print_error(message: &str) -> Printed {
+    eprintln!("error: {message}");
+    Printed
+}

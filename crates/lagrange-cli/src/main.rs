@@ -1,0 +1,42 @@
+//! `lagrange`: declarations of mechanical systems on the command line.
+//!
+//! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
+//! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
+//! the macro. `lagrange urdf` writes the declaration of a robot. `lagrange --help` has everything.
+//! Motions are not computed here.
+#![forbid(unsafe_code)]
+
+mod arguments;
+mod commands;
+mod mistakes;
+mod source;
+
+use std::process::ExitCode;
+
+use arguments::{HELP, Request, read_arguments};
+
+/// Exit code of a run whose files have mistakes.
+const MISTAKES: u8 = 1;
+/// Exit code of a command that has no meaning.
+const USAGE: u8 = 2;
+
+fn main() -> ExitCode {
+    match read_arguments(lexopt::Parser::from_env()) {
+        Ok(Request::Help) => {
+            print!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        Ok(Request::Version) => {
+            println!("lagrange {}", env!("CARGO_PKG_VERSION"));
+            ExitCode::SUCCESS
+        }
+        Ok(Request::Command(command)) => match command.run() {
+            true => ExitCode::SUCCESS,
+            false => ExitCode::from(MISTAKES),
+        },
+        Err(error) => {
+            eprintln!("error: {error}\n\nfor all commands, write `lagrange --help`");
+            ExitCode::from(USAGE)
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The command as users run it: exit codes, what it writes, and what it says of wrong files.
+
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::{env, fs};
+
+use serde_json::Value;
+
+fn data(file: &str) -> String {
+    format!("tests/data/{file}")
+}
+
+fn run(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lagrange")).args(arguments).output().expect("the command starts")
+}
+
+/// Runs a command on text from the standard input.
+fn run_on(text: &str, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lagrange"));
+    let pipes = command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = pipes.spawn().expect("the command starts");
+    child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("written");
+    child.wait_with_output().expect("the command ends")
+}
+
+fn output(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+fn errors(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("UTF-8")
+}
+
+/// The text that a command writes without mistakes or warnings.
+fn written(arguments: &[&str]) -> String {
+    let result = run(arguments);
+    assert_eq!((result.status.code(), errors(&result).as_str()), (Some(0), ""), "{arguments:?}");
+    output(&result)
+}
+
+/// A path in a folder for temporary files.
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn mistakes_are_shown_where_they_are() {
+    let result = run(&["check", &data("mistakes.lag")]);
+    assert_eq!((result.status.code(), output(&result).as_str()), (Some(1), ""));
+    let (listing, path) = (errors(&result), data("mistakes.stderr"));
+    if env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::write(&path, &listing).expect("written");
+    }
+    assert_eq!(listing, fs::read_to_string(path).expect("a listing"), "UPDATE_GOLDEN=1 rewrites it");
+}
+
+#[test]
+fn mistakes_are_data_on_request() {
+    let path = data("mistakes.lag");
+    let result = run(&["check", "--json", &path, &data("pendulum.lag")]);
+    assert_eq!((result.status.code(), errors(&result).as_str()), (Some(1), ""));
+    let mistakes = serde_json::from_str::<Vec<Value>>(&output(&result)).expect("JSON");
+    let text = fs::read_to_string(&path).expect("a declaration");
+    let is_this = |mistake: &&Value| mistake["message"].as_str().is_some_and(|text| text.contains("thetta"));
+    let error = mistakes.iter().find(is_this).expect("an error");
+    assert_eq!((&error["file"], &error["line"], &error["column"]), (&path.into(), &4.into(), &30.into()));
+    let bytes = [0, 1].map(|end| error["bytes"][end].as_u64().expect("a number") as usize);
+    assert_eq!(&text[bytes[0]..bytes[1]], "thetta");
+    assert!(error["help"].as_str().is_some_and(|help| help.contains("theta")), "{error}");
+}
+
+#[test]
+fn declarations_without_mistakes_pass_in_silence() {
+    assert_eq!(written(&["check", &data("pendulum.lag")]), "");
+    assert_eq!(written(&["check", "--json", &data("pendulum.lag")]), "[]\n");
+}
+
+#[test]
+fn equations_are_written_as_text_and_as_latex() {
+    let pendulum = "param m = 1, l = 2, g = 9.81; coord theta;
+        kinetic = 1/2 * m * (l * dot(theta))^2; potential = -m * g * l * cos(theta);";
+    let text = run_on(pendulum, &["equations", "-"]);
+    assert!(output(&text).contains("m*l^2*ddot(theta) = -m*l*g*sin(theta)"), "{}", output(&text));
+    let latex = output(&run_on(pendulum, &["equations", "--latex", "-"]));
+    assert!(latex.contains(r"\ddot{\theta}") && latex.contains(r"\sin"), "{latex}");
+}
+
+#[test]
+fn tables_are_files_beside_the_declaration() {
+    let equations = written(&["equations", &data("pendulum.lag")]);
+    assert!(equations.contains("breeze("), "{equations}");
+    let result = run_on(&fs::read_to_string(data("pendulum.lag")).expect("a declaration"), &["check", "-"]);
+    assert_eq!(result.status.code(), Some(1), "the standard input is beside no table");
+    assert!(
+        errors(&result).contains("breeze.csv") && errors(&result).contains("<stdin>:5:"),
+        "{}",
+        errors(&result)
+    );
+}
+
+#[test]
+fn code_is_that_of_the_macro() {
+    let rust = written(&["rust", &data("pendulum.lag")]);
+    let file = syn::parse_file(&rust).expect("Rust");
+    assert!(!file.items.is_empty() && rust.contains("struct Pendulum"), "{rust}");
+    let path = temporary("pendulum.rs");
+    let path = path.to_str().expect("UTF-8");
+    assert_eq!(written(&["rust", &data("pendulum.lag"), "-o", path]), "");
+    assert_eq!(fs::read_to_string(path).expect("written"), rust);
+}
+
+#[test]
+fn a_compiler_of_c_takes_the_kernel() {
+    for arguments in [&["c", &data("kernel.lag")][..], &["c", "--single", &data("kernel.lag")]] {
+        let path = temporary(&format!("kernel_{}.c", arguments.len()));
+        fs::write(&path, written(arguments)).expect("written");
+        let options = ["-std=c99", "-Wall", "-Werror", "-Wno-unused-function", "-fsyntax-only"];
+        let result = Command::new("cc").args(options).arg(&path).output().expect("a compiler of C");
+        assert!(result.status.success(), "{}", errors(&result));
+    }
+}
+
+#[test]
+fn robots_are_imported() {
+    let robots = "../lagrange-import/tests/data";
+    let result = run(&["urdf", &format!("{robots}/every_joint.urdf")]);
+    assert_eq!(result.status.code(), Some(0));
+    let expected = fs::read_to_string(format!("{robots}/every_joint.rs")).expect("a declaration");
+    assert_eq!(output(&result), expected);
+    assert!(errors(&result).contains("every_joint.urdf:"), "warnings have lines: {}", errors(&result));
+    let broken = run_on("<robot name='r'><link/></robot>", &["urdf", "-"]);
+    assert_eq!((broken.status.code(), output(&broken).as_str()), (Some(1), ""));
+    assert!(errors(&broken).contains("<stdin>:1:17"), "{}", errors(&broken));
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_are_named() {
+    let missing = run(&["check", "no_such_file.lag", &data("mistakes.lag")]);
+    assert_eq!(missing.status.code(), Some(1));
+    assert!(errors(&missing).starts_with("error: no_such_file.lag: "), "{}", errors(&missing));
+    assert!(errors(&missing).contains("thetta"), "the other file is checked");
+    for (path, reason) in [("tests", "it is a folder"), ("/dev/null", "it is not a regular file")] {
+        let result = run(&["check", path]);
+        assert!(errors(&result).contains(reason) && result.status.code() == Some(1), "{}", errors(&result));
+    }
+    let unwritable = run(&["statements", &data("pendulum.lag"), "-o", "no_such_folder/file"]);
+    assert_eq!(unwritable.status.code(), Some(1));
+    assert!(errors(&unwritable).starts_with("error: no_such_folder/file: "), "{}", errors(&unwritable));
+}
+
+#[test]
+fn commands_without_meaning_name_what_is_wrong() {
+    let cases: [(&[&str], &str); 8] = [
+        (&[], "a command is missing"),
+        (&["solve"], "unknown command `solve`"),
+        (&["check"], "the name of a file is missing"),
+        (&["rust", "a", "b"], "one file at a time"),
+        (&["rust", "a", "--latex"], "invalid option '--latex'"),
+        (&["c", "a", "--name", "b"], "invalid option '--name'"),
+        (&["rust", "a", "-o"], "missing argument"),
+        (&["--verbose"], "invalid option '--verbose'"),
+    ];
+    for (arguments, message) in cases {
+        let result = run(arguments);
+        assert_eq!(result.status.code(), Some(2), "{arguments:?}");
+        assert!(errors(&result).contains(message), "{arguments:?}: {}", errors(&result));
+    }
+    assert!(written(&["--help"]).contains("Exit codes"));
+    assert!(written(&["rust", "--help"]).contains("Exit codes"));
+    assert!(written(&["--version"]).starts_with("lagrange "));
+}
