@@ -11,7 +11,7 @@ use lagrange_files::save_bytes;
 
 impl Report {
     /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a
-    /// directory, in files named for the title; makes the directory if there is none.
+    /// directory, in files named for the title. The directory is created if it does not exist.
     ///
     /// # Errors
     /// What the operating system says, or why the diagram could not be drawn.

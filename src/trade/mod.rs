@@ -79,8 +79,8 @@ impl<'a> Trade<'a> {
         trade.variant("standard", system)
     }
 
-    /// The state at the end. If it is not given, the finest run of [`Verner98`] on the first system
-    /// takes its place, so that errors close to rounding are not to be trusted.
+    /// The state at the end. By default it is that of the finest run of [`Verner98`] on the first
+    /// system. Errors close to rounding are then not reliable.
     ///
     /// # Panics
     /// If it is no longer or shorter than the state at the start.
@@ -154,8 +154,8 @@ impl<'a> Trade<'a> {
     /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by
     /// tolerance and without.
     ///
-    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of
-    /// its end: so the error that the reduction itself makes is in the account.
+    /// It starts from the image of the start under `restrict`, and is judged by the image of its
+    /// end under `expand`. The error of the reduction itself is therefore included.
     #[must_use]
     pub fn reduced<M>(
         mut self,

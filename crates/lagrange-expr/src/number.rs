@@ -151,8 +151,8 @@ impl Number {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
-    /// The digits of an unsigned decimal and how many of them stand behind the point; `None` if the
-    /// decimal does not end or the number is negative.
+    /// Returns the digits of an unsigned decimal and the number of them behind the point. `None` if
+    /// the decimal does not end or the number is negative.
     pub fn decimal(&self) -> Option<(String, usize)> {
         let big = self.to_big();
         let (ten, five) = (BigInt::from(10), BigInt::from(5));

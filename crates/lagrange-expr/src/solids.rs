@@ -26,9 +26,9 @@ pub struct Solid {
     pub name: &'static str,
     /// Dimensions that give its size.
     pub dimensions: Dimensions,
-    /// Moment of inertia about the centre of mass for a mass of one, from as many scalars as there
-    /// are dimensions; of corners from their coordinates, one corner after the other, in either
-    /// orientation.
+    /// Moment of inertia about the centre of mass for a mass of one, a function of as many scalars
+    /// as there are dimensions. Corners give their coordinates, one corner after the other, in
+    /// either orientation.
     pub inertia: Formula<ExprId>,
     /// Centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<Formula<[ExprId; 2]>>,

@@ -112,9 +112,9 @@ fn each<const N: usize>(
 
 /// The angles in [−π, π] of several points, each with an ordinate and an abscissa.
 ///
-/// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in
-/// magnitude; other points, the origin among them, have the angle that `libm` gives them, with the
-/// sides of the cut as IEEE 754 has them. All else is as for [`values`].
+/// Errors are below 0.7 units in the last place where both coordinates are zero or from 10⁻²⁷⁰ to
+/// 10²⁷⁰ in magnitude. Other points, including the origin, have the angle of `libm`, with the sides
+/// of the cut according to IEEE 754. The rest is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
@@ -129,8 +129,8 @@ pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas:
 /// The lengths √(x² + y²) of several vectors.
 ///
 /// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to
-/// 10¹⁵⁰ in magnitude; others have the length that `libm` gives them, infinite if a component is.
-/// All else is as for [`values`].
+/// 10¹⁵⁰ in magnitude. Others have the length of `libm`, infinite if a component is. The rest is as
+/// for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {

@@ -4,8 +4,8 @@
 //! characters and for U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
 //! ones, so that widths are those of what is written.
 
-/// The characters of a text that a picture shows: a blank for each tab and end of a line, nothing
-/// for other control characters and for code points that are no characters.
+/// Returns the characters of a text that a picture shows. Each tab and end of a line becomes a
+/// blank; other control characters and code points that are no characters are dropped.
 pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars().filter_map(|character| match character {
         '\t' | '\n' | '\r' | '\u{85}' => Some(' '),

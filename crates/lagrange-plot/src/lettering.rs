@@ -44,8 +44,8 @@ fn face(data: &'static [u8]) -> Face<'static> {
     Face::parse(data, 0).expect("the embedded fonts are fonts")
 }
 
-/// The outline of a line of text for a font of size 1, y downwards from the left end of the base
-/// line; none if nothing is to be seen.
+/// Returns the outline of a line of text for a font of size 1, with y downwards from the left end
+/// of the base line. `None` if nothing is visible.
 pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     let mut pen = Pen { path: PathBuilder::new(), at: (0.0, 0.0), unit: 1.0 };
     set(text, slope, |letter, at| {
@@ -57,8 +57,8 @@ pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     pen.path.finish()
 }
 
-/// The width of a line of text for a font of size 1, from the start of its first letter to where
-/// another one would follow.
+/// Returns the width of a line of text for a font of size 1, up to where the next letter would
+/// start.
 pub fn width(text: &str, slope: Slope) -> f64 {
     f64::from(set(text, slope, |_, _| {}))
 }

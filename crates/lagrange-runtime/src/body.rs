@@ -70,8 +70,8 @@ pub struct Motion<S> {
     pub angular_acceleration: S,
 }
 
-/// The acceleration of a point Q of a body, in the three parts in which it appears from another
-/// point P of the body at distance −ρ.
+/// The acceleration of a point Q of a body in three parts. They refer to another point P of the
+/// body at distance −ρ.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Acceleration<S> {
     /// a_P, the acceleration of P.
@@ -132,8 +132,8 @@ impl<S: Scalar> Motion<S> {
         sum(self.velocity, scaled(self.angular_velocity, turned(self.between(self.centroid, own))))
     }
 
-    /// The two parts v_P and ω e_z × ρ of the velocity of a point Q of the body as it appears from
-    /// the point P; their sum is [`velocity_at`](Motion::velocity_at) whatever P is.
+    /// Returns the two parts v_P and ω e_z × ρ of the velocity of a point Q of the body, as seen
+    /// from the point P. Their sum is [`velocity_at`](Motion::velocity_at) for every P.
     #[must_use]
     pub fn velocity_from(&self, own: [S; 2], reference: [S; 2]) -> [[S; 2]; 2] {
         let about = scaled(self.angular_velocity, turned(self.between(reference, own)));
@@ -143,10 +143,10 @@ impl<S: Scalar> Motion<S> {
     /// The instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of the body
     /// has no velocity.
     ///
-    /// `None` if ω is zero, as in pure translation, or if the centre is not a finite place, as with
-    /// a state that is not a number. There is no tolerance: an ω that only rounding keeps from zero
-    /// gives a centre far away, the farther the smaller it is. Who wants to leave out such centres
-    /// compares their distance with a length that matters to them.
+    /// `None` if ω is zero, as in pure translation, or if the centre is not at a finite place, as
+    /// in a NaN state. There is no tolerance. An ω that only rounding keeps from zero gives a
+    /// centre far away, the farther the smaller it is. To omit such centres, compare their distance
+    /// with a length of your system.
     #[must_use]
     pub fn instant_center(&self) -> Option<[S; 2]> {
         finite(sum(self.center, self.instant_arm()))
@@ -221,9 +221,9 @@ impl<S: Scalar> Motion<S> {
         self.inertia + self.mass * norm_squared(difference(own, self.centroid))
     }
 
-    /// Computes the moment of all forces on the body about one of its points P, by the axiom of
-    /// angular momentum: J_P ω̇ + m (ρ_S × a_P)_z with ρ_S from P to the centre of mass. Positive
-    /// counterclockwise.
+    /// Computes the moment of all forces on the body about one of its points P, positive
+    /// counterclockwise. By the axiom of angular momentum, it is J_P ω̇ + m (ρ_S × a_P)_z, with ρ_S
+    /// from P to the centre of mass.
     ///
     /// For the centre of mass that is J_S ω̇, for a point at rest J_P ω̇.
     #[must_use]

@@ -52,15 +52,16 @@ macro_rules! value_of {
 /// side.
 ///
 /// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out,
-/// save for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code
-/// relies on this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
+/// except for `hypot` with an infinite and `powi` with a zero argument, as documented there.
+/// Emitted code relies on this to never hide a failed computation. Zeros keep their sign according
+/// to IEEE 754.
 ///
 /// Numbers side by side cannot branch, each may want another way: they compute both and
 /// [`select`](Number::select). For those that can branch a [mask](Mask) is a `bool`, and they are
 /// [`Scalar`]s.
 ///
 /// Functions with a default need not be defined. Defaults are accurate to a few units in the last
-/// place, in double precision or less, and build on the required functions: `atan` on
+/// place, in double precision or less. They build on the required functions: `atan` on
 /// [`atan2`](Number::atan2), and `sin_cos` on sine and cosine. A new function of the language
 /// always has a default.
 pub trait Number:
@@ -112,10 +113,10 @@ pub trait Number:
 
     /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
     ///
-    /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target
-    /// can, the error below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For
-    /// other numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better;
-    /// what comes of an angle must not depend on the others.
+    /// For `f64` and `f32`, [`lagrange_math`] computes several at a time if the target can. The
+    /// error is below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For other
+    /// numbers the default is [`sin_cos`](Number::sin_cos); the result for an angle must not depend
+    /// on the others.
     ///
     /// ```
     /// use lagrange::Number;
@@ -130,8 +131,8 @@ pub trait Number:
 
     lagrange_math::functions!(methods);
 
-    /// `self` to a real power: NaN for a negative base with an exponent that is not an integer, and
-    /// for NaN in either place; else as IEEE 754 `pow`.
+    /// Raises `self` to a real power. NaN for a negative base with an exponent that is not an
+    /// integer, and for NaN in either place; otherwise as IEEE 754 `pow`.
     ///
     /// Unlike [`f64::powf`], which hides NaN in 1^NaN and NaN^0.
     fn powf(self, exponent: Self) -> Self;
@@ -181,8 +182,8 @@ pub trait Number:
     /// `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the target
     /// feature `fma` is enabled at compile time.
     ///
-    /// On a target without the instruction a fused product is a library call, many times slower
-    /// than the product and the sum it stands for; there the result is rounded twice.
+    /// On a target without the instruction, a fused product is a library call, many times slower
+    /// than a product and a sum. There the result is rounded twice.
     #[inline]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend

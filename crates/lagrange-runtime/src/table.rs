@@ -100,9 +100,9 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
 pub struct Curve<const N: usize> {
     /// Places where pieces meet.
     pub axis: Axis,
-    /// Coefficients of each piece, the one before the first knot and the one behind the last among
-    /// them, so one more than there are knots: those of ascending powers of the distance from where
-    /// the piece begins, of the first one from the first knot.
+    /// Coefficients of each piece, one piece more than there are knots: the first lies before the
+    /// first knot, the last behind the last one. They belong to ascending powers of the distance
+    /// from the start of the piece, of the first one from the first knot.
     pub pieces: &'static [[f64; N]],
 }
 
@@ -129,7 +129,7 @@ pub struct Surface<const N: usize> {
     /// Places where pieces meet, along the first and along the second argument.
     pub axes: [Axis; 2],
     /// Coefficients of each piece, in rows of ascending powers of the first distance, with
-    /// ascending powers of the second one in each; the pieces themselves in rows along the second
+    /// ascending powers of the second one in each. The pieces are in rows along the second
     /// argument, as many as in a [`Curve`].
     pub pieces: &'static [[[f64; N]; N]],
 }

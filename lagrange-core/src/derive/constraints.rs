@@ -22,8 +22,8 @@ pub struct ConstraintEquations {
     pub jacobian: Vec<Vec<ExprId>>,
     /// b in A q̈ + b = 0
     pub drifts: Vec<ExprId>,
-    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more
-    /// than the expressions above where constraints depend on each other or contacts act.
+    /// Aᵀλ with symbols for the multipliers. Where constraints depend on each other or contacts
+    /// act, run time finds more for these symbols than the expressions above.
     pub forces: Vec<ExprId>,
     /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r
     /// of its constraint.

@@ -158,9 +158,9 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Components of a product of a model, matrices row by row and Jacobians without the rows of
-    /// the positions' rates, by the entries of the state; `None` if it has no components or was not
-    /// asked for.
+    /// Returns the components of a product of a model, by the entries of the state. Matrices are
+    /// row by row, and Jacobians lack the rows of the positions' rates. `None` if it has no
+    /// components or was not requested.
     pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
         let of_constraints =
             |part: fn(&Constraint) -> ExprId| Some(model.constraints.iter().map(part).collect());

@@ -113,8 +113,8 @@ impl Derived {
         emit::documentation(&mut self.model, &self.equations)
     }
 
-    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that
-    /// keep them short; nothing if M is large and was not asked for.
+    /// Returns M q̈ = f in LaTeX, one line for each coordinate. Definitions of abbreviations that
+    /// keep the lines short come first. The result is empty if M is large and was not requested.
     pub fn equations_latex(&mut self) -> String {
         emit::equations_latex(&mut self.model, &self.equations)
     }

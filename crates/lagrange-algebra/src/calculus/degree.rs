@@ -96,8 +96,9 @@ impl Degrees {
     }
 }
 
-/// The degree in which an expression is homogeneous in the velocities, that is k if it becomes sᵏ
-/// times itself when all velocities are multiplied by s; `None` if it is not, or not plainly so.
+/// Returns the degree k in which an expression is homogeneous in the velocities. It becomes sᵏ
+/// times itself when all velocities are multiplied by s. `None` if it is not homogeneous, or not
+/// plainly so.
 pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
     for id in graph.reachable_until(&[root], |id| !depends_on_velocities(graph, id)) {

@@ -50,7 +50,7 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
 }
 
 /// `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered pair of
-/// places occurs once; where the same operand stands in two places, that pair counts twice, so that
+/// places occurs once. If the same operand stands in two places, their pair counts twice, so that
 /// the entries with this operand add up to its second derivative.
 pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
     let mut found = pairs_of_places(graph, id);

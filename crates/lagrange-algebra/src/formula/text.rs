@@ -30,8 +30,8 @@ pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&
     write_pieces(expr, |id, least| pieces(&view, id, least))
 }
 
-/// The roots in at most about `max_length` characters if that is possible without names; otherwise
-/// with names for shared parts, so that the length is proportional to the size of the graph.
+/// The roots have at most about `max_length` characters if that is possible without names.
+/// Otherwise shared parts get names, so that the length is proportional to the size of the graph.
 ///
 /// The first list holds `(name, text)` in an order in which everything is defined before it is
 /// used, the second one the texts of the roots.

@@ -14,8 +14,8 @@ use lagrange_expr::number::Number;
 
 /// A program under construction.
 ///
-/// Pushing an operation that is already there gives the value that is there, so common
-/// subexpressions need no pass of their own; operations on constants give constants.
+/// Pushing an operation that exists already returns its value, so common subexpressions need no
+/// separate pass. Operations on constants return constants.
 #[derive(Clone, Default, Debug)]
 pub struct Builder {
     values: OrderedMap<Op, Option<Box<str>>>,

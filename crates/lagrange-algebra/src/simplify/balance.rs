@@ -16,9 +16,9 @@ const MAX_FACTORS: usize = 64;
 /// Depth to which quotients within quotients are taken apart: one for each elimination.
 const MAX_DEPTH: usize = 12;
 
-/// Returns the expressions that stand for those that `roots` are made of, where they are others.
-/// `unit` is something that never vanishes and has the grade of a mass: both sides of a quotient of
-/// two products of masses are divided by it.
+/// Returns replacements of the parts of `roots`, where they differ. `unit` is an expression that
+/// never vanishes and has the grade of a mass. Both sides of a quotient of two products of masses
+/// are divided by it.
 pub fn balanced(graph: &mut Graph, roots: &[ExprId], unit: Option<ExprId>) -> HashMap<ExprId, ExprId> {
     let mut grades = Grades::of(graph, roots);
     grades.extend(graph, unit.as_slice());

@@ -38,9 +38,9 @@ pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<Ex
     current
 }
 
-/// Equal expressions, multiplied out and regrouped within `budget` monomials, for evaluation: no
-/// function is added, and differences of symbols stay closed, so that nothing is rounded that was
-/// exact. They need not be cheaper; that is for the caller to count.
+/// Returns equal expressions, multiplied out and regrouped within `budget` monomials, for
+/// evaluation. No function is added. Differences of symbols stay closed, so that exact values are
+/// not rounded. The result need not be cheaper: the caller counts.
 pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
     let mut expander = Expander::new(Purpose::Computing, budget);
     let mut expanded = |expr: &ExprId| {

@@ -9,7 +9,7 @@ const SHORTEST_PREFIX: usize = 3;
 /// suggesting.
 ///
 /// Nearness is the number of letters to insert, delete, replace or swap with their neighbour, at
-/// most a third of the longer name; upper and lower case count as equal. Failing that, a candidate
+/// most a third of the longer name. Upper and lower case count as equal. Failing that, a candidate
 /// is near that abbreviates the name or is abbreviated by it. Of equally near candidates the first
 /// wins.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

@@ -148,9 +148,9 @@ impl Opaque {
         self.table().map(|table| table.value(&self.orders, arguments))
     }
 
-    /// A value in place of the unknown one, to tell at one point what may differ: a number between
-    /// 1/2 and 3/2 that the function, the orders and the arguments determine. NaN where an argument
-    /// is.
+    /// Returns a value in place of the unknown one, to find at one point whether expressions may
+    /// differ. It is a number between 1/2 and 3/2 determined by the function, the orders and the
+    /// arguments, and NaN if an argument is.
     pub fn stand_in(&self, arguments: &[f64]) -> f64 {
         let name = self.function.name.bytes().map(f64::from);
         let orders = self.orders.iter().map(|order| f64::from(*order));

@@ -18,9 +18,9 @@ pub struct Table {
     pub interpolation: Interpolation,
     /// Value beyond the first and the last of them.
     pub outside: Outside,
-    /// Coefficients of the pieces, the one before the first knot and the one behind the last among
-    /// them; those of ascending powers of the distance from where a piece begins, with two
-    /// arguments in rows, pieces in rows, too.
+    /// Coefficients of the pieces, including the one before the first knot and the one behind the
+    /// last. They belong to ascending powers of the distance from the start of a piece. With two
+    /// arguments, both coefficients and pieces are in rows.
     pub coefficients: Vec<f64>,
 }
 

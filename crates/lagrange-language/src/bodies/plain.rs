@@ -224,9 +224,9 @@ pub struct Outline {
     pub variant: &'static str,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own
-    /// axes are turned there; in space all components of the origin, then those of the rotation in
-    /// rows.
+    /// Place of its own coordinates in those of the body. In the plane it is the origin, a vector,
+    /// and the angle of the axes. In space it is all components of the origin, then those of the
+    /// rotation in rows.
     pub place: Vec<AstId>,
     /// True if it is cut out.
     pub is_hole: bool,

@@ -54,8 +54,8 @@ impl Parser<'_> {
 }
 
 /// True if a declaration can introduce this identifier wherever names stand. Keywords, functions
-/// and names with a meaning of their own it cannot, nor words that begin a statement or go on with
-/// one in some places only.
+/// and names with a predefined meaning cannot be declared. Nor can words that begin a statement, or
+/// continue one in some places only.
 pub fn can_be_declared(identifier: &str) -> bool {
     objection(identifier).is_none()
         && keywords::soft_statement(identifier).is_none()

@@ -45,8 +45,8 @@ type Vector<S> = [S; 3];
 pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
-    /// The tensor of inertia about the centre of mass in the body's own axes, in rows; zero for a
-    /// body that never turns and states none.
+    /// The tensor of inertia about the centre of mass in the body's own axes, in rows. It is zero
+    /// for a body that never turns and declares none.
     pub inertia: [Vector<S>; 3],
     /// The centre of mass in own coordinates.
     pub centroid: Vector<S>,

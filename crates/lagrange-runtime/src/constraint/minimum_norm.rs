@@ -32,12 +32,11 @@ pub struct RedundantMotion<S, const N: usize, const D: usize> {
 /// The part of a constraint's gradient below which what other constraints leave of it is taken for
 /// nothing: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
 ///
-/// Gradients are measured with the roots of the masses as units and scaled to length one. Where a
-/// part σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ²:
-/// worse than nothing long before σ is as small as rounding. Moreover, stages of a method lie
-/// beside the constraints by their own errors, where constraints that depend on each other on the
-/// motion differ by as much; a tolerance near rounding would take these differences for
-/// constraints.
+/// Gradients are measured with the roots of the masses as units and scaled to length one. If a part
+/// σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ². They
+/// become useless long before σ is as small as rounding. Moreover, stages of a method miss the
+/// constraints by their own errors. Constraints that depend on each other along the motion differ
+/// by as much there. A tolerance near rounding would take these differences for constraints.
 pub fn rank_tolerance<S: Scalar>() -> S {
     let root = S::epsilon().sqrt().sqrt();
     root * root.sqrt().sqrt()
@@ -46,11 +45,11 @@ pub fn rank_tolerance<S: Scalar>() -> S {
 /// The vector x with the smallest sum of squares among those for which that of `matrix` x − `right`
 /// is smallest. The matrix is symmetric and may be singular or indefinite.
 ///
-/// Rows and columns are scaled alike to decide on the rank: columns of which others leave less than
-/// 32 D roundings of the largest one depend on these. An entry of the matrix that is a rounding
-/// error by itself must therefore stand beside what it is the rounding error of: a Schur complement
-/// that has vanished altogether cannot be told from one that is small. NaN or infinity anywhere
-/// gives NaN everywhere.
+/// Rows and columns are scaled alike to determine the rank. A column depends on others if they
+/// leave less than 32 D roundings of the largest column. An entry of the matrix that is itself a
+/// rounding error must therefore stand beside the value of which it is the error. A Schur
+/// complement that has vanished altogether cannot be distinguished from a small one. NaN or
+/// infinity anywhere gives NaN everywhere.
 ///
 /// ```
 /// use lagrange::constraint::minimum_norm;
@@ -87,13 +86,14 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
 /// f and the drift b. The mass matrix may be singular as long as the constraints determine what it
 /// does not.
 ///
-/// Constraints depend on each other as [`rank_tolerance`] says. All is NaN if what is given is not
-/// finite, if the accelerations are not determined, or if the constraints contradict each other: if
-/// one that depends on others is missed by more than a hundred times that tolerance, beside the
-/// accelerations with and without constraints and the drifts.
+/// [`rank_tolerance`] decides which constraints depend on each other. All results are NaN if an
+/// argument is not finite, if the accelerations are not determined, or if the constraints
+/// contradict each other. They do if a dependent one is violated by more than a hundred times that
+/// tolerance. The violation is relative to the accelerations with and without constraints and the
+/// drifts.
 ///
 /// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0). Height and two tilts are three
-/// coordinates, and the height of each foot z + y a − x b is a constraint: the four depend on each
+/// coordinates, and the height of each foot z + y a − x b is a constraint. The four depend on each
 /// other, since one diagonal of legs can be pressed against the other without moving anything. Of
 /// all forces that carry the load, Σ λ = 40, Σ x λ = 20 and Σ y λ = 0, the shortest are 10 + 5 x.
 ///
@@ -126,9 +126,9 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
     motion.unwrap_or(RedundantMotion { acceleration: [S::NAN; N], multipliers: [S::NAN; D], rank: 0 })
 }
 
-/// The smallest change δ of the coordinates, measured by the mass matrix, with A δ = −`residuals`
-/// for the constraints that are independent; the others are left alone, since what they still miss
-/// is of second order unless they contradict the first.
+/// Computes the smallest change δ of the coordinates, measured by the mass matrix, with A δ =
+/// −`residuals` for the independent constraints. The others are ignored, since their remaining
+/// residuals are of second order unless they contradict the first.
 ///
 /// NaN if what is given is not finite, if δ is not determined, or if a constraint without a
 /// gradient has a residual.

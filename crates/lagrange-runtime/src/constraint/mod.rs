@@ -95,9 +95,9 @@ pub trait ConstrainedSystem: MechanicalSystem {
         v: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// Returns the scales of the residuals: the maximum change if positions are displaced, or
-    /// velocities change, by `by`, Σⱼ |Aᵢⱼ| byⱼ for each constraint, where A contains the gradients
-    /// with respect to velocities. Tolerances are relative to them; see [`project`].
+    /// Returns the scale of each residual: its maximum change Σⱼ |Aᵢⱼ| byⱼ if positions are
+    /// displaced, or velocities change, by `by`. Here A contains the gradients with respect to
+    /// velocities. Tolerances are relative to them; see [`project`].
     fn residual_scales(
         &self,
         t: Self::Scalar,
@@ -105,10 +105,10 @@ pub trait ConstrainedSystem: MechanicalSystem {
         by: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// The smallest [displacement](MechanicalSystem) of the positions, or change of the velocities,
-    /// measured by the mass matrix, that takes these residuals away to first order: δ with M δ =
-    /// Aᵀμ and A δ = −residuals. Not finite where there is none; of constraints that depend on each
-    /// other, [`redundant_correction`] takes those that do not.
+    /// Computes the smallest [displacement](MechanicalSystem) of the positions, or change of the
+    /// velocities, that removes these residuals to first order. It is measured by the mass matrix:
+    /// δ with M δ = Aᵀμ and A δ = −residuals. The result is not finite if there is none.
+    /// [`redundant_correction`] handles constraints that depend on each other.
     fn correction(
         &self,
         t: Self::Scalar,

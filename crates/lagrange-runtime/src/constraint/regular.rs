@@ -3,9 +3,9 @@
 use crate::constraint::minimum_norm::rank_tolerance;
 use crate::scalar::Scalar;
 
-/// True if all values are finite and the growth of rounding errors, `condition`, is such that the
-/// straight way to them can be trusted: below the inverse square of [`rank_tolerance`], since
-/// pivots are squares of what is left of a gradient.
+/// True if all values are finite and the direct computation of them can be trusted. Its growth of
+/// rounding errors, `condition`, must be below the inverse square of [`rank_tolerance`], since
+/// pivots are squares of remainders of gradients.
 #[inline]
 pub fn are_regular<S: Scalar>(values: &[S], condition: S) -> bool {
     condition * rank_tolerance::<S>() * rank_tolerance::<S>() < S::ONE && are_finite(values)

@@ -50,9 +50,9 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
     /// those of the starts, under the same seed, too.
     ///
     /// Every parameter of the system, changed or not, then becomes a column of
-    /// [`Ends`](super::Ends) and of files under its name, unless something is
-    /// [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs,
-    /// or the fields of a system that is written by hand, is kept if it is observed.
+    /// [`Ends`](super::Ends) and of files. It has its name, unless an [observer](Ensemble::observe)
+    /// has that name. Other values of a motion, such as inputs, or fields of a handwritten system,
+    /// are kept if they are observed.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
     where
         M: Clone,
@@ -102,10 +102,10 @@ impl Keep for KeepSamples {
 
 /// An ensemble that can be computed: which motions, by which method, and what to keep of them.
 ///
-/// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods,
-/// inputs, events, contacts and constraints are those of runs, and settings mean what they mean
-/// there. K is the method, D what drives the inputs, P what is kept of a motion, [`KeepEnds`] or
-/// [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
+/// Every motion is a [separate run](crate::simulate::Simulation), with the same bits. Methods,
+/// inputs, events, contacts, constraints and settings are those of runs. K is the method, D drives
+/// the inputs, and P, [`KeepEnds`] or [`KeepSamples`], selects the results to keep. `.tolerance(…)`
+/// exists for the default method only.
 #[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
 pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
     pub(super) batch: Batch<'a, M>,
@@ -156,9 +156,10 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         Ensemble { batch, method, drive, kept }
     }
 
-    /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()`
-    /// then hands out a trajectory for each, `.reduce(…)` sees it, and `.save_parquet(…)` writes a
-    /// row for each sample. After `.run()` all samples of all motions lie in memory.
+    /// Keeps samples of every motion, at its start, at its end and at this interval between them.
+    /// `.run()` then returns a trajectory for each motion, `.reduce(…)` receives it, and
+    /// `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions
+    /// are in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
         self.batch.plan.settings.sampling = Sampling::Every(interval);
         let Ensemble { batch, method, drive, .. } = self;

@@ -40,8 +40,8 @@ pub(super) struct Quantity {
 }
 
 impl Grid {
-    /// A grid with the first quantity to the right and the second upwards: what each is called,
-    /// from where to where it goes, and how many cells there are in this direction.
+    /// Creates a grid with the first quantity to the right and the second upwards. Each has a name,
+    /// a range, and a number of cells in its direction.
     pub fn new(x: (&str, Range<f64>, usize), y: (&str, Range<f64>, usize)) -> Self {
         let quantity = |(name, range, cells): (&str, Range<f64>, usize)| {
             let name = name.to_string();

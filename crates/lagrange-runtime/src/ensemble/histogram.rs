@@ -7,10 +7,10 @@ use super::reduce::Reduce;
 
 /// Counts of numbers in at most so many bins of one width, which fit themselves to the numbers.
 ///
-/// The width is the least power of two, not below 2⁻⁴⁰ of the power of two below the largest
-/// magnitude, with which that many bins reach from the least number to the greatest; their edges
-/// are multiples of it. So the counts depend on the numbers alone and not on their order, and need
-/// no range beforehand. Numbers that are not finite are counted apart.
+/// The width is the least power of two with which that many bins reach from the least number to the
+/// greatest. It is not below 2⁻⁴⁰ of the power of two below the largest magnitude. Edges are
+/// multiples of the width. The counts therefore depend on the numbers alone and not on their order,
+/// and need no range in advance. Numbers that are not finite are counted separately.
 ///
 /// ```
 /// use lagrange::ensemble::Histogram;
@@ -83,9 +83,9 @@ impl Histogram {
         self.not_finite
     }
 
-    /// About the number below which this part of the finite numbers lies, from 0 to 1: its error is
-    /// below the width of a bin, within which numbers are taken to be spread evenly. `None` if
-    /// there are none, or for other parts.
+    /// Returns an approximate number below which this part, from 0 to 1, of the finite numbers
+    /// lies. Its error is below the width of a bin, within which numbers are assumed to be spread
+    /// evenly. `None` if there are no finite numbers, or for other parts.
     pub fn quantile(&self, part: f64) -> Option<f64> {
         if !(0.0..=1.0).contains(&part) {
             return None;

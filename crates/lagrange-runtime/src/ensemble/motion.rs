@@ -54,9 +54,9 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
         self.end.0
     }
 
-    /// All that was kept of it: samples if they were asked for, events, columns that were observed.
-    /// Of a motion that was computed [in lanes](super::Ensemble::is_in_lanes) it is made when it is
-    /// asked for, with the start and the end as samples at least.
+    /// All data kept of it: samples, if requested, events, and observed columns. For a motion that
+    /// was computed [in lanes](super::Ensemble::is_in_lanes), the trajectory is built on request, with
+    /// at least the start and the end as samples.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         self.trajectory
     }

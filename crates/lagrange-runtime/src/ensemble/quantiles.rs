@@ -8,9 +8,9 @@ use crate::simulate::Table;
 use crate::system::MechanicalSystem;
 
 impl<M: MechanicalSystem> Samples<M> {
-    /// Quantiles of a column over time: for each of these parts from 0 to 1 a list with an entry
-    /// for each of the [`times`](Self::times), below which this part of the motions lies. `None` if
-    /// there is no such column.
+    /// Returns quantiles of a column over time, for parts from 0 to 1. For each part there is a
+    /// list with an entry for each of the [`times`](Self::times): the value below which this part
+    /// of the motions lies. `None` if there is no such column.
     ///
     /// Between the values of two motions they are interpolated linearly (definition 7 of Hyndman
     /// and Fan, *The American Statistician* 50 (1996) 361–365). Motions that failed are left out;

@@ -15,8 +15,8 @@ use core::ops::Range;
 /// The random numbers of one motion for one purpose P: a sequence that its index and the seed of
 /// the ensemble determine, on every platform.
 ///
-/// Starts, parameters and noise have sequences of their own, under the same seed, too, so that what
-/// is drawn for one is independent of what is drawn for another:
+/// Starts, parameters and noise have separate sequences, even under the same seed. Numbers drawn
+/// for one are therefore independent of those drawn for another:
 ///
 /// | numbers of | are |
 /// |---|---|
@@ -24,11 +24,12 @@ use core::ops::Range;
 /// | [`parameters`](super::Motions::parameters) | [`Random::parameters`] |
 /// | inputs, controllers, measurements | [`Random::noise`] |
 ///
-/// A sequence is never changed within a version of this crate that is compatible: the generator is
-/// Philox4x32-10, keyed by the seed, with the index in the upper half of its counter and the
-/// purpose in the upper byte of the lower half; uniform numbers are the upper 53 bits of 64; normal
-/// ones are those of Box and Muller by the elementary functions of the crate `libm`, and not by
-/// those of the platform.
+/// Compatible versions of this crate never change a sequence:
+/// - The generator is Philox4x32-10, keyed by the seed. Its counter has the index in the upper half
+///   and the purpose in the upper byte of the lower half.
+/// - Uniform numbers are the upper 53 bits of 64.
+/// - Normal numbers are those of Box and Muller, by the elementary functions of the crate `libm`
+///   instead of the platform's.
 ///
 /// ```
 /// use lagrange::ensemble::Random;

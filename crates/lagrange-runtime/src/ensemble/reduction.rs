@@ -128,9 +128,9 @@ where
         Ok(all)
     }
 
-    /// Computes all motions as [`reduce`](Self::reduce) does, and hands over what each part comes
-    /// down to, one after the other: for sums over processes, whose bits do not depend on the
-    /// number of processes if parts are merged in their order.
+    /// Computes all motions as [`reduce`](Self::reduce) does, and passes on the reduction of each
+    /// part, one after the other. This serves sums over processes: if parts are merged in their
+    /// order, the bits do not depend on the number of processes.
     ///
     /// # Errors
     /// As of [`reduce`](Self::reduce).

@@ -8,8 +8,8 @@ use std::string::String;
 
 use super::error::EnsembleError;
 
-/// One of several shares of an ensemble, each computed by a process of its own: motions that follow
-/// each other, in whole parts of what is saved.
+/// One of several shares of an ensemble, each computed by a separate process. Its motions follow
+/// each other, in whole parts of the saved results.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u64,
@@ -81,9 +81,9 @@ impl Shard {
     /// Without any of them it is [everything](Shard::WHOLE).
     ///
     /// # Errors
-    /// If variables are incomplete, are no numbers, or lie beyond their count; or if there are none
-    /// of these, but one that looks like the place of a process that another launcher started, such
-    /// as `PBS_ARRAY_INDEX`: everything would be computed by each process.
+    /// If variables are incomplete, are not numbers, or exceed their count. Also if there are none
+    /// of these, but one that looks like the place of a process started by another launcher, such
+    /// as `PBS_ARRAY_INDEX`. Otherwise every process would compute everything.
     pub fn from_environment() -> Result<Self, EnsembleError> {
         let text = |text: OsString| text.to_string_lossy().into_owned();
         Shard::from_variables(&std::env::vars_os().map(|(name, value)| (text(name), text(value))).collect())

@@ -106,15 +106,16 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
 
     /// The next event in the stepper's last step, after those that were returned before.
     ///
-    /// To be called after each step until there is no more, and after [`Stepper::confirm`];
-    /// `values` gives all functions at a time and state. The time returned is at most 10⁻¹³ of the
-    /// step, or one unit in the last place of time, beyond the change of sign, and the value there
-    /// is zero or has the sign that it changes to.
+    /// Call it after each step until it returns `None`, and after [`Stepper::confirm`]; `values`
+    /// gives all functions at a time and state. The time returned is at most 10⁻¹³ of the step, or
+    /// one unit in the last place of time, beyond the change of sign. The value there is zero or
+    /// has the sign that it changes to.
     ///
     /// # Errors
-    /// If a function is NaN or infinite, or does not settle in 200 evaluations, if times are too
-    /// far apart to locate its zero, or if states were replaced many times at times that rounding
-    /// cannot tell apart.
+    /// If any of these holds:
+    /// - a function is NaN or infinite, or does not settle in 200 evaluations;
+    /// - times are too far apart to locate its zero;
+    /// - states were replaced many times at times that rounding cannot distinguish.
     pub fn next<M>(
         &mut self,
         system: &M,
@@ -145,9 +146,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
-    /// The next function that is exactly zero at the end of a run, where this is the state, and
-    /// that would have an event there if the run went on through it. To be asked after the last
-    /// step, when there are no other events left.
+    /// Returns the next function that is exactly zero at the end of a run, which has this state.
+    /// The function would have an event there if the run continued. Call it after the last step,
+    /// when there are no other events left.
     pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
         let event = self.functions.iter_mut().position(EventFunction::ends_on_zero)?;
         Some(Occurrence { event, time, state: *state })
@@ -236,8 +237,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// The next event, if it happens at the same time as one that was just returned, as far as
-    /// times are located: to be asked before the stepper is restarted, or the others are lost.
+    /// Returns the next event if its located time is that of one that was just returned. Call it
+    /// before the stepper is restarted, or the others are lost.
     ///
     /// # Errors
     /// As [`next`](Self::next).

@@ -153,8 +153,8 @@ pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, en
     (after != before).then(|| system.with_switches(after))
 }
 
-/// The next time after `t` and before `end`, which may lie before it, at which a switch is passed,
-/// as far as that is known beforehand.
+/// Returns the next time after `t` and before `end`, which may lie before it, at which a switch is
+/// known to be passed.
 pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,

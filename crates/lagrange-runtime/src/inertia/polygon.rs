@@ -8,9 +8,9 @@ use crate::scalar::Scalar;
 
 /// A polygon about its centre of mass, from its corners in either orientation.
 ///
-/// With the corners u, w at the ends of an edge seen from the centre of mass, D = u × w: m Σ D (u·u +
-/// u·w + w·w) / 6 Σ D, the sums over all edges. Edges must not cross each other. NaN for fewer than
-/// three corners and for corners that enclose no area.
+/// D = u × w for the corners u, w at the ends of an edge seen from the centre of mass. The moment
+/// is m Σ D (u·u + u·w + w·w) / 6 Σ D, with the sums over all edges. Edges must not cross each
+/// other. NaN for fewer than three corners and for corners that enclose no area.
 ///
 /// ```
 /// use lagrange::inertia::{polygon, rectangle};

@@ -87,8 +87,8 @@ pub fn cuboid<S: Scalar>(mass: S, a: S, b: S) -> S {
 
 /// Half a disk or cylinder of radius r: m (r²/2 − s²) = (1/2 − 16/(9 π²)) m r² = 0.3198734513 m r².
 ///
-/// About the centre of the circle it is m r²/2, as for the whole disk; s = 4 r/(3 π) is the
-/// distance from there to the centre of mass, [`semicircular_disk_center`].
+/// About the centre of the circle it is m r²/2, as for the whole disk. The distance from there to
+/// the centre of mass is s = 4 r/(3 π), by [`semicircular_disk_center`].
 pub fn semicircular_disk<S: Scalar>(mass: S, radius: S) -> S {
     let [_, distance] = semicircular_disk_center(radius);
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
@@ -110,8 +110,8 @@ pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
 }
 
-/// The centre of mass of a sector of a disk with radius r and opening angle α in rad: (s, 0), s = 4
-/// r sin(α/2)/(3 α).
+/// Returns the centre of mass of a sector of a disk with radius r and opening angle α in rad. It is
+/// (s, 0) with s = 4 r sin(α/2)/(3 α).
 ///
 /// The apex is the origin, and the X axis halves the angle. NaN unless 0 < α ≤ 2π.
 pub fn circular_sector_center<S: Scalar>(radius: S, angle: S) -> [S; 2] {
@@ -147,7 +147,7 @@ pub fn triangle<S: Scalar>(mass: S, a: S, b: S, c: S) -> S {
 ///
 /// Side a goes from the origin along X, b on from there and c back; Y is positive inside. The third
 /// corner is (p, q) with p = (a² − b² + c²)/(2 a), and q = √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a)
-/// by Heron's formula; the centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
+/// by Heron's formula. The centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
 /// a is zero or any side negative.
 pub fn triangle_center<S: Scalar>(a: S, b: S, c: S) -> [S; 2] {
     let factors = [a + b + c, b + c - a, a - b + c, a + b - c];

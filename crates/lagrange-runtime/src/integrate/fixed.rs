@@ -13,8 +13,9 @@ pub(super) use self::lanes::FixedLanes;
 
 /// A formula that advances the state by a step of given length.
 ///
-/// What it advances may be other variables than the state, such as coordinates and momenta: they
-/// are summed with compensation, so that what the formula conserves is conserved to rounding.
+/// The variables that it advances may differ from the state, such as coordinates and momenta. They
+/// are summed with compensation, so that conserved quantities of the formula are conserved to
+/// rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
     /// True if steps end on the constraints of the system by themselves, so that states need no
     /// correction.
@@ -66,9 +67,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         *variables = *to;
     }
 
-    /// The step of the last increment was taken and ended at time `t`, which may differ from the
-    /// sum of its start and its length by rounding. What was found at its end may be kept for the
-    /// next one.
+    /// Accepts the step of the last increment. It ended at time `t`, which may differ from the sum
+    /// of its start and its length by rounding. Results at its end may be kept for the next step.
     fn accept(&mut self, _t: M::Scalar) {}
 
     /// About the longest step that is stable from here on, where that is known of the method and
@@ -94,9 +94,9 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     ) -> M::State;
 }
 
-/// Writes what [`Method`](super::Method) needs of a method whose steps have the length of its field
-/// `step`: its name, its order, its formula and an expression that makes one, and `lanes` if it can
-/// take several motions side by side.
+/// Implements [`Method`](super::Method) for a method whose steps have the length of its field
+/// `step`. The arguments are its name, its order, its formula and an expression that creates one,
+/// and `lanes` if it can take several motions at once.
 macro_rules! fixed_steps {
     ($name:expr, $order:expr, $Formula:ty = $formula:expr $(, $lanes:ident)?) => {
         type Stepper = $crate::integrate::FixedStepper<M, $Formula>;
@@ -162,8 +162,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
     ///
     /// # Errors
-    /// If `h` is not positive and finite or is lost in the rounding of time, or something else is
-    /// not finite, or if the state violates constraints.
+    /// If `h` is not positive and finite or is lost in the rounding of time. Also if another
+    /// argument is not finite, or the state violates constraints.
     pub fn start(
         mut formula: F,
         h: M::Scalar,

@@ -79,8 +79,9 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends
     /// there.
     ///
-    /// What was found at the end of the last step may be used again: after `system` was changed, as
-    /// by another input, go on with [`restart`](Stepper::restart) from the state that was reached.
+    /// Values found at the end of the last step may be used again. After a change of `system`, such
+    /// as another input, continue with [`restart`](Stepper::restart) from the state that was
+    /// reached.
     ///
     /// # Errors
     /// If no step can be taken. Time and state are then what they were before.
@@ -92,8 +93,8 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// The state at a time within the last step. At both ends it is what the method itself found
     /// there.
     ///
-    /// The error is of the order of the method's own; a method that needs further evaluations for
-    /// this makes them when first asked after a step.
+    /// The error is of the order of the method. A method that needs further evaluations makes them
+    /// at the first call after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
     /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the

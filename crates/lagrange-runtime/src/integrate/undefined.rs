@@ -68,9 +68,9 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// The first of the components of the state and of its rates at a time that is not finite, where
-/// rates are blamed on [parameters](MechanicalSystem::parameter) and inputs that are not, or else
-/// on a singular mass matrix, if there is one that determines accelerations.
+/// Returns the first component of the state and of its rates at a time that is not finite. Rates
+/// are attributed to [parameters](MechanicalSystem::parameter) and inputs that are not finite, or
+/// else to a singular mass matrix if one determines accelerations.
 ///
 /// What emitted types answer to [`OdeSystem::undefined`].
 #[cold]

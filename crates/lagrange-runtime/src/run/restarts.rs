@@ -55,9 +55,9 @@ impl<'a, S: Scalar> Restarts<'a, S> {
 
     /// Takes one step towards the end, to the next restart at most; `instant` is one more.
     ///
-    /// What lies within the last step can be asked for until the next one is taken.
-    /// `is_of_interest` tells of a step between two times whether it will be: such a step is
-    /// repeated, shorter, until what lies within it is as accurate as its end.
+    /// States within the last step are available until the next one is taken. `is_of_interest` is
+    /// true if states between two times will be requested. Such a step is repeated, shorter, until
+    /// these states are as accurate as its end.
     ///
     /// # Errors
     /// As [`Stepper::step`].

@@ -10,14 +10,14 @@ use super::{Elementary, Mask, Number, Scalar};
 
 /// N numbers of the type T side by side, one in each lane.
 ///
-/// What comes of a lane has the same bits whatever is in the others and however many there are.
-/// Sums, products and square roots are those of T; [`multiply_add`](Number::multiply_add) rounds
-/// once if FUSED and twice otherwise, whatever the target is, so that one that is no instruction is
-/// a slow call. [`powi`](Number::powi) is made of products, as it is for one number;
+/// The result of a lane has the same bits whatever the other lanes contain and however many there
+/// are. Sums, products and square roots are those of T. [`multiply_add`](Number::multiply_add)
+/// rounds once if FUSED and twice otherwise, on every target: without the instruction it is a slow
+/// call. [`powi`](Number::powi) is made of products, as it is for one number;
 /// [`powf`](Number::powf) is that of T, lane by lane.
 ///
-/// Other elementary functions are computed for all lanes together, from the same source whatever
-/// FUSED is, with errors in units in the last place of at most
+/// Other elementary functions are computed for all lanes together, from the same source for either
+/// value of FUSED. Errors, in units in the last place, are at most
 ///
 /// | `f64` | |
 /// |---|---|

@@ -38,8 +38,8 @@ pub enum Outline<'a, S> {
     CircularSector(S, S),
     /// A triangle with the right angle in the origin and legs of these lengths along X and Y.
     RightTriangle(S, S),
-    /// A triangle of these three sides; the first goes from the origin along X, the second on from
-    /// there, the third back; Y is positive inside.
+    /// A triangle with these three sides. The first goes from the origin along X, the second
+    /// continues from there, and the third returns; Y is positive inside.
     Triangle(S, S, S),
     /// An ellipse about the origin: semi-axes along X and along Y.
     Ellipse(S, S),

@@ -124,8 +124,8 @@ pub(crate) fn default_method<S: Scalar>() -> Verner98<S> {
 }
 
 impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
-    /// The error that is tolerated in a step: relative to a component of the state where that is
-    /// larger than one, absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    /// Sets the tolerated error of a step. It is relative for components of the state that are
+    /// larger than one, and absolute for smaller ones. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
     ///
     /// The error at the end is the sum of these errors as the motion carries them on.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
@@ -281,11 +281,11 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     }
 
     /// Ends a step at each of these times and starts another one there, for a force that jumps or
-    /// has a kink at times known beforehand. Times that are not between start and end do nothing;
-    /// further ones may be added by asking again.
+    /// has a kink at known times. Times that are not between start and end have no effect; further
+    /// calls add times.
     ///
-    /// No evaluation is made at such a time itself, so that it does not matter on which side of it
-    /// a jump is defined to be.
+    /// Nothing is evaluated at such a time itself. The side of the time to which a jump belongs
+    /// therefore has no effect.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.plan.settings.restarts.extend(times);
         self

@@ -32,8 +32,8 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// `=`, `+`, `-`, `@` or a control character, have an apostrophe before them, which makes them
     /// text there.
     ///
-    /// Every `f64` or `f32` is written with as many digits as it takes to read back the same bits,
-    /// and other numbers in their `Debug` form.
+    /// Every `f64` or `f32` is written with enough digits to read back the same bits, and other
+    /// numbers in their `Debug` form.
     ///
     /// # Errors
     /// What the writer says.

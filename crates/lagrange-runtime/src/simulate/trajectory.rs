@@ -19,8 +19,8 @@ use crate::system::{MechanicalSystem, StateVector, normalised};
 /// Columns are the coordinates and velocities and then what observers added. There is at least one
 /// sample, the initial state, and the last sample is where the run ended.
 ///
-/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
-/// and `trajectory.theta_dot()`; where one would be called like a method of this type,
+/// For an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
+/// and `trajectory.theta_dot()`. If a column has the name of another method of this type,
 /// [`column`](Trajectory::column) finds it.
 pub struct Trajectory<M: MechanicalSystem> {
     pub(super) columns: M::Columns<Table<M::Scalar>>,
@@ -120,10 +120,10 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.last.1
     }
 
-    /// The system as it was where the run ended, if contacts or friction switched it on the way or
-    /// controllers set its inputs; `None` if it still was the one that was given. A law of inputs
-    /// is not part of it, and is asked for again. A run that is to be continued starts from it and
-    /// from [`last`](Trajectory::last).
+    /// Returns the system at the end of the run, if contacts or friction switched it on the way or
+    /// controllers set its inputs. `None` if it is still the original one. A law of inputs is not
+    /// part of it, and must be given again. To continue a run, start from it and from
+    /// [`last`](Trajectory::last).
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
     }

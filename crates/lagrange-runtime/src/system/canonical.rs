@@ -36,9 +36,9 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
     /// True if constraints hold it, and the corrections below are known.
     const IS_HELD: bool = false;
 
-    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the
-    /// coordinates `to` of the time `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ =
-    /// −c(later, to).
+    /// Computes the change δ of coordinates that removes the residuals at the coordinates `to` and
+    /// the time `later` to first order. Constraint forces at `q` cause it: M δ = A(t, q)ᵀμ and A(t,
+    /// q) δ = −c(later, to).
     #[inline]
     fn position_correction(
         &self,

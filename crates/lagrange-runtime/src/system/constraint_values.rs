@@ -5,9 +5,9 @@ use crate::scalar::Scalar;
 
 /// Residuals and gradients of the constraints that act at a time and state.
 ///
-/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A; one on velocities holds
-/// itself and its gradient with respect to them. As many may act as there are coordinates: more
-/// cannot be independent, and everything is not a number then.
+/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A. One on velocities holds
+/// itself and its gradient with respect to them. At most as many may act as there are coordinates:
+/// more cannot be independent, and all results are then NaN.
 ///
 /// ```
 /// use lagrange::constraint::ConstraintValues;

@@ -9,9 +9,9 @@ pub struct DeclaredEvent {
     pub name: &'static str,
     /// Direction of the zeros that count.
     pub direction: Direction,
-    /// True if it belongs to a contact or to dry friction. Its function then is positive, but for
-    /// rounding, while the present mode lasts, and falling through zero is what ends the mode: a
-    /// body that touches at the start and is pushed below the ground has hit it.
+    /// True if it belongs to a contact or to dry friction. Its function is then positive, except
+    /// for rounding, while the present mode lasts, and falls through zero where it ends. A body
+    /// that touches at the start and is pushed below the ground has hit it.
     pub is_switch: bool,
     /// True if it belongs to a surface on which the equations are not smooth, and then its name
     /// says to which. It is no event for those who watch a motion.

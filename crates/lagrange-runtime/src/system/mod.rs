@@ -105,9 +105,9 @@ pub trait OdeSystem {
     /// Where f is undefined, the result is not finite.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
 
-    /// The first of the components of the state `y` and of its `rates` at time `t` that is not
-    /// finite, or what makes it so, by name: runs ask when they cannot go on. Systems written by
-    /// hand know no names but of their components' places.
+    /// Returns the first component of the state `y` and of its `rates` at time `t` that is not
+    /// finite, or its cause, by name. Runs ask when they cannot continue. Handwritten systems name
+    /// components by their places only.
     #[inline]
     fn undefined(
         &self,
@@ -127,10 +127,9 @@ pub trait OdeSystem {
         None
     }
 
-    /// The first time after `t` on the way to `end` at which the right-hand side jumps or is not
-    /// smooth, if that is known beforehand: runs end a step there and start another one, none of
-    /// whose evaluations is made at that very time. `end` may lie before `t`; only a time between
-    /// the two counts.
+    /// Returns the first time after `t` on the way to `end` at which the right-hand side is known
+    /// to jump or not to be smooth. Runs end a step there and start another one; neither evaluates
+    /// at that very time. `end` may lie before `t`; only a time between the two counts.
     #[inline]
     fn next_restart(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self::Scalar> {
         None
@@ -161,9 +160,8 @@ pub trait OdeSystem {
         Ok(())
     }
 
-    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the
-    /// constraints if it nearly satisfies them; methods ask for this before their first step from
-    /// there.
+    /// Brings a state onto the constraints if it nearly satisfies them. Motions start, or continue
+    /// after a replacement, from this state: methods call this before their first step from there.
     ///
     /// # Errors
     /// If it does not satisfy them; the state is then what it was.
@@ -190,9 +188,9 @@ pub trait OdeSystem {
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
-    /// Responds to the declared event of this index at the state `y` and the time `t`, after the
-    /// time `elapsed` since the start of the run. Durations that are negligible relative to
-    /// `elapsed` need not be resolved, independent of the origin of time.
+    /// Responds to the declared event of this index at the state `y` and the time `t`. The run
+    /// started `elapsed` before. Durations that are negligible relative to `elapsed` need not be
+    /// resolved, independent of the origin of time.
     ///
     /// # Errors
     /// If the motion cannot go on.
@@ -210,9 +208,9 @@ pub trait OdeSystem {
         Ok(Response::new(Action::Continue))
     }
 
-    /// The system as a motion from this state starts: contacts closed and friction sticking where
-    /// that fits the state, and on the sides of its [switches](crate::event::Switches) on which the
-    /// state is. `None` if it is the same.
+    /// Returns the system for a motion that starts from this state. Contacts are closed and
+    /// friction sticks if that fits the state, and its [switches](crate::event::Switches) are on
+    /// the sides of the state. `None` if it is the same.
     ///
     /// # Errors
     /// If no motion can start there.

@@ -27,9 +27,9 @@ pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities)
 /// Error message for a quaternion that cannot be normalised.
 const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 
-/// Brings unit quaternions among the positions of a state back to length one, and leaves the rest
-/// as it is, as all of it where velocities are the rates of the positions. This is what
-/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions does where
+/// Normalises unit quaternions among the positions of a state, and leaves the rest unchanged. Where
+/// velocities are the rates of the positions, that is everything.
+/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions calls it if
 /// nothing else holds the state.
 ///
 /// # Errors

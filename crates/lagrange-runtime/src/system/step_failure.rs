@@ -89,8 +89,8 @@ pub enum StepFailure<S> {
     /// No motion goes on from here, in words: no contact forces or friction fit the state, or a
     /// method of another crate failed.
     Stuck(&'static str),
-    /// The number of events at the same time is so large that it counts as infinite, as for the
-    /// bounces of a ball that comes to rest.
+    /// The number of events at the same time is so large that it counts as infinite, as when a
+    /// bouncing ball comes to rest.
     EventsAccumulate {
         /// Number of events.
         events: u32,

@@ -21,7 +21,7 @@ pub trait TaylorSystem: OdeSystem {
     fn series() -> Self::Series;
 
     /// Computes the coefficients of the orders 1, 2, … of the motion through the state `y` at time
-    /// `t`: as many as `coefficients` has room for, at most [`MAX_ORDER`].
+    /// `t`. It fills `coefficients`, up to [`MAX_ORDER`].
     fn expand(
         &self,
         t: Self::Scalar,
@@ -39,8 +39,8 @@ impl<S: Number, const GROUPS: usize> Products<S, GROUPS> {
     /// Without factors.
     pub const EMPTY: Self = Products([[[[S::ZERO; 4]; MAX_ORDER]; 2]; GROUPS]);
 
-    /// Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ of the factors of four products, of which the newest, with j = k − 1,
-    /// are given: a sum that waited for what was just stored would take twice as long.
+    /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for the factors of four products. The newest factors, with j =
+    /// k − 1, are arguments: a sum that waited until they are stored would take twice as long.
     #[inline(always)]
     pub fn sums(&self, group: usize, k: usize, [newest_a, newest_b]: &[[S; 4]; 2]) -> [S; 4] {
         let [a, b] = &self.0[group];

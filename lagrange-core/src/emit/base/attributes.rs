@@ -102,8 +102,8 @@ pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) ->
     if expected.is_empty() { expected } else { quote!(#conditions #expected) }
 }
 
-/// The attributes that the struct keeps: what is expected of warnings about the declaration is only
-/// allowed there, and traits that were reported not to be derivable are left out.
+/// Returns the attributes that the struct keeps. Lints about the declaration that are expected are
+/// only allowed there, and traits that were reported as not derivable are omitted.
 pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic]) -> TokenStream {
     let underivable = declaration.underivable();
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));

@@ -65,8 +65,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
-/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep
-/// them short; nothing if M is large and was not asked for.
+/// Returns M q̈ = f in LaTeX, one line for each coordinate. Definitions of abbreviations that keep
+/// the lines short come first. The result is empty if M is large and was not requested.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     if equations.mass_matrix.is_empty() {
         return String::new();

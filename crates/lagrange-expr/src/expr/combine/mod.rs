@@ -20,8 +20,8 @@ impl Graph {
     ///
     /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
     /// coefficients all have the same magnitude is written as that magnitude times a sum with
-    /// coefficients ±1, and the first coefficient of a sum is positive, so that `a - b`, `b - a`
-    /// and `2·a - 2·b` share one node.
+    /// coefficients ±1. The first coefficient of a sum is positive, so `a - b`, `b - a` and
+    /// `2·a - 2·b` share one node.
     pub fn sum(&mut self, constant: Number, terms: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut constant = constant;
         let mut collected = Vec::new();

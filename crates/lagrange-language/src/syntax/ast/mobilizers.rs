@@ -29,8 +29,9 @@ pub enum JointLine {
     Frame(usize),
 }
 
-/// Makes the kinds of joints and their properties from rows: kind, word, coordinates as they are
-/// written, motions, tokens that must follow the word, and form of the statement.
+/// Makes the kinds of joints and their properties from rows. A row has the kind, the word, the
+/// coordinates as written, the motions, the tokens required after the word, and the form of the
+/// statement.
 macro_rules! joints {
     ($(
         #[doc = $doc:literal]

@@ -68,9 +68,8 @@ pub struct Statement {
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 /// ```
 ///
-/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of
-/// functions, of their parameters and of types; behind the name of an array a value may be a
-/// `list`.
+/// `NAME { "[" sum "]" }` is possible wherever a statement has `NAME`, except for names of
+/// functions, their parameters and types. Behind the name of an array, a value may be a `list`.
 ///
 /// ```text
 /// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]

@@ -68,8 +68,8 @@ pub struct Radau5<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer. The default is a twentieth of the way to the end in view at the start,
-    /// and a two-hundredth while the state stays where it is.
+    /// No step is longer. The default is a twentieth of the way from the start to the current end.
+    /// While the state stays where it is, it is a two-hundredth.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,

@@ -34,9 +34,9 @@ pub struct Taylor<S> {
     /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the
     /// tolerance if not given.
     pub order: Option<usize>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
-    /// was in view there, and a two-hundredth while the state stays where it is: series do not show
-    /// what is still to come then.
+    /// No step is longer. The default is a twentieth of the way from the start to the end known
+    /// there. While the state stays where it is, it is a two-hundredth, since the series does not
+    /// show later changes.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,

@@ -35,8 +35,8 @@ use self::tolerance::check_settings;
 /// stiff.
 ///
 /// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean
-/// square over the components of the state; the error at the end is the sum of these as the motion
-/// carries them on. What is less than 16 roundings of the state is always tolerated.
+/// square over the components of the state. The motion propagates and accumulates these errors to
+/// the end. Errors below 16 roundings of the state are always tolerated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verner98<S> {
     /// Error of a step as a part of the state.
@@ -45,10 +45,10 @@ pub struct Verner98<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
-    /// was in view there, and a two-hundredth while the state stays where it is: what is still to
-    /// come then does not show in the errors. Forces that act for a shorter time than about a
-    /// quarter of a step may be stepped over.
+    /// No step is longer. The default is a twentieth of the way from the start to the end known
+    /// there. While the state stays where it is, it is a two-hundredth, since errors do not show
+    /// later changes. Forces that act for a shorter time than about a quarter of a step may be
+    /// stepped over.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
