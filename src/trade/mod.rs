@@ -1,10 +1,10 @@
 //! The price of every digit: methods, number types and variants of a system measured against each
 //! other.
 //!
-//! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the
-//! time it took, and reports which one is the fastest for an accuracy.
-//! `cargo run --release --features trade --example trade` does it for four known systems; this is
-//! how to do it for a system of one's own:
+//! A [`Trade`] runs each method from coarse to fine settings, and measures the error at the end and
+//! the time it took. It reports the fastest for an accuracy.
+//! `cargo run --release --features trade --example trade` does this for four known systems. For
+//! your own system, write:
 //!
 //! ```no_run
 //! lagrange::system! {

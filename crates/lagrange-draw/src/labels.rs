@@ -1,8 +1,8 @@
 //! Placement of labels that overlap neither each other nor lines.
 //!
 //! Each label keeps one of eight sides of its place through a whole film, so that it never jumps.
-//! Labels are placed one after another, each where it is least in the way; those of bodies come
-//! last, and stay away where there is no room.
+//! Labels are placed one after another, each where it obstructs least. Those of bodies come last,
+//! and are omitted where there is no room.
 
 use std::f64::consts::{PI, SQRT_2};
 

@@ -1,6 +1,6 @@
 //! The elementary functions, one row each.
 //!
-//! A row holds everything the other modules know of a function; adding one is adding a variant to
+//! A row holds everything the other modules know of a function. To add one, add a variant to
 //! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which
 //! numbers take their methods. Derivatives are those of Abramowitz and Stegun, *Handbook of
 //! Mathematical Functions*, chapter 4; derivatives of piecewise functions are taken branch by

@@ -1,8 +1,7 @@
 //! Solids with known moments of inertia: one row each.
 //!
 //! The coordinates of a solid are those of `lagrange::scene::Outline`. Moments of inertia are about
-//! the axis through the centre of mass that is normal to the plane, for a mass of one: squares of
-//! lengths.
+//! the axis through the centre of mass, normal to the plane, for a mass of one: squares of lengths.
 //!
 //! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4, for all but polygons; for
 //! those Steger, *On the calculation of arbitrary moments of polygons* (1996).

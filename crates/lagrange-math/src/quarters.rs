@@ -1,7 +1,7 @@
 //! Angles of any size in quarter turns, in integers.
 //!
 //! M. H. Payne, R. N. Hanek, "Radian reduction for trigonometric functions", *SIGNUM Newsletter* 18
-//! (1983): of 2/π only those bits count that neither make multiples of four quarters nor are too
+//! (1983). Of 2/π, only those bits count that neither make multiples of four quarters nor are too
 //! small.
 
 /// The bits of 2/π behind the point.

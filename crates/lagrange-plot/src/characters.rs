@@ -1,8 +1,8 @@
 //! Characters of texts and numbers that pictures show, and how documents hold them.
 //!
-//! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control
-//! characters and for U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
-//! ones, so that widths are those of what is written.
+//! Names and titles come from anywhere. XML 1.0 (section 2.2) does not allow most control
+//! characters, nor U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
+//! characters, so that widths are those of the displayed text.
 
 /// Returns the characters of a text that a picture shows. Each tab and end of a line becomes a
 /// blank; other control characters and code points that are no characters are dropped.

@@ -1,9 +1,9 @@
 //! Figures of curves, areas and coloured cells, saved as SVG or PNG.
 //!
-//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs
+//! A [`Figure`] is a grid of panels with separate axes; a [`Panel`] holds curves. Nothing needs
 //! tuning: ranges, marks, labels and colours follow from the numbers. Colours are those of Okabe
-//! and Ito, *Color Universal Design* (2008), which people with any colour vision tell apart; more
-//! than seven curves run from blue to yellow.
+//! and Ito, *Color Universal Design* (2008), which people with any colour vision can distinguish.
+//! More than seven curves run from blue to yellow.
 
 use std::fmt::{Display, Formatter};
 use std::io::{self, BufWriter};

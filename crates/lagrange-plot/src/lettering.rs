@@ -1,12 +1,11 @@
 //! Letters as outlines, of a font that is embedded, so that pictures in pixels are the same
 //! everywhere.
 //!
-//! The font is STIX Two, made for mathematics, cut down to what labels need and called Lagrange
-//! Letters: `letters/` holds it with its licence, the SIL Open Font License 1.1, and
+//! The font is STIX Two, made for mathematics, reduced to the letters of labels and named Lagrange
+//! Letters. `letters/` holds it with its licence, the SIL Open Font License 1.1, and
 //! `tools/letters.py` makes it. It is read by `ttf-parser`. Pairs of letters are kerned and accents
-//! stand above what they belong to; ligatures, and scripts that are not written letter by letter
-//! from left to right, are not for here. A character that the font lacks is a box with a question
-//! mark.
+//! stand above their letters. Ligatures, and scripts that are not written letter by letter from
+//! left to right, are not supported. A character that the font lacks is a box with a question mark.
 
 use std::sync::LazyLock;
 

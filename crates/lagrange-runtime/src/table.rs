@@ -1,9 +1,9 @@
 //! Tables that declarations hold: splines, evaluated in any number type.
 //!
 //! `lagrange::system!` computes the coefficients of the polynomials; here they are looked up and
-//! evaluated. Where all pieces are equally long that takes `f64` and `f32` the same time for tables
-//! of any size; otherwise there is a search that halves what is left of them. Numbers side by side
-//! are evaluated in groups, one for each piece that some of them are in.
+//! evaluated. If all pieces are equally long, that takes `f64` and `f32` the same time for tables
+//! of any size. Otherwise a binary search finds the piece. Numbers in lanes are evaluated in
+//! groups, one for each piece that contains some of them.
 
 use crate::scalar::{Mask, Number};
 

@@ -1,8 +1,8 @@
 //! Constraints as cross terms of the quadratic form.
 //!
 //! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations
-//! by A a + b = 0 with A = ∂ċ/∂v or ∂c/∂v. Gauss's principle then asks for the stationary point of
-//! ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one more unknown, whose only terms are −λ
+//! by A a + b = 0. Here A is ∂ċ/∂v or ∂c/∂v. Gauss's principle then requires the stationary point
+//! of ½ aᵀM a − fᵀa − λᵀ(A a + b). Each multiplier λ is one more unknown, whose only terms are −λ
 //! times the rate of the constraint, and M a = f + Aᵀλ. Source: Udwadia, Kalaba, *Analytical
 //! Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 

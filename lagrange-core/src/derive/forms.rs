@@ -1,6 +1,6 @@
-//! The quadratic form that all equations follow from: over the variables that it was declared in,
-//! and over the generalised velocities, where its coefficients are the mass matrix M and its linear
-//! part is −f.
+//! The quadratic form from which all equations follow. It exists over the variables of the
+//! declaration, and over the generalised velocities. There its coefficients are the mass matrix M
+//! and its linear part is −f.
 //!
 //! A chain of n links has n² such coefficients, although its accelerations take a time in
 //! proportion to n. So a large form is pushed down when somebody asks for its coefficients, and not

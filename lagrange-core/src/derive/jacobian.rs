@@ -1,10 +1,10 @@
 //! Derivatives of the accelerations by coordinates, velocities and parameters.
 //!
 //! There are two ways, and the one that counts cheaper is kept. The accelerations can be
-//! differentiated as they are computed, one sweep for each variable. Or, since the inverse dynamics
-//! r(q, v, a) = 0 defines them, M ∂a/∂x = −∂r/∂x at fixed accelerations: r holds no elimination,
-//! and that of M, which is there already, is shared by all the variables (Carpentier and Mansard, *Analytical
-//! Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
+//! differentiated as they are computed, one sweep for each variable. Alternatively, the inverse
+//! dynamics r(q, v, a) = 0 defines them, so M ∂a/∂x = −∂r/∂x at fixed accelerations. Then r needs
+//! no elimination, and that of M, which exists already, serves all the variables. See Carpentier
+//! and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3.
 
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};

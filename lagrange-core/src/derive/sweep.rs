@@ -1,9 +1,10 @@
 //! The order in which a quadratic form is pushed from the velocities it was written in down to the
 //! generalised velocities.
 //!
-//! A variable may be pushed when no unprocessed variable depends on it; this is the reverse sweep
-//! of Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27
-//! (2012), 251–273, restricted to the part of the graph that is affine in the velocities.
+//! A variable may be pushed when no unprocessed variable depends on it. This is the reverse sweep
+//! of Gower and Mello, restricted to the part of the graph that is affine in the velocities. Its
+//! source is "A new framework for the computation of Hessians", Optim. Methods Softw. 27 (2012),
+//! 251–273.
 //!
 //! # The double pendulum, step by step
 //!
@@ -16,9 +17,9 @@
 //! | collapse | ẋ₁ and ẏ₁, together | multiples of θ̇₁ |
 //! | free | θ̇₁ | |
 //!
-//! A strategy that eliminates θ̇₂ where it is free does so while the form still speaks of ẋ₁ and
-//! ẏ₁, the end of the upper rod: that is the articulated-body algorithm. One that waits for the
-//! last step has the mass matrix.
+//! A strategy may eliminate θ̇₂ as soon as it is free, while the form still contains ẋ₁ and ẏ₁ of
+//! the end of the upper rod. That is the articulated-body algorithm. One that waits for the last
+//! step has the mass matrix.
 
 use std::collections::BTreeSet;
 

@@ -1,6 +1,6 @@
-//! Orthogonal factors of matrices of any size that may lack full rank, as `linalg::orthogonal` of
-//! `lagrange-runtime` has them for sizes known at compile time: Householder reflections with
-//! exchange of columns. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Orthogonal factors of matrices of any size that may lack full rank: Householder reflections with
+//! exchange of columns. `linalg::orthogonal` of `lagrange-runtime` has them for sizes known at
+//! compile time. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 /// A column is taken before others with at most this relative excess of remaining length, so that
 /// rounding does not choose between equals.

@@ -1,14 +1,14 @@
 //! Taylor polynomials of degree two, jointly in several symbols.
 //!
-//! Every expression is carried as its value at the point of expansion and its parts of first and of
-//! second degree in the deviations from there, which the chain rule propagates from operands to
-//! results (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed.,
-//! chapter 13). All other symbols stay what they are, so that the result is exact in them. With
-//! nothing but held symbols this is substitution.
+//! Every expression is carried as its value at the point of expansion and its parts of first and
+//! second degree in the deviations. The chain rule propagates them from operands to results
+//! (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13).
+//! All other symbols stay what they are, so that the result is exact in them. With nothing but held
+//! symbols this is substitution.
 //!
-//! An expression has no expansion where it is undefined at the point or jumps there. Where it has a
-//! kink, the expansion is known to a lower order only, and to a higher one again behind what
-//! vanishes there: |v| to order 0,
+//! An expression has no expansion where it is undefined at the point or jumps there. At a kink, the
+//! expansion is known to a lower order only. It is known to a higher order again behind a factor
+//! that vanishes there: |v| to order 0,
 //! |v| v to order 1, |v|³ to order 2.
 
 use crate::calculus::{partials, rebuild, second_partials};

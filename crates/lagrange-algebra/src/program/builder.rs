@@ -1,9 +1,9 @@
 //! The only maker of programs: numbers values, folds constants, leaves out what nothing needs.
 //!
 //! Operations on constants become constants: exact rational ones where the result is rational. A
-//! division by a rational number becomes a multiplication. Beyond that only identities are used
-//! that hold to the last bit, infinities and NaN included and signs of zero excepted, and that
-//! never add an operation. `0 * x` therefore stays.
+//! division by a rational number becomes a multiplication. Beyond that, only identities are used
+//! that never add an operation and hold to the last bit, including infinities and NaN but not signs
+//! of zero. `0 * x` therefore stays.
 
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};

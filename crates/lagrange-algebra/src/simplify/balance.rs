@@ -1,8 +1,8 @@
 //! Quotients without products of inertias.
 //!
-//! Eliminations multiply pivots out: what they divide by D is a sum of products of two masses,
+//! Eliminations multiply pivots out. A numerator over D is then a sum of products of two masses,
 //! which leaves the range of floating-point numbers where its quotient does not. Here such a sum is
-//! divided term by term, so that every sum has the [grade](Grades) of one mass at most; the order
+//! divided term by term, so that every sum has at most the [grade](Grades) of one mass. The order
 //! of factors in a product is left to lowering, which keeps partial products in range, too.
 
 use super::monomial::Monomial;

@@ -1,15 +1,17 @@
 //! Sums of products of sines and cosines with as few terms as possible, so that little cancels.
 //!
-//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, where
-//! what cancels does so exactly; what is left is gathered into products again:
+//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, in
+//! which terms cancel exactly. The remainder is gathered into products again:
 //!
 //! ```text
 //! cos a cos b = ½ cos(a − b) + ½ cos(a + b),     cos a − cos b = −2 sin((a + b)/2) sin((a − b)/2), …
 //! ```
 //!
-//! (Abramowitz and Stegun, §4.3.31–37). So sin a cos b − cos a sin b becomes sin(a − b), in which
-//! the angles are subtracted before their sine is taken; m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin²
-//! a; and 1 − cos a becomes 2 sin²(a/2).
+//! (Abramowitz and Stegun, §4.3.31–37). Examples:
+//! - sin a cos b − cos a sin b becomes sin(a − b), in which the angles are subtracted before their
+//!   sine is taken;
+//! - m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin² a;
+//! - 1 − cos a becomes 2 sin²(a/2).
 
 use std::collections::BTreeMap;
 

@@ -11,9 +11,9 @@
 //! - [`content()`] is what expressions have in common;
 //! - [`multiply_out`] is for small systems, where what cancels is worth more than what is shared.
 //!
-//! For readers and for proofs, and unfit for code: [`present()`] multiplies out within a budget and
-//! regroups, [`proves_zero`] multiplies out to decide whether nothing is left, [`vanishing()`] for
-//! which of many values that is worth trying.
+//! These serve readers and proofs, and are unfit for code. [`present()`] multiplies out within a
+//! budget and regroups. [`proves_zero`] multiplies out to decide whether an expression vanishes,
+//! and [`vanishing()`] selects the values for which that is worth trying.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 

@@ -1,7 +1,7 @@
 //! Sines and cosines in a form that is the same for equal values.
 //!
 //! Sines and cosines of sums become polynomials in those of the single angles (Abramowitz and
-//! Stegun, §4.3.16–17), then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single
+//! Stegun, §4.3.16–17). Then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single
 //! angles are independent, two polynomials of that form are equal only if they are the same.
 
 use super::effort::Effort;

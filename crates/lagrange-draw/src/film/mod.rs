@@ -1,7 +1,7 @@
 //! Films: motions as HTML pages, as GIF, and as animated SVG or glTF.
 //!
-//! [`layers`] finds out how each mark of a picture changes, which the files hold instead of whole
-//! pictures; [`motion`] finds marks that only turn and move.
+//! [`layers`] determines how each mark of a picture changes, since the files hold changes instead
+//! of whole pictures. [`motion`] finds marks that only turn and move.
 
 mod animation;
 mod chart;

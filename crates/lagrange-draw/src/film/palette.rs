@@ -1,9 +1,9 @@
 //! The colours of a GIF: at most 256 for all of its pictures.
 //!
-//! Boxes of colours are halved across their longest side until there are enough of them, as in
-//! Heckbert, *Color image quantization for frame buffer display* (1982), but in the middle instead
-//! of at the median: pictures are mostly background, and what counts are the shades between it and
-//! the lines.
+//! Boxes of colours are halved across their longest side until there are enough of them: Heckbert, *Color
+//! image quantization for frame buffer display* (1982). Unlike there, they are halved in the middle
+//! instead of at the median. Pictures are mostly background, and the shades between it and the
+//! lines matter.
 
 use std::collections::BTreeMap;
 

@@ -1,9 +1,9 @@
 //! A motion in space as glTF 2.0 in one binary file. Source: *glTF 2.0 Specification*, Khronos
 //! Group (2021).
 //!
-//! z points upwards here and y there: a node above all others turns one to the other. What is
-//! stretched is scaled along its own z-axis if nothing else of it has a height; arrows, whose heads
-//! keep their length, have a morph target that is their stretch.
+//! z points upwards here and y there: a node above all others turns one to the other. A stretched
+//! mesh is scaled along its own z-axis if no other part of it has a height. Arrows, whose heads
+//! keep their length, have a morph target for their stretch.
 
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};

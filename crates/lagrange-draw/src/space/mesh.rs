@@ -1,8 +1,8 @@
 //! Surfaces of plane faces, and lines: what things in space look like, in axes of their own.
 //!
-//! A thing is placed by a rotation and an origin. What reaches from one point to another, as
-//! springs and arrows do, is stretched along its own z-axis besides: each corner says how much of
-//! the stretch it takes part in, so that arrows get longer and their heads do not.
+//! A mesh is placed by a rotation and an origin. Springs and arrows, which reach from one point to
+//! another, are also stretched along their own z-axis. Each corner has a share of the stretch, so
+//! that arrows get longer and their heads do not.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
-//! A motion in space as one HTML file, in which it can be turned: things and where they are, in
-//! whole numbers, and a viewer by WebGL.
+//! A motion in space as one HTML file in which it can be turned. The file contains the meshes,
+//! their places as whole numbers, and a viewer by WebGL.
 
 use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};

@@ -1,15 +1,15 @@
 //! Expressions as a hash-consed directed acyclic graph.
 //!
 //! A [`Graph`] owns every expression of one system; an [`ExprId`] is a handle into it. Equal
-//! expressions have equal ids, and children have smaller ids than their parents, so a loop over
-//! ascending ids is a walk from the leaves to the roots that needs no stack.
+//! expressions have equal ids, and children have smaller ids than their parents. A loop over
+//! ascending ids therefore walks from the leaves to the roots without a stack.
 //!
 //! Nodes come only from the constructors in [`sum`](Graph::sum), [`product`](Graph::product) and
 //! [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold
 //! numbers, collect equal terms and equal bases and sort operands. They do *not* multiply out, and
-//! they keep the nesting in which a formula was built unless something cancels: shared parts stay
-//! shared, which is what keeps derived equations small. The graph knows no algorithm; those are
-//! functions that take it.
+//! they keep the nesting in which a formula was built unless a term cancels. Shared parts stay
+//! shared, which keeps derived equations small. The graph knows no algorithm; those are functions
+//! that take it.
 
 mod combine;
 mod evaluate;

@@ -1,8 +1,8 @@
 //! Values that equations define implicitly.
 //!
 //! An algebraic unknown y of an equation 0 = r(x₁, …, y) is a function y(x₁, …) of its arguments.
-//! Expressions mention it as a call of an [`Opaque`] function; what r is, in symbols of its own for
-//! the arguments and the unknown, stands beside them in the graph.
+//! Expressions mention it as a call of an [`Opaque`] function. Its residual r, with separate
+//! symbols for the arguments and the unknown, is stored beside them in the graph.
 
 use super::{ExprId, Graph};
 use crate::opaque::Opaque;

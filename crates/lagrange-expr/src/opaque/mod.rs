@@ -1,11 +1,11 @@
 //! Functions that are known by their values alone: those of the user's crate, tables, and solutions
 //! of equations.
 //!
-//! Functions of the crate are only assumed to give equal values for equal arguments. A derivative
-//! is another function, which the user names or which has the name that [`default_name`] gives it;
-//! its values are known at run time only. Tables are differentiated piece by piece, and emitted
-//! code has functions of the same default names for them. Solutions of equations have derivatives
-//! with a formula, by implicit differentiation (`calculus::implicit`).
+//! Functions of the crate are only assumed to return equal values for equal arguments. A derivative
+//! is another function, which the user names or [`default_name`] does. Its values are known at run
+//! time only. Tables are differentiated piece by piece, and emitted code has functions of the same
+//! default names for them. Solutions of equations have derivatives with a formula, by implicit
+//! differentiation (`calculus::implicit`).
 
 mod spline;
 mod table;

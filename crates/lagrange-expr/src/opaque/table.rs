@@ -1,9 +1,9 @@
 //! Tables: functions that are polynomials piece by piece, between the points that a declaration
 //! lists and beyond them.
 //!
-//! Of one argument a table is a spline; of two it is the tensor product of two, since splines
-//! depend linearly on the values that they go through: the coefficients of the splines along one
-//! axis are interpolated along the other.
+//! With one argument, a table is a spline. With two, it is the tensor product of two splines, since
+//! splines depend linearly on the values that they interpolate. The coefficients of the splines
+//! along one axis are interpolated along the other.
 
 use crate::elementary::multiply_add;
 

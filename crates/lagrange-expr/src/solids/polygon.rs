@@ -1,8 +1,8 @@
 //! Polygons as fans of triangles about their first corner.
 //!
-//! With u the places of the other corners seen from the first, a triangle (0, u, w) has twice the
-//! area D = u × w, its centroid at (u + w)/3 and D (u·u + u·w + w·w)/12 as its second moment of
-//! area about the first corner. Areas count with their signs, so that only corners that follow each
+//! Let u and w be the places of two corners seen from the first. A triangle (0, u, w) has twice the
+//! area D = u × w and its centroid at (u + w)/3. Its second moment of area about the first corner
+//! is D (u·u + u·w + w·w)/12. Areas count with their signs, so that only corners that follow each
 //! other matter, and the quotients do not depend on the orientation.
 
 use super::fraction;

@@ -1,10 +1,9 @@
 //! Arrays, loops and sums, written out.
 //!
-//! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes the statements
-//! that it stands for and a sum its terms. That is done before anything else is known of the
-//! declaration, so that what follows is the same as for a declaration that was written out by hand:
-//! the same equations, the same code. Expressions keep the places of the tokens that they come
-//! from.
+//! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes its statements,
+//! and a sum its terms. This is done before anything else is known of the declaration. The result
+//! is therefore the same as for a declaration that was written out by hand: the same equations, the
+//! same code. Expressions keep the places of the tokens that they come from.
 //!
 //! `param`, `input`, `const`, `coord` and `quaternion` declare whole arrays, with the number of
 //! elements in brackets; all other statements declare one element, with its index. Indices are

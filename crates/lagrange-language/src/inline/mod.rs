@@ -1,12 +1,12 @@
 //! Functions that a declaration defines, put in the place of their calls.
 //!
 //! `let f(x, y) = e;` stands for e with the arguments for x and y wherever `f(a, b)` is written
-//! behind it. That is done before anything else is known of the declaration, so that arguments may
-//! be numbers, vectors, points or bodies, and what follows knows of no such functions. Inside a
-//! function its parameters hide names of the declaration.
+//! behind it. This is done before anything else is known of the declaration. Arguments may
+//! therefore be numbers, vectors, points or bodies, and later phases know of no such functions.
+//! Inside a function its parameters hide names of the declaration.
 //!
-//! A function may call those before it, never itself: a chain of n functions that each call the one
-//! before twice stands for 2ⁿ terms, for which there is a bound.
+//! A function may call those before it, never itself. A chain of n functions that each call the one
+//! before twice expands to 2ⁿ terms, which is limited.
 
 mod messages;
 

@@ -1,8 +1,8 @@
 //! Files of tables: read, and taken apart into numbers.
 //!
-//! Nothing here touches a file system: who reads declarations says how files are read. A file has a
-//! point on each line, its numbers separated by commas, semicolons, tabs or blanks; the first line
-//! may name the columns, and what stands behind `#` is a comment.
+//! Nothing here touches a file system: the caller of the parser provides a reader of files. A file
+//! has a point on each line, its numbers separated by commas, semicolons, tabs or blanks. The first
+//! line may name the columns, and text behind `#` is a comment.
 
 mod messages;
 

@@ -1,7 +1,7 @@
 //! The motion of rigid bodies in space.
 //!
-//! With the rotation R from the body's own axes to the world, ω and α = ω̇ in world axes and ρ = R
-//! (own − centroid), the point Q of a body with the centre of mass S has
+//! The rotation R leads from the body's own axes to the world, ω and α = ω̇ are in world axes, and
+//! ρ = R (own − centroid). The point Q of a body with the centre of mass S then has
 //!
 //! ```text
 //! r_Q = r_S + ρ,    v_Q = v_S + ω × ρ,    a_Q = a_S + α × ρ + ω × (ω × ρ).

@@ -1,13 +1,13 @@
 //! Multipliers where constraints depend on each other.
 //!
-//! Redundant constraints share a force in ways that the motion does not tell apart, and a mechanism
-//! may pass through configurations in which constraints lose their independence for an instant. Of
-//! all multipliers that give the same motion, those with the smallest sum of squares are taken.
-//! Independence is judged by orthogonal factors of the scaled equations, never by products of
-//! matrices with themselves, which would hide half of the digits. Sources: Golub, Van Loan, *Matrix
-//! Computations*, 4th ed., §5.4, §5.5; García de Jalón, Bayo, *Kinematic and Dynamic Simulation of
-//! Multibody Systems*; Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in
-//! matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
+//! Redundant constraints share a force in ways that the motion does not distinguish. A mechanism
+//! may also pass through configurations in which constraints lose their independence for an
+//! instant. Of all multipliers that give the same motion, those with the smallest sum of squares
+//! are taken. Independence is judged by orthogonal factors of the scaled equations, never by
+//! products of matrices with themselves, which would hide half of the digits. Sources: Golub, Van
+//! Loan, *Matrix Computations*, 4th ed., §5.4, §5.5. García de Jalón, Bayo, *Kinematic and Dynamic
+//! Simulation of Multibody Systems*. Ruiz, *A scaling algorithm to equilibrate both rows and
+//! columns norms in matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
 
 use crate::linalg::orthogonal::{OrthogonalFactors, euclidean_norm};
 use crate::scalar::Scalar;

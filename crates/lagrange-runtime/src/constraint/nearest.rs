@@ -1,13 +1,13 @@
 //! From positions on the constraints to the nearest ones.
 //!
 //! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q.
-//! Its slope along the constraints is minus the tangential part of q₀ − q, what is left of it
-//! without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
-//! follow it, with each step brought back onto the constraints and directions carried along by
-//! projection. Steps end where the slope has nearly vanished rather than where the distance is
-//! least: differences of distances lose half of the digits. Sources: Absil, Mahony, Sepulchre, *Optimization
-//! Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical Optimization*, 2nd ed.,
-//! §§3.5, 5.2.
+//! Its slope along the constraints is minus the *pull*. The pull is the tangential part of q₀ − q,
+//! without its component M-orthogonal to the directions that the constraints allow. Conjugate
+//! gradients follow it, with each step brought back onto the constraints and directions carried
+//! along by projection. Steps end where the slope has nearly vanished rather than where the
+//! distance is least: differences of distances lose half of the digits. Sources: Absil, Mahony,
+//! Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
+//! Optimization*, 2nd ed., §§3.5, 5.2.
 
 use super::ConstrainedSystem;
 use super::residuals::largest;

@@ -1,11 +1,11 @@
 //! The way back onto the constraints.
 //!
-//! Newton's method with the gradients of the constraints where it stands: each correction is the
-//! smallest change by mass that takes the residuals away to first order, so that what is left is
-//! quadratic in it. Where a correction overshoots, it is halved until the next one, by the same
-//! gradients, would be smaller. Constraints are linear in velocities: one correction does there.
-//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the
-//! module above.
+//! Newton's method with the gradients of the constraints at the current point. Each correction is
+//! the smallest change by mass that removes the residuals to first order, so that the remainder is
+//! quadratic in it. A correction that overshoots is halved until the next one, by the same
+//! gradients, would be smaller. Constraints are linear in velocities, so one correction suffices
+//! there. Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of
+//! the module above.
 
 use super::ConstrainedSystem;
 use super::nearest::NearestSearch;

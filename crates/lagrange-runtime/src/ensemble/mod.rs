@@ -45,9 +45,9 @@
 //! | look at one motion | [`motion`](Ensemble::motion) |
 //! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); reductions over processes by MPI: `examples/mpi` |
 //!
-//! Every motion is a run of [`simulate`](mod@crate::simulate) by itself, and has the bits of one:
-//! they depend neither on threads nor on shards, restarts or the other motions. The sum of all is
-//! put together in an order that does not depend on threads either.
+//! Every motion is a separate run of [`simulate`](mod@crate::simulate), with the same bits. They
+//! depend neither on threads nor on shards, restarts or the other motions. The sum of all is
+//! accumulated in an order that does not depend on threads either.
 //!
 //! This needs the feature `ensemble`.
 

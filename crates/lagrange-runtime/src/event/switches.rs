@@ -8,10 +8,10 @@
 //! located like an event and the motion goes on from there on the other side. Source: Hairer,
 //! Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., §II.6.
 //!
-//! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all
-//! the step long; the step is cut at x = 0, and the next one has the force 1. If that leads back at
-//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface, where a function of
-//! time and state says nothing about the force:
+//! At the end of a step that was computed for x > 0, let x = −10⁻⁹. The force −sign(x) was −1 all
+//! the step long. The step is cut at x = 0, and the next one has the force 1. If that leads back at
+//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface. A function of time
+//! and state does not determine the force there:
 //! [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
 
 use core::array::from_fn;

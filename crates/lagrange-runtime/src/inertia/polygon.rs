@@ -1,8 +1,8 @@
 //! Polygons from their corners, as fans of triangles about the first one.
 //!
-//! A triangle (0, u, w) has twice the area D = u × w, its centroid at (u + w)/3 and D (u·u + u·w +
-//! w·w)/12 as its second moment of area about the origin. Summed over the edges of a polygon, areas
-//! with their signs, this holds about any origin.
+//! A triangle (0, u, w) has twice the area D = u × w and its centroid at (u + w)/3. Its second
+//! moment of area about the origin is D (u·u + u·w + w·w)/12. Summed over the edges of a polygon,
+//! with signed areas, this holds about any origin.
 
 use crate::scalar::Scalar;
 

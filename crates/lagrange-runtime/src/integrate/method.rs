@@ -1,13 +1,13 @@
 //! Integration methods as seen by their callers.
 //!
-//! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds
+//! A [`Method`] holds settings and can be kept and compared. It starts a [`Stepper`], which holds
 //! all that changes from step to step and needs no heap.
 //!
-//! Some methods also take several motions side by side, as a [`LanesMethod`]: every lane has its
-//! own time and its own step, and no motion sees its neighbours, so that what comes of a lane has
-//! the same bits whatever is in the others. A lane does what is done in every step of an ordinary
-//! motion. Where anything else shows, such as NaN, steps that are lost in rounding, or more of them
-//! than are allowed, it gives the motion up, which is then to be told by a run of its own.
+//! Some methods also take several motions at once, as a [`LanesMethod`]. Every lane has its own
+//! time and its own step. No motion sees its neighbours, so the result of a lane has the same bits
+//! whatever the others contain. A lane does the work of every step of an ordinary motion. In all
+//! other cases, such as NaN, steps that are lost in rounding, or too many steps, it gives the
+//! motion up. A single run then reports the cause.
 
 use crate::scalar::Scalar;
 use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};

@@ -1,11 +1,11 @@
 //! The stability limit of explicit steps.
 //!
 //! An explicit method grows without bound along an eigenvector of the Jacobian whose eigenvalue λ
-//! has h |λ| beyond a limit of the method. How much rates differ between two stages hints at it for
-//! nothing, but mistakes differences of scale between the components for stiffness; only after a
-//! hint is the largest eigenvalue computed, by power iteration with differences of rates, from
-//! whose last powers the two eigenvalues of an oscillation are found together. Source: Hairer,
-//! Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
+//! has h |λ| beyond a limit of the method. The difference of rates between two stages hints at it
+//! without extra evaluations, but mistakes differences of scale between the components for
+//! stiffness. Only after a hint is the largest eigenvalue computed, by power iteration with
+//! differences of rates. Its last powers give the two eigenvalues of an oscillation together.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
 //! Computations*, §7.3.
 
 use crate::linalg::vector::{combined, l1_norm, scaled};

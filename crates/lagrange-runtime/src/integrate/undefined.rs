@@ -1,9 +1,10 @@
 //! Diagnosis of values that are not finite, which methods only detect.
 //!
-//! Methods check what they go on from and leave the rest to the loops that drive them: they know
-//! the system, whose [`undefined`](OdeSystem::undefined) gives names. What is finite where a run
-//! stopped is looked at ahead of there, along the direction of the motion at distances that double
-//! from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
+//! Methods check the values from which they continue and leave the rest to the loops that drive
+//! them. These know the system, whose [`undefined`](OdeSystem::undefined) gives names. Values that
+//! are finite where a run stopped are evaluated ahead of there, along the direction of the motion.
+//! The distances double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right
+//! behind.
 
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;

@@ -1,11 +1,11 @@
 //! Times at which a step ends and a new one starts.
 //!
-//! A right-hand side that jumps, or whose derivatives do, at a time known beforehand is integrated
-//! up to that time and from there on. The methods themselves know nothing of it: each step is
-//! limited, and the method restarted from the state that it reached. A system with sides fixed goes
-//! on from that very time, on another side. Otherwise steps end two roundings of time before the
-//! jump and start two after it, so that every evaluation lies on one side of it, wherever its
-//! definition puts the instant itself.
+//! A right-hand side that jumps at a known time, or whose derivatives do, is integrated up to that
+//! time and from there on. The methods themselves know nothing of it: each step is limited, and the
+//! method restarted from the state that it reached. A system with fixed sides continues from that
+//! very time, on another side. Otherwise steps end two roundings of time before the jump and start
+//! two after it. Every evaluation then lies on one side of it, wherever its definition puts the
+//! instant itself.
 
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;

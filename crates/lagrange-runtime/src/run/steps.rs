@@ -1,9 +1,9 @@
 //! A run in progress, turn by turn.
 //!
-//! One turn is a step of the method and what happens in it: restarts at times known beforehand,
-//! events one by one in the order of time, and how the motion goes on after one that replaces its
-//! state or its system. What is seen of it goes to a [`Sink`], so that loops that keep nothing and
-//! the front door, which keeps what is asked for, are the same.
+//! One turn is a step of the method and all that happens in it. There are restarts at known times,
+//! events one by one in the order of time, and the continuation after an event that replaces the
+//! state or the system. A [`Sink`] receives everything visible. Loops that keep nothing, and
+//! simulations, which keep what was requested, are therefore the same.
 
 use super::current::Current;
 use super::events::{Events, Found, Origin};

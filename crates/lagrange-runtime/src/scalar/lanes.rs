@@ -1,8 +1,8 @@
 //! Several numbers that go through the same formulas side by side.
 //!
-//! Every operation is a loop over the lanes that is always inlined, so that it becomes vector
-//! instructions of whatever target the caller is compiled for: a function with features that its
-//! crate does not have may call formulas, too.
+//! Every operation is a loop over the lanes that is always inlined. It becomes vector instructions
+//! of the target for which the caller is compiled. A function with target features that its crate
+//! lacks may therefore call formulas, too.
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 

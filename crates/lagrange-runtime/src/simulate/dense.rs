@@ -1,7 +1,7 @@
 //! States between the samples.
 //!
 //! Each step is kept as its states at the Chebyshev points of the second kind, found by the
-//! method's own interpolation, and evaluated by the barycentric formula
+//! method's own interpolation. It is evaluated by the barycentric formula
 //!
 //! ```text
 //! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.

@@ -1,10 +1,10 @@
 //! Unit quaternions among the positions of a system: the scalar part at an index, the vector part
 //! behind it.
 //!
-//! What emitted types make [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
-//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) of. A quaternion q
-//! turns the axes of a body into the world, and its rate is q̇ = ½ q ⊗ (0, ω) with the angular
-//! velocity ω along the axes of the body.
+//! Emitted types define [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
+//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) by these functions. A
+//! quaternion q turns the axes of a body into the world. Its rate is q̇ = ½ q ⊗ (0, ω) with the
+//! angular velocity ω along the axes of the body.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §4.5.
 

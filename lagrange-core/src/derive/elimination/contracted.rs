@@ -2,11 +2,11 @@
 //! cancel as is found.
 //!
 //! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy
-//! `strict`: without it the accelerations of a written-out double pendulum have relative errors up
+//! `strict`. Without it the accelerations of a written-out double pendulum have relative errors up
 //! to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating x with the pivot D leaves W − a b / D of
-//! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead: of a
-//! double pendulum m₂ l₂² remains in the denominator and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) of the
-//! entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur
+//! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead. For a
+//! double pendulum, m₂ l₂² remains in the denominator, and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) in the
+//! entry. The form (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur
 //! complements of Golub and Van Loan, *Matrix Computations*, 4th ed., §3.2.
 
 use super::solution::Solution;

@@ -1,19 +1,19 @@
 //! Elimination that keeps the form a sum of squares.
 //!
-//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination
-//! is again a sum of squares, found by [`rotation`]. That keeps the digits which differences of
-//! large entries lose, and on chains and trees of points it is also the shortest way: between two
+//! The mass matrix is never formed, nor are its Schur complements. The remainder of an elimination
+//! is again a sum of squares, found by [`rotation`]. That keeps the digits that differences of
+//! large entries lose. On chains and trees of points it is also the shortest way: between two
 //! points a single number stands for a subtree.
 //!
 //! # The double pendulum in numbers
 //!
-//! Unit lengths and masses and g = 10, the upper rod horizontal (θ₁ = 90°) with θ̇₁ = 1, the lower
-//! one hanging from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
-//! accelerations of the points, measured from an offset: y is ÿ + 10, so that gravity is nowhere
-//! else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be made minimal.
+//! Take unit lengths and masses and g = 10. The upper rod is horizontal (θ₁ = 90°) with θ̇₁ = 1,
+//! the lower one hangs from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
+//! accelerations of the points, measured from an offset: y is ÿ + 10, so gravity is nowhere else.
+//! Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be minimised.
 //!
-//! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0):
-//! x₂ = 1 θ̈₂ + x₁, y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
+//! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0). Then x₂ = 1 θ̈₂ +
+//! x₁ and y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
 //!
 //! | | |
 //! |---|---|
@@ -22,9 +22,9 @@
 //! | minor t₁ y₂ − t₂ x₂, without θ̈₂ | y₁ + 4 |
 //! | left by Lagrange's identity | ½ · (1 · 1 / 1) · (y₁ + 4)² |
 //!
-//! What is left of the two squares of the second point is one, of the acceleration along the lower
-//! rod, and that is all that the upper rod feels of it. **θ̈₁ next.** In ½ (x₁² + y₁² + (y₁ + 4)²)
-//! the arms of θ̈₁ are 0, 1, 1:
+//! The remainder of the two squares of the second point is a single square, that of the
+//! acceleration along the lower rod. The upper rod feels nothing else of it. **θ̈₁ next.** In ½
+//! (x₁² + y₁² + (y₁ + 4)²) the arms of θ̈₁ are 0, 1, 1:
 //!
 //! | | |
 //! |---|---|

@@ -1,8 +1,8 @@
 //! Attributes of the head, and what they mean for everything else that is emitted.
 //!
 //! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about
-//! the declaration, too; what is expected of these is expected of them alone, since the struct
-//! never fulfils it.
+//! the declaration, too. An `#[expect]` of these warnings applies to them alone, since the struct
+//! itself never causes them.
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;

@@ -1,10 +1,10 @@
 //! Lowering of expressions to a program.
 //!
-//! A walk over ascending ids, children before parents, that gives each expression a value. What
-//! makes good code is decided per sum ([`sum`]) and per product ([`product`]); which expressions
-//! get no value of their own because their only user takes them apart, and which reciprocals are
-//! worth sharing, is found beforehand ([`sharing`]). The cost is proportional to what the outputs
-//! are made of.
+//! The walk over ascending ids, children before parents, gives each expression a value. The form of
+//! the code is decided per sum ([`sum`]) and per product ([`product`]). Before the walk,
+//! [`sharing`] finds the expressions that get no separate value because their only user takes them
+//! apart, and the reciprocals worth sharing. The cost is proportional to what the outputs are made
+//! of.
 
 mod interleaved;
 mod lowering;

@@ -1,9 +1,9 @@
 //! The constructors of sums and products.
 //!
 //! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a
-//! product. Equal operands are collected. A nested operand of the same kind is opened only if that
-//! makes something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a
-//! shared part.
+//! product. Equal operands are collected. A nested operand of the same kind is opened only if a
+//! term then vanishes: `(x + y) - x = y` or `(x·y)/x = y`. Otherwise it is more useful as a shared
+//! part.
 
 mod branch;
 mod magnitude;

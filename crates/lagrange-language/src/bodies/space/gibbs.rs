@@ -1,10 +1,10 @@
 //! The Gibbs function of bodies that joints carry: their equations of motion in accelerations, as
 //! recursive Newton–Euler has them.
 //!
-//! A body with the mass m, the first moment h and the tensor J about its origin adds S = ½ m a² +
+//! A body has the mass m, the first moment h and the tensor J about its origin. It adds S = ½ m a² +
 //! a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in its own
-//! axes: ∂S/∂a = m a + A h is the force on it and ∂S/∂α = J α + h × a + ω × J ω the moment about
-//! its origin. Since the ground accelerates by −g, weights are in it. With
+//! axes. Then ∂S/∂a = m a + A h is the force on it, and ∂S/∂α = J α + h × a + ω × J ω the moment
+//! about its origin. Since the ground accelerates by −g, weights are in it. With
 //! [`super::base_parameters`] most entries of h and J are zero.
 //!
 //! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical

@@ -1,9 +1,8 @@
 //! Ensembles side by side: several motions in the lanes of vector instructions.
 //!
-//! A chunk of motions goes in lanes if its system hands out its equations for that, the method can,
-//! and no more than ends and samples was asked for. What is out of the ordinary, lanes leave to a
-//! run of its own: motions that fail, with their cause, and those of systems that wait for a time
-//! at which they jump.
+//! A chunk of motions runs in lanes if its system provides its equations for that, the method can,
+//! and only ends and samples were requested. Lanes leave all exceptions to single runs: motions
+//! that fail, with their cause, and those of systems with a known time of a jump.
 
 mod dispatch;
 mod refill;

@@ -1,8 +1,8 @@
 //! Files that keep other processes off.
 //!
-//! The operating system keeps a lock on such a file while its process lives, in whichever container
-//! or namespace that is, and the file says whose it is. Between machines file systems do not always
-//! keep locks, so that what another machine left is never taken over.
+//! The operating system keeps a lock on such a file while its process lives, in any container or
+//! namespace. The file names its owner. File systems do not always keep locks between machines, so
+//! a lock of another machine is never taken over.
 
 use std::format;
 use std::fs::{self, File, OpenOptions, TryLockError};

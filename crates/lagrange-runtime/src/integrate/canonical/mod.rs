@@ -1,15 +1,15 @@
 //! The common parts of implicit methods in coordinates and momenta.
 //!
-//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of
-//! P(Q, V) = ∂L/∂v and that of the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method
-//! needs derivatives. Differentiating d/dt P = R along the motion gives
+//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations contain the changes
+//! of P(Q, V) = ∂L/∂v and of the rates R(Q, V) = ∂L/∂q + Q of momenta. Newton's method needs
+//! derivatives of these. Differentiating d/dt P = R along the motion gives
 //!
 //! ```text
 //! ∂P/∂v = M,    ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt,    ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q,
 //! ```
 //!
-//! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes
-//! the number of iterations alone, and no more than the change of the derivatives within a step
+//! so the Jacobian of the system and the mass matrix suffice. The last term is omitted. It affects
+//! only the number of iterations, and no more than the change of the derivatives within a step
 //! does.
 
 mod constrained;

@@ -1,7 +1,7 @@
 //! States within a step of a Gauss method.
 //!
-//! The polynomial through the stages is accurate to the order K + 1 of h only, so that for two and
-//! three stages states and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving
+//! The polynomial through the stages is accurate to the order K + 1 of h only. For two and three
+//! stages, states and rates at the ends therefore serve better. Source: Hairer, Nørsett, Wanner, *Solving
 //! Ordinary Differential Equations I*, §II.6.
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};

@@ -1,9 +1,9 @@
 //! Taylor series with steps as long as a tolerance allows.
 //!
 //! Each step expands the motion about its state and follows the polynomial. Its length follows from
-//! the size of the last coefficients. The expansion at its end, which the next step starts from,
-//! gives the exact rate there; where the slope of the polynomial differs from it by more than is
-//! tolerated, the step is taken back and halved.
+//! the size of the last coefficients. The expansion at its end, from which the next step starts,
+//! gives the exact rate there. If the slope of the polynomial differs from it by more than the
+//! tolerance, the step is taken back and halved.
 //!
 //! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of
 //! high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117. They look at two

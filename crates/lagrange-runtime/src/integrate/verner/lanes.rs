@@ -1,8 +1,8 @@
 //! The pair for several motions side by side.
 //!
-//! A step is that of `stepper` for a system without constraints, but that rates are not kept from
-//! one attempt to the next, since neighbours may have come farther, and that lengths of steps are
-//! found to three digits. A motion that looks stiff is given up: one of its own tells.
+//! A step is that of `stepper` for a system without constraints, with two differences. Rates are
+//! not kept from one attempt to the next, since neighbours may have come farther, and lengths of
+//! steps are found to three digits. A motion that looks stiff is given up: a single run reports it.
 
 use super::Verner98;
 use super::control::POWER;

@@ -1,8 +1,8 @@
 //! Detection of steps limited by stability.
 //!
-//! Two stages lie at the end of a step. How much their rates differ for how much their states do
-//! hints at the largest eigenvalue of the Jacobian, which is computed before a system is refused.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+//! Two stages lie at the end of a step. The ratio of the differences of their rates and of their
+//! states hints at the largest eigenvalue of the Jacobian. It is computed before a system is
+//! refused. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
 use crate::linalg::vector::{l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
