@@ -1,6 +1,6 @@
 //! Elementary functions of several numbers at a time. They serve the level of accuracy `fast` (sine
-//! and cosine), numbers in the lanes of vector instructions, and numbers with the same bits on
-//! every platform.
+//! and cosine), numbers in the lanes of vector instructions, and those with the same bits
+//! everywhere.
 //!
 //! [`sin_cos_each`], [`values`] and the others have no table and no branch that depends on a
 //! number. The compiler inlines them and computes several numbers with each instruction where the

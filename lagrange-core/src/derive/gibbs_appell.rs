@@ -12,10 +12,10 @@
 //! are therefore coefficients of the quadratic form at velocities, beside those of T. The slope of
 //! S along an acceleration is a linear part there. The terms that are pushed down from there are
 //! forces and moments. Inverse dynamics is the recursive Newton–Euler algorithm, and the form over
-//! q̇ has the mass matrix by composite bodies (Featherstone, *Rigid Body Dynamics Algorithms*, §5.3
-//! and §6.2). Neither velocities of points nor rates of momenta are needed. Gravity enters as an
-//! acceleration of the base. Inertia that a joint cannot distinguish from that of its carrier may
-//! be moved there in advance: S need not belong to each body separately. See Khalil and Dombre, *Modeling,
+//! q̇ has the mass matrix by composite bodies. See Featherstone, *Rigid Body Dynamics Algorithms*,
+//! §5.3 and §6.2. Neither velocities of points nor rates of momenta are needed. Gravity enters as
+//! an acceleration of the base. Inertia that a joint cannot distinguish from that of its carrier
+//! may be moved there in advance: S need not belong to each body separately. See Khalil and Dombre, *Modeling,
 //! Identification and Control of Robots*, §9.4.
 //!
 //! # A pendulum in numbers

@@ -9,10 +9,10 @@
 //! model remembers which velocity is the rate of which position.
 //!
 //! `least_constraint` walks the Lagrangian from its root. A term ½ w u² with u = dx/dt contributes *at
-//! the node u*: w to the quadratic and w u̇ + ẇ u to the linear part. It also contributes −½ u² at
-//! the node ẇ. The potential contributes 1 at V̇, a force F at a point p contributes −F at ṗ.
-//! Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v −
-//! ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` holds what comes together at each
+//! the node u*. It adds w to the quadratic and w u̇ + ẇ u to the linear part. It also contributes
+//! −½ u² at the node ẇ. The potential contributes 1 at V̇, a force F at a point p contributes −F at
+//! ṗ. Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v
+//! − ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` holds what comes together at each
 //! pair of nodes and sums it when it is needed.
 //!
 //! Where such terms hold components that joints turn, brackets at the turned pairs take the place

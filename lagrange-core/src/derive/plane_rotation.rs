@@ -6,8 +6,10 @@
 //! sums of products with c², c s and s². By c² + s² = 1, five products suffice for all three
 //! coefficients of a pair,
 //!
-//! t = s (A − B) + 2 c C: ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B +
-//! s t) x₂²,
+//! ```text
+//! ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B + s t) x₂²,
+//! t = s (A − B) + 2 c C,
+//! ```
 //!
 //! and four for the four coefficients between two pairs. Invariants of rotations stay as they are:
 //! a mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). The inertia of a composite body
@@ -15,9 +17,9 @@
 //!
 //! # In numbers
 //!
-//! Let c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2. Then t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7. The
-//! coefficient of x₁ is 7 − 28/5 = 7/5, that of x₂ is 2 + 28/5 = 38/5, and that of x₁ x₂ is 21/5 −
-//! 5/2 = 17/10. The sum of the squares' coefficients is 9 on both sides, A B − C² = 31/4 as well.
+//! Let c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2. Then t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7. The new
+//! coefficients are A − s t = 7/5, B + s t = 38/5 and c t − C = 17/10. The sum A + B is 9 on both
+//! sides, and A B − C² = 31/4 as well.
 
 use std::collections::BTreeSet;
 

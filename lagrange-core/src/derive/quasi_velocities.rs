@@ -2,9 +2,9 @@
 //!
 //! Components along moving axes, such as those of an angular velocity, are affine in the
 //! velocities, but they are not rates. Let R(u, q) be a term of the Lagrangian in such nodes u,
-//! with the momenta p = ∂R/∂u. Then d/dt ∂R/∂q̇ − ∂R/∂q consists of ṗ at the nodes u, of −∂R/∂q at
-//! constant u, and of the nodes' own d/dt ∂u/∂q̇ − ∂u/∂q weighted with p. The last part is a sum of
-//! local terms: of u = Σ s x + f with coefficients s and a rest f free of velocities,
+//! with the momenta p = ∂R/∂u. Then d/dt ∂R/∂q̇ − ∂R/∂q consists of three parts: ṗ at the nodes u,
+//! −∂R/∂q at constant u, and d/dt ∂u/∂q̇ − ∂u/∂q weighted with p. The last part is a sum of local
+//! terms: of u = Σ s x + f with coefficients s and a rest f free of velocities,
 //!
 //! - p ṡ at each part x, which passes p s on to its own parts unless x is a rate,
 //! - −p ∂u/∂s at the rate of every factor s and −p at that of f.

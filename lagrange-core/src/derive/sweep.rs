@@ -17,9 +17,9 @@
 //! | collapse | ẋ₁ and ẏ₁, together | multiples of θ̇₁ |
 //! | free | θ̇₁ | |
 //!
-//! A strategy may eliminate θ̇₂ as soon as it is free, while the form still contains ẋ₁ and ẏ₁ of
-//! the end of the upper rod. That is the articulated-body algorithm. One that waits for the last
-//! step has the mass matrix.
+//! A strategy may eliminate θ̇₂ as soon as it is free, while the form still contains the end ẋ₁, ẏ₁
+//! of the upper rod. That is the articulated-body algorithm. One that waits for the last step has
+//! the mass matrix.
 
 use std::collections::BTreeSet;
 

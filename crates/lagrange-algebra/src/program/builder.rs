@@ -2,8 +2,8 @@
 //!
 //! Operations on constants become constants: exact rational ones where the result is rational. A
 //! division by a rational number becomes a multiplication. Beyond that, only identities are used
-//! that never add an operation and hold to the last bit, including infinities and NaN but not signs
-//! of zero. `0 * x` therefore stays.
+//! that never add an operation. They hold to the last bit, including infinities and NaN but not
+//! signs of zero. `0 * x` therefore stays.
 
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};

@@ -1,9 +1,9 @@
 //! Switches are looked for a little beyond their surfaces.
 //!
 //! Otherwise rounding on a surface would pass it again and again. The rounding error of a switching
-//! function follows from two values: the largest that it had so far, and its change if each entry
-//! of the state is rounded. Other entries of the state have no effect on it, unless constraints
-//! hold them together.
+//! function follows from two values. One is the largest that it had so far, the other its change if
+//! each entry of the state is rounded. Other entries of the state have no effect on it, unless
+//! constraints hold them together.
 
 use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem};

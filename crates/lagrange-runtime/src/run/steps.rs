@@ -1,8 +1,8 @@
 //! A run in progress, turn by turn.
 //!
-//! One turn is a step of the method and all that happens in it. There are restarts at known times,
-//! events one by one in the order of time, and the continuation after an event that replaces the
-//! state or the system. A [`Sink`] receives everything visible. Loops that keep nothing, and
+//! One turn is a step of the method and all that happens in it. There are restarts at known times
+//! and events one by one in the order of time. An event may replace the state or the system, from
+//! which the motion continues. A [`Sink`] receives everything visible. Loops that keep nothing, and
 //! simulations, which keep what was requested, are therefore the same.
 
 use super::current::Current;

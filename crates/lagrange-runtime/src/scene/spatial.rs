@@ -41,8 +41,8 @@ pub enum Solid<S> {
 pub struct SpatialJoint<'a, S> {
     /// Its kind.
     pub kind: SpatialJointKind,
-    /// The direction of its axis, of length one. It is the first axis of a universal joint, the
-    /// normal of a planar one, and z of the frame of a joint without an axis.
+    /// The direction of its axis, of length one. It is the first axis of a universal joint and the
+    /// normal of a planar one. Without an axis, it is z of the joint's frame.
     pub axis: [S; 3],
     /// Names of the carrying and the placed body, or of the two that are pinned; `None` for the
     /// ground.

@@ -15,7 +15,7 @@
 //! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre.
 //! It keeps only the moment 6 about its axis. Its carrier gets the mass 2 at the joint and the
 //! moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes, these are the first moment (0,
-//! 0, 2) and the moments 5, 5 and 0, where 5 = 3 + 2.
+//! 0, 2). The moments are 5, 5 and 0, where 5 = 3 + 2.
 
 use super::quantities::{Quantity, difference, inner, product, sum};
 use crate::bodies::terms::TermWriter;

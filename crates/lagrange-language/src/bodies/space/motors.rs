@@ -1,9 +1,9 @@
 //! Forces and moments on the coordinates of joints: those of motors, and damping.
 //!
-//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about e, the moments u e
-//! on the placed body and −u e on its carrier have the same power. Where it moves by q along e, the
-//! forces ±u e at the origin of the placed body have it. A screw does both at once, so neither is
-//! known.
+//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about e, the power is
+//! that of the moments ±u e on the placed body and its carrier. Where it moves by q along e, it is
+//! that of the forces ±u e at the origin of the placed body. A screw does both at once, so neither
+//! is known.
 
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, Path};
