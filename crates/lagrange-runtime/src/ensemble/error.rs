@@ -78,8 +78,8 @@ impl Display for EnsembleError {
             EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
             EnsembleError::ForeignFile(path) => write!(
                 f,
-                "`{}` has the name of a part of an ensemble, but another version wrote it or its end is damaged: \
-                save to another folder, or delete it to recompute it",
+                "`{}` is named like a part of an ensemble, but another version wrote it or its end is damaged: \
+                save to another folder, or delete it",
                 path.display()
             ),
             EnsembleError::Damaged { path, why } => {

@@ -161,9 +161,8 @@ fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleErro
     match places.next() {
         None => Ok(Shard::WHOLE),
         Some((name, value)) => Err(EnsembleError::Setting(format!(
-            "the environment has {name}=`{value}`, which an unknown launcher seems to set for each of several \
-            processes: specify the shard of this process by {BY_HAND}, such as `3/8`, the fourth of eight, or \
-            `0/1` for everything"
+            "the environment has {name}=`{value}`, apparently from an unknown launcher of processes: specify \
+            the shard by {BY_HAND}, `3/8` for the fourth of eight, `0/1` for everything"
         ))),
     }
 }

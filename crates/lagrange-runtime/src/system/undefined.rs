@@ -199,8 +199,8 @@ impl<S: Debug> Display for Undefined<S> {
                 }
                 write!(
                     f,
-                    " is {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, such as \
-                     a root of a negative number, a negative power of zero, or a function of the crate beyond the condition that guards it"
+                    " is {value:?} at time {time:?} for a finite state; look for roots of negative numbers, negative powers of zero, or \
+                     functions beyond their guards"
                 )
             }
             Undefined::Unknown { name, time } => write!(
