@@ -7,8 +7,8 @@
 //! equations.
 //!
 //! The feedback is linear. Without friction in the joint, the poles of the linearised motion about
-//! the upright position are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip, which
-//! ends above the cart's starting point.
+//! the upright are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip, which ends above
+//! the cart's starting point.
 
 mod common;
 

@@ -1,8 +1,8 @@
 //! Paragraphs of comments and pages: how they are wrapped, and their sentences.
 //!
 //! `cargo xtask wrap` applies [`wrapped`], so that the rule and the tool agree. Code, tables,
-//! headings, quotes, pictures and links that stand alone are no paragraphs; an item of a list is one, with
-//! its later lines under its text.
+//! headings, quotes, pictures and links that stand alone are no paragraphs. An item of a list is
+//! one, with its later lines under its text.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -80,7 +80,6 @@ impl Paragraph<'_> {
         wrapped.push(line);
         wrapped
     }
-
 }
 
 /// Returns the words of each sentence, with code as one word. References are no sentences.

@@ -7,8 +7,7 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::Lit;
 
 /// Words that begin an item, behind its visibility and modifiers.
-const KEYWORDS: [&str; 9] =
-    ["enum", "fn", "impl", "macro_rules!", "mod", "struct", "trait", "type", "union"];
+const KEYWORDS: [&str; 9] = ["enum", "fn", "impl", "macro_rules!", "mod", "struct", "trait", "type", "union"];
 
 /// Words that may stand in front of a keyword.
 const MODIFIERS: [&str; 5] = ["async", "const", "default", "extern", "unsafe"];
@@ -43,9 +42,9 @@ fn indent(line: &str) -> usize {
 /// Returns the keyword of the item that begins on a line, with true if the item is public.
 fn head(line: &str) -> Option<(bool, &'static str)> {
     let line = line.trim_start();
-    let mut words = line.split_whitespace().skip_while(|word| {
-        word.starts_with("pub") || word.ends_with(')') || MODIFIERS.contains(word)
-    });
+    let mut words = line
+        .split_whitespace()
+        .skip_while(|word| word.starts_with("pub") || word.ends_with(')') || MODIFIERS.contains(word));
     let word = words.next()?.split('<').next()?;
     let keyword = KEYWORDS.into_iter().find(|keyword| *keyword == word)?;
     Some((line.starts_with("pub "), keyword))

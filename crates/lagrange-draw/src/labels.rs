@@ -37,7 +37,7 @@ const RINGS: usize = FARTHER.len() + 1;
 /// The number of the place that is the point itself.
 const ON_POINT: usize = AROUND.len() * RINGS;
 /// Penalties for overlapping another label, for each pixel of shift into the picture, for a line
-/// that crosses the label, and for a less suitable side.
+/// across the label, and for a less suitable side.
 const ON_LABEL: f64 = 60.0;
 const OUTSIDE: f64 = 0.1;
 const CROSSED: f64 = 3.0;

@@ -316,8 +316,8 @@ fn sum_of_squares(graph: &mut Graph, x: &[ExprId], numerator: i64, denominator: 
     fraction(graph, numerator, sum, denominator)
 }
 
-/// r²/2 − s²: a sector of a disk is like the disk about the centre of the circle, which is s away
-/// from its centre of mass.
+/// Returns r²/2 − s². A sector of a disk is like the disk about the centre of the circle, at the
+/// distance s from its centre of mass.
 fn about_center(graph: &mut Graph, r: ExprId, s: ExprId) -> ExprId {
     let about_circle = sum_of_squares(graph, &[r], 1, 2);
     let square = graph.square(s);
@@ -339,8 +339,8 @@ fn sector_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     [graph.divide(scaled, x[1]), graph.number(0)]
 }
 
-/// A third of the sum of the corners (0, 0), (a, 0) and (p, q): p = (a² − b² + c²)/2a, and q = √(c²
-/// − p²) as by Heron.
+/// Returns a third of the sum of the corners (0, 0), (a, 0) and (p, q). By Heron, p = (a² − b² +
+/// c²)/2a and q = √(c² − p²).
 fn triangle_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
     let [a, b, c] = [x[0], x[1], x[2]];
     let [a2, b2, c2] = [a, b, c].map(|side| graph.square(side));

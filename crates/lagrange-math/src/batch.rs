@@ -141,7 +141,7 @@ pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]
 }
 
 /// Returns the boundaries between loops, so that compilers unroll short ones and vectorise long
-/// ones; without them an odd number of angles costs up to half as much again.
+/// ones. Without them an odd number of angles costs up to half as much again.
 const fn cuts(count: usize) -> [usize; 2] {
     if count < 4 { [0, count] } else { [count - count % 8, count - count % 2] }
 }

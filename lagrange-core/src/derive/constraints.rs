@@ -70,8 +70,9 @@ fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     values
 }
 
-/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0
-/// for constraints on velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
+/// Returns b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ +
+/// κ c = 0 for constraints on velocities. Source: Baumgarte, Comput. Methods Appl. Mech. Eng. 1
+/// (1972) 1–16.
 fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let (graph, stabilisation) = (&mut model.graph, model.stabilisation);

@@ -261,8 +261,8 @@ fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms)
     MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
-/// The elimination that constraints, contacts and friction have other right-hand sides for: that of
-/// the strategy taken or, if it has none, that of the mass matrix.
+/// Returns the elimination for the right-hand sides of constraints, contacts and friction. It is
+/// that of the chosen strategy or, if it has none, that of the mass matrix.
 fn kept_elimination(
     model: &mut Model,
     forms: &mut Forms,

@@ -21,9 +21,9 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does
-/// to itself cancels, but the number of coefficients grows as its square, and with it what they
-/// share when they stay closed.
+/// Most unknowns for which coefficients are multiplied out as a trial. The effects of a coordinate
+/// on itself cancel. However, the number of coefficients grows as its square, and so does the
+/// number of parts that they share when they stay closed.
 const MAX_MULTIPLIED_OUT: usize = 4;
 /// Number of expressions up to which they are: the trial multiplies out everything and factorises
 /// two matrices.
@@ -103,8 +103,8 @@ impl VelocityForm {
     }
 }
 
-/// Removes couplings that vanish without showing it, as between polar coordinates that were written
-/// down by way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
+/// Removes couplings that vanish without showing it: r sin θ cos θ − r cos θ sin θ. They occur
+/// between polar coordinates that were defined by Cartesian ones.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
     let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
     let above_diagonal = |(n, &i): (usize, &ExprId)| {

@@ -46,8 +46,8 @@ pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
     functions::apply(graph, Function::Max, &[a, b])
 }
 
-/// True if an expression is taken to have one sign where a system is regular: parameters are
-/// positive, even powers do not vanish, and where one term of a sum has a sign the others do not
+/// True if an expression is assumed to have one sign where a system is regular. Parameters are
+/// positive, and even powers do not vanish. If one term of a sum has a sign, the others do not
 /// outweigh it.
 fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
     let mut known: HashMap<ExprId, bool> = HashMap::default();

@@ -19,7 +19,7 @@ use lagrange_algebra::calculus::{AccelerationTerms, jacobian, substitute_all};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a
+/// Above this many coordinates only the way is tried that is known to be cheaper there. A
 /// factorised full matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
 
@@ -34,8 +34,8 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in
-    /// it that does not cancel in the accelerations, and under constraints, since r holds no
+    /// Prepares the ways to try. Under `strict` that is the first way, since nothing cancels in it
+    /// that does not cancel in the accelerations. Under constraints it is, too, since r has no
     /// multipliers.
     pub(super) fn new(
         model: &mut Model,

@@ -108,8 +108,8 @@ fn component(
     (first.0 != second.0).then_some(found)
 }
 
-/// u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ are α x₁ and β x₂ turned if α γ = −β δ, u' being β
-/// δ times the second component.
+/// Returns the turned pair of u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ if α γ = −β δ. It turns
+/// α x₁ and β x₂, and u' is β δ times its second component.
 fn pair(one: &Component, other: &Component) -> Option<TurnedPair> {
     let [alpha, beta] = [one.along.1, one.across.1];
     let [delta, gamma] = [other.along.1, other.across.1];

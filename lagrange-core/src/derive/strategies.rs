@@ -16,8 +16,8 @@ use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::ExprId;
 
-/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of
-/// writing the factorisation down would be all that the trial finds.
+/// Above this many coordinates a full mass matrix is not factorised as a trial. The cubic cost of
+/// writing the factorisation down would be the only result of the trial.
 const LARGEST_TRIAL: usize = 40;
 
 /// True if the mass matrix is too large to be factorised on trial, and full as far as it is.
@@ -123,9 +123,8 @@ impl Candidates<'_> {
     }
 
     /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise
-    /// squares come first; where they lead nowhere, the mass matrix if what cancels in it can be
-    /// looked for, and elimination body by body if it is too large for that: this adds up less
-    /// before it subtracts.
+    /// squares come first. If they fail, the mass matrix is used if its cancellations can be found.
+    /// If it is too large for that, elimination body by body adds up less before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
         let velocities = self.model.velocities();
         let pushed = self.forms.pushed(self.model);

@@ -66,8 +66,8 @@ pub(super) enum Rotations {
     /// inertia of composite bodies keeps its shape, which is cheapest where all velocities are
     /// eliminated at the end.
     InTurn,
-    /// They are substituted together when nothing else is left, so that what a joint alone moves is
-    /// eliminated in the axes of its body, before these are turned.
+    /// They are substituted together when nothing else is left. The inertia that only a joint moves
+    /// is thus eliminated in the axes of its body, before these are turned.
     Last,
     /// They are sums like any other.
     Split,
@@ -148,8 +148,8 @@ impl Sweep {
         }
     }
 
-    /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the
-    /// one between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
+    /// Writes a multiple of a multiple as a multiple of its base, if nothing else needs the one
+    /// between. Thus `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` often exists already.
     fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
         let is_head = heads.iter().copied().collect::<HashSet<_>>();
         for id in self.ids() {

@@ -120,9 +120,9 @@ fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: 
     }
 }
 
-/// Moments and products of inertia are those of a body if no principal moment exceeds the sum of
-/// the others, which also makes them positive: then the second moments ½ (tr J) 1 − J of the mass
-/// have no negative eigenvalue.
+/// Moments and products of inertia are physical if no principal moment exceeds the sum of the
+/// others, which also makes them positive. The second moments ½ (tr J) 1 − J of the mass then have
+/// no negative eigenvalue.
 fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId; 6]) {
     let components = tensor.map(|syntax| scalar(elaborator, syntax));
     let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));

@@ -81,7 +81,7 @@ fn error(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     quote!(#conditions #error)
 }
 
-/// The error covers everything from the first to the last token of its origin: the compiler takes
+/// The error covers everything from the first to the last token of its origin. The compiler takes
 /// the span of the invocation from its first and last tokens.
 fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let start = quote_spanned!(origin.start=> ::core::compile_error!);

@@ -264,9 +264,9 @@ impl NumericSystem {
         [found, growth]
     }
 
-    /// Accelerations and multipliers from the undivided equations; by elimination all the same
-    /// where there are none, and where these have no solution although no pivot was to vanish: some
-    /// accelerations may be finite.
+    /// Computes accelerations and multipliers from the undivided equations. Without such equations,
+    /// they follow from elimination all the same. So they do where the equations have no solution
+    /// although no pivot was to vanish: some accelerations may be finite.
     fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
         let (n, values) = (self.size[1], self.run(&self.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };

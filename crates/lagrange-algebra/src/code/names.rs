@@ -118,8 +118,8 @@ fn sanitise(name: &str) -> String {
     name
 }
 
-/// True if a name is spelt like a constant or a unit struct: with one of them in scope, the
-/// variable of that name would be taken for it, since hygiene does not cover constants.
+/// True if a name is spelt like a constant or a unit struct. A variable of that name would be taken
+/// for one in scope, since hygiene does not cover constants.
 fn may_be_constant(name: &str) -> bool {
     let is_type = name.starts_with(char::is_uppercase) && !name.contains('_');
     is_type || (name.contains(char::is_uppercase) && !name.contains(char::is_lowercase))

@@ -136,7 +136,7 @@ impl Balance {
         (grade.abs() <= Number::ONE && !divisor.is_one()).then_some(divisor)
     }
 
-    /// True if no factor need be there to divide the sum by: it is divided by itself, or a product
+    /// True if the sum has a divisor without further factors: it is divided by itself, or a product
     /// of masses is divided by it.
     fn needs_unit(&mut self, graph: &Graph, exponent: &Number, others: &Monomial) -> bool {
         let (below, _) = others.split(|_, power| power.is_negative());

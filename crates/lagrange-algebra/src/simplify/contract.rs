@@ -197,8 +197,10 @@ fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
     Some(WaveProduct { coefficient, waves: common })
 }
 
-/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2
-/// and (a − b)/2.
+/// Turns a sum into a product of functions of (a + b)/2 and (a − b)/2, by these identities:
+/// - cos a + cos b = 2 cos cos;
+/// - cos a − cos b = −2 sin sin;
+/// - sin a ± sin b = 2 sin cos.
 fn sum_to_product(
     x: &Wave,
     y: &Wave,

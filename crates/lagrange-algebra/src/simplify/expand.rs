@@ -209,8 +209,8 @@ impl Expander {
     }
 }
 
-/// True if a sum takes the difference of symbols or of products of symbols, as a spring does of its
-/// length and its length at rest. Multiplied out, it would round where the difference of near
+/// True if a sum contains a difference of symbols or of products of symbols, such as the length of
+/// a spring and its rest length. Multiplied out, it would round where the difference of near
 /// numbers is exact.
 pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
     let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));

@@ -67,8 +67,8 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     simplified.is_some_and(|polynomial| polynomial.is_zero())
 }
 
-/// True if the value at a point without symmetries differs from zero by more than rounding: most
-/// expressions that are asked about do, and seeing that is much cheaper than multiplying out.
+/// True if the value at a point without symmetries differs from zero by more than rounding. Most
+/// expressions do, and this test is much cheaper than multiplying out.
 fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
     let value = evaluate(graph, &[expr], |role| {
         let (kind, index) = match role {

@@ -11,8 +11,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Multiple of an angle up to which it is written in sine and cosine of the angle, n + 1 terms for
-/// both; higher multiples are angles of their own.
+/// Largest multiple of an angle that is written in sine and cosine of the angle, n + 1 terms for
+/// both. Higher multiples are separate angles.
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.

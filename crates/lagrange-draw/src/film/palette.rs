@@ -95,8 +95,8 @@ impl Palette {
         index
     }
 
-    /// The first of the nearest colours. They are sorted by red, so that the search goes on from
-    /// both sides of that of the colour until the reds alone are further apart than the best.
+    /// The first of the nearest colours. They are sorted by red. The search continues from both
+    /// sides of the red of the colour until the reds alone are further apart than the best.
     fn nearest(&self, colour: Rgb) -> usize {
         let red = self.colours.partition_point(|other| other[0] < colour[0]);
         let mut best = (u32::MAX, 0);

@@ -146,8 +146,8 @@ impl<'a> Model<'a> {
         self.nodes.push(format!("{{\"name\":{name},\"mesh\":{}}}", self.meshes.len() - 1));
     }
 
-    /// A field of the next node with its first value, and a channel if it changes; nothing if it is
-    /// what it is without being told.
+    /// Writes a field of the next node with its first value, and a channel if it changes. Writes
+    /// nothing for the default value.
     fn animated<const N: usize>(&mut self, path: &str, values: &[[f64; N]], default: [f64; N]) -> String {
         let Some(first) = values.first().filter(|_| *values != [default]) else { return String::new() };
         if values.len() > 1 {

@@ -81,12 +81,12 @@ impl Placement {
     }
 }
 
-/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but
-/// where they are its outline: cos 33°, for balls of few faces.
+/// Cosine of the largest angle, 33°, at which edges between faces of a smooth surface are not
+/// drawn, for balls of few faces. Edges of its outline always are.
 const SMOOTH: f64 = 0.84;
 
-/// The edges of a mesh: for each face and each of its sides which face is behind it, and whether
-/// the surface has a corner there.
+/// The edges of a mesh. Each side of each face has the face behind it, and is a corner of the
+/// surface or not.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Edges {
     sides: Vec<Vec<Neighbour>>,

@@ -56,9 +56,9 @@ impl Outside {
     }
 }
 
-/// Coefficients, of ascending powers of the distance from where a piece begins, of the polynomials
-/// before the first knot, between two of them, and behind the last. The first one counts from the
-/// first knot.
+/// Computes coefficients of ascending powers of the distance from the start of a piece. The
+/// polynomials are those before the first knot, between two of them, and behind the last. The first
+/// one counts from the first knot.
 pub(super) fn pieces(
     knots: &[f64],
     values: &[f64],
@@ -109,9 +109,9 @@ fn end_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     secants.into_iter().chain([last]).collect()
 }
 
-/// Slopes of which the cubics between the points are monotone where the points are: means of the
-/// secants on both sides, zero where the points turn, and made smaller where they lie outside the
-/// circle α² + β² = 9.
+/// Returns slopes for which the cubics between the points are monotone where the points are. They
+/// are means of the secants on both sides, zero where the points turn, and reduced where they lie
+/// outside the circle α² + β² = 9.
 fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len() - 1;

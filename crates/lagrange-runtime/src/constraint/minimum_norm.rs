@@ -274,8 +274,8 @@ fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
     })
 }
 
-/// The shortest x for which the columns of the factors, in the amounts x / `scales`, add up to what
-/// has these components in the directions of the independent columns.
+/// Returns the shortest x for which the columns of the factors, in the amounts x / `scales`, add up
+/// to a vector. The vector has these components in the directions of the independent columns.
 fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
     factors: &OrthogonalFactors<S, ROWS, COLUMNS>,
     components: &[S; ROWS],

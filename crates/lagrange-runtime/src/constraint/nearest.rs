@@ -91,9 +91,9 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         self.system.displacement(self.t, q, self.from)
     }
 
-    /// The step along a direction at whose end the distance hardly falls any more; if there is
-    /// none, because the way back onto the constraints leads elsewhere, the longest one found that
-    /// leads nearer.
+    /// Returns the step along a direction at whose end the distance hardly falls any more. If the
+    /// way back onto the constraints leads elsewhere, it is the longest known step that leads
+    /// nearer.
     fn step(
         &self,
         start: &PointOf<M>,
@@ -176,8 +176,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 }
 
-/// The length at which the slope would vanish if it were linear between two that are known, or
-/// beyond them if it is not negative yet.
+/// Returns the length at which the slope would vanish if it were linear between two known ones. It
+/// lies beyond them if the slope is not negative yet.
 fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let Some((long, rises)) = long else {
         return S::from_f64(STRETCH) * short;

@@ -244,8 +244,8 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     newton(system, t, v, step, most).map(|found| *q = found).is_some()
 }
 
-/// True if a correction is out of proportion to what it is to remove, which is next to nothing:
-/// constraints are on the point of depending on each other, and what is left is better left alone.
+/// True if a correction is out of proportion to the residual, which is next to nothing. Constraints
+/// are then about to depend on each other, and the rest is better ignored.
 #[inline]
 fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
     let part = part();

@@ -55,8 +55,8 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
     }
 
     /// All data kept of it: samples, if requested, events, and observed columns. For a motion that
-    /// was computed [in lanes](super::Ensemble::is_in_lanes), the trajectory is built on request, with
-    /// at least the start and the end as samples.
+    /// was computed [in lanes](super::Ensemble::is_in_lanes), the trajectory is built on request,
+    /// with at least the start and the end as samples.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         self.trajectory
     }

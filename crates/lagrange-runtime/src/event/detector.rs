@@ -49,9 +49,10 @@ pub struct Detector<S, const K: usize> {
     /// True if the last event came before its function had got away from zero by more than
     /// rounding.
     is_noise: bool,
-    /// True if one of the functions had an event since then, and whether one had it that led there:
-    /// the functions of others may have had it.
+    /// True if one of these functions had an event since the last restart.
     has_fired: bool,
+    /// True if one of these functions had the event that led to the last restart; functions of
+    /// other detectors may have had it.
     was_fired: bool,
 }
 
@@ -308,9 +309,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
     }
 
-    /// Places at which the function has this sign and the other one, between these times or, if it
-    /// is only taken to have the first, from the start on; `None` if it does not have the other one
-    /// at the end.
+    /// Returns places at which the function has this sign and the other one, between these times.
+    /// If it is only assumed to have the first, they are from the start on. `None` if it does not
+    /// have the other one at the end.
     fn bracket(
         &self,
         (from, to): (S, S),
@@ -346,9 +347,10 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(())
     }
 
-    /// Between the start and `t`, where a function that counted as of this sign at the start has
-    /// the other one: the latest place at which it was found to have it and the place after it,
-    /// halving the time from the start. If it never had, it passed zero at the start.
+    /// Locates a change between the start and `t` for a function that counted as of this sign at
+    /// the start and has the other one. Halves the time from the start. The result is the latest
+    /// place at which it had the sign and the place after it. If it never had, it passed zero at
+    /// the start.
     fn hop(
         &self,
         ((mut t, mut found), sign): (Sample<S>, S),
@@ -387,8 +389,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self.search = Search::new(t, t);
     }
 
-    /// Goes on from the place that was reached, where the functions jumped to these values: a zero
-    /// that one of them passed by that is an event there.
+    /// Continues from the place that was reached, where the functions jumped to these values. Zeros
+    /// that they passed in doing so are events there.
     pub(crate) fn jump(&mut self, values: [S; K]) {
         self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
     }

@@ -46,9 +46,9 @@ impl<S: Number> Clock<S> {
     /// Goes on by one step, or to `limit` if that is not farther, as well as times are spaced;
     /// returns how far that is.
     ///
-    /// With less than a rounding of the limit to go behind it a step ends there. Otherwise its end
-    /// might be rounded to the limit before all of the way is gone, or a step be left that is
-    /// nothing but rounding.
+    /// If less than a rounding of the limit would remain behind it, a step ends there. Otherwise
+    /// its end might be rounded to the limit too early, or a step might remain that is nothing but
+    /// rounding.
     #[inline(always)]
     pub(super) fn advance(&mut self, limit: S) -> S {
         let (left, length) = ((limit - self.time) - self.remainder, self.step.abs());

@@ -46,8 +46,8 @@ pub(super) struct Motion<Q> {
 /// Interpolates the change of coordinates, and the velocities, by quintic Hermite polynomials. The
 /// errors are O(h⁶) and O(h⁵).
 ///
-/// The velocity is the cubic that has the right values and rates at the ends, and κ s² (1 − s)²,
-/// which makes its integral the change of the coordinates.
+/// The velocity is the cubic with the right values and rates at the ends, plus κ s² (1 − s)². The
+/// latter makes its integral the change of the coordinates.
 #[inline(always)]
 pub(super) fn quintic<S: Number, Q: StateVector<S>>(Place { h, s }: Place<S>, motion: &Motion<Q>) -> (Q, Q) {
     let number = S::from_f64;

@@ -162,8 +162,8 @@ fn longest_bearable<M: OdeSystem + ?Sized>(
     M::Scalar::from_f64(STABLE) / largest_eigenvalue(|y| system.rhs(*t, y), y, *change, direction)
 }
 
-/// True if a step with these stages may be too long for a fast component: k₃ − k₂ is (h/2)² J² k₁
-/// with the Jacobian J, up to higher powers of h.
+/// True if a step with these stages may be too long for a fast component. Up to higher powers of h,
+/// k₃ − k₂ is (h/2)² J² k₁ with the Jacobian J.
 #[inline(always)]
 fn hints_at_instability<S: Number, Y: StateVector<S>>(stages: &RungeKuttaStages<Y>) -> S::Mask {
     let hint = S::from_f64(STABLE * STABLE / 4.0) * l1_norm(&stages.k1);

@@ -133,8 +133,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// A restart at `at` on the way from `t`, with so many roundings of time on both sides of it,
-    /// if there is room for steps, too.
+    /// Returns a restart at `at` on the way from `t`, with this many roundings of time on both
+    /// sides. `None` without room for steps, too.
     fn between(&self, t: S, at: S, roundings: Roundings) -> Option<Restart<S>> {
         let rounding = roundings.part::<S>() * t.abs().max(at.abs());
         let gap = if self.is_backwards { -rounding } else { rounding };

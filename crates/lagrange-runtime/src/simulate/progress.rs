@@ -47,8 +47,8 @@ impl Verdict for ControlFlow<()> {
     }
 }
 
-/// A callback, called when another part of the time is done, and more and more seldom if it is not:
-/// a run that gets nowhere can be cancelled, too.
+/// A callback, called when another part of the time is done, and more and more rarely if it is not.
+/// A run without progress can therefore be cancelled, too.
 pub(super) struct Reporter<'a, S> {
     callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
     /// Parts of the time whose end was reported.

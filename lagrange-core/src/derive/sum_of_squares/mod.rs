@@ -338,8 +338,8 @@ impl<'g> SquareElimination<'g> {
         }
     }
 
-    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the
-    /// length of a rod, so that it no longer occurs in them.
+    /// Measures the unknown in units of the common factor of the slopes of its carriers, such as
+    /// the length of a rod. The factor then no longer occurs in them.
     fn rescale(
         &mut self,
         expansions: &mut OrderedMap<ExprId, AffineExpansion>,

@@ -36,8 +36,8 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
 /// Squares times variables up to which they are rotated one after the other. Every rotation may
-/// fill in all variables, so that many squares of many variables cost far more than the mass matrix
-/// that they add up to.
+/// fill in all variables. Many squares of many variables therefore cost far more than the mass
+/// matrix that they add up to.
 const LARGEST_ROTATION: usize = 1000;
 
 /// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.

@@ -43,8 +43,8 @@ const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
-/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep
-/// them short; `None` if even that would be too long to read.
+/// Returns M q̈ = f as text, one line for each coordinate. Definitions of abbreviations that keep
+/// the lines short come first. `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
     if model.speeds.len() > MAX_COORDINATES {
         return None;

@@ -203,8 +203,8 @@ fn pinned<'v>(
     is_pinned(full.position_of(&full.velocities[velocity])?).map(|_| None)
 }
 
-/// A body that computes values and puts them into a state of the whole system; `fields` gets the
-/// state, the values that are not zero, and zero.
+/// Returns a body that computes values and puts them into a state of the whole system. `fields`
+/// gets the state, the values that are not zero, and zero.
 fn with_values(
     part: &Shape<'_>,
     reduced: &Reduced,

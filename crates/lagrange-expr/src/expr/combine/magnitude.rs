@@ -87,9 +87,8 @@ impl Graph {
         self.product(parts)
     }
 
-    /// A sum whose first coefficient is positive and whose coefficients, if they are integers, have
-    /// no common divisor: −2 x + 4 y = −2 (x − 2 y). Other coefficients are left as they were
-    /// written, but for the sign.
+    /// Returns a sum whose first coefficient is positive. Its coefficients, if they are integers,
+    /// have no common divisor: −2 x + 4 y = −2 (x − 2 y). Other coefficients keep their magnitudes.
     fn primitive(&mut self, id: ExprId) -> (Number, ExprId) {
         let Node::Sum { constant, terms } = self.node(id).clone() else { return (Number::ONE, id) };
         let Some((_, first)) = terms.first() else { return (Number::ONE, id) };

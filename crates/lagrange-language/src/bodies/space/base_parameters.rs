@@ -161,8 +161,8 @@ impl InertialParameters {
         InertialParameters { mass: self.mass, moment, tensor: symmetric(|row, column| tensor[row][column]) }
     }
 
-    /// About the origin of a frame with the same axes in which the origin here is at a place p: h′ =
-    /// h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
+    /// Returns the parameters about the origin of a frame with the same axes, in which the origin
+    /// here is at a place p. They are h′ = h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
     fn seen_from(self, terms: &mut TermWriter<'_>, place: [Quantity; 3]) -> InertialParameters {
         let InertialParameters { mass, moment: h, tensor } = self;
         let moment = each(|axis| {

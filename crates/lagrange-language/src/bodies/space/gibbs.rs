@@ -163,9 +163,9 @@ fn gibbs_of_frame(
     }
 }
 
-/// ½ α·J α + α·(ω × J ω) by components. With x, y, z in cyclic order the moments add ½ J_zz α_z² +
-/// (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² −
-/// ω_y²) α_z, but for terms without accelerations.
+/// ½ α·J α + α·(ω × J ω) by components. Take x, y, z in cyclic order and omit terms without
+/// accelerations. The moments add ½ J_zz α_z² + (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy
+/// (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² − ω_y²) α_z.
 fn rotational_parts(
     terms: &mut TermWriter<'_>,
     tensor: Tensor,

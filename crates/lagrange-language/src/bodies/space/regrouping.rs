@@ -130,8 +130,9 @@ fn regrouping_steps(
     })
 }
 
-/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame
-/// before, whose axes do not turn with it: there it is the same in all directions.
+/// Returns all parameters in the last frame of a path. The mass of a part that turns in any
+/// direction is in the frame before, whose axes do not turn with it. There it is the same in all
+/// directions.
 fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> {
     let mut kept = vec![InertialParameters::NONE; path.steps.len().max(1)];
     if let [.., before, _] = &mut kept[..]

@@ -121,8 +121,8 @@ fn say(file: &mut File, path: &Path) -> io::Result<()> {
     written
 }
 
-/// True if the process that calls itself like this is gone, since this one could take its lock: it
-/// never said who it is, or it ran on this machine, which keeps locks.
+/// True if the process of this name is gone, given that this one could take its lock. Either it is
+/// unnamed, or it ran on this machine, which keeps locks.
 fn is_gone(holder: &str) -> bool {
     let boot = |text: &str| Some(text.split_once(BOOT)?.1.split_once(';')?.0.to_string());
     let this = this();
@@ -131,8 +131,8 @@ fn is_gone(holder: &str) -> bool {
 
 const BOOT: &str = " (boot ";
 
-/// Returns the name of this process in lock files: its number and machine and, where known, the
-/// boot time of the machine, its PID namespace and its start time there.
+/// Returns the name of this process in lock files. It has its number and machine and, where known,
+/// the boot time of the machine, its PID namespace and its start time there.
 fn this() -> String {
     let read = |path| fs::read_to_string(path).unwrap_or_default().trim().to_string();
     let [name, boot] = ["/proc/sys/kernel/hostname", "/proc/sys/kernel/random/boot_id"].map(read);

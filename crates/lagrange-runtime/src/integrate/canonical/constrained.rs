@@ -25,8 +25,8 @@ use crate::system::{
 
 type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// The velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there; the length
-/// `h` of the step that led here tells which velocities are small.
+/// Computes the velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there. The
+/// length `h` of the step to here determines which velocities are small.
 pub(in crate::integrate) fn constrained_velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

@@ -95,8 +95,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         Ok(join::<M>(&q, &v))
     }
 
-    /// The force Aᵀμ that constraints add to the momenta at the end of a step, so that they admit
-    /// the velocities, from a guess of these.
+    /// Computes the force Aᵀμ that constraints add to the momenta at the end of a step, from a
+    /// guess. It makes the velocities admissible.
     pub(super) fn hold(
         &mut self,
         system: &M,
@@ -169,8 +169,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
     }
 }
 
-/// The magnitude of slopes and of those that would move `from` by itself or by one within a step of
-/// the length `h`: in floating point it makes no difference to change them by their rounding.
+/// Returns the magnitude of slopes, and of those that would move `from` by itself or by one within
+/// a step of the length `h`. In floating point, changing them by their rounding has no effect.
 pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h: S) -> Y {
     for (slope, from) in slopes.as_mut().iter_mut().zip(from.as_ref()) {
         *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();

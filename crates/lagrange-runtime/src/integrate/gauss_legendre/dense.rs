@@ -88,9 +88,9 @@ fn fifth_order<M: OdeSystem + ?Sized>(
     integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
 }
 
-/// Coordinates by the quintic through states and accelerations at the ends; velocities from those
-/// and from the accelerations at two places between, to which the quintic leads. The error is
-/// O(h⁶).
+/// Coordinates follow the quintic through states and accelerations at the ends. Velocities follow
+/// from those and from the accelerations at two places between, to which the quintic leads. The
+/// error is O(h⁶).
 fn sixth_order<M: CanonicalSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,

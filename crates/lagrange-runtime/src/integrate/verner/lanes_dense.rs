@@ -67,8 +67,8 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
         Span { t: self.clock.time(), y: *self.state.value(), h }
     }
 
-    /// Finds the rates that the interpolant needs, given those of the stages, and by how much the
-    /// interpolant is less accurate than it may be, for which one is just enough.
+    /// Finds the rates that the interpolant needs, given those of the stages. Also finds by how
+    /// much it is less accurate than it may be, where one is just enough.
     #[inline(always)]
     pub(super) fn complete<E: Equations<S, State = Y>>(
         &mut self,
