@@ -27,7 +27,7 @@ pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use system::{Derived, System, parse, parse_with};
 
-/// The macro: everything emitted for a declaration, mistakes included.
+/// Expands the macro: writes everything emitted for a declaration, including mistakes.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     expand_with(tokens, krate, &no_files)
 }

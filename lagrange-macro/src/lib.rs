@@ -11,7 +11,8 @@ use std::path::PathBuf;
 use lagrange_core::tables::FileText;
 use proc_macro2::{TokenStream, TokenTree};
 
-/// `system! { (path of the crate lagrange) declaration }`, as written by `lagrange::system!`.
+/// Expands `system! { (path of the crate lagrange) declaration }`, as written by
+/// `lagrange::system!`.
 #[proc_macro]
 pub fn system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let mut tokens = TokenStream::from(input).into_iter();

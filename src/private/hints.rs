@@ -125,7 +125,7 @@ pub trait HasDefault {}
 
 /// The name of that value.
 pub trait DefaultValue: Sized {
-    /// Never called.
+    /// Cannot be called.
     fn default() {}
 }
 

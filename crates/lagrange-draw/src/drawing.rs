@@ -258,7 +258,7 @@ where
     /// Draws pictures at several times and states, with one window and one scale of arrows.
     ///
     /// # Errors
-    /// Those of [`picture`](Self::picture).
+    /// As for [`picture`](Self::picture).
     pub fn pictures(
         &self,
         states: impl IntoIterator<Item = (M::Scalar, M::State)>,

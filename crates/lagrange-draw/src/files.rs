@@ -9,7 +9,7 @@ use crate::svg;
 use lagrange_files::save_bytes;
 
 impl Picture {
-    /// The picture as an SVG document.
+    /// Returns the picture as an SVG document.
     pub fn svg(&self) -> String {
         svg::document(self)
     }

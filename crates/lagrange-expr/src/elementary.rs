@@ -404,12 +404,12 @@ pub fn row(function: Function) -> &'static Row {
     &ROWS[function as usize]
 }
 
-/// The function of that name in the language.
+/// Returns the function of that name in the language.
 pub fn by_name(name: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.name == name)
 }
 
-/// `a * b + c`, rounded once where emitted code rounds once.
+/// Returns `a * b + c`, rounded once where emitted code rounds once.
 pub fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }

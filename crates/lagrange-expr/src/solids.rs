@@ -63,7 +63,7 @@ impl Dimensions {
         }
     }
 
-    /// Spelling in a call.
+    /// Returns the spelling in a call.
     pub fn written(self) -> String {
         match self {
             Dimensions::Scalars(names) => names.join(", "),
@@ -73,12 +73,12 @@ impl Dimensions {
 }
 
 impl Solid {
-    /// Spelling as a shape: `rectangle(a, b)`.
+    /// Returns the spelling as a shape: `rectangle(a, b)`.
     pub fn shape_usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.written())
     }
 
-    /// Call of its moment of inertia: `rectangle(m, a, b)`.
+    /// Returns the call of its moment of inertia: `rectangle(m, a, b)`.
     pub fn inertia_usage(&self) -> String {
         match self.dimensions {
             Dimensions::Scalars([]) => format!("{}(m)", self.name),
@@ -86,12 +86,12 @@ impl Solid {
         }
     }
 
-    /// Call of its centre of mass: `triangle_center(a, b, c)`.
+    /// Returns the call of its centre of mass: `triangle_center(a, b, c)`.
     pub fn center_usage(&self) -> String {
         format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
     }
 
-    /// The name of the function that gives its centre of mass, if that is not the origin:
+    /// Returns the name of the function for its centre of mass, if that is not the origin:
     /// `triangle_center`.
     pub fn center_function(&self) -> Option<String> {
         self.centroid.map(|_| format!("{}{CENTER_SUFFIX}", self.name))
@@ -101,17 +101,17 @@ impl Solid {
 /// Suffix that makes the name of a solid that of the function of its centre of mass.
 const CENTER_SUFFIX: &str = "_center";
 
-/// The solid of a name.
+/// Returns the solid of this name.
 pub fn by_name(name: &str) -> Option<&'static Solid> {
     SOLIDS.iter().find(|solid| solid.name == name)
 }
 
-/// The solid whose centre of mass a function of this name gives.
+/// Returns the solid whose centre of mass is a function of this name.
 pub fn by_center_function(name: &str) -> Option<&'static Solid> {
     by_name(name.strip_suffix(CENTER_SUFFIX)?).filter(|solid| solid.centroid.is_some())
 }
 
-/// The name of a solid that was probably meant.
+/// Returns the name of a solid that was probably meant.
 pub fn nearest(name: &str) -> Option<&'static str> {
     diagnostics::nearest(name, SOLIDS.iter().map(|solid| solid.name))
 }

@@ -23,7 +23,7 @@ pub const UNFINISHED: &str = ".unfinished";
 /// operating system says.
 ///
 /// # Errors
-/// Those of `write`, and what the operating system says.
+/// If `write` fails, or the operating system cannot write the file.
 pub fn save<T, E>(
     path: &Path,
     wrong: impl Fn(io::Error) -> E,
@@ -43,7 +43,7 @@ pub fn save<T, E>(
 /// Saves these bytes, as [`save`] does.
 ///
 /// # Errors
-/// What the operating system says.
+/// If the operating system cannot write the file.
 pub fn save_bytes(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     save(path, |error| error, |mut file| file.write_all(bytes.as_ref()))
 }

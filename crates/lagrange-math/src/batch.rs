@@ -8,7 +8,7 @@ use crate::precise;
 /// integers.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
-/// The sine and the cosine of each angle, in radians.
+/// Computes the sine and the cosine of each angle, in radians.
 ///
 /// The error is below 0.9 units in the last place for angles of any size, whether or not products
 /// are fused. The result for an angle does not depend on the other angles. It is the same on every
@@ -54,7 +54,7 @@ pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) ->
 /// Computes all sines and all cosines of the angles without fused products. The error is below 0.55
 /// units in the last place for angles of any size.
 ///
-/// What comes of an angle has the same bits on every platform and does not depend on the other
+/// The result for an angle has the same bits on every platform and does not depend on the other
 /// angles. Zeros keep their sign; infinity and NaN give NaN.
 ///
 /// ```
@@ -124,7 +124,8 @@ pub fn sin_cos_each_f32<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
     sin_cos_each(angles.map(f64::from)).map(|(sine, cosine)| (sine as f32, cosine as f32))
 }
 
-/// [`sines_and_cosines`] in single precision, with results and errors of [`sin_cos_each_f32`].
+/// Computes [`sines_and_cosines`] in single precision, with results and errors of
+/// [`sin_cos_each_f32`].
 #[inline(always)]
 #[must_use]
 pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {

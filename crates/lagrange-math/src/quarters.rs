@@ -32,7 +32,8 @@ const TWO_OVER_PI: [u64; 24] = [
     0x0606_1556_ca73_a8c9,
 ];
 
-/// A finite angle in quarter turns modulo four: two bits before the point, all others behind it.
+/// Returns a finite angle in quarter turns modulo four: two bits before the point, all others
+/// behind it.
 ///
 /// Negative numbers are in two's complement. The error is below 2⁵⁵ in the last place.
 ///

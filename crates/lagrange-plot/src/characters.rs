@@ -20,7 +20,7 @@ fn is_noncharacter(character: char) -> bool {
     code & 0xfffe == 0xfffe || (0xfdd0..=0xfdef).contains(&code)
 }
 
-/// The text in XML or HTML, where nothing in it is taken for a tag.
+/// Escapes a text for XML or HTML, so that nothing in it is taken for a tag.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in shown(text) {

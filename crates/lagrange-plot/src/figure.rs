@@ -34,8 +34,8 @@ pub struct Figure {
 const POINTS_A_PIXEL: u32 = 5;
 
 impl Figure {
-    /// A figure of one panel, so large that each of its cells has a whole number of pixels in a PNG
-    /// file.
+    /// Creates a figure of one panel, so large that each of its cells has a whole number of pixels
+    /// in a PNG file.
     pub fn of_cells(panel: Panel) -> Figure {
         let size = panel.size_of_cells(FINENESS / POINTS_A_PIXEL);
         Figure { panels: vec![panel], columns: 1, size }
@@ -60,7 +60,7 @@ impl Figure {
         }
     }
 
-    /// The figure as SVG.
+    /// Returns the figure as SVG.
     ///
     /// # Errors
     /// If an image cannot be encoded.

@@ -53,7 +53,7 @@ impl Pixels {
         self.pixmap.height()
     }
 
-    /// Red, green, blue and opacity of each pixel, in rows from the top.
+    /// Returns red, green, blue and opacity of each pixel, in rows from the top.
     pub fn rgba(&self) -> &[u8] {
         self.pixmap.data()
     }
@@ -99,7 +99,7 @@ impl Pixels {
     /// Writes the picture as PNG.
     ///
     /// # Errors
-    /// What the file says.
+    /// If the file cannot be written.
     pub fn save(&self, file: &mut impl Write) -> io::Result<()> {
         let mut encoder = png::Encoder::new(&mut *file, self.width(), self.height());
         encoder.set_color(png::ColorType::Rgb);

@@ -6,7 +6,7 @@
 //! the polar second moment of its area. [`steiner`] shifts it to a parallel axis; [`MassGeometry`]
 //! combines parts and holes to bodies.
 //!
-//! Where the centre of mass is not obvious a function ending in `_center` tells it in the body's
+//! If the centre of mass is not obvious, a function ending in `_center` returns it in the body's
 //! own coordinates, those of [`Outline`](crate::scene::Outline). The language of `system!` has the
 //! same functions.
 //!

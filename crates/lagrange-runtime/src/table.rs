@@ -107,13 +107,13 @@ pub struct Curve<const N: usize> {
 }
 
 impl<const N: usize> Curve<N> {
-    /// The value; NaN for NaN.
+    /// Computes the value; NaN for NaN.
     #[inline]
     pub fn value<S: Number>(&self, x: S) -> S {
         self.derivative(0, x)
     }
 
-    /// The derivative of an order; NaN for NaN.
+    /// Computes the derivative of an order; NaN for NaN.
     #[inline]
     pub fn derivative<S: Number>(&self, order: usize, x: S) -> S {
         in_groups(|group| match self.axis.find(group, x) {
@@ -135,13 +135,13 @@ pub struct Surface<const N: usize> {
 }
 
 impl<const N: usize> Surface<N> {
-    /// The value; NaN where an argument is.
+    /// Computes the value; NaN where an argument is.
     #[inline]
     pub fn value<S: Number>(&self, x: S, y: S) -> S {
         self.derivative([0, 0], [x, y])
     }
 
-    /// The derivative of an order by each argument; NaN where an argument is.
+    /// Computes the derivative of an order by each argument; NaN where an argument is.
     #[inline]
     pub fn derivative<S: Number>(&self, [by_x, by_y]: [usize; 2], [x, y]: [S; 2]) -> S {
         let [along_x, along_y] = &self.axes;

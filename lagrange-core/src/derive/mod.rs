@@ -15,8 +15,8 @@
 //! − ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` holds what comes together at each
 //! pair of nodes and sums it when it is needed.
 //!
-//! Where such terms hold components that joints turn, brackets at the turned pairs take the place
-//! of those rates (`quasi_velocities`).
+//! If such terms hold components that joints turn, brackets at the turned pairs replace those rates
+//! (`quasi_velocities`).
 //!
 //! A Gibbs function (`gibbs_appell`) describes part of the Lagrangian by second derivatives and
 //! slopes in the accelerations. They stand at the velocities that are the principal parts of
@@ -139,8 +139,8 @@ pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
 
-/// The equations of a model. That there are none is reported at `place`, or at a coordinate that
-/// nothing determines.
+/// Derives the equations of a model. If there are none, this is reported at `place`, or at a
+/// coordinate that nothing determines.
 pub fn derive(
     declaration: &Declaration,
     place: Option<Span>,

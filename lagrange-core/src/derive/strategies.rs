@@ -65,13 +65,13 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
-    /// Message in the user's words, with the names of the coordinates that take part in a motion
-    /// without inertia.
+    /// Writes the message in the user's words, with the names of the coordinates that take part in
+    /// a motion without inertia.
     pub fn message(self, coordinates: &[&str]) -> String {
         messages::singular_mass_matrix(coordinates)
     }
 
-    /// Advice.
+    /// Returns advice.
     pub fn help(self) -> &'static str {
         messages::SINGULAR_HELP
     }

@@ -6,9 +6,10 @@ use quote::{quote, quote_spanned};
 use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Severity};
 
-/// A stable macro can report only warnings of the compiler. Errors are therefore `compile_error!`,
-/// unused names are unused variables, and slow compilation or doubtful declarations are uses of a
-/// deprecated item. Each mistake is one error; related places stand in its text.
+/// Writes diagnostics, although a stable macro can report only warnings of the compiler. Errors are
+/// therefore `compile_error!`, unused names are unused variables, and slow compilation or doubtful
+/// declarations are uses of a deprecated item. Each mistake is one error; related places stand in
+/// its text.
 ///
 /// `attributes` are those of the struct: their conditions hold here, too, and so do their lint
 /// levels.

@@ -296,7 +296,7 @@ impl ReactionKind {
 }
 
 impl Model {
-    /// The generalised velocities in state order.
+    /// Returns the generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
         self.speeds.iter().map(|speed| speed.velocity).collect()
     }
@@ -308,7 +308,7 @@ impl Model {
         unknowns
     }
 
-    /// The multipliers in the order of the constraints.
+    /// Returns the multipliers in the order of the constraints.
     pub fn multipliers(&self) -> Vec<ExprId> {
         self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
@@ -319,12 +319,12 @@ impl Model {
         speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
     }
 
-    /// The rates of the positions, functions of positions and velocities.
+    /// Returns the rates of the positions, functions of positions and velocities.
     pub fn position_rates(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
     }
 
-    /// The first-order states in their order.
+    /// Returns the first-order states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Coordinate> {
         self.coordinates.iter().filter(|coordinate| coordinate.is_state)
     }
@@ -334,7 +334,7 @@ impl Model {
         self.orientations.is_empty() && self.states().next().is_none()
     }
 
-    /// The positions in state order.
+    /// Returns the positions in state order.
     pub fn positions(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.position).collect()
     }

@@ -54,7 +54,7 @@ impl Degrees {
         }
     }
 
-    /// The degree of an expression that has been classified; free ones need not have been.
+    /// Returns the degree of an expression that has been classified; free ones need not have been.
     pub fn of(&self, graph: &Graph, id: ExprId) -> Degree {
         if !graph.dependencies(id).intersects(self.kinds) {
             return Degree::Free;
@@ -125,8 +125,8 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     known.get(&root).copied().flatten()
 }
 
-/// The degree of an expression as a polynomial in symbols of these kinds; `None` if it is none, or
-/// not plainly one.
+/// Returns the degree of an expression as a polynomial in symbols of these kinds; `None` if it is
+/// none, or not plainly one.
 pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
     let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();

@@ -46,17 +46,17 @@ impl Series {
         Series { parts, closed: graph.total(parts), order, varies: true }
     }
 
-    /// The degree of the polynomial.
+    /// Returns the degree of the polynomial.
     pub fn degree(&self, graph: &Graph) -> usize {
         (1..=HIGHEST).rev().find(|&degree| !graph.is_zero(self.parts[degree])).unwrap_or(0)
     }
 
-    /// The lowest degree in which the expression need not vanish.
+    /// Returns the lowest degree in which the expression need not vanish.
     pub fn valuation(&self, graph: &Graph) -> usize {
         (0..=self.order).find(|&degree| !vanishes(graph, self.parts[degree])).unwrap_or(self.order + 1)
     }
 
-    /// The parts up to a degree.
+    /// Returns the parts up to a degree.
     pub fn up_to(&self, graph: &mut Graph, degree: usize) -> ExprId {
         match self.degree(graph) <= degree {
             true => self.closed,
@@ -99,7 +99,7 @@ impl Expansion {
         self.deviations.insert(symbol, graph.subtract(symbol, value));
     }
 
-    /// The expansion of an expression, if it has one to an order of at most two.
+    /// Returns the expansion of an expression, if it has one to an order of at most two.
     pub fn of(&mut self, graph: &mut Graph, root: ExprId, order: usize) -> Option<Series> {
         self.value(graph, root);
         for id in graph.reachable_until(&[root], |id| self.series.contains(&id)) {

@@ -23,7 +23,7 @@ impl Grades {
         grades
     }
 
-    /// The grade of an expression that has been looked at; zero of others.
+    /// Returns the grade of an expression that has been visited; zero for others.
     pub fn grade(&self, id: ExprId) -> Number {
         self.0.get(&id).cloned().unwrap_or(Number::ZERO)
     }

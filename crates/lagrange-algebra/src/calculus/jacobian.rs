@@ -8,8 +8,8 @@ use lagrange_expr::number::Number;
 /// Derivatives of nodes by their operands, each found once.
 type Slopes = HashMap<ExprId, Vec<(ExprId, ExprId)>>;
 
-/// ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which are
-/// symbols.
+/// Returns ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which
+/// are symbols.
 ///
 /// One sweep for each variable visits what depends on it. What all the sweeps need is shared: the
 /// derivatives of nodes by their operands. A choice is differentiated branch by branch, so that

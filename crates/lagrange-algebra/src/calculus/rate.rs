@@ -27,7 +27,7 @@ pub struct Rates {
 }
 
 impl Rates {
-    /// Nothing derived yet.
+    /// Creates rates with nothing derived yet.
     pub fn new(accelerations: AccelerationTerms) -> Rates {
         Rates { accelerations, known: HashMap::default() }
     }
@@ -37,7 +37,7 @@ impl Rates {
         self.known.insert(id, rate);
     }
 
-    /// d/dt of an expression.
+    /// Returns d/dt of an expression.
     pub fn of(&mut self, graph: &mut Graph, root: ExprId) -> ExprId {
         let mut pending = vec![root];
         while let Some(&id) = pending.last() {

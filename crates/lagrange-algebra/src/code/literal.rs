@@ -57,7 +57,7 @@ impl Constant<'_> {
     }
 }
 
-/// A number as it stands in code of any scalar, NaN included.
+/// Writes a number as it stands in code of any scalar, including NaN.
 pub fn float(value: f64) -> TokenStream {
     if value.is_nan() {
         return quote!(::core::primitive::f64::NAN);

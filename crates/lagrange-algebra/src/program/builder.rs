@@ -22,12 +22,12 @@ pub struct Builder {
 }
 
 impl Builder {
-    /// Nothing computed yet.
+    /// Creates a builder of an empty program.
     pub fn new() -> Builder {
         Builder::default()
     }
 
-    /// The value of an operation, folded if its operands are constants.
+    /// Pushes an operation, folded if its operands are constants, and returns its value.
     pub fn push(&mut self, op: Op) -> ValueId {
         match fold(self, op) {
             Ok(known) => known,
@@ -42,47 +42,47 @@ impl Builder {
         ValueId::new(self.values.index_or_insert_with(op, || None))
     }
 
-    /// The operation behind a value.
+    /// Returns the operation behind a value.
     pub fn op(&self, id: ValueId) -> &Op {
         self.values.key_at(id.index())
     }
 
-    /// An exact number.
+    /// Pushes an exact number.
     pub fn constant(&mut self, value: Number) -> ValueId {
         self.push(Op::Constant(value))
     }
 
-    /// `a + b`
+    /// Returns `a + b`.
     pub fn add(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Add(a, b))
     }
 
-    /// `a - b`
+    /// Returns `a - b`.
     pub fn subtract(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Subtract(a, b))
     }
 
-    /// `a * b`
+    /// Returns `a * b`.
     pub fn multiply(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Multiply(a, b))
     }
 
-    /// `a / b`
+    /// Returns `a / b`.
     pub fn divide(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Divide(a, b))
     }
 
-    /// `-a`
+    /// Returns `-a`.
     pub fn negate(&mut self, a: ValueId) -> ValueId {
         self.push(Op::Negate(a))
     }
 
-    /// An elementary function.
+    /// Pushes a call of an elementary function.
     pub fn call(&mut self, function: Function, arguments: &[ValueId]) -> ValueId {
         self.push(Op::Call(function, arguments.into()))
     }
 
-    /// The name that a value has.
+    /// Returns the name that a value has.
     pub fn name(&self, id: ValueId) -> Option<&str> {
         self.values.value_at(id.index()).as_deref()
     }
@@ -95,7 +95,8 @@ impl Builder {
         }
     }
 
-    /// The program that computes `outputs`, without the values that do not contribute to them.
+    /// Finishes the program that computes `outputs`, without the values that do not contribute to
+    /// them.
     pub fn finish(self, outputs: &[ValueId]) -> Program {
         let mut needed = ValueTable::filled(self.values.len(), false);
         outputs.iter().for_each(|&output| needed[output] = true);

@@ -31,8 +31,8 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
     (graph.scale(first.coefficient.clone(), common_core), rest)
 }
 
-/// `numerator / denominator`, unless that divides by something that changes during the motion,
-/// which may be zero somewhere.
+/// Returns `numerator / denominator`, unless the divisor changes during the motion and may vanish
+/// somewhere.
 pub fn safe_quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Option<ExprId> {
     let found = quotient(graph, numerator, denominator);
     let (_, core) = graph.split_coefficient(found);

@@ -43,7 +43,7 @@ struct Group {
     products: Vec<WaveProduct>,
 }
 
-/// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise.
+/// Returns `Σ coefficient · term` with fewer terms, if possible, and the same terms otherwise.
 /// `angles` remembers how angles have been written before.
 pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 || terms.len() > MAX_TERMS {
@@ -77,7 +77,7 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
     graph.sum(Number::ZERO, left)
 }
 
-/// The expressions with every sum in them contracted.
+/// Returns the expressions with every sum in them contracted.
 pub fn contract_all(graph: &mut Graph, angles: &mut Angles, exprs: &[ExprId]) -> Vec<ExprId> {
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
     for id in graph.reachable(exprs) {

@@ -32,7 +32,8 @@ struct Reading {
 }
 
 impl Rule {
-    /// The single term that replaces the terms `a` and `b` of a sum, if the rule matches them.
+    /// Returns the single term that replaces the terms `a` and `b` of a sum, if the rule matches
+    /// them.
     pub fn apply(&self, graph: &mut Graph, a: ExprId, b: ExprId) -> Option<ExprId> {
         let terms = [a, b].map(|id| {
             let (coefficient, core) = graph.split_coefficient(id);

@@ -9,7 +9,7 @@ use lagrange_expr::symbol::Role;
 /// settles the question without a proof; a smaller one only means that the proof is tried.
 const LARGEST_RESIDUE: f64 = 1e-6;
 
-/// An equal expression that is shorter when written out, or `expr` itself if none is found.
+/// Returns an equal expression that is shorter when written out, or `expr` itself if none is found.
 ///
 /// Sub-expressions are multiplied out, the rules of [`RULES`](super::RULES) applied, equal terms
 /// collected, and the result regrouped by what changes during the motion. Whatever has more than

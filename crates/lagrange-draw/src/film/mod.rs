@@ -47,7 +47,7 @@ pub struct Film<D: DrawnSpace = Plane> {
 }
 
 impl Film {
-    /// A film of pictures that are shown at these times, in seconds: rising, or falling if the
+    /// Creates a film of pictures shown at these times, in seconds: rising, or falling if the
     /// motion ran backwards.
     ///
     /// # Errors

@@ -16,7 +16,7 @@ impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A film of the samples of a trajectory, such as those of a run
+    /// Creates a film of the samples of a trajectory, such as those of a run
     /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of
     /// samples at the same time, which impacts may leave, it shows the last. Where a control set
     /// inputs, forces are those of the inputs of each sample. If the run observed its
@@ -30,7 +30,7 @@ where
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
-    /// A film of about this many pictures a second from a run that was
+    /// Creates a film of about this many pictures a second from a run that was
     /// [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are equal, and such
     /// that the last picture shows the end. Where a control set inputs, forces are those of the
     /// inputs of the last sample before each picture.

@@ -27,7 +27,7 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// Stretch from the start of `self` to the end of `other`.
+    /// Returns the stretch from the start of `self` to the end of `other`.
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
     }
@@ -95,7 +95,7 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// Message, then related places and help, each from a line of its own on.
+    /// Returns the message, then related places and help, each from a separate line on.
     pub fn text(&self) -> String {
         let mut text = self.message.clone();
         for (origin, note) in &self.related {
@@ -160,8 +160,8 @@ impl Report {
         &mut self.diagnostics[last]
     }
 
-    /// The mistake of this number, counted from zero in the order in which they are found, to add
-    /// what is learnt later.
+    /// Returns the mistake of this number, counted from zero in the order of discovery, to add
+    /// later findings.
     pub fn diagnostic_mut(&mut self, number: usize) -> Option<&mut Diagnostic> {
         self.diagnostics.get_mut(number)
     }

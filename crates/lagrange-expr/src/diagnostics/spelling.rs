@@ -5,7 +5,7 @@ const LONGEST_COMPARED: usize = 64;
 /// A name that begins with another is near it if they share at least this many letters.
 const SHORTEST_PREFIX: usize = 3;
 
-/// The candidate nearest to a name that is none of them, if one is near enough to be worth
+/// Returns the candidate nearest to a name that is none of them, if it is near enough to be worth
 /// suggesting.
 ///
 /// Nearness is the number of letters to insert, delete, replace or swap with their neighbour, at

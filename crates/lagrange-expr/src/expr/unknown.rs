@@ -26,7 +26,7 @@ pub struct AlgebraicUnknown {
 }
 
 impl AlgebraicUnknown {
-    /// All expressions that define it.
+    /// Returns all expressions that define it.
     pub fn expressions(&self) -> Vec<ExprId> {
         [&self.arguments[..], &[self.value, self.residual, self.start]].concat()
     }
@@ -45,7 +45,7 @@ impl AlgebraicUnknown {
 }
 
 impl Graph {
-    /// A new symbol for an argument or the value of an algebraic unknown.
+    /// Makes a new symbol for an argument or the value of an algebraic unknown.
     pub fn operand(&mut self, name: &str) -> ExprId {
         let role = Role::Operand(self.operands);
         self.operands += 1;
@@ -62,7 +62,7 @@ impl Graph {
         &self.unknowns
     }
 
-    /// The equation that defines a function, if one does.
+    /// Returns the equation that defines a function, if one does.
     pub fn unknown(&self, function: &Opaque) -> Option<&AlgebraicUnknown> {
         self.unknowns.iter().find(|unknown| unknown.function == *function)
     }

@@ -34,12 +34,12 @@ impl Interpolation {
         ("natural", Interpolation::Natural),
     ];
 
-    /// The name in declarations.
+    /// Returns the name in declarations.
     pub fn name(self) -> &'static str {
         Interpolation::ALL.iter().find(|(_, way)| *way == self).map_or("", |(name, _)| name)
     }
 
-    /// Number of coefficients of each polynomial.
+    /// Returns the number of coefficients of each polynomial.
     pub fn coefficients(self) -> usize {
         if self == Interpolation::Linear { 2 } else { 4 }
     }
@@ -50,7 +50,7 @@ impl Outside {
     pub const ALL: [(&'static str, Outside); 3] =
         [("error", Outside::Error), ("clamp", Outside::Clamp), ("extend", Outside::Extend)];
 
-    /// The name in declarations.
+    /// Returns the name in declarations.
     pub fn name(self) -> &'static str {
         Outside::ALL.iter().find(|(_, way)| *way == self).map_or("", |(name, _)| name)
     }

@@ -63,7 +63,7 @@ fn mean(graph: &mut Graph, terms: Vec<ExprId>, fan: &[Triangle], divisor: i64) -
     fraction(graph, 1, quotient, divisor)
 }
 
-/// Twice the area, positive for corners in counterclockwise order.
+/// Returns twice the area, positive for corners in counterclockwise order.
 pub fn double_area(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     let fan = fan(graph, coordinates);
     graph.total(fan.iter().map(|triangle| triangle.area))

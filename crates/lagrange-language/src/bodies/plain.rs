@@ -30,7 +30,7 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// The declaration without these constraints of joints.
+    /// Removes these constraints of joints.
     pub fn without(self, constraints: &[String]) -> Declaration {
         let mut declaration = self.declaration;
         declaration.statements.retain(|statement| match &statement.kind {

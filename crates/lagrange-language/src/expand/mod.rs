@@ -41,8 +41,8 @@ use unrolling::unroll;
 
 pub use warnings::{name_elements, once_for_each_array};
 
-/// The declaration without arrays, loops and sums. If they are wrong, what can be told of it is in
-/// the result, and what is wrong in the report.
+/// Expands arrays, loops and sums. Mistakes in them are reported, and the result then has
+/// everything that is still known.
 pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Declaration {
     if !has_arrays(&mut declaration) {
         return declaration;

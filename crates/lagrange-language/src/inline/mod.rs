@@ -22,8 +22,8 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Origin, Report, nearest};
 use lagrange_expr::limits::MAX_INLINED;
 
-/// The declaration without functions of its own. Mistakes in their calls are reported, those in
-/// what they stand for later.
+/// Inlines the functions that a declaration defines. Mistakes in their calls are reported here,
+/// those in their bodies later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
     let is_function = |kind: &StatementKind| matches!(kind, StatementKind::Function(_));
     if declaration.statements.iter().all(|statement| statement.kind.declared_function().is_none()) {

@@ -101,7 +101,7 @@ impl Declaration {
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
-    /// The parameters and inputs in their order.
+    /// Returns the parameters and inputs in their order.
     pub fn fields(&self) -> impl Iterator<Item = &Name> {
         let fields = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => Some(list),
@@ -110,7 +110,8 @@ impl Declaration {
         fields.flatten().map(|definition| &definition.name)
     }
 
-    /// The positions in their order: coordinates and components of quaternions, then states.
+    /// Returns the positions in their order: coordinates and components of quaternions, then
+    /// states.
     pub fn coordinates(&self) -> Vec<&Name> {
         let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
             StatementKind::Coordinates(names) => &names[..],
@@ -120,7 +121,7 @@ impl Declaration {
         positions.chain(self.states()).collect()
     }
 
-    /// The states in their order.
+    /// Returns the states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Name> {
         let states = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::States(names) => Some(names),
@@ -136,7 +137,7 @@ impl Declaration {
         self.statements.iter().any(|statement| is_its(&statement.kind))
     }
 
-    /// The velocities in their order.
+    /// Returns the velocities in their order.
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
         let named = self.named_velocities();
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
@@ -150,8 +151,8 @@ impl Declaration {
         velocities.collect()
     }
 
-    /// The names that `velocity` statements give to the rates of coordinates, by the names of
-    /// these.
+    /// Returns the names that `velocity` statements give to the rates of coordinates, by the names
+    /// of these.
     pub fn named_velocities(&self) -> HashMap<String, &Name> {
         let mut named = HashMap::default();
         for Statement { kind, .. } in &self.statements {
@@ -174,7 +175,7 @@ impl Declaration {
         asked.next_back().is_some_and(|item| item.wanted)
     }
 
-    /// The names of outputs in their order.
+    /// Returns the names of outputs in their order.
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Output(name, _) => Some(name),
@@ -182,7 +183,7 @@ impl Declaration {
         })
     }
 
-    /// The reduced types in their order, each with its documentation.
+    /// Returns the reduced types in their order, each with its documentation.
     pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
@@ -190,8 +191,8 @@ impl Declaration {
         })
     }
 
-    /// The declaration of a reduced type: another name and documentation, frozen coordinates left
-    /// out. What its statements say is still said of the whole system.
+    /// Returns the declaration of a reduced type: with another name and documentation, without
+    /// frozen coordinates. What its statements say is still said of the whole system.
     pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
         let is_frozen = |name: &Name| {
             let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
@@ -221,7 +222,7 @@ pub struct DeclaredBody {
     pub docs: TokenStream,
 }
 
-/// The bodies and frames that statements declare.
+/// Returns the bodies and frames that statements declare.
 pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
     let bodies = statements.iter().filter_map(|statement| {
         let (name, is_frame) = match &statement.kind {
@@ -263,7 +264,7 @@ pub struct StateVelocity<'d> {
     pub coordinate: Option<&'d Name>,
 }
 
-/// The name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
+/// Returns the name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
 pub fn acceleration_name(velocity: &str) -> String {
     match velocity.strip_suffix("_dot") {
         Some(coordinate) => format!("{coordinate}_ddot"),
@@ -286,7 +287,7 @@ pub struct Name {
 }
 
 impl Name {
-    /// A name without square brackets and unit.
+    /// Creates a name without square brackets and unit.
     pub fn new(text: impl Into<String>, span: Span) -> Name {
         Name { text: text.into(), span, indices: Vec::new(), unit: None }
     }

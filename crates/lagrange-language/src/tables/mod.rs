@@ -29,7 +29,8 @@ const BYTE_ORDER_MARK: char = '\u{feff}';
 /// Returns the text of a file in UTF-8, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
-/// What the bytes are instead, in words that follow the name of the file.
+/// If there are too many bytes, or they are not UTF-8. The error is worded to follow the name of
+/// the file.
 pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(messages::file_too_large(MAX_FILE_BYTES));
@@ -50,7 +51,7 @@ pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
 /// none.
 pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
 
-/// The reader of those who read no files.
+/// Reads no files: every one is an error.
 ///
 /// # Errors
 /// Always.

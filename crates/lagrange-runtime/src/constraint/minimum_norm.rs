@@ -29,8 +29,8 @@ pub struct RedundantMotion<S, const N: usize, const D: usize> {
     pub rank: usize,
 }
 
-/// The part of a constraint's gradient below which what other constraints leave of it is taken for
-/// nothing: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
+/// Returns the part of a constraint's gradient below which its remainder beside other constraints
+/// is ignored: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
 ///
 /// Gradients are measured with the roots of the masses as units and scaled to length one. If a part
 /// σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ². They
@@ -42,8 +42,8 @@ pub fn rank_tolerance<S: Scalar>() -> S {
     root * root.sqrt().sqrt()
 }
 
-/// The vector x with the smallest sum of squares among those for which that of `matrix` x − `right`
-/// is smallest. The matrix is symmetric and may be singular or indefinite.
+/// Returns the vector x with the smallest sum of squares among those that minimise that of `matrix`
+/// x − `right`. The matrix is symmetric and may be singular or indefinite.
 ///
 /// Rows and columns are scaled alike to determine the rank. A column depends on others if they
 /// leave less than 32 D roundings of the largest column. An entry of the matrix that is itself a
@@ -76,7 +76,7 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
     shortest(&factors, &inner, &scales)
 }
 
-/// Accelerations and multipliers of
+/// Computes accelerations and multipliers of
 ///
 /// ```text
 /// M a = f + Aᵀλ,    A a + b = 0

@@ -81,7 +81,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
     /// Names of the constraints in the order of their declaration.
     const CONSTRAINTS: &'static [&'static str];
 
-    /// The multipliers λ in M a = f + Aᵀλ.
+    /// Computes the multipliers λ in M a = f + Aᵀλ.
     fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 
     /// Returns the residuals of positions: c(t, q) of holonomic constraints; zero for the others.
@@ -117,7 +117,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
         residuals: &Self::Multipliers,
     ) -> Self::Velocities;
 
-    /// M(t, q, v) times a displacement of the positions, or a change of the velocities.
+    /// Multiplies M(t, q, v) by a displacement of the positions, or a change of the velocities.
     fn mass_times(
         &self,
         t: Self::Scalar,

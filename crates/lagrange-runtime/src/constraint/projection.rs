@@ -90,8 +90,8 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// The nearest velocities that satisfy the constraints at these positions, which are taken as they
-/// are.
+/// Returns the nearest velocities that satisfy the constraints at these positions, which stay
+/// unchanged.
 ///
 /// # Errors
 /// If there are none, with the constraint that is violated most in proportion to its scale, as in

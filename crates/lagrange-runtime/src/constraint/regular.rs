@@ -17,7 +17,7 @@ pub fn are_finite<S: Scalar>(values: &[S]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
 
-/// Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
+/// Returns Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
 #[inline]
 pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], shares: &[S; N]) -> [S; M] {
     rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))

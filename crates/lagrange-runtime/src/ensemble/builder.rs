@@ -115,7 +115,7 @@ pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
 }
 
 impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
-    /// The error that is tolerated in a step, as [in a single
+    /// Sets the tolerated error of a step, as [in a single
     /// run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.relative = tolerance;
@@ -123,7 +123,7 @@ impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
         self
     }
 
-    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// Sets the tolerated error of a step in the units of the state. Call it after
     /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
@@ -166,7 +166,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         Ensemble { batch, method, drive, kept: PhantomData }
     }
 
-    /// The seed of the [random numbers](Random) of all motions; 0 by default.
+    /// Sets the seed of the [random numbers](Random) of all motions; 0 by default.
     pub fn seed(mut self, seed: u64) -> Self {
         self.batch.seed = seed;
         self

@@ -37,35 +37,35 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().len()
     }
 
-    /// The motions whose ends these are: all, or those of a shard. The first row is that of the
-    /// first of them.
+    /// Returns the motions whose ends these are: all, or those of a shard. The first row is that of
+    /// the first of them.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }
 
-    /// The times at which motions ended: that which was asked for, unless an event stopped them.
+    /// Returns the times at which motions ended: the requested one, unless an event stopped them.
     pub fn times(&self) -> &[M::Scalar] {
         self.table().times()
     }
 
-    /// The names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in their order; time has none.
     pub fn names(&self) -> &[String] {
         self.table().names()
     }
 
-    /// The column of this name: a coordinate, a velocity such as `theta_dot`, what was observed, or
-    /// a parameter.
+    /// Returns the column of this name: a coordinate, a velocity such as `theta_dot`, an observed
+    /// quantity, or a parameter.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
     }
 
-    /// All columns.
+    /// Returns all columns.
     pub fn table(&self) -> &Table<M::Scalar> {
         self.columns.as_ref()
     }
 
-    /// The state at which the motion with this index ended; `None` if it failed or is not among
-    /// these.
+    /// Returns the state at which the motion with this index ended; `None` if it failed or is not
+    /// included.
     pub fn state(&self, index: usize) -> Option<M::State> {
         let row = index.checked_sub(self.motions.start).filter(|row| *row < self.len())?;
         if self.failures.binary_search_by_key(&index, |failure| failure.index).is_ok() {
@@ -78,7 +78,7 @@ impl<M: MechanicalSystem> Ends<M> {
         Some(state)
     }
 
-    /// The motions that failed, in their order.
+    /// Returns the motions that failed, in their order.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }

@@ -60,8 +60,8 @@ impl Grid {
         self.len() == 0
     }
 
-    /// Both quantities in the middle of the cell with this index: cells are counted from left to
-    /// right, in rows from the lowest.
+    /// Returns both quantities in the middle of the cell with this index. Cells are counted from
+    /// left to right, in rows from the lowest.
     pub fn at(&self, index: usize) -> [f64; 2] {
         let columns = self.x.cells.max(1);
         [self.x.middle(index % columns), self.y.middle(index / columns)]

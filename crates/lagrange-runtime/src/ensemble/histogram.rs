@@ -62,8 +62,8 @@ impl Histogram {
         *self.counts.entry(here).or_default() += 1;
     }
 
-    /// The bins from that of the least number to that of the greatest, by their edges, with their
-    /// counts.
+    /// Returns the bins from that of the least number to that of the greatest, by their edges, with
+    /// their counts.
     pub fn bins(&self) -> impl Iterator<Item = (Range<f64>, u64)> + '_ {
         let ends = self.counts.first_key_value().zip(self.counts.last_key_value());
         let places = ends.map(|((first, _), (last, _))| *first..=*last);

@@ -23,7 +23,8 @@ pub struct Map {
 }
 
 impl Map {
-    /// A picture of these values, one for each cell of the grid in the order of their indices.
+    /// Creates a picture of these values, one for each cell of the grid in the order of their
+    /// indices.
     ///
     /// # Errors
     /// If there are not as many values as cells, or the grid does not go from a number to a larger
@@ -75,8 +76,8 @@ impl<M: MechanicalSystem> Ends<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the
-    /// grid from which they started. Names of columns and parameters have their units, if the
+    /// Creates a picture of a column, or of the times `t` at which motions ended, over the cells of
+    /// the grid from which they started. Names of columns and parameters have their units, if the
     /// declaration says them.
     ///
     /// # Errors

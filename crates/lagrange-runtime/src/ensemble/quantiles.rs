@@ -51,8 +51,8 @@ impl<M: MechanicalSystem> Samples<M> {
         Some(quantiles)
     }
 
-    /// The times of the samples of the motion that went farthest, which are those of all motions
-    /// that nothing stopped.
+    /// Returns the times of the samples of the motion that went farthest, which are those of all
+    /// motions that nothing stopped.
     pub fn times(&self) -> &[M::Scalar] {
         let farther = |kept: &'_ [M::Scalar], next: &'_ [M::Scalar]| span(next) > span(kept);
         let all = self.tables().map(Table::times);
@@ -72,8 +72,8 @@ fn span<S: Scalar>(times: &[S]) -> S {
 
 /// The value below which this part of sorted values lies.
 ///
-/// Of 10, 20, 40 half lies below 20; three quarters, which is half of the way from the second to
-/// the third, below 30.
+/// For 10, 20, 40, half lies below 20. Three quarters lie below 30, half of the way from the second
+/// to the third.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let place = part.clamp(0.0, 1.0) * last as f64;

@@ -109,23 +109,24 @@ const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 impl Random<OfStart> {
-    /// The numbers of the start of the motion `index` of an ensemble with this seed, from the first
-    /// on.
+    /// Returns the numbers of the start of the motion `index` of an ensemble with this seed, from
+    /// the first on.
     pub fn start(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
 }
 
 impl Random<OfParameters> {
-    /// The numbers of the parameters of the motion `index` of an ensemble with this seed, from the
-    /// first on.
+    /// Returns the numbers of the parameters of the motion `index` of an ensemble with this seed,
+    /// from the first on.
     pub fn parameters(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
 }
 
 impl Random<OfNoise> {
-    /// The numbers of noise in the motion `index` of an ensemble with this seed, from the first on.
+    /// Returns the numbers of noise in the motion `index` of an ensemble with this seed, from the
+    /// first on.
     pub fn noise(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
@@ -145,7 +146,7 @@ impl<P: Purpose> Random<P> {
         }
     }
 
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     pub fn bits(&mut self) -> u64 {
         if let Some(word) = self.word.take() {
             return word;
@@ -157,8 +158,8 @@ impl<P: Purpose> Random<P> {
         joined(a, b)
     }
 
-    /// A number from the range, its end excluded, each part of it as likely as any other of its
-    /// length.
+    /// Returns a number from the range, its end excluded, each part of it as likely as any other of
+    /// its length.
     ///
     /// # Panics
     /// If the range is empty, or an end of it is not finite.
@@ -172,8 +173,8 @@ impl<P: Purpose> Random<P> {
         (start + (end - start) * self.unit()).min(end.next_down())
     }
 
-    /// A number of the normal distribution with mean 0 and standard deviation 1; its magnitude is
-    /// below 8.6.
+    /// Returns a number of the normal distribution with mean 0 and standard deviation 1; its
+    /// magnitude is below 8.6.
     ///
     /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat.
     /// 29 (1958).

@@ -45,7 +45,7 @@ impl<M: MechanicalSystem, R> Reduced<M, R> {
         self.failed
     }
 
-    /// The first thousand of the motions that failed.
+    /// Returns the first thousand of the motions that failed.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }

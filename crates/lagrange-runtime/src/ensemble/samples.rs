@@ -31,17 +31,17 @@ impl<M: MechanicalSystem> Samples<M> {
         self.motions.clone()
     }
 
-    /// The motion with this index; `None` if it is not among these.
+    /// Returns the motion with this index; `None` if it is not among these.
     pub fn motion(&self, index: usize) -> Option<Result<&Trajectory<M>, &SimulationError<M>>> {
         self.results.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
     }
 
-    /// The motions that did not fail, by their index.
+    /// Returns the motions that did not fail, by their index.
     pub fn iter(&self) -> impl Iterator<Item = (usize, &Trajectory<M>)> {
         self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().ok()?)))
     }
 
-    /// The motions that failed, by their index.
+    /// Returns the motions that failed, by their index.
     pub fn failures(&self) -> impl Iterator<Item = (usize, &SimulationError<M>)> {
         self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().err()?)))
     }

@@ -62,13 +62,13 @@ impl Shard {
     /// Everything.
     pub const WHOLE: Shard = Shard::of(0, 1);
 
-    /// The share `index`, counted from zero, of `count`. One beyond the count is an error of the
-    /// run.
+    /// Creates the share `index`, counted from zero, of `count`. One beyond the count is an error
+    /// of the run.
     pub const fn of(index: u64, count: u64) -> Self {
         Shard { index, count }
     }
 
-    /// The share that the launcher of this process gave it by its environment.
+    /// Returns the share that the launcher of this process set in its environment.
     ///
     /// | launcher | variables |
     /// |---|---|
@@ -102,7 +102,7 @@ impl Shard {
         Ok(shard)
     }
 
-    /// Its place, counted from zero.
+    /// Returns its place, counted from zero.
     pub fn index(self) -> u64 {
         self.index
     }

@@ -105,7 +105,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self.functions.map(|function| function.range)
     }
 
-    /// The next event in the stepper's last step, after those that were returned before.
+    /// Returns the next event in the stepper's last step, after those that were returned before.
     ///
     /// Call it after each step until it returns `None`, and after [`Stepper::confirm`]; `values`
     /// gives all functions at a time and state. The time returned is at most 10⁻¹³ of the step, or

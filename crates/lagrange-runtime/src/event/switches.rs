@@ -34,7 +34,7 @@ impl Switches {
     /// All of them free.
     pub const FREE: Switches = Switches { fixed: 0, positive: 0 };
 
-    /// The side of each switch, 1 or −1: where it is fixed, and else the sign of its value.
+    /// Returns the side of each switch, 1 or −1: the fixed one, or the sign of its value.
     #[inline]
     pub fn signs<S: Scalar, const K: usize>(self, values: impl FnOnce() -> [S; K]) -> [S; K] {
         if (0..K).all(|k| self.is_fixed(k)) {
@@ -65,25 +65,25 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The index of the first of them among the declared events.
     const FIRST: usize;
 
-    /// The sides on which it is computed.
+    /// Returns the sides on which it is computed.
     fn switches(&self) -> Switches;
 
     /// Returns the system on other sides.
     #[must_use]
     fn with_switches(&self, switches: Switches) -> Self;
 
-    /// The functions that vanish on the switches.
+    /// Computes the functions that vanish on the switches.
     fn switch_values(&self, t: Self::Scalar, y: &Self::State) -> [Self::Scalar; K];
 
-    /// When each switch is passed, from its negative to its positive side, where that is known
-    /// beforehand.
+    /// Returns the time at which each switch is passed, from its negative to its positive side, if
+    /// it is known in advance.
     fn switch_times(&self) -> [Option<Self::Scalar>; K] {
         [None; K]
     }
 }
 
-/// The system on the sides on which a motion from this state starts. What is not finite there stays
-/// free.
+/// Returns the system on the sides on which a motion from this state starts. What is not finite
+/// there stays free.
 pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -97,7 +97,7 @@ pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     Some(system.with_switches(values.into_iter().enumerate().fold(Switches::FREE, fix)))
 }
 
-/// The system with its switches free.
+/// Returns the system with its switches free.
 pub fn free_sides<M: SwitchedSystem<K>, const K: usize>(system: &M) -> M {
     system.with_switches(Switches::FREE)
 }
@@ -143,8 +143,7 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     Ok(Response { system, ..Response::new(Action::Continue) })
 }
 
-/// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a
-/// switch is passed.
+/// Returns the system on the sides from `t` towards `end`, if a switch is passed at the time `t`.
 pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
     let times = system.switch_times();
     let passed = (0..K).filter(|&k| times[k] == Some(t));

@@ -6,7 +6,8 @@
 
 use crate::scalar::Scalar;
 
-/// A polygon about its centre of mass, from its corners in either orientation.
+/// Returns the moment of inertia of a polygon about its centre of mass, from its corners in either
+/// orientation.
 ///
 /// D = u × w for the corners u, w at the ends of an edge seen from the centre of mass. The moment
 /// is m Σ D (u·u + u·w + w·w) / 6 Σ D, with the sums over all edges. Edges must not cross each
@@ -24,8 +25,8 @@ pub fn polygon<S: Scalar>(mass: S, corners: &[[S; 2]]) -> S {
     mass * total(moment) / (S::from_f64(6.0) * double_area(corners, center))
 }
 
-/// The centre of mass of a polygon, from its corners in either orientation: from the first one on,
-/// Σ D (u + w) / 3 Σ D.
+/// Returns the centre of mass of a polygon, from its corners in either orientation. Seen from the
+/// first one, it is Σ D (u + w) / 3 Σ D.
 ///
 /// Edges must not cross each other. NaN for fewer than three corners and for corners that enclose
 /// no area.

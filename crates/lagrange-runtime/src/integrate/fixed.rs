@@ -21,13 +21,13 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     /// correction.
     const KEEPS_CONSTRAINTS: bool = false;
 
-    /// The variables of the state `y`, from which the integration starts or goes on: nothing that
-    /// was found before holds any more.
+    /// Returns the variables of the state `y`, from which the integration starts or continues.
+    /// Earlier results are no longer valid.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
 
-    /// The state of these variables.
+    /// Returns the state of these variables.
     ///
     /// # Errors
     /// If it could not be found.
@@ -55,8 +55,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>>;
 
-    /// The state at time `t` to which the last increment led was brought onto constraints, `from`
-    /// there `to` here: so are the variables.
+    /// Follows a state at time `t` that was brought onto constraints, `from` the end of the last
+    /// increment `to` here.
     fn follow(
         &mut self,
         _system: &M,
@@ -71,8 +71,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     /// of its start and its length by rounding. Results at its end may be kept for the next step.
     fn accept(&mut self, _t: M::Scalar) {}
 
-    /// About the longest step that is stable from here on, where that is known of the method and
-    /// something is fast.
+    /// Returns about the longest step that is stable from here on, if the method knows it and a
+    /// component is fast.
     fn longest_stable(
         &self,
         _system: &M,
@@ -83,7 +83,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         None
     }
 
-    /// The state between `from` and `to`, the ends of the last accepted step with their times.
+    /// Returns the state between `from` and `to`, the ends of the last accepted step with their
+    /// times.
     fn interpolate(
         &mut self,
         system: &M,

@@ -20,7 +20,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Returns the name of the method for tables.
     fn name(&self) -> &'static str;
 
-    /// The power of the step with which the global error falls.
+    /// Returns the power of the step with which the global error falls.
     fn order(&self) -> u32;
 
     /// Checks the settings.
@@ -70,10 +70,10 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
 /// An integration in progress.
 pub trait Stepper<M: OdeSystem + ?Sized> {
-    /// The time that was reached.
+    /// Returns the time that was reached.
     fn time(&self) -> M::Scalar;
 
-    /// The state that was reached; always finite.
+    /// Returns the state that was reached; always finite.
     fn state(&self) -> &M::State;
 
     /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends
@@ -87,11 +87,12 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// If no step can be taken. Time and state are then what they were before.
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>>;
 
-    /// The time at which the last step began; the present time if none was taken since the start.
+    /// Returns the time at which the last step began; the present time if none was taken since the
+    /// start.
     fn last_time(&self) -> M::Scalar;
 
-    /// The state at a time within the last step. At both ends it is what the method itself found
-    /// there.
+    /// Returns the state at a time within the last step. At both ends it is what the method itself
+    /// found there.
     ///
     /// The error is of the order of the method. A method that needs further evaluations makes them
     /// at the first call after a step.
@@ -198,7 +199,7 @@ pub struct SuspectStep<S, Y> {
 }
 
 impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
-    /// That in one lane.
+    /// Returns the step in one lane.
     pub fn lane<Z: StateVector<S::Element>>(&self, lane: usize) -> SuspectStep<S::Element, Z> {
         let of = |lanes: &Y| {
             let mut state = Z::ZERO;
@@ -232,21 +233,21 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     /// method can tell, the step is taken back, as by [`Stepper::confirm`].
     fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
 
-    /// The states at times within the last steps, in lanes that were prepared, or at their ends;
-    /// anything elsewhere.
+    /// Returns the states at times within the last steps, in lanes that were prepared, or at their
+    /// ends. Other times give any value.
     fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
 
-    /// The times that were reached: the end exactly where a motion has ended, NaN where it was
-    /// given up.
+    /// Returns the times that were reached: the end exactly where a motion has ended, NaN where it
+    /// was given up.
     fn time(&self) -> S;
 
-    /// The states that were reached.
+    /// Returns the states that were reached.
     fn state(&self) -> &E::State;
 
     /// Returns the lanes whose last step suggested that the method does not suit the motion.
     fn suspicion(&self) -> S::Mask;
 
-    /// The steps that are under suspicion, in the lanes where they are.
+    /// Returns the suspect steps, in the lanes that have one.
     fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
         None
     }

@@ -24,8 +24,8 @@ use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta
-/// method.
+/// Computes the state after one step of length `h` from `y` at time `t`, by the classical
+/// Runge–Kutta method.
 ///
 /// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
 /// backwards in time. Nothing is checked: what is not finite is returned as it is.

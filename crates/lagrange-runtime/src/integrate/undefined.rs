@@ -16,7 +16,7 @@ use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefin
 /// part of the way.
 const NEAR: f64 = 1e-9;
 
-/// The cause by name, of a run that stopped at this time and state on its way to `end`.
+/// Finds the cause, by name, of the end of a run at this time and state on its way to `end`.
 #[cold]
 pub fn explained<M: OdeSystem + ?Sized>(
     cause: StepFailure<M::Scalar>,
@@ -73,7 +73,7 @@ fn ahead<M: OdeSystem + ?Sized>(
 /// are attributed to [parameters](MechanicalSystem::parameter) and inputs that are not finite, or
 /// else to a singular mass matrix if one determines accelerations.
 ///
-/// What emitted types answer to [`OdeSystem::undefined`].
+/// Emitted types answer to [`OdeSystem::undefined`] by this function.
 #[cold]
 pub fn undefined<M: MechanicalSystem>(
     system: &M,

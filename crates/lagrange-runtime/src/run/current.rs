@@ -9,7 +9,7 @@ pub struct Current<'a, M> {
 }
 
 impl<'a, M: OdeSystem> Current<'a, M> {
-    /// The system as it was given.
+    /// Wraps the original system.
     pub fn new(given: &'a M) -> Self {
         Current { given, switched: None }
     }
@@ -32,13 +32,13 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Ok(())
     }
 
-    /// The system.
+    /// Returns the system.
     #[inline]
     pub fn system(&self) -> &M {
         self.switched.as_ref().unwrap_or(self.given)
     }
 
-    /// The system if it is another one than that which was given.
+    /// Returns the system if it differs from the original one.
     pub fn switched(&self) -> Option<&M> {
         self.switched.as_ref()
     }

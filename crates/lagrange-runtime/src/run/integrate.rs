@@ -13,7 +13,7 @@ use crate::system::OdeSystem;
 /// microcontrollers and inner loops: no heap, nothing kept.
 ///
 /// # Errors
-/// What the method met, with the last good state; `observe` never sees one that is not finite.
+/// If the method fails, with the last good state; `observe` never sees one that is not finite.
 ///
 /// # Example
 ///

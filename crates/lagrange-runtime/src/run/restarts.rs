@@ -82,7 +82,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// The time that was reached: that of the restart if the last step ended there.
+    /// Returns the time that was reached: that of the restart if the last step ended there.
     pub fn time<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
@@ -90,7 +90,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
     }
 
-    /// The time from which the motion goes on: after the restart if the last step ended there.
+    /// Returns the time from which the motion continues: after the restart if the last step ended
+    /// there.
     pub fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,

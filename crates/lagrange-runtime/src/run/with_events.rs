@@ -13,7 +13,7 @@ use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 /// `t_end` if an action stopped the run.
 ///
 /// # Errors
-/// What the method met or the search for events, with the last good state.
+/// If the method or the search for events fails, with the last good state.
 ///
 /// # Example
 ///

@@ -134,7 +134,7 @@ impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
         self
     }
 
-    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// Sets the tolerated error of a step in the units of the state. Call it after
     /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;

@@ -20,7 +20,7 @@ pub struct Progress<S> {
 }
 
 impl<S: Scalar + Into<f64>> Progress<S> {
-    /// The part of the time that is done, from 0 to 1.
+    /// Returns the completed part of the time, from 0 to 1.
     pub fn fraction(&self) -> f64 {
         if self.time == self.end {
             return 1.0;

@@ -41,13 +41,13 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         count: 0,
     };
 
-    /// One more constraint on positions: its residual, the rate of it and its gradient.
+    /// Adds a constraint on positions: its residual, its rate and its gradient.
     #[inline]
     pub fn push_holonomic(&mut self, position: S, velocity: S, row: &Q) {
         self.push(1, position, velocity, row);
     }
 
-    /// One more constraint on velocities alone: its residual and its gradient with respect to
+    /// Adds a constraint on velocities alone: its residual and its gradient with respect to
     /// velocities.
     #[inline]
     pub fn push_nonholonomic(&mut self, velocity: S, row: &Q) {

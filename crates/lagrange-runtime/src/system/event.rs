@@ -19,17 +19,17 @@ pub struct DeclaredEvent {
 }
 
 impl DeclaredEvent {
-    /// An event whose zeros in this direction count.
+    /// Creates an event whose zeros in this direction count.
     pub const fn new(name: &'static str, direction: Direction) -> Self {
         DeclaredEvent { name, direction, is_switch: false, is_side: false }
     }
 
-    /// The event by which a contact or dry friction switches its mode.
+    /// Creates the event by which a contact or dry friction switches its mode.
     pub const fn switch(name: &'static str) -> Self {
         DeclaredEvent { name, direction: Direction::Falling, is_switch: true, is_side: false }
     }
 
-    /// The event by which a [switch](crate::event::Switches) changes its side.
+    /// Creates the event by which a [switch](crate::event::Switches) changes its side.
     pub const fn side(name: &'static str) -> Self {
         DeclaredEvent { is_side: true, ..DeclaredEvent::switch(name) }
     }
@@ -80,7 +80,7 @@ pub struct Response<M, S, Y> {
 }
 
 impl<M, S, Y> Response<M, S, Y> {
-    /// Nothing but this action.
+    /// Creates a response of this action alone.
     pub fn new(action: Action<Y>) -> Self {
         Response { action, system: None, kind: EventKind::Zero }
     }

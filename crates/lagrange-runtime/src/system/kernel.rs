@@ -57,6 +57,6 @@ pub trait KernelSystem: MechanicalSystem + NamedSystem {
     /// Units that are known are in [`MechanicalSystem::UNITS`].
     const PARAMETERS: &'static [&'static str];
 
-    /// The parameters, then the inputs, as they are.
+    /// Returns the present parameters, then the present inputs.
     fn parameters(&self) -> Self::Parameters;
 }

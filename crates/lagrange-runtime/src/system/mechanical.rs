@@ -204,8 +204,8 @@ pub trait MechanicalSystem: OdeSystem {
     /// without mass would move as one with it.
     fn acceleration(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Velocities;
 
-    /// The rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where they are
-    /// rates.
+    /// Computes the rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where
+    /// they are rates.
     ///
     /// Linear and homogeneous in `v` but for [first-order
     /// states](MechanicalSystem#first-order-states).
@@ -237,10 +237,10 @@ pub trait MechanicalSystem: OdeSystem {
     #[inline]
     fn normalise(_q: &mut Self::Coordinates) {}
 
-    /// The displacement δ that leads from positions to others nearby: what
-    /// [`position_change`](Self::position_change) at `from` makes of it is `to − from` to first
-    /// order. From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), if velocities are along the axes of
-    /// the body. The sign of p is that for which the real part is not negative.
+    /// Returns the displacement δ that leads from positions to others nearby. The result of
+    /// [`position_change`](Self::position_change) for it at `from` is `to − from` to first order.
+    /// From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), if velocities are along the axes of the
+    /// body. The sign of p is that for which the real part is not negative.
     ///
     /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must say it, which the
     /// compiler sees to.
@@ -329,7 +329,8 @@ pub trait Columns {
     /// The number type.
     type Scalar;
 
-    /// The values of the state's entry `index`, positions first; as many as there are states.
+    /// Returns the values of the state's entry `index`, positions first; as many as there are
+    /// states.
     ///
     /// # Panics
     /// If the state has no such entry.
@@ -361,6 +362,6 @@ impl<C> AsRef<C> for Unnamed<C> {
 /// V does not depend on v. Under moving constraints the two differ. Source: Goldstein, Poole,
 /// Safko, *Classical Mechanics*, 3rd ed., §2.7.
 pub trait EnergyFunction: MechanicalSystem {
-    /// The energy function at time `t`, positions `q` and velocities `v`.
+    /// Computes the energy function at time `t`, positions `q` and velocities `v`.
     fn energy(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Scalar;
 }

@@ -100,9 +100,9 @@ pub trait OdeSystem {
     /// The state y; for a mechanical system `[q…, v…]`, positions first.
     type State: StateVector<Self::Scalar>;
 
-    /// The right-hand side f(t, y): the time derivative of the state `y` at time `t`.
+    /// Computes the right-hand side f(t, y): the time derivative of the state `y` at time `t`.
     ///
-    /// Where f is undefined, the result is not finite.
+    /// The result is not finite where f is undefined.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
 
     /// Returns the first component of the state `y` and of its `rates` at time `t` that is not
@@ -118,10 +118,10 @@ pub trait OdeSystem {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
     }
 
-    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the
-    /// declaration says `emit { jacobian }`. Implicit methods iterate by Newton's method. Where it
-    /// is not known, difference quotients take its place; methods of equal steps try fixed points
-    /// first.
+    /// Computes ∂f/∂y in rows, with ∂fᵢ/∂yⱼ as entry i, j, if it is known. Emitted types know it if
+    /// the declaration has `emit { jacobian }`. Implicit methods iterate by Newton's method. Where
+    /// it is not known, difference quotients take its place; methods of equal steps try fixed
+    /// points first.
     #[inline]
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
@@ -135,8 +135,8 @@ pub trait OdeSystem {
         None
     }
 
-    /// The system as it goes on towards `end` from a time that [`next_restart`](Self::next_restart)
-    /// named; `None` if it is the same.
+    /// Returns the system from a time that [`next_restart`](Self::next_restart) returned towards
+    /// `end`; `None` if it is the same.
     #[inline]
     fn beyond(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self>
     where
@@ -184,7 +184,7 @@ pub trait OdeSystem {
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];
 
-    /// The values of the functions of all declared events, to be written to as many `values`.
+    /// Computes the functions of all declared events and writes them to as many `values`.
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 

@@ -4,7 +4,7 @@ use super::{MechanicalSystem, StateVector, StepFailure};
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 
-/// Positions and velocities of a state.
+/// Splits a state into positions and velocities.
 #[inline]
 pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Velocities) {
     let (mut q, mut v) = (M::Coordinates::ZERO, M::Velocities::ZERO);
@@ -14,7 +14,7 @@ pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::
     (q, v)
 }
 
-/// The state made of positions and velocities, or the rates of a state made of those of both.
+/// Joins positions and velocities to a state, or the rates of both to those of a state.
 #[inline]
 pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities) -> M::State {
     let mut y = M::State::ZERO;

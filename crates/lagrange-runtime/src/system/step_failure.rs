@@ -139,7 +139,7 @@ impl<S> From<SettingError<S>> for StepFailure<S> {
 }
 
 impl<S> StepFailure<S> {
-    /// The event that it is about, if it is about one.
+    /// Returns the event that caused the failure, if one did.
     pub fn event(&self) -> Option<EventSource> {
         match *self {
             StepFailure::EventNotFinite { event }

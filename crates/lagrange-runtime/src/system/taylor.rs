@@ -17,7 +17,7 @@ pub trait TaylorSystem: OdeSystem {
     /// Storage for the series of products, to be used again for each expansion.
     type Series: Clone + core::fmt::Debug;
 
-    /// Empty storage.
+    /// Creates empty storage.
     fn series() -> Self::Series;
 
     /// Computes the coefficients of the orders 1, 2, … of the motion through the state `y` at time
@@ -99,7 +99,7 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         SeriesSolver(core::array::from_fn(column))
     }
 
-    /// (a, λ) = −M⁻¹ r
+    /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
         let mut accelerations = [S::ZERO; N];

@@ -46,7 +46,7 @@ pub enum Undefined<S> {
     },
     /// The rate of a component of the state, where the state itself is finite.
     Rate {
-        /// Whose rate it is.
+        /// The component of which it is the rate.
         component: Component,
         /// Value.
         value: S,
@@ -86,8 +86,8 @@ pub enum Component {
 }
 
 impl Component {
-    /// The component at this index of a state of the system M, or of a longer one that begins with
-    /// that.
+    /// Returns the component at this index of a state of the system M, or of a longer one that
+    /// begins with that.
     #[must_use]
     pub fn of<M: MechanicalSystem + ?Sized>(index: usize) -> Self {
         let velocity = |place| Component::of_velocity::<M>(place);
@@ -108,7 +108,8 @@ impl Component {
 }
 
 impl<S: Scalar> Undefined<S> {
-    /// The first component of a state that is not finite, or else of its rates at this time.
+    /// Returns the first component of a state that is not finite, or otherwise of its rates at this
+    /// time.
     pub fn of_state(time: S, y: &[S], rates: &[S], component: impl Fn(usize) -> Component) -> Option<Self> {
         let not_finite = |values: &[S]| values.iter().position(|value| !value.is_finite());
         let state = not_finite(y).map(|k| Undefined::State { component: component(k), value: y[k] });

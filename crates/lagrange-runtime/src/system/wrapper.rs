@@ -79,7 +79,7 @@ pub trait Wrapper: Sized {
     /// True if states are brought back onto the constraints of the inner system after steps.
     const IS_PROJECTED: bool = true;
 
-    /// The system inside, in its present modes.
+    /// Returns the system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
     /// Returns the wrapper around the inner system in other modes: with other contacts closed,
@@ -97,14 +97,14 @@ pub trait Wrapper: Sized {
         ask(self.inner())
     }
 
-    /// The right-hand side f(t, y) of ẏ = f(t, y).
+    /// Computes the right-hand side f(t, y) of ẏ = f(t, y).
     ///
-    /// Where constraints hold the inner system, accelerations must keep to them; the inner system
-    /// does that under other inputs and parameters, too.
+    /// If constraints hold the inner system, accelerations must keep to them; the inner system does
+    /// that under other inputs and parameters, too.
     fn outer_rhs(&self, t: InnerNumber<Self>, y: &Self::State) -> Self::State;
 
-    /// ∂f/∂y in rows, if it is known. That of the inner system is another one where the equations
-    /// differ.
+    /// Computes ∂f/∂y in rows, if it is known. If the equations differ from those of the inner
+    /// system, so does the Jacobian.
     #[inline]
     fn outer_jacobian(
         &self,

@@ -200,7 +200,7 @@ fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
     expressions.iter().map(|id| presented.get(id).copied().unwrap_or(*id)).collect()
 }
 
-/// Documentation of the emitted struct about its equations and what was found out about the
+/// Writes the documentation of the emitted struct about its equations and the properties of the
 /// system, in lines of Markdown.
 pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
     let program = lower(&model.graph, &equations.accelerations, &Labels::default());

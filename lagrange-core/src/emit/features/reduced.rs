@@ -23,7 +23,8 @@ use lagrange_language::syntax::ast::Declaration;
 /// Values with longer texts are not written out in documentation.
 const LONGEST_VALUE: usize = 60;
 
-/// The declarations of reduced types, documented, in the order of their `reduce` statements.
+/// Returns the declarations of reduced types, documented, in the order of their `reduce`
+/// statements.
 pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> Vec<Declaration> {
     let pairs = declaration.reductions().zip(reduced);
     let documented = pairs.map(|((syntax, docs), reduced)| {

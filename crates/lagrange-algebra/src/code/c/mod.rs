@@ -45,7 +45,8 @@ pub fn prelude(precision: Precision) -> String {
     format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{text}")
 }
 
-/// The statements of a function that computes a program, each on a line of its own, indented once.
+/// Writes the statements of a function that computes a program, each on a separate line, indented
+/// once.
 ///
 /// `place` is the expression under which C finds a symbol, and the results are stored to the
 /// elements of `results`.

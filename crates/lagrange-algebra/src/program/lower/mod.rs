@@ -27,7 +27,7 @@ use product::lower_product;
 use sharing::Sharing;
 use sum::lower_sum;
 
-/// The program that computes `outputs`, its values named after the labels of their expressions.
+/// Lowers `outputs` to a program, whose values are named after the labels of their expressions.
 pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let reachable = graph.reachable(outputs);
     let sharing = Sharing::of(graph, &reachable, outputs, labels);

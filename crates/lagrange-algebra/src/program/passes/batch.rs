@@ -8,8 +8,8 @@ use lagrange_expr::expr::Function;
 /// More would only keep sines and cosines waiting in memory.
 const MAX_ANGLES: usize = 32;
 
-/// One operation computes the sines and cosines whose arguments depend on no other sine or cosine.
-/// Another one computes those whose arguments depend on these, and so on.
+/// Batches sines and cosines: one operation computes those whose arguments depend on no other sine
+/// or cosine. Another one computes those whose arguments depend on these, and so on.
 ///
 /// The values are those of the passes for other levels up to an ulp: another function computes
 /// them.

@@ -16,7 +16,7 @@ use crate::number::Number;
 const LONGEST_PRODUCT: usize = 16;
 
 impl Graph {
-    /// `constant + Σ coefficient · term`
+    /// Returns `constant + Σ coefficient · term`.
     ///
     /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
     /// coefficients all have the same magnitude is written as that magnitude times a sum with
@@ -108,7 +108,7 @@ impl Graph {
         self.intern(Node::Sum { constant: Number::ZERO, terms: Box::new([(term, coefficient)]) })
     }
 
-    /// `Π base ^ exponent`
+    /// Returns `Π base ^ exponent`.
     ///
     /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of
     /// powers are combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½`

@@ -265,7 +265,7 @@ impl ConnectorKind {
         ConnectorKind::TorsionDamper,
     ];
 
-    /// The word that declares one.
+    /// Returns the word that declares one.
     pub fn name(self) -> &'static str {
         match self {
             ConnectorKind::Spring => "spring",
@@ -275,7 +275,7 @@ impl ConnectorKind {
         }
     }
 
-    /// The kind that a word declares.
+    /// Returns the kind that a word declares.
     pub fn named(word: &str) -> Option<ConnectorKind> {
         ConnectorKind::ALL.into_iter().find(|kind| kind.name() == word)
     }

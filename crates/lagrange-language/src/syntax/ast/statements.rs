@@ -1,7 +1,7 @@
 //! Statements, one variant each, with what each says of itself.
 //!
-//! Whoever walks over statements asks for their names and expressions here, and so learns of a
-//! variant as soon as it is listed.
+//! Every walk over statements asks for their names and expressions here, and so learns of a variant
+//! as soon as it is listed.
 
 mod loops;
 mod names;
@@ -81,8 +81,8 @@ pub struct Statement {
 /// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
 /// ```
 ///
-/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that
-/// of [`SceneStatement`].
+/// The documentation of [`syntax`](crate::syntax) defines `sum`, that of [`SceneStatement`] defines
+/// `scene`.
 #[derive(Clone, Debug)]
 pub enum StatementKind {
     /// `param a, b = 1.0;`
@@ -267,7 +267,7 @@ impl StatementKind {
         }
     }
 
-    /// All expressions in a statement, to be read or replaced.
+    /// Returns all expressions in a statement, to be read or replaced.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             StatementKind::Parameters(list)
@@ -312,13 +312,13 @@ impl StatementKind {
         }
     }
 
-    /// All expressions in a statement.
+    /// Returns all expressions in a statement.
     pub fn expressions(&self) -> Vec<AstId> {
         // Of a copy, so that they are listed in one place.
         self.clone().expressions_mut().into_iter().map(|id| *id).collect()
     }
 
-    /// The name that calls mention, if it declares a function.
+    /// Returns the name that calls mention, if it declares a function.
     pub fn declared_function(&self) -> Option<&Name> {
         match self {
             StatementKind::Function(function) => Some(&function.name),
@@ -328,7 +328,7 @@ impl StatementKind {
         }
     }
 
-    /// Names with the expressions that they stand for, be it as a default.
+    /// Returns names with the expressions that define them, also as defaults.
     pub fn definitions(&self) -> Vec<(&Name, AstId)> {
         match self {
             StatementKind::Parameters(list)
@@ -342,8 +342,8 @@ impl StatementKind {
         }
     }
 
-    /// The names that a statement declares, each with the expression for its value or where its
-    /// value starts.
+    /// Returns the names that a statement declares, each with the expression for its value or for
+    /// the start of its value.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
         match self {
             StatementKind::Parameters(list)
@@ -357,12 +357,12 @@ impl StatementKind {
         }
     }
 
-    /// The names that expressions behind the statement may mention.
+    /// Returns the names that expressions behind the statement may mention.
     pub fn declared_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Expressions, Reach::Both])
     }
 
-    /// The names of members of the emitted type.
+    /// Returns the names of members of the emitted type.
     pub fn member_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Members, Reach::Both])
     }

@@ -95,7 +95,7 @@ pub struct Rate<'a> {
 }
 
 impl Rate<'_> {
-    /// Spelling here.
+    /// Returns the spelling here.
     pub fn written(self) -> String {
         let function = if self.order == 1 { "dot" } else { "ddot" };
         format!("{function}({})", self.of)

@@ -1,6 +1,6 @@
 //! Velocities that belong to momenta under constraints.
 //!
-//! What is left of the momenta is in the space of constraint forces:
+//! The remainder of the momenta is in the space of constraint forces:
 //!
 //! ```text
 //! P(q, v) = p + Aᵀμ,    ċ(t, q, v) = A v + c_t = 0,

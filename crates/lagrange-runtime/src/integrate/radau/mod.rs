@@ -79,8 +79,8 @@ pub struct Radau5<S> {
 const COARSE: f64 = 1e-4;
 
 impl<S: Scalar> Radau5<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Radau5 {
             relative: tolerance,

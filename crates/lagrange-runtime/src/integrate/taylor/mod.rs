@@ -50,8 +50,8 @@ const LOWEST_CHOSEN: f64 = 8.0;
 const LOWEST: usize = 4;
 
 impl<S: Scalar> Taylor<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Taylor {
             relative: tolerance,

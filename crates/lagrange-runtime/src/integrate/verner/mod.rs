@@ -57,8 +57,8 @@ pub struct Verner98<S> {
 }
 
 impl<S: Scalar> Verner98<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Verner98 {
             relative: tolerance,
