@@ -54,12 +54,12 @@ pub trait DrawnSpace: Stored {
 /// One window shows all that is ever drawn, on one scale, and arrows of one kind have one scale.
 ///
 /// In the plane x points to the right and y upwards. Springs and dampers that end at a point
-/// without a body and without motion get a short wall there. Those between the same points lie side
-/// by side. The longest arrow is a quarter of the picture. Positions, angles and vectors are those
-/// of the declaration.
+/// without a body and without motion get a short wall there. Those between the same points lie next
+/// to each other. The longest arrow is a quarter of the picture. Positions, angles and vectors are
+/// those of the declaration.
 ///
-/// In space z points upwards. Solids are shaded and hide what is behind them; bodies that are given
-/// by numbers only are drawn as rods between their joints.
+/// In space z points upwards. Solids are shaded and hide everything behind them; bodies that are
+/// given by numbers only are drawn as rods between their joints.
 ///
 /// ```
 /// use lagrange::draw::Drawing;
@@ -173,8 +173,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds moments before those of the pictures, for traces; in the plane the window shows what is
-    /// drawn then, too.
+    /// Adds moments before those of the pictures, for traces. In the plane, the window then
+    /// includes the places at these moments.
     pub fn past(mut self, states: impl IntoIterator<Item = (M::Scalar, M::State)>) -> Self {
         self.past.extend(states);
         self
@@ -194,8 +194,8 @@ impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
         self.forces()
     }
 
-    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. Where
-    /// a body does not turn there is none; one that is far away is indicated by its ray.
+    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. A
+    /// body that does not turn has none; one that is far away is indicated by its ray.
     pub fn centers(mut self) -> Self {
         self.wanted.centers = true;
         self

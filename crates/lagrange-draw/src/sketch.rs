@@ -8,8 +8,8 @@ use lagrange_plot::notation::formula;
 /// A sheet over a picture, in the coordinates of the scene.
 ///
 /// Points and lengths are those of the scene, angles in radians counterclockwise. Labels are
-/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label is none. What is drawn at
-/// some moments of a film only is not seen at the others.
+/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label draws nothing. Marks that
+/// are drawn at some moments of a film only are not visible at the others.
 #[derive(Debug)]
 pub struct Sketch {
     pub(super) elements: Vec<Element>,
@@ -22,7 +22,7 @@ impl Sketch {
     }
 
     /// Sets the colour of later marks: 0 dark grey, then blue, vermilion, green, purple, orange,
-    /// light blue. Velocities, accelerations and forces have colours of their own.
+    /// light blue. Velocities, accelerations and forces have separate colours.
     pub fn ink(&mut self, number: usize) -> &mut Self {
         self.ink = ink(number);
         self

@@ -31,7 +31,7 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.contains_key(key)
     }
 
-    /// Sets `key` and returns what it held.
+    /// Sets `key` and returns its previous value.
     pub fn insert(&mut self, key: K, value: V) -> Option<V> {
         self.0.insert(key, value)
     }
@@ -41,7 +41,7 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.get_mut(key)
     }
 
-    /// Removes `key` and returns what it held.
+    /// Removes `key` and returns its value.
     pub fn remove(&mut self, key: &K) -> Option<V> {
         self.0.remove(key)
     }
@@ -136,7 +136,7 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.contains_key(key)
     }
 
-    /// Sets `key`, which keeps its place if it was present, and returns what it held.
+    /// Sets `key`, which keeps its place if it was present, and returns its previous value.
     pub fn insert(&mut self, key: K, value: V) -> Option<V> {
         self.0.insert(key, value)
     }

@@ -15,7 +15,7 @@ use Partial::{
 
 pub use domain::Domain;
 
-/// An elementary function; what is known of each is in its row.
+/// An elementary function; its row holds all its properties.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[expect(missing_docs, reason = "the names are those of the functions")]
 pub enum Function {

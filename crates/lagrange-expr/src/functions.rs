@@ -12,7 +12,7 @@ use quarter_turns::without_quarter_turns;
 /// Makes a function value: uses parity and known values, and writes roots and powers with numeric
 /// exponents as products.
 ///
-/// `arguments` must be as many as the function's arity.
+/// The number of `arguments` must be the function's arity.
 pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> ExprId {
     match function {
         Function::Sqrt => return graph.power(arguments[0], half_of(Number::ONE)),

@@ -4,8 +4,8 @@
 //! lists them with their messages, and a test provokes every one of these. Not for budgets inside
 //! algorithms, beyond which something is left as it is.
 
-/// Bracket groups and conditions inside each other: nothing else is read by recursion, but for the
-/// few tokens that are handed to `syn`.
+/// Bracket groups and conditions inside each other. Nothing else is read by recursion, except for
+/// the few tokens that are handed to `syn`.
 pub const MAX_NESTING: u32 = 64;
 
 /// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by

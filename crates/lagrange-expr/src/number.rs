@@ -125,7 +125,7 @@ impl Number {
         }
     }
 
-    /// True if numerator and denominator are short enough to go on computing with.
+    /// True if numerator and denominator are short enough for further computation.
     pub fn is_short(&self) -> bool {
         match &self.0 {
             Repr::Word(_) => true,

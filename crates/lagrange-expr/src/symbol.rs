@@ -44,8 +44,7 @@ pub struct Symbol {
     pub name: String,
     /// The role.
     pub role: Role,
-    /// Number of dots over the name: how often what it names is differentiated with respect to
-    /// time.
+    /// Number of dots over the name: the order of its derivative with respect to time.
     pub dots: u8,
 }
 

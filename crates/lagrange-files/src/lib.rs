@@ -18,9 +18,8 @@ pub const UNFINISHED: &str = ".unfinished";
 /// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is
 /// after an error.
 ///
-/// The new file has the permissions of the older one. Of a link the file that it leads to is
-/// replaced. A pipe or a device is written to directly. `wrong` makes an error of what the
-/// operating system says.
+/// The new file has the permissions of the older one. For a link, the target is replaced. A pipe or
+/// a device is written to directly. `wrong` makes an error from that of the operating system.
 ///
 /// # Errors
 /// If `write` fails, or the operating system cannot write the file.

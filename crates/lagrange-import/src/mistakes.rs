@@ -9,7 +9,7 @@ pub struct Mistake {
     pub line: u32,
     /// Column in that line, from one.
     pub column: u32,
-    /// The element, such as `joint "elbow", <axis>`; empty where there is none.
+    /// The element, such as `joint "elbow", <axis>`; empty for the whole file.
     pub element: String,
     /// Message in one sentence without a full stop.
     pub message: String,

@@ -66,7 +66,7 @@ fn bits_from(place: i64) -> u64 {
 }
 
 /// Splits quarter turns into the nearest whole number, modulo four, and the magnitude of the rest.
-/// That is at most one half and begins at the point. The truth value tells a negative rest.
+/// That is at most one half and begins at the point. The truth value is true for a negative rest.
 #[must_use]
 pub fn nearest_quarter<const WORDS: usize>(turns: [u64; WORDS]) -> (u64, bool, [u64; WORDS]) {
     let nearest = (turns[0] >> 62) + (turns[0] >> 61 & 1);

@@ -19,7 +19,7 @@ use crate::panel::Panel;
 use crate::paper::Paper;
 use crate::pixels::Pixels;
 
-/// Panels side by side.
+/// Panels next to each other.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Figure {
     /// The panels, row by row.

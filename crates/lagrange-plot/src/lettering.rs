@@ -14,8 +14,8 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
 
 use crate::characters::shown;
 
-/// The family that is asked for where viewers have fonts of their own: the embedded one in full, or
-/// what is set about as wide.
+/// The font family for viewers with fonts of their own: the embedded one in full, or others of
+/// about the same width.
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
 

@@ -16,8 +16,8 @@ const CENTRAL: f64 = 4.0;
 const ASIDE: f64 = 32.0;
 
 /// Returns the zero that Newton's method finds from a start within a number of steps; NaN if it
-/// finds none. Numbers side by side go on until each of them has its own, which does not depend on
-/// the others.
+/// finds none. Numbers in lanes continue until each of them has its own zero, which does not depend
+/// on the others.
 ///
 /// For a value of y, `equation` computes the residual r, its slope ∂r/∂y, and a rounding error of
 /// r. That is the sum of the effects of one relative rounding error in y and in each value on the

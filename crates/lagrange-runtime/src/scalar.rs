@@ -48,15 +48,14 @@ macro_rules! value_of {
     };
 }
 
-/// A real number with elementary functions, or several that go through the same formulas side by
-/// side.
+/// A real number with elementary functions, or several in lanes that take the same formulas.
 ///
 /// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out,
 /// except for `hypot` with an infinite and `powi` with a zero argument, as documented there.
 /// Emitted code relies on this to never hide a failed computation. Zeros keep their sign according
 /// to IEEE 754.
 ///
-/// Numbers side by side cannot branch, each may want another way: they compute both and
+/// Numbers in lanes cannot branch, since each may need another branch: they compute both and
 /// [`select`](Number::select). For those that can branch a [mask](Mask) is a `bool`, and they are
 /// [`Scalar`]s.
 ///
@@ -74,7 +73,7 @@ pub trait Number:
     + Neg<Output = Self>
     + 'static
 {
-    /// The result of a comparison: `bool`, or one truth value per number side by side.
+    /// The result of a comparison: `bool`, or one truth value per lane.
     type Mask: Mask;
 
     /// Zero.
@@ -97,8 +96,8 @@ pub trait Number:
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
     /// Returns the largest whole number that is not above this one, but at least 0 and below
-    /// `count`; 0 for NaN. `None` of numbers side by side, and where an implementation does not
-    /// know better: then tables search for what they know otherwise.
+    /// `count`; 0 for NaN. `None` for numbers in lanes and by default. Tables then search for their
+    /// pieces in another way.
     #[inline]
     fn floor_below(self, count: usize) -> Option<usize> {
         let _ = count;

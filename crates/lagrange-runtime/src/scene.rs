@@ -49,7 +49,7 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         name: &'a str,
         /// Motion.
         motion: D::Motion<S>,
-        /// Its shape, in its own coordinates; empty if it has none.
+        /// Its shape, in its own coordinates; empty for a body without shape.
         parts: &'a [Part<'a, S, D>],
     },
     /// A frame, in space only.
@@ -72,8 +72,8 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
     },
     /// A joint.
     Joint {
-        /// Its name; in space that of its quaternion, of its first coordinate, or of what it
-        /// places, or that of a pin.
+        /// Its name. In space it is that of its quaternion, of its first coordinate, of the placed
+        /// body, or of a pin.
         name: &'a str,
         /// Kind of joint; in space with its axis and the bodies that it joins.
         kind: D::Joint<'a, S>,

@@ -26,8 +26,8 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The equations of motion and what else a model was asked for. Products that are not wanted are
-/// not among `products`; the two sides of M q̈ = f come with the accelerations.
+/// The equations of motion and the other requested products of a model. Products that are not
+/// requested are not among `products`; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
@@ -48,7 +48,7 @@ pub struct Equations {
     /// The counted cost of each strategy, as far as it was tried, in the order of
     /// [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
-    /// M in rows; none if it is large and was not asked for.
+    /// M in rows; empty if it is large and was not requested.
     pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,

@@ -48,7 +48,7 @@ pub enum StrategyChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// A given one; the mass matrix instead of a sum of squares where the kinetic energy is none.
+    /// A given one; the mass matrix instead of a sum of squares if the kinetic energy is not one.
     Always(Strategy),
 }
 

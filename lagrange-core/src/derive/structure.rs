@@ -16,7 +16,7 @@ pub struct MassStructure {
     pub is_constant: bool,
     /// An entry depends on velocities.
     pub depends_on_velocities: bool,
-    /// Coordinates that are coupled with each other; single ones form blocks of their own.
+    /// Coordinates that are coupled with each other; single ones form separate blocks.
     pub blocks: Vec<Vec<usize>>,
 }
 

@@ -145,8 +145,8 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
 /// True if a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about
 /// its centre of mass.
 ///
-/// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of
-/// the principal minors.
+/// The second moments of its mass are then positive semidefinite, except for rounding: by the signs
+/// of the principal minors.
 pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let [a, b, c] = [half - xx, half - yy, half - zz];

@@ -27,7 +27,7 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// Generalised velocities in state order, one for each freedom.
     pub speeds: Vec<Speed>,
-    /// Orientations that unit quaternions say.
+    /// Orientations in unit quaternions.
     pub orientations: Vec<Orientation>,
     /// The energies as declared.
     pub energies: Energies,
@@ -41,8 +41,7 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// Constraints on coordinates and velocities, in declaration order.
     pub constraints: Vec<Constraint>,
-    /// Names of constraints of joints that are left out, since the coordinates fulfil them by
-    /// themselves.
+    /// Names of constraints of joints that are omitted, since the coordinates satisfy them.
     pub implied: Vec<String>,
     /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
     pub stabilisation: Option<ExprId>,
@@ -52,15 +51,15 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
-    /// Rigid bodies, as far as they are asked for.
+    /// Rigid bodies, as far as requested.
     pub scene: Scene,
-    /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
+    /// Velocities that are known to be rates, with their variables: `(u, x)` with u = dx/dt.
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
     /// Units of parameters, inputs, coordinates, velocities and outputs, as far as they are known.
     pub units: NamedUnits,
-    /// The level of accuracy that was asked for.
+    /// The requested level of accuracy.
     pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].
     pub products: Vec<Product>,
@@ -231,7 +230,7 @@ pub struct Event {
 pub enum Action {
     /// The motion ends.
     Stop,
-    /// It goes on.
+    /// The run continues.
     Record,
     /// Bodies touch: the contact with this index among [`Model::reactions`].
     Impact(u32),
@@ -242,7 +241,7 @@ pub enum Action {
 /// An entry of the state and its value after an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// Its index in [q…, v…], of which q are as many as there are positions.
+    /// Its index in [q…, v…], where q has one entry for each position.
     pub index: usize,
     /// A function of t, q and v before the event.
     pub value: ExprId,

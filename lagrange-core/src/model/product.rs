@@ -113,7 +113,7 @@ pub struct ProductRow {
     pub name: &'static str,
     /// When it is emitted.
     pub when: Availability,
-    /// Its method; `None` for constants and for what is emitted of bodies.
+    /// Its method; `None` for constants and for products of bodies.
     pub method: Option<ProductMethod>,
 }
 

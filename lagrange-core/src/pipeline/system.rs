@@ -66,7 +66,7 @@ impl System {
         emit::statements(&self.declaration)
     }
 
-    /// Returns the number by which emitted types tell declarations apart, `FINGERPRINT`. Layout,
+    /// Returns the number by which emitted types distinguish declarations, `FINGERPRINT`. Layout,
     /// comments and pictures do not change it.
     pub fn fingerprint(&self) -> u64 {
         emit::fingerprint(&self.declaration)

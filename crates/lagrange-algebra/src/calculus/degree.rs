@@ -44,7 +44,7 @@ impl Degrees {
         Degrees { excluded, ..self }
     }
 
-    /// Finds the degree of everything `roots` are made of.
+    /// Finds the degree of all parts of `roots`.
     pub fn classify(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable_until(roots, |id| self.known.contains(&id)) {
             if !self.known.contains(&id) {
@@ -126,7 +126,7 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
 }
 
 /// Returns the degree of an expression as a polynomial in symbols of these kinds; `None` if it is
-/// none, or not plainly one.
+/// not a polynomial, or not plainly one.
 pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
     let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();

@@ -17,9 +17,9 @@ pub enum AccelerationTerms {
 
 /// Total time derivatives of expressions, each computed once.
 ///
-/// Coordinates change with their velocities, positions in general as the graph says, and time with
-/// rate one. Parameters do not change; neither do inputs, whose rates are unknown: a caller to whom
-/// that matters must look for them first.
+/// Coordinates change with their velocities, positions in general as the graph defines, and time
+/// with rate one. Parameters do not change; neither do inputs, whose rates are unknown: a caller to
+/// whom that matters must look for them first.
 #[derive(Debug)]
 pub struct Rates {
     accelerations: AccelerationTerms,

@@ -6,8 +6,8 @@ use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph, Node};
 use lagrange_expr::symbol::Role;
 
 /// Creates a new graph with the parts of `roots`, and returns the place of each expression there.
-/// No rates of positions are set in it. Symbols keep their names and get the roles that `role`
-/// gives them, which must be as many as before.
+/// No rates of positions are set in it. Symbols keep their names and get the roles from `role`,
+/// whose number must be unchanged.
 pub fn transplant(
     source: &Graph,
     roots: &[ExprId],

@@ -66,8 +66,8 @@ impl Names {
         ident
     }
 
-    /// Gives a symbol that has no name of its own a variable called `wish`, or like it where that
-    /// is taken.
+    /// Gives a symbol without a separate name a variable called `wish`, or like it if that is
+    /// taken.
     pub fn assign(&mut self, role: Role, wish: &str) {
         let ident = self.fresh(wish);
         self.roles.insert(role, ident);

@@ -14,7 +14,7 @@ const LARGEST_RESIDUE: f64 = 1e-6;
 /// Sub-expressions are multiplied out, the rules of [`RULES`](super::RULES) applied, equal terms
 /// collected, and the result regrouped by what changes during the motion. Whatever has more than
 /// `budget` monomials stays closed; 200 is enough for the formulas people read. The cost is bounded
-/// by the budget and by the number of nodes `expr` is made of.
+/// by the budget and by the number of nodes of `expr`.
 pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
     present_all(graph, &[expr], budget)[0]
 }
@@ -53,7 +53,7 @@ pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<E
 /// True if the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
 ///
 /// Sines and cosines of sums are expanded, so that every polynomial identity between sines and
-/// cosines of independent angles is found. `true` is a proof; `false` says nothing. Nothing is
+/// cosines of independent angles is found. `true` is a proof; `false` proves nothing. Nothing is
 /// multiplied out if a numerical value shows that the answer is no.
 pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     if is_plainly_not_zero(graph, expr) {

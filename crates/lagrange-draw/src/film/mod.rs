@@ -84,7 +84,7 @@ impl<D: DrawnSpace> Film<D> {
         &self.timeline.times
     }
 
-    /// Returns its pictures, in space seen as the drawing says.
+    /// Returns its pictures, in space as seen from the eye of the drawing.
     pub fn pictures(&self) -> Cow<'_, [Picture]> {
         self.recording.pictures()
     }
@@ -101,8 +101,8 @@ impl<D: DrawnSpace> Film<D> {
     /// extension. An older file stays until the new one is whole.
     ///
     /// # Errors
-    /// If the extension is none of `html`, `gif`, and `svg` in the plane or `glb` in space, or the
-    /// file cannot be written.
+    /// If the extension is not `html`, `gif`, `svg` in the plane or `glb` in space, or the file
+    /// cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();

@@ -34,7 +34,7 @@ impl Film<Spatial> {
     /// names of bodies are those of nodes, and other labels are left out.
     ///
     /// # Errors
-    /// If the file would be larger than its format can tell.
+    /// If the file would be larger than its format allows.
     pub fn glb(&self) -> Result<Vec<u8>, DrawError> {
         self.recording.file(&self.timeline)
     }

@@ -74,7 +74,7 @@ pub struct Diagnostic {
     pub message: String,
     /// The offending tokens.
     pub origin: Origin,
-    /// Other places that matter, each with what is there.
+    /// Other places that matter, each with a description.
     pub related: Vec<(Origin, String)>,
     /// Advice.
     pub help: Option<String>,
@@ -166,7 +166,7 @@ impl Report {
         self.diagnostics.get_mut(number)
     }
 
-    /// Changes each mistake, and keeps those of which it is said.
+    /// Changes each mistake, and keeps those for which `keep` is true.
     pub fn revise(&mut self, keep: impl FnMut(&mut Diagnostic) -> bool) {
         self.diagnostics.retain_mut(keep);
     }

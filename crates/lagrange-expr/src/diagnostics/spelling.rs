@@ -5,8 +5,7 @@ const LONGEST_COMPARED: usize = 64;
 /// A name that begins with another is near it if they share at least this many letters.
 const SHORTEST_PREFIX: usize = 3;
 
-/// Returns the candidate nearest to a name that is none of them, if it is near enough to be worth
-/// suggesting.
+/// Returns the candidate nearest to an unknown name, if it is near enough to be worth suggesting.
 ///
 /// Nearness is the number of letters to insert, delete, replace or swap with their neighbour, at
 /// most a third of the longer name. Upper and lower case count as equal. Failing that, a candidate

@@ -46,7 +46,7 @@ impl Dependencies {
     }
 
     /// True if the value may change by itself during a motion: with time or the state, while inputs
-    /// stay what they are.
+    /// stay unchanged.
     pub fn may_change(self) -> bool {
         self.0 & !(Dependencies::PARAMETER.0 | Dependencies::INPUT.0) != 0
     }

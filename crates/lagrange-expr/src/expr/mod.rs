@@ -257,7 +257,7 @@ impl Graph {
         self.intern(Node::Symbol(id))
     }
 
-    /// Returns the symbol in `role`, with its name and so many dots if it is new.
+    /// Returns the symbol in `role`, with its name and this many dots if it is new.
     pub fn dotted_symbol(&mut self, name: &str, role: Role, dots: u8) -> ExprId {
         let id = self.symbols.intern_dotted(name, role, dots);
         self.intern(Node::Symbol(id))

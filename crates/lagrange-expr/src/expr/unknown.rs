@@ -19,7 +19,7 @@ pub struct AlgebraicUnknown {
     pub value: ExprId,
     /// Expression that is zero at the solution, in these symbols.
     pub residual: ExprId,
-    /// Value from which the iteration starts, made of the arguments.
+    /// Value from which the iteration starts, a function of the arguments.
     pub start: ExprId,
     /// Number of steps after which the equation counts as one without a solution.
     pub iterations: u32,

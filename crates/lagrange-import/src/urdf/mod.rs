@@ -92,7 +92,7 @@ pub use crate::declaration::Motion;
 /// The options of an import.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Name of the struct; if it is not given it is made of the robot's.
+    /// Name of the struct; by default it follows from the robot's.
     pub name: Option<String>,
     /// True if the base moves freely instead of being fixed to the ground.
     pub is_free: bool,
@@ -103,7 +103,7 @@ pub struct Options {
     pub trusts_inertia: bool,
 }
 
-/// A declaration made of a file.
+/// A declaration from a file.
 #[derive(Clone, Debug)]
 pub struct Import {
     /// The declaration as a person would write it.

@@ -58,7 +58,7 @@ pub use plain::{
     SpatialJointForm, SpatialKinematics, SpatialMotion,
 };
 
-/// Puts plain statements in the place of those about bodies. Mistakes are reported.
+/// Replaces statements about bodies by plain statements. Mistakes are reported.
 pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
     let translation = Translation::new(&mut declaration, report);

@@ -130,7 +130,7 @@ impl Declaration {
         states.flatten()
     }
 
-    /// True if there is an equation of the state of this name, be it wrong.
+    /// True if there is an equation of the state of this name, even an invalid one.
     pub fn states_rate_of(&self, state: &str) -> bool {
         let is_its =
             |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
@@ -165,7 +165,7 @@ impl Declaration {
         named
     }
 
-    /// True if a product that is emitted on demand is asked for: the last word counts.
+    /// True if a product that is emitted on demand is requested: the last word counts.
     pub fn asks_for(&self, product: &str) -> bool {
         let items = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Emit(items) => Some(items),
@@ -192,7 +192,7 @@ impl Declaration {
     }
 
     /// Returns the declaration of a reduced type: with another name and documentation, without
-    /// frozen coordinates. What its statements say is still said of the whole system.
+    /// frozen coordinates. Its statements still describe the whole system.
     pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
         let is_frozen = |name: &Name| {
             let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);

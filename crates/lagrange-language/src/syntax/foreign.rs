@@ -112,7 +112,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
 ];
 
-/// Names without a meaning, with what is written in their place.
+/// Names without a meaning, with their replacements.
 pub const NAMES: &[(&[&str], &str)] = &[
     (&["PI", "Pi", "M_PI", "π"], "pi"),
     (&["TAU", "two_pi", "twopi"], "2 * pi"),

@@ -16,8 +16,8 @@ use lagrange_expr::limits::MAX_FILE_BYTES;
 /// A file as it was read.
 #[derive(Clone, Debug)]
 pub struct FileText {
-    /// Path under which the compiler finds it, so that what is emitted is compiled again when it
-    /// changes; nothing if it need not.
+    /// Path under which the compiler finds it, so that emitted code is compiled again when it
+    /// changes; empty if it need not.
     pub path: String,
     /// Content.
     pub text: String,
@@ -47,8 +47,7 @@ pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     })
 }
 
-/// Reads files: from the path that a declaration gives to the text, or to the reason why there is
-/// none.
+/// Reads files: from the path in a declaration to the text, or to the reason why there is none.
 pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
 
 /// Reads no files: every one is an error.

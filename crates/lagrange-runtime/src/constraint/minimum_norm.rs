@@ -83,8 +83,8 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
 /// ```
 ///
 /// from the symmetric mass matrix M and the matrix A of the constraints, both in rows, the forcing
-/// f and the drift b. The mass matrix may be singular as long as the constraints determine what it
-/// does not.
+/// f and the drift b. The mass matrix may be singular as long as the constraints determine the
+/// rest.
 ///
 /// [`rank_tolerance`] decides which constraints depend on each other. All results are NaN if an
 /// argument is not finite, if the accelerations are not determined, or if the constraints
@@ -130,8 +130,8 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
 /// −`residuals` for the independent constraints. The others are ignored, since their remaining
 /// residuals are of second order unless they contradict the first.
 ///
-/// NaN if what is given is not finite, if δ is not determined, or if a constraint without a
-/// gradient has a residual.
+/// NaN if an argument is not finite, if δ is not determined, or if a constraint without a gradient
+/// has a residual.
 pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     jacobian: &[[S; N]; D],

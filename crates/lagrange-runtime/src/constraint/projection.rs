@@ -114,7 +114,7 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
 ///
 /// # Errors
 /// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would
-/// make another motion of it; the state is then what it was.
+/// lead to another motion; the state is then unchanged.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -136,11 +136,11 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This
-/// is what [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types does.
+/// Brings a state that replaced another onto the constraints, as [`project`] does.
+/// [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types calls it.
 ///
 /// # Errors
-/// [`StepFailure::Violated`]; the state is then what it was.
+/// [`StepFailure::Violated`]; the state is then unchanged.
 pub fn restore<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -170,7 +170,7 @@ fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V,
 ///
 /// # Errors
 /// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale;
-/// the state is then what it was.
+/// the state is then unchanged.
 pub fn admit<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

@@ -30,8 +30,8 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         Motions { batch: Batch::new(system, number, start), has_starts }
     }
 
-    /// Starts each motion from a state: a function of its index, counted from zero, and of [random
-    /// numbers](Random) of its own. It may be called several times for a motion, and by several
+    /// Starts each motion from a state: a function of its index, counted from zero, and of separate
+    /// [random numbers](Random). It may be called several times for a motion, and by several
     /// threads.
     pub fn start<Y: InitialState<M::State>>(
         mut self,
@@ -45,9 +45,9 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         self
     }
 
-    /// Gives each motion a system of its own: a copy of that of all, which is changed by its index.
-    /// Parameters drawn at random take numbers from [`Random::parameters`], which are others than
-    /// those of the starts, under the same seed, too.
+    /// Gives each motion a separate system: a copy of the common one, changed by its index.
+    /// Parameters drawn at random take numbers from [`Random::parameters`], which differ from those
+    /// of the starts, also under the same seed.
     ///
     /// Every parameter of the system, changed or not, then becomes a column of
     /// [`Ends`](super::Ends) and of files. It has its name, unless an [observer](Ensemble::observe)
@@ -172,15 +172,15 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Computes every motion as a run by itself, with the bits of a [single
+    /// Computes every motion as a separate run, with the bits of a [single
     /// run](crate::simulate::Simulation), instead of several [in lanes](Self::is_in_lanes).
     pub fn one_by_one(mut self) -> Self {
         self.batch.is_one_by_one = true;
         self
     }
 
-    /// Computes on so many threads, 4096 at most, instead of those of rayon's pool, which are as
-    /// many as the machine has. Results do not depend on it.
+    /// Computes on this many threads, 4096 at most, instead of those of rayon's pool, one for each
+    /// processor. Results do not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
             0 => self.batch.refuse_setting("an ensemble needs at least one thread"),
@@ -193,9 +193,9 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a
     /// progress bar.
     ///
-    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions
-    /// that have begun go on to their end, and [`Cancelled`](super::EnsembleError::Cancelled) comes
-    /// back. What was saved is kept.
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble. Motions
+    /// that have begun then continue to their end, and
+    /// [`Cancelled`](super::EnsembleError::Cancelled) is returned. Saved parts are kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
         self.batch.reporter = Some(Reporter::new(callback));
         self

@@ -19,11 +19,10 @@ use crate::system::{MechanicalSystem, StateVector};
 
 /// The final states of an ensemble's motions: one row each, in named columns.
 ///
-/// Columns are the coordinates and velocities, then what was observed, and then, if motions were
-/// given [parameters](crate::ensemble::Motions::parameters) of their own, all parameters. Of an
-/// emitted system those of the state are also methods, such as `ends.theta()`. The row of a motion
-/// that failed holds NaN but for its parameters: what is known of it is in
-/// [`failures`](Ends::failures).
+/// Columns are the coordinates and velocities, then the observed quantities, and then all
+/// parameters, if motions were given separate [parameters](crate::ensemble::Motions::parameters).
+/// For an emitted system those of the state are also methods, such as `ends.theta()`. The row of a
+/// failed motion holds NaN except for its parameters; [`failures`](Ends::failures) describes it.
 pub struct Ends<M: MechanicalSystem> {
     columns: M::Columns<Table<M::Scalar>>,
     failures: Vec<Failure<M>>,
@@ -161,9 +160,8 @@ where
     /// Computes all motions and keeps their ends.
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback
-    /// cancels. A motion that fails is among the [`failures`](Ends::failures), and the others go
-    /// on.
+    /// If a setting is invalid, a closure panics, or the progress callback cancels. A motion that
+    /// fails is among the [`failures`](Ends::failures), and the others continue.
     pub fn run(self) -> Result<Ends<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }

@@ -55,7 +55,7 @@ impl Grid {
         self.x.cells.saturating_mul(self.y.cells)
     }
 
-    /// True if there is none.
+    /// True if it has no cells.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }

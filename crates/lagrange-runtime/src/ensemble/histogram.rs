@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 
 use super::reduce::Reduce;
 
-/// Counts of numbers in at most so many bins of one width, which fit themselves to the numbers.
+/// Counts of numbers in at most a given number of bins of one width, which fit themselves to the
+/// numbers.
 ///
 /// The width is the least power of two with which that many bins reach from the least number to the
 /// greatest. It is not below 2⁻⁴⁰ of the power of two below the largest magnitude. Edges are
@@ -37,7 +38,7 @@ const DEPTH: i32 = 40;
 const FINEST: i32 = -1000;
 
 impl Histogram {
-    /// Counts in at most so many bins, none as yet.
+    /// Creates an empty histogram with at most this many bins.
     ///
     /// # Panics
     /// If there is to be no bin, or more than 2²⁴.

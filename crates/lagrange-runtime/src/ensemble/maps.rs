@@ -63,10 +63,10 @@ impl Map {
     }
 
     /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole
-    /// pixels. Up to 1000 pixels are side by side, or one for each cell if there are more cells.
+    /// pixels. Up to 1000 pixels are in a row, or one for each cell if there are more cells.
     ///
     /// # Errors
-    /// If the extension is another, or what the operating system says.
+    /// If the extension is not supported, or the operating system cannot write the file.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         Figure::of_cells(Panel { cells: Some(self.cells.clone()), ..self.panel.clone() }).save(path.as_ref())
     }
@@ -78,7 +78,7 @@ where
 {
     /// Creates a picture of a column, or of the times `t` at which motions ended, over the cells of
     /// the grid from which they started. Names of columns and parameters have their units, if the
-    /// declaration says them.
+    /// declaration has them.
     ///
     /// # Errors
     /// If there is no such column, these are not the motions of all cells, or a range of the grid

@@ -108,7 +108,7 @@ pub use self::starts::Starts;
 
 /// Lets every mechanical system that threads may share move many times.
 pub trait Ensembles: SharedSystem + Sized {
-    /// Motions of this system: so many, or one from each start of a list.
+    /// Creates motions of this system: a number of them, or one from each start of a list.
     fn ensemble(&self, starts: impl Starts<Self>) -> Motions<'_, Self> {
         Motions::new(self, starts)
     }

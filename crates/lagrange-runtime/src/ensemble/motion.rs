@@ -77,10 +77,9 @@ where
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
 {
-    /// Runs one motion of the ensemble again, or for the first time, by itself, with every step
-    /// kept if samples were not asked for. It has the same bits, unless the ensemble goes [in
-    /// lanes](Self::is_in_lanes): its end then is the same to within what the tolerance leaves
-    /// open.
+    /// Runs one motion of the ensemble again, or for the first time, as a single run, with every
+    /// step kept unless samples were requested. It has the same bits, unless the ensemble runs [in
+    /// lanes](Self::is_in_lanes): its end is then the same to within the tolerance.
     ///
     /// ```
     /// # lagrange::system! {

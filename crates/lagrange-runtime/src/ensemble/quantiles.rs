@@ -13,9 +13,9 @@ impl<M: MechanicalSystem> Samples<M> {
     /// of the motions lies. `None` if there is no such column.
     ///
     /// Between the values of two motions they are interpolated linearly (definition 7 of Hyndman
-    /// and Fan, *The American Statistician* 50 (1996) 361–365). Motions that failed are left out;
-    /// so are others from where they were stopped, and values that are not a number. Where nothing
-    /// is left there is no number either.
+    /// and Fan, *The American Statistician* 50 (1996) 361–365). Failed motions are omitted; so are
+    /// others from where they were stopped, and values that are NaN. Without any motion, quantiles
+    /// are NaN.
     ///
     /// ```
     /// use lagrange::Ensembles;

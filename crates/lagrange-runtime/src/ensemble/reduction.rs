@@ -90,11 +90,11 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// Computes all motions and keeps what they come down to, and nothing of themselves, so that
-    /// memory does not depend on their number.
+    /// Computes all motions and keeps only their reduction, so that memory does not depend on their
+    /// number.
     ///
-    /// `add` is asked for every motion that did not fail. What [`Reduce`] asks for makes the result
-    /// the same bits for any number of threads.
+    /// `add` is called for every motion that did not fail. By the requirements of [`Reduce`], the
+    /// result has the same bits for any number of threads.
     ///
     /// ```
     /// # lagrange::system! {

@@ -57,9 +57,8 @@ where
     /// Computes all motions and keeps their samples.
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback
-    /// cancels. A motion that fails is among the [`failures`](Samples::failures), and the others go
-    /// on.
+    /// If a setting is invalid, a closure panics, or the progress callback cancels. A motion that
+    /// fails is among the [`failures`](Samples::failures), and the others continue.
     pub fn run(self) -> Result<Samples<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }

@@ -20,8 +20,8 @@ use crate::system::{Action, OdeSystem, Reacted, Response};
 
 use crate::scalar::{Number, Scalar};
 
-/// The sides of its switches on which a system is computed: fixed, as during a run, or free, which
-/// is as its state says.
+/// The sides of its switches on which a system is computed: fixed, as during a run, or free, as its
+/// state determines.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Switches {
     /// A bit for each switch whose side is fixed.

@@ -17,7 +17,7 @@ pub(super) use self::lanes::FixedLanes;
 /// are summed with compensation, so that conserved quantities of the formula are conserved to
 /// rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// True if steps end on the constraints of the system by themselves, so that states need no
+    /// True if steps end on the constraints of the system anyway, so that states need no
     /// correction.
     const KEEPS_CONSTRAINTS: bool = false;
 

@@ -34,8 +34,8 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     ///
     /// # Errors
-    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate
-    /// at the start is not finite.
+    /// If a setting is invalid, or `t`, `y`, `end` or, where the method needs it, the rate at the
+    /// start is not finite.
     fn start(
         &self,
         system: &M,
@@ -56,10 +56,10 @@ pub trait Method<M: OdeSystem + ?Sized> {
         Err(SettingError::Invalid("this method has a fixed step size: reduce it instead"))
     }
 
-    /// Lets a visitor do what it does with methods that can take several motions side by side.
+    /// Calls a visitor if the method can take several motions in lanes.
     ///
     /// # Errors
-    /// The visitor comes back if this is none.
+    /// Returns the visitor if this method cannot.
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V>
     where
         Self: Sized,
@@ -84,7 +84,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// reached.
     ///
     /// # Errors
-    /// If no step can be taken. Time and state are then what they were before.
+    /// If no step can be taken. Time and state are then unchanged.
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>>;
 
     /// Returns the time at which the last step began; the present time if none was taken since the
@@ -99,7 +99,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
     /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the
-    /// step itself, as far as the method can tell. If not, the step is taken back: time and state
+    /// step itself, to the knowledge of the method. If not, the step is taken back: time and state
     /// are those before it, and the next attempt is shorter.
     ///
     /// To be asked once after a step, before anything within it is, and before the step is made use
@@ -116,7 +116,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// counts.
     ///
     /// # Errors
-    /// If the state or, where the method asks for it, its rate is not finite.
+    /// If the state or, where the method needs it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
     /// Returns the work so far.
@@ -144,7 +144,7 @@ pub struct Work {
 /// Most lanes that a [`LanesStepper`] may have.
 pub const MOST_LANES: usize = 16;
 
-/// A method of integration that takes several motions side by side.
+/// A method of integration that takes several motions in lanes.
 pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
@@ -177,13 +177,14 @@ pub trait LanesMethod<T: Scalar>: Copy {
         F: Equations<O>;
 
     /// True if a motion of this system, which is under [suspicion](LanesStepper::suspicion) for
-    /// this step, may go on in its lane.
+    /// this step, may continue in its lane.
     fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
         false
     }
 }
 
-/// A step that may have been too long for its method, and where to look for what is too fast.
+/// A step that may have been too long for its method, and the direction in which to look for fast
+/// components.
 #[derive(Clone, Copy, Debug)]
 pub struct SuspectStep<S, Y> {
     /// The time at which it began.
@@ -229,8 +230,8 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn step(&mut self, equations: &E);
 
     /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
-    /// just taken a step. Where states within it are less accurate than its end, as far as the
-    /// method can tell, the step is taken back, as by [`Stepper::confirm`].
+    /// just taken a step. If states within it are less accurate than its end, to the knowledge of
+    /// the method, the step is taken back, as by [`Stepper::confirm`].
     fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
 
     /// Returns the states at times within the last steps, in lanes that were prepared, or at their
@@ -260,7 +261,7 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn work(&self, lane: usize) -> Work;
 }
 
-/// Something to do with a method if it can take motions side by side.
+/// A visitor of methods that can take motions in lanes.
 pub trait LanesMethodVisitor<T: Scalar> {
     /// The result.
     type Output;

@@ -28,7 +28,7 @@ use crate::system::{OdeSystem, StateVector, StepFailure};
 /// Runge–Kutta method.
 ///
 /// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
-/// backwards in time. Nothing is checked: what is not finite is returned as it is.
+/// backwards in time. Nothing is checked: values that are not finite are returned.
 #[inline]
 pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
 where

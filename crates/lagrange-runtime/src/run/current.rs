@@ -2,7 +2,8 @@
 
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
-/// A system that was given, or what contacts, friction, switches or inputs have made of it since.
+/// The original system, or its present form after contacts, friction, switches or inputs changed
+/// it.
 pub struct Current<'a, M> {
     given: &'a M,
     switched: Option<M>,
@@ -18,7 +19,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     /// has had its way with it.
     ///
     /// # Errors
-    /// If no motion starts there; the system is then what it was.
+    /// If no motion starts there; the system is then unchanged.
     pub fn begin(
         &mut self,
         (t, y): (M::Scalar, &M::State),

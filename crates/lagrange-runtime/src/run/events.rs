@@ -20,7 +20,7 @@ pub type Next<M> = Result<Option<(Origin, <M as OdeSystem>::Scalar)>, StepFailur
 /// An event with the state reached.
 pub type Found<M> = Occurrence<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// Functions of time and state whose zeros are looked for, with what comes of them.
+/// Functions of time and state that are searched for zeros, with the responses to these.
 pub trait Events<M: OdeSystem> {
     /// True if there is nothing to look for.
     fn is_empty(&self) -> bool;
@@ -38,7 +38,7 @@ pub trait Events<M: OdeSystem> {
     /// Returns the response to an event.
     ///
     /// # Errors
-    /// If the motion cannot go on.
+    /// If the motion cannot continue.
     fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M>;
 
     /// Goes on from another state.

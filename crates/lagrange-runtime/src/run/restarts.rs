@@ -38,8 +38,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
 
-    /// Restarts the method where that is due, before a step; the system that goes on from there, if
-    /// it is another one.
+    /// Restarts the method where that is due, before a step. Returns the system for the
+    /// continuation, if it differs.
     ///
     /// # Errors
     /// As [`Stepper::restart`].

@@ -15,7 +15,7 @@ use crate::system::{EventKind, OdeSystem, StepFailure};
 
 /// An observer of a run.
 pub trait Sink<M: OdeSystem> {
-    /// True if states before the end of a step to `to` will be asked for.
+    /// True if states before the end of a step to `to` will be requested.
     fn looks_before(&self, _to: M::Scalar) -> bool {
         false
     }
@@ -45,11 +45,11 @@ pub trait Sink<M: OdeSystem> {
 /// The result of a turn.
 #[derive(Clone, Copy, Debug)]
 pub enum Turn<S, Y> {
-    /// The motion goes on, unless it has reached its end.
+    /// The motion continues, unless it has reached its end.
     GoesOn,
     /// An event stopped it at this time and state.
     Stopped(S, Y),
-    /// The sink did not want it to go on.
+    /// The sink stopped it.
     Cancelled,
 }
 
@@ -119,8 +119,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.work()
     }
 
-    /// Takes a step, to `instant` at most, and goes through its events up to one after which the
-    /// motion does not just go on.
+    /// Takes a step, to `instant` at most, and handles its events up to one that changes or ends
+    /// the motion.
     ///
     /// # Errors
     /// If the method, the search for events or an event fails, with the last good state.
@@ -144,7 +144,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     /// Goes on with this system from the time and state that were reached, as with other inputs.
     ///
     /// # Errors
-    /// If the method cannot go on from there.
+    /// If the method cannot continue from there.
     pub fn exchange(&mut self, sink: &mut impl Sink<M>, system: M) -> Result<(), StepFailure<M::Scalar>> {
         let (time, state) = (self.time(), *self.stepper.state());
         // Several surfaces may have been passed by the jump.

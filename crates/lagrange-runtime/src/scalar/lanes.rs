@@ -8,12 +8,12 @@ use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{Elementary, Mask, Number, Scalar};
 
-/// N numbers of the type T side by side, one in each lane.
+/// N numbers of the type T, one in each lane.
 ///
 /// The result of a lane has the same bits whatever the other lanes contain and however many there
 /// are. Sums, products and square roots are those of T. [`multiply_add`](Number::multiply_add)
 /// rounds once if FUSED and twice otherwise, on every target: without the instruction it is a slow
-/// call. [`powi`](Number::powi) is made of products, as it is for one number;
+/// call. [`powi`](Number::powi) consists of products, as it does for one number;
 /// [`powf`](Number::powf) is that of T, lane by lane.
 ///
 /// Other elementary functions are computed for all lanes together, from the same source for either

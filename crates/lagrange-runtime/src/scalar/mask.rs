@@ -3,8 +3,7 @@
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// The result of comparing [numbers](super::Number): a `bool`, or one truth value per number side
-/// by side.
+/// The result of comparing [numbers](super::Number): a `bool`, or one truth value per lane.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> + 'static
 {

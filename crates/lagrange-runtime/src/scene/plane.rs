@@ -14,8 +14,8 @@ pub struct Line<'a, S> {
     pub angle: S,
 }
 
-/// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia)
-/// says where centres of mass are.
+/// An outline in its own coordinates, in which [`lagrange::inertia`](mod@crate::inertia) also gives
+/// centres of mass.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Outline<'a, S> {
     /// A point mass at the origin.

@@ -56,7 +56,7 @@ pub enum SpatialJointKind {
     Revolute,
     /// It moves along its axis.
     Prismatic,
-    /// It turns about its axis and moves along it by itself.
+    /// It turns about its axis and moves along it independently.
     Cylindrical,
     /// It turns about its axis and moves along it in proportion.
     Screw,

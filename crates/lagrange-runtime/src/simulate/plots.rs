@@ -39,14 +39,14 @@ where
     ///
     /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for
     /// `x_ddot`, x₂ for `x[2]`. Words, and names that would look like others, stay as they are.
-    /// Units that a declaration says stand behind names, as in x in m: at the axis, and in the
-    /// legend where curves have several.
+    /// Units of a declaration stand behind names, as in x in m: at the axis, and in the legend if
+    /// curves have several.
     ///
-    /// The extension of the file says what it is, here and in all plots: `svg` for drawings and
+    /// The extension of the file selects its format, here and in all plots: `svg` for drawings and
     /// `png` for pixels.
     ///
     /// # Errors
-    /// If the extension is another, or what the operating system says.
+    /// If the extension is not supported, or the operating system cannot write the file.
     pub fn plot_states(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         const {
             assert!(

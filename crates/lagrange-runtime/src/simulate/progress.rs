@@ -31,7 +31,7 @@ impl<S: Scalar + Into<f64>> Progress<S> {
 
 /// The return value of a progress callback: nothing, or true to continue.
 pub trait Verdict {
-    /// True if to go on.
+    /// True to continue.
     fn go_on(self) -> bool;
 }
 

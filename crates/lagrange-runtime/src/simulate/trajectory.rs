@@ -47,7 +47,7 @@ pub enum Ending {
     Stopped,
     /// The progress callback cancelled it.
     Cancelled,
-    /// It failed; only the trajectory within an error says so.
+    /// It failed; only the trajectory within an error has this end.
     Failed,
 }
 
@@ -75,8 +75,8 @@ impl<M: MechanicalSystem> Trajectory<M> {
     }
 
     /// Returns the unit of the column of this name, such as `rad/s`; `s` for `t` and `1` for plain
-    /// numbers. `None` if it is not known: the declaration says no units, or an observer added the
-    /// column under a name of its own.
+    /// numbers. `None` if it is not known: the declaration has no units, or an observer added the
+    /// column under a new name.
     pub fn unit(&self, name: &str) -> Option<&'static str> {
         unit::<M>(name)
     }

@@ -109,9 +109,9 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         self.momentum_rates(t, q, v)
     }
 
-    /// True if [`constraint_values`](Self::constraint_values) says all that holds the system.
-    /// Methods that enforce constraints by themselves do so then; elsewhere states are corrected
-    /// after steps.
+    /// True if [`constraint_values`](Self::constraint_values) lists everything that holds the
+    /// system. Methods that enforce constraints themselves then do so; for other systems states are
+    /// corrected after steps.
     const SAYS_CONSTRAINTS: bool = false;
 
     /// Returns the acting constraints, always in the same order.

@@ -13,8 +13,8 @@ pub struct DeclaredEvent {
     /// for rounding, while the present mode lasts, and falls through zero where it ends. A body
     /// that touches at the start and is pushed below the ground has hit it.
     pub is_switch: bool,
-    /// True if it belongs to a surface on which the equations are not smooth, and then its name
-    /// says to which. It is no event for those who watch a motion.
+    /// True if it belongs to a surface on which the equations are not smooth, which its name then
+    /// identifies. Observers of a motion do not see it as an event.
     pub is_side: bool,
 }
 
@@ -72,7 +72,7 @@ impl Direction {
 pub struct Response<M, S, Y> {
     /// Action.
     pub action: Action<Y>,
-    /// The system that goes on, if it is not the same: with other contacts closed, other friction
+    /// The system that continues, if it differs: with other contacts closed, other friction
     /// sticking.
     pub system: Option<M>,
     /// Kind of event.
@@ -103,7 +103,7 @@ pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
     /// The kinetic energy that was lost, in all contacts that were hit at once and by friction;
-    /// with moving surfaces, as seen from them. Never negative but for rounding.
+    /// with moving surfaces, as seen from them. Never negative except for rounding.
     pub energy_loss: S,
 }
 

@@ -3,7 +3,7 @@
 use super::{OdeSystem, StateVector};
 use crate::scalar::{Lanes, Number, Scalar};
 
-/// Numbers side by side, one in each lane.
+/// Numbers in lanes.
 pub trait SideBySide: Number {
     /// The number in a lane.
     type Element: Number;
@@ -100,7 +100,7 @@ pub trait LanesSystem: OdeSystem {
     fn set_lane<S: SideBySide<Element = Self::Scalar>>(&self, lanes: &mut Self::Lanes<S>, lane: usize);
 }
 
-/// Something to do with a system if its equations can be evaluated side by side.
+/// A visitor of systems whose equations can be evaluated in lanes.
 pub trait LanesVisitor<M> {
     /// The result.
     type Output;

@@ -174,28 +174,27 @@ pub trait MechanicalSystem: OdeSystem {
     /// positions, q̇ = v: they are then called as these, followed by `_dot`.
     const VELOCITIES: &'static [&'static str] = &[];
 
-    /// Names of the coordinates whose rates are velocities with names of their own, one for each of
+    /// Names of the coordinates whose rates are velocities with separate names, one for each of
     /// [`VELOCITIES`](Self::VELOCITIES). The name is empty for a velocity that is not the rate of a
     /// coordinate.
     const RATES_OF: &'static [&'static str] = &[];
 
     /// Number of [first-order states](MechanicalSystem#first-order-states), which are the last of
-    /// the positions. Plots show them by themselves.
+    /// the positions. Plots show them separately.
     const FIRST_ORDER_STATES: usize = 0;
 
     /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the
     /// state, of accelerations, momenta, inputs and outputs. The name of an array stands for its
     /// elements, and a column that is observed under one of the names has its unit. Names without
-    /// one have an unknown unit, and plain numbers have `1`. Axes of plots and files say them;
+    /// one have an unknown unit, and plain numbers have `1`. Axes of plots and files show them;
     /// nothing is computed with them. Where there are any, times are in `s` and the energy is in
     /// `J`.
     const UNITS: &'static [(&'static str, &'static str)] = &[];
 
-    /// A number that tells what the declaration says from what others say: equations, defaults,
-    /// constants, events, tables with their numbers, and the level of accuracy. Comments, layout
-    /// and pictures do not change it, and code of functions of one's own crate cannot. Zero for
-    /// systems that are written by hand. Files of ensembles keep it, so that those of a declaration
-    /// that was changed are not mixed.
+    /// A number that distinguishes declarations: their equations, defaults, constants, events,
+    /// tables with their numbers, and the level of accuracy. Comments, layout and pictures do not
+    /// change it, and code of functions of the user's crate cannot. Zero for handwritten systems.
+    /// Files of ensembles keep it, so that those of different declarations are not mixed.
     const FINGERPRINT: u64 = 0;
 
     /// Computes the accelerations at time `t`, positions `q` and velocities `v`. They are not
@@ -207,7 +206,7 @@ pub trait MechanicalSystem: OdeSystem {
     /// Computes the rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where
     /// they are rates.
     ///
-    /// Linear and homogeneous in `v` but for [first-order
+    /// Linear and homogeneous in `v` except for [first-order
     /// states](MechanicalSystem#first-order-states).
     fn position_rates(
         &self,
@@ -242,8 +241,8 @@ pub trait MechanicalSystem: OdeSystem {
     /// From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), if velocities are along the axes of the
     /// body. The sign of p is that for which the real part is not negative.
     ///
-    /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must say it, which the
-    /// compiler sees to.
+    /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must define it, which
+    /// the compiler enforces.
     #[inline]
     fn displacement(
         &self,
@@ -265,11 +264,11 @@ pub trait MechanicalSystem: OdeSystem {
         displacement
     }
 
-    /// Lets a visitor do what it does with systems whose equations can be evaluated side by side,
-    /// those that are [`LanesSystem`](super::LanesSystem)s.
+    /// Calls a visitor if the equations of the system can be evaluated in lanes, for
+    /// [`LanesSystem`](super::LanesSystem)s.
     ///
     /// # Errors
-    /// The visitor comes back if this is none.
+    /// Returns the visitor if they cannot.
     #[inline]
     fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V>
     where
@@ -329,8 +328,8 @@ pub trait Columns {
     /// The number type.
     type Scalar;
 
-    /// Returns the values of the state's entry `index`, positions first; as many as there are
-    /// states.
+    /// Returns the values of the state's entry `index`, positions first; there is one for each
+    /// state.
     ///
     /// # Panics
     /// If the state has no such entry.

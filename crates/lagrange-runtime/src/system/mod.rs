@@ -154,7 +154,7 @@ pub trait OdeSystem {
     /// before they hand out a state within one.
     ///
     /// # Errors
-    /// If that is not possible; the state is then what it was.
+    /// If that is not possible; the state is then unchanged.
     #[inline]
     fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         Ok(())
@@ -164,17 +164,16 @@ pub trait OdeSystem {
     /// after a replacement, from this state: methods call this before their first step from there.
     ///
     /// # Errors
-    /// If it does not satisfy them; the state is then what it was.
+    /// If it does not satisfy them; the state is then unchanged.
     #[inline]
     fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
     }
 
-    /// Brings a state that an event put in the place of another onto the constraints, from however
-    /// far.
+    /// Brings a state that an event set onto the constraints, from any distance.
     ///
     /// # Errors
-    /// If that is not possible; the state is then what it was.
+    /// If that is not possible; the state is then unchanged.
     #[inline]
     fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
@@ -193,7 +192,7 @@ pub trait OdeSystem {
     /// resolved, independent of the origin of time.
     ///
     /// # Errors
-    /// If the motion cannot go on.
+    /// If the motion cannot continue.
     #[inline]
     fn react(
         &self,
@@ -222,8 +221,8 @@ pub trait OdeSystem {
         Ok(None)
     }
 
-    /// Returns the system on the sides of its [switches](crate::event::Switches) that this state is
-    /// on, as after a jump of inputs; `None` if it has none.
+    /// Returns the system on the sides of its [switches](crate::event::Switches) for this state, as
+    /// after a jump of inputs; `None` without switches.
     #[inline]
     fn on_sides(&self, _t: Self::Scalar, _y: &Self::State) -> Option<Self>
     where
@@ -233,7 +232,7 @@ pub trait OdeSystem {
     }
 
     /// Returns the system with its [switches](crate::event::Switches) free, as observers see it;
-    /// `None` if it has none.
+    /// `None` without switches.
     #[inline]
     fn freed(&self) -> Option<Self>
     where

@@ -33,7 +33,7 @@ const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 /// nothing else holds the state.
 ///
 /// # Errors
-/// [`StepFailure::Stuck`] if one is zero; the state is then what it was.
+/// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
 #[inline]
 pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
     if M::VELOCITIES.is_empty() {

@@ -31,7 +31,7 @@ pub trait TaylorSystem: OdeSystem {
     );
 }
 
-/// Factors of products of series, order by order, four products side by side in each group.
+/// Factors of products of series, order by order, four products in each group.
 #[derive(Clone, Debug)]
 pub struct Products<S, const GROUPS: usize>([[[[S; 4]; MAX_ORDER]; 2]; GROUPS]);
 
@@ -88,7 +88,7 @@ fn accumulated<S: Number>(sum: [S; 4], a: &[S; 4], b: &[S; 4]) -> [S; 4] {
 pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
 impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
-    /// Inverts a matrix, given row by row; what comes of a singular one is NaN.
+    /// Inverts a matrix, given row by row; the inverse of a singular one is NaN.
     pub fn new<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
         let factors = Factors::new(Matrix::<S, [S; N]>::of(|i, j| entries[i * N + j]));
         let column = |j: usize| {

@@ -36,8 +36,7 @@ pub enum Undefined<S> {
         /// Value.
         value: S,
     },
-    /// A component of the state: of the initial one, or of one that an event put in the place of
-    /// another.
+    /// A component of the state: of the initial one, or of one that an event set.
     State {
         /// Component.
         component: Component,
@@ -79,7 +78,7 @@ pub enum Component {
     Coordinate(&'static str),
     /// The rate of the position of this name, where that is a velocity.
     Velocity(&'static str),
-    /// The velocity of this name, which it has by itself.
+    /// The velocity with a separate name.
     NamedVelocity(&'static str),
     /// The component at this index of a state without names.
     Index(usize),

@@ -9,7 +9,7 @@ use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 type InnerNumber<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
 type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 
-/// A system that contains another one and has equations of its own: with a control, with losses, or
+/// A system that contains another one and has its own equations: with a control, with losses, or
 /// with more unknowns.
 ///
 /// Constraints, projection, events, contacts, friction and switches are those of the inner system.
@@ -17,7 +17,7 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 /// forwards each. Implementing this trait provides `OdeSystem`. If the state is that of the inner
 /// system, it also provides [`MechanicalSystem`] and [`EnergyFunction`], provided that the inner
 /// system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy
-/// is that of the inner system. Traits that say more of the equations, such as
+/// is that of the inner system. Traits that describe the equations further, such as
 /// [`CanonicalSystem`](super::CanonicalSystem), are not forwarded.
 ///
 /// The state begins with that of the inner system, followed by additional components. These remain

@@ -206,8 +206,7 @@ impl Expressions {
         (id.0 as usize) < self.written
     }
 
-    /// Adds expressions that say once more what others say, with numbers that were computed of
-    /// those of others: these have no units.
+    /// Adds expressions that repeat others with numbers computed from theirs: these have no units.
     pub fn computed<T>(
         of: &mut T,
         expressions: impl Fn(&mut T) -> &mut Expressions,

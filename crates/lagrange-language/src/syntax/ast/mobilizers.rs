@@ -43,7 +43,7 @@ macro_rules! joints {
             $(#[doc = $doc] $kind,)*
         }
 
-        /// Words that begin statements about joints with coordinates of their own.
+        /// Words that begin statements about joints with coordinates.
         pub const KEYWORDS: [Keyword; MobilizerKind::ALL.len()] =
             [$(Keyword::new($word, $form).before(Soft::$soft)),*];
 
@@ -115,7 +115,7 @@ pub struct Mobilizer {
     pub kind: MobilizerKind,
     /// The coordinates that it makes.
     pub coordinates: Vec<Name>,
-    /// Names of their rates, if these have names of their own.
+    /// Names of their rates, if these have separate names.
     pub speeds: Vec<Name>,
     /// The orientation that it makes.
     pub quaternion: Option<Quaternion>,

@@ -141,7 +141,7 @@ pub enum StatementKind {
     ForceAlong {
         /// A scalar or a vector.
         force: AstId,
-        /// Velocities along which it does work, as many as it has components.
+        /// Velocities along which it does work, one for each component.
         velocity: AstId,
     },
     /// `torque m on angle;`
@@ -171,7 +171,7 @@ pub enum StatementKind {
     Scene(SceneStatement),
 }
 
-/// Words that begin statements, but for those of [`SceneStatement`].
+/// Words that begin statements, except those of [`SceneStatement`].
 pub const KEYWORDS: [Keyword; 26] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
@@ -399,7 +399,7 @@ pub struct ReductionItem {
     pub coordinate: Name,
     /// Kind of change.
     pub kind: ReductionKind,
-    /// The value behind `=`, if there is one; 0 is meant if there is none.
+    /// The value behind `=`; without one it is 0.
     pub value: Option<AstId>,
 }
 

@@ -51,7 +51,7 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// True if motions are computed side by side, several at a time with each instruction of the
+    /// True if motions are computed in lanes, several at a time with each instruction of the
     /// processor.
     ///
     /// They are if all of this holds:

@@ -57,8 +57,7 @@ where
     /// A file has a row for each motion, or for each of its samples. Columns are
     ///
     /// - `index`, the place of the motion, counted from zero;
-    /// - all parameters, if motions were given [parameters](super::Motions::parameters) of their
-    ///   own;
+    /// - all parameters, if motions have separate [parameters](super::Motions::parameters);
     /// - `t`, the time, of an end that at which the motion ended;
     /// - positions, velocities and what was [observed](Self::observe);
     /// - `cause`, text where the motion failed and null elsewhere. The end of a failed motion is

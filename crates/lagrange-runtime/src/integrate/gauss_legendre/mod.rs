@@ -67,10 +67,10 @@ impl<S, const K: usize> GaussLegendre<S, K> {
 /// The Gauss method with K = 1, 2 or 3 stages, of order 2K, in equal steps, for any system of
 /// differential equations.
 ///
-/// It advances the state itself: what it conserves are quantities quadratic in the state. It is
-/// symplectic only where the mass matrix is constant and forces do not depend on velocities;
-/// elsewhere take [`GaussLegendre`]. Symmetric in time, stable for any stiffness (A-stable),
-/// without damping of its own.
+/// It advances the state itself, and conserves quantities quadratic in the state. It is symplectic
+/// only if the mass matrix is constant and forces do not depend on velocities; otherwise use
+/// [`GaussLegendre`]. Symmetric in time, stable for any stiffness (A-stable), without numerical
+/// damping.
 ///
 /// An iteration evaluates the right-hand side K times. Iterations and states within a step are as
 /// for [`GaussLegendre`], the latter with an error O(h⁵) for K = 3.

@@ -35,8 +35,8 @@ pub use self::stepper::RadauStepper;
 /// relaxation oscillations. The error is about `absolute + relative · |y|` in the root mean square
 /// over the components of the state.
 ///
-/// It asks for the Jacobian of the system, which `emit { jacobian }` provides; without, difference
-/// quotients take its place, for as many evaluations as there are components. Motions that are fast
+/// It uses the Jacobian of the system, which `emit { jacobian }` provides. Without it, difference
+/// quotients replace the Jacobian, with one evaluation for each component. Motions that are fast
 /// and not damped take short steps, as with any accurate method.
 ///
 /// ```

@@ -27,7 +27,7 @@ use crate::tolerance::SAME_STATE;
 /// Rates that the choice of a first step needs.
 const FIRST_STAGES: u64 = 2;
 
-/// Integrations by [`Verner98`] side by side; Y is the state.
+/// Integrations by [`Verner98`] in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub struct VernerLanes<S, Y> {
     settings: Settings<S>,

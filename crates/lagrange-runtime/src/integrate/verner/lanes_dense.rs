@@ -29,7 +29,7 @@ const ROWS: [TableauRow; RATES - END - 1] = [
 /// The parts of steps at which defects are looked at.
 const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart::new(CHECKED[1])];
 
-/// The last steps by [`Verner98`](super::Verner98) side by side.
+/// The last steps by [`Verner98`](super::Verner98) in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct VernerLastStep<S, Y> {
     /// Start of the steps.
