@@ -10,9 +10,9 @@
 //! for sines and cosines; at `fast`, both have the same inline function. The level `strict` is
 //! compared with `standard`.
 //!
-//! Times are minima, ratios medians (`timing.rs`). `benches/evaluation.rs` has the statistics of
-//! each implementation by itself; `cargo xtask performance` runs this for several targets and
-//! writes docs/performance.md.
+//! Times are minima, ratios medians (`timing.rs`). `benches/evaluation.rs` has separate statistics
+//! of each implementation; `cargo xtask performance` runs this for several targets and writes
+//! docs/performance.md.
 
 #[macro_use]
 #[path = "chains/declared.rs"]

@@ -1,4 +1,4 @@
-//! Right-hand sides of motions side by side: nanoseconds a motion, as rows of a Markdown table.
+//! Right-hand sides of motions in lanes: nanoseconds per motion, as rows of a Markdown table.
 //!
 //! Every row is a number type and a number of lanes. Columns are the target of the build, with
 //! products fused where it has that. Then follow levels of instructions that are detected at run

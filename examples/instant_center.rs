@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Look for M, which is the same from A, from B and by construction, and for the slider, which does
-//! not turn: it has none.
+//! not turn and therefore has none.
 //!
 //! `cargo run --example instant_center --features draw`
 

@@ -6,7 +6,7 @@
 //!
 //! The reference is the same chain with its mass matrix written by hand, in SciPy:
 //! `tools/many_of_a_kind.py`. Look for twelve digits of angles and accelerations, and for energy
-//! that stays what it is.
+//! that stays constant.
 //!
 //! `cargo run --example long_chain`
 

@@ -9,7 +9,7 @@
 //!   arithmetic;
 //! - the arm comes to rest where the torque of the current u/R holds its weight: sin θ = 2 N k u /
 //!   (R m g l);
-//! - what is supplied is in the motion, in the field of the coil or has become heat.
+//! - the supplied energy is in the motion, in the field of the coil or has become heat.
 
 mod common;
 

@@ -6,7 +6,7 @@
 //! the motion is far from that of a linear lattice. There is no gravity.
 //!
 //! The reference is Newton's law for each mass, in SciPy: `tools/many_of_a_kind.py`. Look for
-//! twelve digits, and for energy that stays what it is.
+//! twelve digits, and for energy that stays constant.
 //!
 //! `cargo run --example spring_lattice`
 

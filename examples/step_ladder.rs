@@ -13,7 +13,7 @@
 //! not turn: he moves on an arc of radius l about the point at his height above O.
 //!
 //! Look for the circle, for the man, who has no instantaneous centre, and for the energy, which
-//! stays what it was.
+//! stays constant.
 //!
 //! `cargo run --example step_ladder --features draw`
 

@@ -22,8 +22,8 @@
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | as above, without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and
-//! accelerations without velocities; emitted types say so themselves
-//! ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler refuses the others. One
+//! accelerations without velocities. Emitted types then implement
+//! [`SeparableSystem`](crate::system::SeparableSystem), and the compiler refuses the others. One
 //! that constraints on positions hold, and that would be separable without them, is a
 //! [`LeapfrogSystem`](crate::system::LeapfrogSystem). [`StormerVerlet`] and [`SymplecticEuler`]
 //! enforce its constraints themselves, as [`Variational`] does for all systems. The implicit

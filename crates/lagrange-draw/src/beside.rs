@@ -1,4 +1,4 @@
-//! Pictures side by side.
+//! Pictures next to each other.
 
 use crate::geometry::{add, moved};
 use crate::picture::{Mark, Picture, Point};

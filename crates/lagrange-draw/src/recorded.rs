@@ -1,4 +1,4 @@
-//! A recorded motion: what films are made of.
+//! A recorded motion, the content of films.
 
 use std::borrow::Cow;
 use std::fmt::Debug;

@@ -1,4 +1,4 @@
-//! Mistakes in files: where they are, in which element, what is wrong and what helps.
+//! Mistakes in files: their places and elements, their description, and help.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Axes: what they span, where their marks are, and what is written there.
+//! Axes: their ranges, the places of their marks, and their labels.
 
 use crate::notation::raised;
 

@@ -33,7 +33,8 @@
 //! places, and the adaptive pair makes small steps.
 //!
 //! By default motions are computed in the numbers of the system;
-//! [`single_precision`](Ensemble::single_precision) is faster. A device that has no `f64` says so.
+//! [`single_precision`](Ensemble::single_precision) is faster. A device without `f64` causes an
+//! error.
 //!
 //! # What must be installed
 //!

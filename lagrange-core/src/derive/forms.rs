@@ -3,8 +3,7 @@
 //! and its linear part is −f.
 //!
 //! A chain of n links has n² such coefficients, although its accelerations take a time in
-//! proportion to n. So a large form is pushed down when somebody asks for its coefficients, and not
-//! before.
+//! proportion to n. A large form is therefore pushed down only when its coefficients are requested.
 
 use super::constraints::join_multipliers;
 use super::cost::cost;

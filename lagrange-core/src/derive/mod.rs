@@ -1,7 +1,7 @@
 //! From a model to its equations of motion.
 //!
-//! [`Equations`] are what the emitted methods return; [`derive()`] finds them, or says which motion
-//! nothing determines.
+//! [`Equations`] are the results of the emitted methods. [`derive()`] finds them, or reports which
+//! motion nothing determines.
 //!
 //! # The form
 //!
@@ -12,8 +12,8 @@
 //! the node u*. It adds w to the quadratic and w u̇ + ẇ u to the linear part. It also contributes
 //! −½ u² at the node ẇ. The potential contributes 1 at V̇, a force F at a point p contributes −F at
 //! ṗ. Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v
-//! − ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` holds what comes together at each
-//! pair of nodes and sums it when it is needed.
+//! − ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` collects the contributions at
+//! each pair of nodes and sums them when necessary.
 //!
 //! If such terms hold components that joints turn, brackets at the turned pairs replace those rates
 //! (`quasi_velocities`).
@@ -48,12 +48,11 @@
 //!   on the rest only by minors t₁ y₂ − t₂ y₁ of the direction t in which the unknown moves two
 //!   variables. A single number therefore stands for the subtree behind a massless rod.
 //!   Accelerations are substituted back in the frame of the rod, and gravity is an offset that
-//!   every point shares. Nothing is subtracted that was not subtracted in the declaration. Where
-//!   two of several squares may both lose the unknown in some configuration, a choice takes the
-//!   place of their rotation. Products of sines and cosines are written in sums and differences of
-//!   angles where that leaves fewer terms (`algebra`). This strategy needs a kinetic energy made of
-//!   squares of rates; velocities are eliminated outermost first, by the number of inertias that
-//!   they move.
+//!   every point shares. Nothing is subtracted that was not subtracted in the declaration. If two
+//!   of several squares may both lose the unknown in some configuration, a choice replaces their
+//!   rotation. Products of sines and cosines are written in sums and differences of angles where
+//!   that leaves fewer terms (`algebra`). This strategy needs a kinetic energy of squares of rates;
+//!   velocities are eliminated outermost first, by the number of inertias that they move.
 //!
 //! # Constraints, contacts and friction
 //!

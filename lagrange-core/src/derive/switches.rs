@@ -5,8 +5,8 @@
 //! of every switch, on which the equations are smooth, and changes it where the surface is reached.
 //! [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
 //! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is
-//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that
-//! what is raised to a fractional power keeps its magnitude: [`domains`].
+//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that a
+//! base with a fractional power keeps its magnitude: [`domains`].
 //!
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6,
 //! "discontinuous equations".

@@ -1,4 +1,4 @@
-//! Coordinates, orientations and velocities: what the state is made of.
+//! Coordinates, orientations and velocities: the components of the state.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;

@@ -1,4 +1,4 @@
-//! Functions without a formula in a declaration: what they are called, and their calls.
+//! Functions without a formula in a declaration: their names, and their calls.
 
 use proc_macro2::Span;
 

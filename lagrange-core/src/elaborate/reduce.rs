@@ -7,8 +7,8 @@
 //! expanded in the same way, so forces on small coordinates are of first order. Expansion commutes
 //! with the time derivative, so rates stay rates and sums of squares survive.
 //!
-//! The result moves to a graph of its own with coordinates numbered from zero, and from there it
-//! takes the ordinary way.
+//! The result moves to a separate graph with coordinates numbered from zero, and is then handled
+//! like any other model.
 
 use super::messages;
 use crate::model::{

@@ -3,8 +3,8 @@
 //! Every expression is carried as its value at the point of expansion and its parts of first and
 //! second degree in the deviations. The chain rule propagates them from operands to results
 //! (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13).
-//! All other symbols stay what they are, so that the result is exact in them. With nothing but held
-//! symbols this is substitution.
+//! All other symbols are kept, so that the result is exact in them. With nothing but held symbols
+//! this is substitution.
 //!
 //! An expression has no expansion where it is undefined at the point or jumps there. At a kink, the
 //! expansion is known to a lower order only. It is known to a higher order again behind a factor

@@ -1,4 +1,4 @@
-//! Copies of expressions in a graph of their own.
+//! Copies of expressions in a separate graph.
 
 use crate::calculus::substitute::construct;
 use lagrange_expr::collections::HashMap;

@@ -6,8 +6,7 @@
 //! `x_dot_sq`, `m_l`. If these are too many, they give its dependencies: `const_0` for nothing but
 //! parameters, `pos_0` for time and coordinates, `vel_0` for velocities.
 //!
-//! Elementary functions are called by their bare names; a body says which of them it needs in
-//! scope.
+//! Elementary functions are called by their bare names; a body lists those that it needs in scope.
 
 mod body;
 mod c;

@@ -1,4 +1,4 @@
-//! Variability of values: what they change with, and so how often.
+//! Variability of values: the quantities on which they depend, and thus how often they change.
 
 use super::ir::{Op, Program, ValueTable};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};

@@ -45,7 +45,7 @@
 //! In step k, a value that velocities and positions determine gets its coefficient of order k + 1.
 //! A value that contains accelerations or rates of velocities gets that of order k. A product then
 //! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and otherwise only those of order
-//! zero and the newest. These sums are alike for all products and are computed side by side.
+//! zero and the newest. These sums are alike for all products and are computed together.
 
 mod functions;
 mod kinds;

@@ -1,9 +1,9 @@
 //! Multiplying out within a budget.
 //!
-//! Expressions are taken in ascending order, so that what they are made of is known when their turn
-//! comes. Arguments of functions, bases of roots and of denominators stay closed, but are
-//! themselves written in the form that [`Expander::readable`] gives. What exceeds the budget stays
-//! closed too.
+//! Expressions are taken in ascending order, so that their parts are known when their turn comes.
+//! Arguments of functions, bases of roots and of denominators stay closed, but are themselves
+//! written in the form that [`Expander::readable`] gives. Parts that exceed the budget stay closed
+//! too.
 
 use std::rc::Rc;
 

@@ -1,4 +1,4 @@
-//! Formulas for readers, and the question whether anything is left of one.
+//! Formulas for readers, and proofs that one vanishes.
 
 use super::expand::{Expander, Purpose};
 use lagrange_expr::expr::evaluate;

@@ -1,4 +1,4 @@
-//! From where a scene in space is looked at.
+//! The point of view of a scene in space.
 //!
 //! Seen from the middle of the scene, the eye is in the direction (cos ε cos α, cos ε sin α, sin
 //! ε). Here α is the azimuth from x towards y, and ε the elevation above the plane of x and y. In

@@ -1,4 +1,4 @@
-//! Surfaces of plane faces, and lines: what things in space look like, in axes of their own.
+//! Surfaces of plane faces, and lines: the appearance of objects in space, in their own axes.
 //!
 //! A mesh is placed by a rotation and an origin. Springs and arrows, which reach from one point to
 //! another, are also stretched along their own z-axis. Each corner has a share of the stretch, so

@@ -1,4 +1,4 @@
-//! Faces and lines from back to front, so that what is painted later hides what is behind it.
+//! Faces and lines from back to front, so that later ones hide those behind them.
 //!
 //! The plane of a face divides all others into those on the side of the eye and those behind, which
 //! are painted first. Faces that it cuts are divided. Both sides are then sorted in the same way. A

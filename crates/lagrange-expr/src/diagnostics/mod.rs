@@ -1,6 +1,6 @@
-//! Mistakes of a declaration: where they are, what is wrong in the user's words, what helps.
+//! Mistakes of a declaration: their places, their description in the user's words, and help.
 //!
-//! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier
+//! A phase adds to a [`Report`] and continues as far as it can; the pipeline stops at the barrier
 //! between phases. Wording lives with the phase that finds the mistake, in its `messages` file.
 
 mod rows;

@@ -1,4 +1,4 @@
-//! Splines through points: the polynomials between them, and what goes on beyond.
+//! Splines through points: the polynomials between them, and their continuation beyond.
 //!
 //! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for the natural spline; Fritsch
 //! and Carlson, "Monotone piecewise cubic interpolation", SIAM Journal on Numerical Analysis 17

@@ -1,10 +1,10 @@
-//! Units of measurement: how they are written, what they measure, and what they are in coherent
-//! units of the SI.
+//! Units of measurement: their spelling, their dimension, and their factor to coherent units of the
+//! SI.
 //!
 //! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the
 //! exponents of the base units, and a [`Scale`], the exact factor to the coherent unit of that
-//! dimension. Numbers at run time are in coherent units always, so that a unit costs nothing there;
-//! other units scale what is written in a declaration.
+//! dimension. Numbers at run time are always in coherent units, so that a unit costs nothing there;
+//! other units scale numbers in a declaration.
 //!
 //! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST
 //! Special Publication 811, appendix B.

@@ -1,7 +1,7 @@
 //! URDF, the format in which robots are described for ROS: XML with `<link>` and `<joint>`
 //! elements.
 //!
-//! [`import`] writes a declaration for `lagrange::system!` that a person would go on with:
+//! [`import`] writes a declaration for `lagrange::system!`, as a starting point for editing:
 //!
 //! ```
 //! use lagrange_import::urdf::{Options, import};

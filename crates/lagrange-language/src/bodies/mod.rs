@@ -7,9 +7,9 @@
 //! nothing of bodies, and the plain statements can be shown to the user. Nothing is simplified or
 //! differentiated here.
 //!
-//! Hand-written energies mix with those of bodies, and what a scene costs is what the same system
-//! costs by hand, to which `tests/bodies` holds it. Mistakes point at what the user wrote. A
-//! constraint of a joint that proves to be zero is left out.
+//! Hand-written energies mix with those of bodies, and a scene costs as much as the same system by
+//! hand, to which `tests/bodies` holds it. Mistakes point at the user's text. A constraint of a
+//! joint that proves to be zero is omitted.
 //!
 //! Motions, frames and drawings have expressions beside the statements ([`Plain`]).
 //! `elaborate::scene` evaluates them only if `emit` requests them. They are emitted as values of

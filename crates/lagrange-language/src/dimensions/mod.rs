@@ -1,4 +1,4 @@
-//! Dimensions of what is declared: numbers in coherent units, and what has which dimension.
+//! Dimensions in declarations: numbers in coherent units, and the dimension of each name.
 //!
 //! Numbers at run time are in coherent units of the SI. A number that is written in another unit is
 //! scaled, exactly, before anything else is known of the declaration: `param l: mm = 500` has the

@@ -1,4 +1,4 @@
-//! Functions that a declaration defines, put in the place of their calls.
+//! Functions that a declaration defines, inlined at their calls.
 //!
 //! `let f(x, y) = e;` stands for e with the arguments for x and y wherever `f(a, b)` is written
 //! behind it. This is done before anything else is known of the declaration. Arguments may

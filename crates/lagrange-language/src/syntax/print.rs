@@ -1,4 +1,4 @@
-//! Declarations as text: what is printed is read as the same statements.
+//! Declarations as text: printed text is parsed as the same statements.
 //!
 //! One statement stands on a line, and parentheses stand only where operators need them. Comments,
 //! documentation and the head of the declaration are left out.

@@ -1,4 +1,4 @@
-//! Statements that are not what they should be: what to report, and where to read on.
+//! Invalid statements: the mistake to report, and the place from which to continue.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 

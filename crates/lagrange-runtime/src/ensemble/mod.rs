@@ -1,5 +1,5 @@
-//! Ensembles: many motions of one declaration, from starts and with parameters of their own, over
-//! threads and processes.
+//! Ensembles: many motions of one declaration, from separate starts and with separate parameters,
+//! over threads and processes.
 //!
 //! ```
 //! use lagrange::Ensembles;

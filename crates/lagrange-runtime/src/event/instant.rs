@@ -1,4 +1,4 @@
-//! Times in a step that cannot be told apart.
+//! Times in a step that cannot be distinguished.
 
 use super::locate::ACCURACY;
 use crate::scalar::Scalar;

@@ -1,4 +1,4 @@
-//! A piece of a step: values of functions in it, and the first event that they tell.
+//! A piece of a step: values of functions in it, and the first event that they show.
 
 use super::function::{Claim, EventFunction};
 use super::polynomial::{POINTS, Polynomial, SignChange};

@@ -3,10 +3,11 @@
 //!
 //! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`,
 //! `min` and `max`. A step across one would lose the order of any method, and a push that is
-//! shorter than a step would be missed. So a run fixes the side of every switch: the equations are
-//! then smooth, and go on smoothly beyond the surface. Where a step has led beyond, the place is
-//! located like an event and the motion goes on from there on the other side. Source: Hairer,
-//! Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., §II.6.
+//! shorter than a step would be missed. A run therefore fixes the side of every switch: the
+//! equations are then smooth, and continue smoothly beyond the surface. Where a step has led
+//! beyond, the place is located like an event and the motion continues from there on the other
+//! side. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
+//! §II.6.
 //!
 //! At the end of a step that was computed for x > 0, let x = −10⁻⁹. The force −sign(x) was −1 all
 //! the step long. The step is cut at x = 0, and the next one has the force 1. If that leads back at

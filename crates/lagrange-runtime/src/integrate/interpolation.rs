@@ -1,4 +1,4 @@
-//! States within a step, from what is known at its ends.
+//! States within a step, from states and rates at its ends.
 //!
 //! The polynomials are written in changes over the step, so that short steps lose no digits.
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6.

@@ -1,8 +1,8 @@
 //! Orthogonal factors of matrices that may lack full rank.
 //!
-//! Householder reflections bring the columns of a matrix to triangular form, each time that column
-//! first of which most is left. The rank is the number of columns of which more than rounding is
-//! left. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Householder reflections bring the columns of a matrix to triangular form, each time the column
+//! with the largest remainder first. The rank is the number of columns whose remainder is more than
+//! rounding. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 use core::ops::Range;
 

@@ -1,4 +1,4 @@
-//! Several numbers that go through the same formulas side by side.
+//! Several numbers in lanes that take the same formulas.
 //!
 //! Every operation is a loop over the lanes that is always inlined. It becomes vector instructions
 //! of the target for which the caller is compiled. A function with target features that its crate

@@ -1,4 +1,4 @@
-//! Truth values that belong to numbers side by side.
+//! Truth values of numbers in lanes.
 
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr, Not};

@@ -1,4 +1,4 @@
-//! Why a run stopped early, and what it had found until then.
+//! The cause of a run that stopped early, and its data until then.
 
 use std::boxed::Box;
 use std::error::Error;

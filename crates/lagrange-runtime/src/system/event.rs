@@ -1,4 +1,4 @@
-//! Events that belong to a system: what it declares, and what it answers when one happens.
+//! Events that belong to a system: its declared events, and its responses to them.
 
 use crate::scalar::Scalar;
 

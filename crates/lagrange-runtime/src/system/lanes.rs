@@ -1,4 +1,4 @@
-//! Systems whose equations can be evaluated for several motions side by side.
+//! Systems whose equations can be evaluated for several motions in lanes.
 
 use super::{OdeSystem, StateVector};
 use crate::scalar::{Lanes, Number, Scalar};

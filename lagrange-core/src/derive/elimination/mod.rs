@@ -16,8 +16,8 @@
 //! | y | 1/2 | | 7/2 | y = −7 | |
 //!
 //! Substituted back, x = −3/2 + 7/2 = 2. These are the factors L and D of M = L D Lᵀ. They serve
-//! again for other linear parts ([`record::Elimination::solve_again`]): (1, 0) in the place of (3,
-//! 5) gives (−1, 1), minus the first column of M⁻¹.
+//! again for other linear parts ([`record::Elimination::solve_again`]): (1, 0) instead of (3, 5)
+//! gives (−1, 1), minus the first column of M⁻¹.
 //!
 //! # A mass on a slope in numbers
 //!

@@ -23,8 +23,8 @@
 //! aᵢ pⱼ − aⱼ pᵢ = Σ_{k<l} (Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ) (t_k y′_l − t_l y′_k),
 //! ```
 //!
-//! so that what is left depends on the y′ only by way of the *minors* t_k y′_l − t_l y′_k. A rod
-//! between two points has a single one: the acceleration of its end across it.
+//! so that the remainder depends on the y′ only by the *minors* t_k y′_l − t_l y′_k. A rod between
+//! two points has a single one: the acceleration of its end across it.
 
 use std::collections::BTreeMap;
 

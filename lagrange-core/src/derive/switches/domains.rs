@@ -1,4 +1,4 @@
-//! Domains of what is written on fixed sides of switches.
+//! Domains of expressions on fixed sides of switches.
 //!
 //! A step looks at states beyond a surface before the surface is located in it. |x|^(3/2) written
 //! as (s x)^(3/2) would have no value there, nor would the first branch of

@@ -1,4 +1,4 @@
-//! Attributes of the head, and what they mean for everything else that is emitted.
+//! Attributes of the head, and their effect on everything else that is emitted.
 //!
 //! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about
 //! the declaration, too. An `#[expect]` of these warnings applies to them alone, since the struct

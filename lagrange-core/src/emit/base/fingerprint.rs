@@ -1,4 +1,4 @@
-//! Numbers that tell declarations apart.
+//! Numbers that distinguish declarations.
 
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use lagrange_language::syntax::print;

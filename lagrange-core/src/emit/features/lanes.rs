@@ -1,4 +1,4 @@
-//! The type for numbers side by side: right-hand side, and parameters of as many motions.
+//! The type for numbers in lanes: right-hand side, and the parameters of several motions.
 //!
 //! If equations have switches, each motion is on the side of its state, as the system is while its
 //! switches are free. Runs fix sides and stop at each surface, which parallel motions reach at

@@ -1,5 +1,5 @@
-//! Reduced types: what is said of them, and how they and their states convert to the whole system
-//! and back.
+//! Reduced types: their documentation, and the conversion of them and their states to the whole
+//! system and back.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

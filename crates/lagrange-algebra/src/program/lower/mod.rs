@@ -3,8 +3,7 @@
 //! The walk over ascending ids, children before parents, gives each expression a value. The form of
 //! the code is decided per sum ([`sum`]) and per product ([`product`]). Before the walk,
 //! [`sharing`] finds the expressions that get no separate value because their only user takes them
-//! apart, and the reciprocals worth sharing. The cost is proportional to what the outputs are made
-//! of.
+//! apart, and the reciprocals worth sharing. The cost is proportional to the size of the outputs.
 
 mod interleaved;
 mod lowering;

@@ -2,7 +2,7 @@
 //!
 //! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y².
 //! Written with the magnitude they would have the wrong second derivative where it vanishes,
-//! because the sign of zero is zero. What is left, f(|x|) in general, is differentiated by
+//! because the sign of zero is zero. The general remainder f(|x|) is differentiated by
 //! [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
 use crate::collections::HashMap;

@@ -1,4 +1,5 @@
-//! Base parameters: inertia that a joint cannot tell from its carrier's, moved to the carrier.
+//! Base parameters: inertia that a joint cannot distinguish from its carrier's, moved to the
+//! carrier.
 //!
 //! Consider a joint that turns about z. It places a body with its mass on the axis and the same
 //! moment of inertia J about x and y. The body moves as if it belonged to the carrier: m, the first

@@ -1,4 +1,4 @@
-//! Orientations and directions that are made of numbers, computed while statements are translated.
+//! Orientations and directions in numbers, computed while statements are translated.
 //!
 //! Quarter turns must stay exact. An entry of 6e-17 instead of a zero makes a rotation a dense
 //! matrix. Robot descriptions round π/2 to as many digits as their tool prints. Rows and columns

@@ -1,5 +1,5 @@
-//! Quantities that are partly numbers and partly terms: what is known now is computed, and what is
-//! not is written.
+//! Quantities that are partly numbers and partly terms: known values are computed, others are
+//! written.
 //!
 //! Inertial parameters are regrouped by sums and by products with lengths and direction cosines.
 //! Where numbers and parameters meet in one sum, the numbers stay numbers. Products of two

@@ -1,4 +1,4 @@
-//! Joints with coordinates of their own, as written.
+//! Joints with coordinates, as written.
 
 use ElementaryMotion::{Advance, Orientation, Slide, Turn};
 use JointLine::{Frame, Own};

@@ -1,4 +1,4 @@
-//! Statements, one variant each, with what each says of itself.
+//! Statements, one variant each, with the properties of each.
 //!
 //! Every walk over statements asks for their names and expressions here, and so learns of a variant
 //! as soon as it is listed.

@@ -1,4 +1,4 @@
-//! Ensembles side by side: several motions in the lanes of vector instructions.
+//! Ensembles in lanes: several motions in the lanes of vector instructions.
 //!
 //! A chunk of motions runs in lanes if its system provides its equations for that, the method can,
 //! and only ends and samples were requested. Lanes leave all exceptions to single runs: motions

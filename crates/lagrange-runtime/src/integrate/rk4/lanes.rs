@@ -1,4 +1,4 @@
-//! The method for several motions side by side.
+//! The method for several motions in lanes.
 
 use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_bearable};
 use crate::integrate::fixed::FixedLanes;

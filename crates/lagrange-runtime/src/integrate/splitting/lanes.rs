@@ -1,6 +1,6 @@
-//! Compositions of kicks and drifts for several motions side by side.
+//! Compositions of kicks and drifts for several motions in lanes.
 //!
-//! Equations side by side are rates of whole states, [v…, a…]; steps use the accelerations in them.
+//! Equations in lanes are rates of whole states, [v…, a…]; steps use the accelerations in them.
 //! Coordinates and velocities are the halves of a state, since only systems with q̇ = v are
 //! separable.
 

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. Its
-//! relative of degree one with the midpoint in the place of Simpson's rule is the implicit midpoint
+//! relative of degree one with the midpoint instead of Simpson's rule is the implicit midpoint
 //! rule.
 //!
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10

@@ -1,4 +1,4 @@
-//! The pair for several motions side by side.
+//! The pair for several motions in lanes.
 //!
 //! A step is that of `stepper` for a system without constraints, with two differences. Rates are
 //! not kept from one attempt to the next, since neighbours may have come farther, and lengths of

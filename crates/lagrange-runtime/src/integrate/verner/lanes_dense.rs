@@ -1,4 +1,4 @@
-//! The states within steps side by side.
+//! The states within steps in lanes.
 
 use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{

@@ -1,9 +1,9 @@
 //! An explicit Runge–Kutta pair of order nine with steps as long as a tolerance allows.
 //!
 //! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within
-//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps in
-//! which it is asked for. Not symplectic, but at tolerances near rounding the drift of the energy
-//! is rounding.
+//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps whose
+//! states are requested. Not symplectic, but at tolerances near rounding the drift of the energy is
+//! rounding.
 //!
 //! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical
 //! Algorithms* 53 (2010) 383–396, in the version of 2024; step control and first step: Hairer,
