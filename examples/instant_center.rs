@@ -8,8 +8,8 @@
 //! r_M = r_P + e_z × v_P/ω    for any point P of the rod,    ω = v_B/|MB|.
 //! ```
 //!
-//! Look for M, which is the same from A, from B and by construction, and for the slider, which does
-//! not turn and therefore has none.
+//! Look for M, which is the same from A, from B and by construction. The slider does not turn and
+//! therefore has none.
 //!
 //! `cargo run --example instant_center --features draw`
 
