@@ -5,7 +5,7 @@
 //! is D (u·u + u·w + w·w)/12. Areas count with their signs, so that only corners that follow each
 //! other matter, and the quotients do not depend on the orientation.
 
-use super::fraction;
+use super::formulas::fraction;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 

@@ -1,10 +1,10 @@
-//! Looking for zeros within steps.
+//! Search for zeros within steps.
 
-use super::candidate::Candidate;
+mod earliest;
+
 use super::function::EventFunction;
 use super::instant::{accuracy, is_at_once, unresolved};
-use super::locate::{MOST_ROUNDS, Sample, locate};
-use super::piece::{Piece, Sight};
+use super::piece::Piece;
 use super::polynomial::{POINTS, points};
 use super::search::Search;
 use crate::integrate::EventSource::Given;
@@ -12,11 +12,10 @@ use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
 use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
+use earliest::First;
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
-/// A step is halved so often in search of a hop that is shorter.
-const MOST_HALVINGS: u32 = 60;
 /// Number of events at the same time that counts as infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
@@ -58,19 +57,6 @@ pub struct Detector<S, const K: usize> {
 
 /// The function that has an event, and its time.
 type Suspect<S> = (usize, S);
-
-/// The first event in a piece.
-enum First<S> {
-    /// There is none.
-    None,
-    /// That of this function at this time.
-    At(usize, S),
-    /// None of this function, which goes on through the zero that it had when the state was
-    /// replaced.
-    Passing(usize),
-    /// A shorter piece would tell.
-    Unclear,
-}
 
 impl<S: Scalar, const K: usize> Detector<S, K> {
     /// Starts at time `t`, where the functions have these values.
@@ -262,77 +248,6 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(next)
     }
 
-    /// The first event in a piece.
-    fn earliest(
-        &self,
-        piece: &Piece<S, K>,
-        accuracy: S,
-        values: &mut impl FnMut(S) -> [S; K],
-    ) -> Result<First<S>, StepFailure<S>> {
-        let is_shortest = self.search.is_shortest();
-        if piece.values.iter().any(|values| check(*values).is_err()) {
-            return Ok(First::Unclear);
-        }
-        // What had no time to leave zero since the last event was not meant to go on through it.
-        let passable = (self.repetitions <= 1).then_some(self.started);
-        let mut first: Option<Candidate<S, K>> = None;
-        for (event, function) in self.functions.iter().enumerate() {
-            let time = match piece.sight(event, function, passable, is_shortest) {
-                Sight::Nothing => continue,
-                Sight::AtOnce => self.reached,
-                Sight::Between { from, to, sign }
-                    if first
-                        .as_ref()
-                        .is_some_and(|first| first.is_before(event, (from, to), sign.sign())) =>
-                {
-                    continue;
-                }
-                Sight::Between { from, to, sign } => {
-                    match self.bracket((from, to), (function, sign.sign()), |t| values(t)[event]) {
-                        Some((before, after)) => {
-                            locate(before, after, accuracy, |t| values(t)[event]).ok_or(
-                                StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
-                            )?
-                        }
-                        None if is_shortest => continue,
-                        None => return Ok(First::Unclear),
-                    }
-                }
-                Sight::Unclear => return Ok(First::Unclear),
-                Sight::Passing => return Ok(First::Passing(event)),
-            };
-            let distance = |time: S| (time - self.reached).abs();
-            if first.as_ref().is_none_or(|first| distance(time) < distance(first.time)) {
-                first = Some(Candidate::new((event, time), self.reached, accuracy, &mut *values));
-            }
-        }
-        Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
-    }
-
-    /// Returns places at which the function has this sign and the other one, between these times.
-    /// If it is only assumed to have the first, they are from the start on. `None` if it does not
-    /// have the other one at the end.
-    fn bracket(
-        &self,
-        (from, to): (S, S),
-        (function, sign): (&EventFunction<S>, S),
-        mut value: impl FnMut(S) -> S,
-    ) -> Option<(Sample<S>, Sample<S>)> {
-        let after = (to, value(to));
-        let is_change = after.1 * sign < S::ZERO;
-        if !is_change {
-            return None;
-        }
-        let before = if from == self.reached { function.here } else { value(from) };
-        if before * sign > S::ZERO {
-            return Some(((from, before), after));
-        }
-        if function.is_armed() && function.sign * sign > S::ZERO {
-            return self.hop((after, sign), value);
-        }
-        Some(((from, sign), after))
-    }
-
     /// Remembers the signs of these values, found right after the state was replaced. Switches wait
     /// for a value that is not rounding.
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
@@ -345,29 +260,6 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             }
         }
         Ok(())
-    }
-
-    /// Locates a change between the start and `t` for a function that counted as of this sign at
-    /// the start and has the other one. Halves the time from the start. The result is the latest
-    /// place at which it had the sign and the place after it. If it never had, it passed zero at
-    /// the start.
-    fn hop(
-        &self,
-        ((mut t, mut found), sign): (Sample<S>, S),
-        mut value: impl FnMut(S) -> S,
-    ) -> Option<(Sample<S>, Sample<S>)> {
-        for _ in 0..MOST_HALVINGS {
-            let middle = self.started + S::from_f64(0.5) * (t - self.started);
-            if middle == self.started || middle == t {
-                break;
-            }
-            let at = value(middle);
-            if at * sign > S::ZERO {
-                return Some(((middle, at), (t, found)));
-            }
-            (t, found) = (middle, at);
-        }
-        found.is_finite().then_some(((t, sign), (t, found)))
     }
 
     /// Goes on from time `t`, where the method was restarted from another state in which the

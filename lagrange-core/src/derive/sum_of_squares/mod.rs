@@ -68,12 +68,11 @@ mod back;
 mod composition;
 mod frame;
 mod guard;
+mod loads;
 mod rotation;
 mod square;
 
-use std::collections::BTreeSet;
-
-use super::algebra::{Algebra, LinearForm};
+use super::algebra::Algebra;
 use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
@@ -85,6 +84,7 @@ use lagrange_algebra::simplify;
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
+use loads::push_loads;
 use rotation::{Pull, eliminate};
 use square::{Carried, Carriers, Square};
 
@@ -141,26 +141,6 @@ fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Squa
     ids.sort_unstable();
     ids.dedup();
     ids
-}
-
-/// Writes loads along other variables as loads along the variables of squares and generalised
-/// velocities.
-fn push_loads(
-    graph: &mut Graph,
-    sweep: &Sweep,
-    squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>,
-    mut loads: QuadraticForm,
-) -> QuadraticForm {
-    let mut pending = loads.variables().into_iter().collect::<BTreeSet<_>>();
-    // Wholes come after their parts.
-    while let Some(id) = pending.pop_last() {
-        let parts = sweep.parts(id);
-        if !squares.contains(&id) && !parts.is_empty() {
-            loads.push(graph, id, parts);
-            pending.extend(parts.iter().map(|(part, _)| *part));
-        }
-    }
-    loads
 }
 
 struct SquareElimination<'g> {
@@ -297,16 +277,6 @@ impl<'g> SquareElimination<'g> {
         simplify::quotient(self.algebra.graph, total, pivot)
     }
 
-    /// The part of a load that what is left has to bear.
-    fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
-        let graph = &mut *self.algebra.graph;
-        for &(id, factor) in factors {
-            let value = graph.multiply(factor, load);
-            let value = graph.negate(value);
-            self.loads.add_linear(graph, id, value);
-        }
-    }
-
     /// The way to the variable to eliminate for a velocity, which is one through which alone it
     /// enters.
     fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
@@ -321,21 +291,6 @@ impl<'g> SquareElimination<'g> {
             part = whole;
         }
         ways
-    }
-
-    /// Writes a load along a part as loads along the whole and its other parts.
-    fn move_load(&mut self, part: ExprId, whole: ExprId, inverse: &Number) {
-        let graph = &mut *self.algebra.graph;
-        let load = self.loads.take(graph, part).linear;
-        let load = graph.scale(inverse.clone(), load);
-        self.loads.add_linear(graph, whole, load);
-        for &(other, slope) in self.composition.parts(whole) {
-            if other != part {
-                let value = graph.multiply(slope, load);
-                let value = graph.negate(value);
-                self.loads.add_linear(graph, other, value);
-            }
-        }
     }
 
     /// Measures the unknown in units of the common factor of the slopes of its carriers, such as
@@ -379,21 +334,6 @@ impl<'g> SquareElimination<'g> {
                 expansion.drift = graph.multiply(common, rest);
             }
         }
-    }
-
-    /// The load along the unknown; what loads along its carriers mean for other variables is moved
-    /// there.
-    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
-        let mut along = Vec::new();
-        for (&id, expansion) in expansions.iter() {
-            let load = self.loads.take(self.algebra.graph, id).linear;
-            along.push((load, expansion.slope, Number::ONE));
-            for &(part, slope) in &expansion.rest {
-                let value = self.algebra.graph.multiply(slope, load);
-                self.loads.add_linear(self.algebra.graph, part, value);
-            }
-        }
-        self.algebra.products(&along)
     }
 
     /// Adds squares, those of the same form as one.

@@ -5,6 +5,7 @@
 //! term then vanishes: `(x + y) - x = y` or `(x·y)/x = y`. Otherwise it is more useful as a shared
 //! part.
 
+mod arithmetic;
 mod branch;
 mod magnitude;
 
