@@ -1,15 +1,18 @@
 //! Emitted code against the best by hand, in turns: rows of a Markdown table.
 //!
-//! Three ways by hand: straight-line assembly and factorisation of the mass matrix; articulated
-//! bodies as they are written for any plane mechanism; and articulated bodies that use that rods
-//! have no mass, for which a single number stands for a subtree. All of them are compared at two
-//! levels of accuracy: `standard`, where both sides call the platform for sines and cosines, and
-//! `fast`, where both have the same inline function. The level `strict` is compared with
-//! `standard`.
+//! Three are handwritten:
+//! - straight-line assembly and factorisation of the mass matrix;
+//! - articulated bodies as usually written for any plane mechanism;
+//! - articulated bodies specialised to massless rods, for which a single number represents a
+//!   subtree.
 //!
-//! Times are minima, ratios medians (`timing.rs`). `benches/evaluation.rs` has the statistics of
-//! each implementation by itself; `cargo xtask performance` runs this for several targets and
-//! writes docs/performance.md.
+//! All of them are compared at two levels of accuracy. At `standard`, both sides call the platform
+//! for sines and cosines; at `fast`, both have the same inline function. The level `strict` is
+//! compared with `standard`.
+//!
+//! Times are minima, ratios medians (`timing.rs`). `benches/evaluation.rs` has separate statistics
+//! of each implementation; `cargo xtask performance` runs this for several targets and writes
+//! docs/performance.md.
 
 #[macro_use]
 #[path = "chains/declared.rs"]

@@ -1,9 +1,9 @@
 //! Emitted right-hand sides of constrained systems beside those by hand, in turns: rows of a
 //! Markdown table.
 //!
-//! By hand means what a good engineer would write: mass matrix, forces and constraints in closed
-//! form, each sine and cosine once, and an LDLᵀ factorisation of the whole system for accelerations
-//! and multipliers on the stack, its loops unrolled,
+//! Handwritten means the code of a good engineer: mass matrix, forces and constraints in closed
+//! form, and each sine and cosine once. An LDLᵀ factorisation of the whole system, on the stack
+//! with unrolled loops, gives accelerations and multipliers,
 //!
 //! ```text
 //! ⎡ M  Aᵀ ⎤ ⎡  a ⎤   ⎡  f ⎤

@@ -1,9 +1,9 @@
-//! Ensembles of 10 s, in lanes and one by one, beside a loop of single runs that is written by
-//! hand, and threads beside each other.
+//! Ensembles of 10 s, in lanes and one by one, beside a handwritten loop of single runs, and with
+//! different numbers of threads.
 //!
-//! Every way computes the same motions in each round, in turns, so that all see the same load:
-//! times are minima, ratios medians over the rounds of the time of the first way over that of
-//! another.
+//! All variants compute the same motions in each round, in alternation, so that all see the same
+//! load. Times are minima. Ratios are medians over the rounds, of the time of the first variant
+//! over that of another.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,8 +1,9 @@
-//! The cost of event detection: a double pendulum for ten seconds with the adaptive method, without
-//! events, with some that are smooth along steps, and with one that is much faster than the motion.
+//! The cost of event detection: a double pendulum for ten seconds with the adaptive method. The
+//! variants are no events, some that are smooth along steps, and one that is much faster than the
+//! motion.
 //!
-//! Steps that no event looks into need no interpolant; each that one looks into needs eleven
-//! further evaluations of the right-hand side, and at least eight of the event functions.
+//! Steps without event functions to evaluate need no interpolant. All others need eleven further
+//! evaluations of the right-hand side, and at least eight of the event functions.
 
 use std::hint::black_box;
 use std::time::Duration;

@@ -1,10 +1,10 @@
-//! Right-hand sides of motions side by side: nanoseconds a motion, as rows of a Markdown table.
+//! Right-hand sides of motions in lanes: nanoseconds per motion, as rows of a Markdown table.
 //!
-//! Every row is a number type and a number of lanes. Columns are what the build is for, with
-//! products fused where it has that, and then levels of instructions that are found at run time, as
-//! ensembles do. 64 states are evaluated one after the other, each group of lanes by itself, all
-//! cells in turns; times are minima. Then what ensembles add to a loop of lanes by hand, as the
-//! median of ratios.
+//! Every row is a number type and a number of lanes. Columns are the target of the build, with
+//! products fused where it has that. Then follow levels of instructions that are detected at run
+//! time, as in ensembles. 64 states are evaluated one after the other, each group of lanes
+//! separately, all cells in alternation; times are minima. Another column is the time of an
+//! ensemble relative to a handwritten loop over lanes, as the median of ratios.
 
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,5 +1,4 @@
-//! Stiff motions by `Radau5`: a row for each, with its error, the seconds it took and what it
-//! evaluated.
+//! Stiff motions by `Radau5`: a row for each, with its error, seconds and evaluations.
 //!
 //! `tools/stiff_peers.py` alternates it with other tools.
 

@@ -1,13 +1,14 @@
-//! A cart that carries a pendulum: first left alone, then balanced upright by a force on the cart,
-//! then by a computer that sets the force fifty times a second.
+//! A cart that carries a pendulum. First it moves freely, then a force on the cart balances the
+//! pendulum upright, then a computer sets the force fifty times a second.
 //!
-//! The reference state of the free motion, t = 5 s after release close to the upright position, was
-//! computed in 160-bit arithmetic with two step counts that agree in all printed digits; those of
-//! the controlled motions by `tools/control.py`, from equations written by hand.
+//! The reference state of the free motion is at t = 5 s after release close to the upright
+//! position. It was computed in 160-bit arithmetic with two step counts that agree in all printed
+//! digits. The states of the controlled motions are from `tools/control.py`, by handwritten
+//! equations.
 //!
-//! The feedback is linear. Without friction in the joint, it places the poles of the motion
-//! linearised about the upright position at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the
-//! tip, which ends above the cart's starting point.
+//! The feedback is linear. Without friction in the joint, the poles of the linearised motion about
+//! the upright are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip, which ends above
+//! the cart's starting point.
 
 mod common;
 

@@ -4,8 +4,8 @@
 //! reference states were computed in 160-bit arithmetic with two step counts that agree in all
 //! printed digits.
 //!
-//! Look for the errors, which grow a hundredfold in ten seconds, and for the drift of the energy,
-//! which is all that can be watched where no reference is known.
+//! Look for the errors, which grow a hundredfold in ten seconds, and for the drift of the energy.
+//! Without a known reference, the drift is the only check.
 
 mod common;
 

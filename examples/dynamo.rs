@@ -1,9 +1,9 @@
 //! A weight turns a dynamo that feeds a resistor through a diode: the voltage across the diode is
 //! an algebraic unknown.
 //!
-//! The voltage k ω of the dynamo is that across the diode, u, and that across the resistor, R i;
-//! the diode obeys i = I (exp(u/U) − 1) (Shockley). No formula of elementary functions solves that
-//! for u. Three answers are known:
+//! The voltage k ω of the dynamo is the sum of u across the diode and R i across the resistor. The
+//! diode obeys i = I (exp(u/U) − 1) (Shockley). This has no solution for u in elementary functions.
+//! Three answers are known:
 //!
 //! - the state 3 s after the weight was thrown up, by `tools/control.py` in multi-precision
 //!   arithmetic: the diode blocks until it falls;

@@ -1,10 +1,10 @@
 //! The energy drift of several methods on five minutes of a double pendulum, with bars that show
 //! its size.
 //!
-//! The energy is conserved, so that what it does is the method's doing. Look for the largest drift
-//! relative to the initial energy, and for what it costs: the adaptive method at its tightest needs
-//! fewer evaluations than the classical one, and drifts less by orders of magnitude.
-//! `--features plot` draws each drift.
+//! The energy is conserved, so any drift is due to the method. Look for the largest drift relative
+//! to the initial energy, and for its cost. The adaptive method at its tightest needs fewer
+//! evaluations than the classical one, and drifts less by orders of magnitude. `--features plot`
+//! draws each drift.
 
 use std::error::Error;
 

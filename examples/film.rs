@@ -1,9 +1,9 @@
-//! Films of two systems: a double pendulum made of rods, and a cart with a pole that falls over.
+//! Films of two systems: a double pendulum of rods, and a cart with a pole that falls over.
 //!
-//! What a film needs is bodies with shapes, `emit { drawing }` and a simulated motion. A page
-//! (`.html`) opens in any browser: it plays, pauses, goes to any moment and shows the energies
-//! under the picture. An animated drawing (`.svg`) plays by itself. Look for the tip of the
-//! pendulum, whose path is drawn, and for the sum of both energies, which is constant.
+//! A film needs bodies with shapes, `emit { drawing }` and a simulated motion. A page (`.html`)
+//! opens in any browser: it plays, pauses, goes to any moment and shows the energies under the
+//! picture. An animated drawing (`.svg`) plays without a page. Look for the tip of the pendulum,
+//! whose path is drawn, and for the sum of both energies, which is constant.
 //!
 //! `cargo run --example film --features draw`
 

@@ -1,4 +1,4 @@
-//! Ten lines: declare a system, simulate it, plot what it does.
+//! Ten lines: declare a system, simulate it, plot its motion.
 //!
 //! `cargo run --example first_steps --features plot` writes two drawings and prints where they are.
 //! Look for the energy, which drifts by parts in 10¹⁰.

@@ -5,8 +5,8 @@
 //! the line the energy is too small for that whatever happens. In areas of one colour neighbours
 //! move alike; where colours mix, motions are chaotic.
 //!
-//! A hundred starts within a thousandth of a radian show what that means: their angles agree for
-//! five seconds, in the next five their quantiles come apart by whole turns.
+//! A hundred starts within a thousandth of a radian show the consequence. Their angles agree for
+//! five seconds; in the next five their quantiles come apart by whole turns.
 //!
 //! References: `tools/flip_map.py`, SciPy's DOP853 with the equations written by hand, and the
 //! energy.

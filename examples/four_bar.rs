@@ -1,8 +1,8 @@
 //! A four-bar linkage that turns a thousand times.
 //!
-//! Three bars and the ground form a loop, which two constraints close; one degree of freedom is
-//! left. Nothing is lost, so that the mechanism returns to its first state with every turn of the
-//! crank. How long a turn takes follows from the energy alone,
+//! Three bars and the ground form a loop, which two constraints close. One degree of freedom
+//! remains. Nothing is dissipated, so the mechanism returns to its first state with every turn of
+//! the crank. The time of a turn follows from the energy alone,
 //!
 //! ```text
 //! T = ∫ sqrt(I(s)/(2 (E − V(s)))) ds    over a turn, with the kinetic energy ½ I(s) ṡ² at the crank's angle s
@@ -12,8 +12,7 @@
 //! motion.
 //!
 //! Look for the angles after a thousand of these periods, which should be those of the start, a
-//! thousand turns further, and for the residuals of the constraints and the energy, which do not
-//! grow.
+//! thousand turns further. The residuals of the constraints and the energy should not grow.
 
 mod common;
 #[path = "../tests/mechanisms/four_bar.rs"]

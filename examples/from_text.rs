@@ -1,13 +1,13 @@
 //! A system that is read while the program runs: a spring pendulum, a mass on an elastic rod.
 //!
 //! The computer algebra behind the macro is a library, `lagrange-core`. It takes a declaration as
-//! text, derives the equations and evaluates them with an interpreter: for tools, and for systems
+//! text, derives the equations and evaluates them with an interpreter. It serves tools, and systems
 //! that are not known when the program is compiled. The interpreter is much slower than compiled
 //! code.
 //!
 //! The declaration below takes both ways, and the accelerations are compared.
 //! Look for the equations, the structure and the cost, which are also the documentation of the
-//! emitted struct, and for the accelerations, which agree to rounding.
+//! emitted struct. The accelerations should agree to rounding.
 //!
 //! For the declaration in a file, `lagrange equations FILE` writes the same.
 

@@ -1,12 +1,14 @@
 //! A Furuta pendulum: an arm turns about the vertical, at its end hangs a pendulum that turns about
 //! the arm.
 //!
-//! Declared are two rods and two joints. The reference are the equations of motion of Cazzolato and
-//! Prime, *On the Dynamics of the Furuta Pendulum*, Journal of Control Science and Engineering
-//! (2011), integrated with twenty digits by `tools/spatial_examples.py`:
+//! The declaration has two rods and two joints. The reference are the equations of motion of
+//! Cazzolato and Prime, *On the Dynamics of the Furuta Pendulum*, Journal of Control Science and
+//! Engineering (2011). `tools/spatial_examples.py` integrates them with twenty digits:
 //!
+//! ```text
 //! (J₀ + J₂ sin² θ) φ̈ + k cos θ θ̈ = −2 J₂ sin θ cos θ φ̇ θ̇ + k sin θ θ̇²,
 //! k cos θ φ̈ + J₂ θ̈ = J₂ sin θ cos θ φ̇² − ½ m₂ g l₂ sin θ, with k = ½ m₂ l₁ l₂.
+//! ```
 //!
 //! Look for the angular momentum about the vertical, which nothing changes while the pendulum
 //! drives the arm to and fro.

@@ -1,12 +1,14 @@
 //! A flyball governor: balls on rods, a turning shaft, and a slider on stiff springs and dampers.
 //!
 //! It is benchmark A05 of the IFToMM library of multibody systems: rods of 1 m with balls of 5 kg,
-//! released at 2π rad/s. Declared are four bodies and four joints. By hand two freedoms are left,
-//! the angle β of the rods and the height s of the slider, since the angular momentum H = J(β) ω
-//! about the shaft is kept:
+//! released at 2π rad/s. The declaration has four bodies and four joints. The handwritten reference
+//! has two freedoms, the angle β of the rods and the height s of the slider. The angular momentum H =
+//! J(β) ω about the shaft is conserved:
 //!
-//! 2 I β̈ = ½ ω² J′(β) + gravity − 2 F ∂l/∂β, m s̈ = −m g − 2 F ∂l/∂s, F = k (l − l₀) + c l̇ for
-//! springs of length l(β, s).
+//! ```text
+//! 2 I β̈ = ½ ω² J′(β) + gravity − 2 F ∂l/∂β, m s̈ = −m g − 2 F ∂l/∂s,
+//! F = k (l − l₀) + c l̇ for springs of length l(β, s).
+//! ```
 //!
 //! The reference is their solution with twenty digits (`tools/spatial_mechanisms.py`). The dampers
 //! make the system stiff: explicit steps must stay below 0.4 ms for stability, where accuracy alone

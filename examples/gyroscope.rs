@@ -1,10 +1,10 @@
 //! A gyroscope: a disk on an axle whose end is held, let go at 60° from the vertical.
 //!
-//! It falls, and in falling precesses; that lifts it again. The axis so nods between two angles
-//! while it goes around. Both angles, the time of a nod and how far the axis goes around in it
-//! follow from energy and two angular momenta by quadratures (Goldstein, Poole, Safko, *Classical
-//! Mechanics*, §5.7), computed with twenty digits by `tools/spatial_examples.py`. Declared are a
-//! body and a ball joint; the state has a quaternion, so that no position of the axis is special.
+//! It falls, and in falling precesses; that lifts it again. The axis thus nods between two angles
+//! while it goes around. By quadratures, energy and two angular momenta give both angles, the time
+//! of a nod and the turn of the axis in it. See Goldstein, Poole, Safko, *Classical Mechanics*,
+//! §5.7. `tools/spatial_examples.py` computes them with twenty digits. The declaration has a body
+//! and a ball joint; the state has a quaternion, so that no position of the axis is special.
 //!
 //! Look for the axis after one nod: at rest again, and turned about the vertical by the precession
 //! of the reference. In the picture its end draws the cusps at which it rests.

@@ -6,8 +6,8 @@
 //! and nods fast. The reference state at t = 10 s was computed in 160-bit arithmetic with two step
 //! counts that agree in all printed digits.
 //!
-//! Look for the range of θ: the top, released without precession, falls a little, and the spin
-//! lifts it back to where it started, again and again.
+//! Look for the range of θ. The top, released without precession, falls a little, and the spin
+//! lifts it back to its start, again and again.
 
 mod common;
 

@@ -1,15 +1,15 @@
 //! The instantaneous centre of a connecting rod, constructed.
 //!
 //! The crank turns about O, so its pin A moves at a right angle to OA; the slider's pin B moves
-//! along its guide. The normals to both velocities meet in M, the point of the rod that is at rest:
-//! here on the line through O and A, straight above B. From there
+//! along its guide. The normals to both velocities meet in M, the point of the rod that is at rest.
+//! Here M is on the line through O and A, straight above B. From there
 //!
 //! ```text
 //! r_M = r_P + e_z × v_P/ω    for any point P of the rod,    ω = v_B/|MB|.
 //! ```
 //!
-//! Look for M, which is the same from A, from B and by construction, and for the slider, which does
-//! not turn: it has none.
+//! Look for M, which is the same from A, from B and by construction. The slider does not turn and
+//! therefore has none.
 //!
 //! `cargo run --example instant_center --features draw`
 

@@ -2,10 +2,10 @@
 //! first-order state of the declaration.
 //!
 //! The force on the cart is u = 4.7 x − 39.7 (θ − π) + 5.3 ẋ − 8.3 θ̇ + K z, with ż = x. Without
-//! the integral, K = 0, the cart ends where the feedback of its position holds the wind, at x =
-//! −w/4.7; with it at zero, and the integral holds the wind, z = −w/K (Åström, Hägglund, *Advanced
-//! PID Control*, §3.2). The state at 5 s is computed by `tools/control.py` in multi-precision
-//! arithmetic.
+//! the integral, K = 0, the cart ends where the feedback of its position balances the wind, at x =
+//! −w/4.7. With it, the cart ends at zero and the integral balances the wind, z = −w/K (Åström,
+//! Hägglund, *Advanced PID Control*, §3.2). The state at 5 s is computed by `tools/control.py` in
+//! multi-precision arithmetic.
 //!
 //! The gains place the poles of the motion linearised about the upright position at −1.06, −1.34 ±
 //! 0.10 i and −4.00 ± 0.67 i s⁻¹.

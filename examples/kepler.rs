@@ -1,7 +1,7 @@
 //! A planet on an ellipse of eccentricity 0.6 around a fixed sun, in polar coordinates.
 //!
-//! The reference is the analytic solution: with the semi-major axis 1 and the gravitational
-//! parameter 1, the mean anomaly is the time t, the eccentric anomaly E solves Kepler's equation t =
+//! The reference is the analytic solution with the semi-major axis 1 and the gravitational
+//! parameter 1. The mean anomaly is the time t, the eccentric anomaly E solves Kepler's equation t =
 //! E − e sin E, and
 //!
 //! ```text

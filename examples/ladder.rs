@@ -9,10 +9,10 @@
 //! ```
 //!
 //! where its multiplier changes sign: an event (Beer, Johnston, *Vector Mechanics for Engineers:
-//! Dynamics*, chapter 17). From there on the ladder keeps to the floor only, its centre moves
-//! sideways at the speed ⅓ sqrt(g l sin³ θ₀), and energy alone gives the rate at which it lands.
-//! Times are integrals over the angle, computed with 40 digits. A second declaration has floor and
-//! wall as contacts that only push, and runs through from the start to the landing.
+//! Dynamics*, chapter 17). From there on the ladder touches the floor only, and its centre moves
+//! sideways at the speed ⅓ sqrt(g l sin³ θ₀). Energy alone gives the rate at which it lands. Times
+//! are integrals over the angle, computed with 40 digits. A second declaration has floor and wall
+//! as contacts that only push, and runs through from the start to the landing.
 //!
 //! Look for the floor's force when the ladder leaves the wall, which is a quarter of its weight,
 //! whatever θ₀.

@@ -1,12 +1,12 @@
-//! A crane that pays only for the motion that it shows: the whole crane while it travels, two
-//! pendulums while the brake holds the trolley, linear equations once they have nearly come to
-//! rest, and back.
+//! A crane that pays only for the visible motion. It computes the whole crane while it travels, and
+//! two pendulums while the brake holds the trolley. Once they have nearly come to rest, linear
+//! equations suffice, until it travels again.
 //!
 //! The reference is the whole crane all the way through, its trolley held by the servo of its drive
-//! instead of by the brake. Look for the states, which agree to what the brake and the linear
-//! equations leave out; for the energies at each change of type; and for the operations of one
-//! evaluation, counted by a number type that counts. Most of what the scene saves is evaluations,
-//! for the brake does away with the servo, which is stiff.
+//! instead of by the brake. Look for the states, which agree except for the effects of the brake
+//! and the linear equations. Look also for the energies at each change of type. The operations of
+//! one evaluation are counted by a number type. Most of the savings are evaluations, since the
+//! brake removes the servo, which is stiff.
 
 mod common;
 #[path = "common/counted.rs"]

@@ -1,12 +1,12 @@
 //! Thirty point masses on massless rods, declared in ten lines.
 //!
 //! The chain hangs from a point, bent by a little more from rod to rod, and is released. The mass
-//! matrix of its absolute angles is full, but accelerations are found from body to body, so that
-//! their cost is in proportion to the number of rods.
+//! matrix of its absolute angles is full. However, accelerations are found from body to body, so
+//! that their cost is proportional to the number of rods.
 //!
 //! The reference is the same chain with its mass matrix written by hand, in SciPy:
 //! `tools/many_of_a_kind.py`. Look for twelve digits of angles and accelerations, and for energy
-//! that stays what it is.
+//! that stays constant.
 //!
 //! `cargo run --example long_chain`
 

@@ -1,15 +1,15 @@
 //! A motor lifts an arm against gravity: its current is a first-order state, and so are the energy
 //! that is supplied and the heat.
 //!
-//! The current of a motor with inductance L and resistance R obeys L i̇ = u − R i − N k θ̇, with a
-//! gear of ratio N and the motor constant k, and the motor turns the arm with the torque N k i.
-//! Three answers are known:
+//! The current of a motor with inductance L and resistance R obeys L i̇ = u − R i − N k θ̇. Here N
+//! is the ratio of the gear and k the motor constant. The motor turns the arm with the torque N k
+//! i. Three answers are known:
 //!
 //! - the state half a second after 1 V is put on, by `tools/control.py` in multi-precision
 //!   arithmetic;
 //! - the arm comes to rest where the torque of the current u/R holds its weight: sin θ = 2 N k u /
 //!   (R m g l);
-//! - what is supplied is in the motion, in the field of the coil or has become heat.
+//! - the supplied energy is in the motion, in the field of the coil or has become heat.
 
 mod common;
 

@@ -1,18 +1,18 @@
 //! An arm with seven joints, whose hand runs around a tilted circle, pointing down all the way.
 //!
 //! Masses and joints are those of the Franka Emika Panda as its public description has them. Seven
-//! joints for six freedoms of the hand leave one: with the twist (ω, ẋ) that is wanted of the hand
-//! and its Jacobian J, rates of the joints are
+//! joints for six freedoms of the hand leave one. With the desired twist (ω, ẋ) of the hand and its
+//! Jacobian J, rates of the joints are
 //!
 //! ```text
 //! v = z + Jᵀ (J Jᵀ)⁻¹ (twist − J z),   z = κ (q₀ − q),
 //! ```
 //!
-//! those among all that move the hand so which are nearest to z, a motion back to a comfortable
-//! posture q₀ (Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5). A thousand times a second
-//! a controller computes torques that would let deviations e of the joints decay as ë + 2 ω ė + ω²
-//! e = 0 (§8.5.2 there), if it knew what the hand carries. It does not: the load makes
-//! accelerations d of its own, and
+//! those that move the hand in this way and are nearest to z, a motion back to a comfortable
+//! posture q₀. See Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5. A thousand times a
+//! second a controller computes torques. If it knew the load of the hand, deviations e of the
+//! joints would decay as ë + 2 ω ė + ω² e = 0 (§8.5.2 there). It does not: the load causes
+//! additional accelerations d, and
 //! |e| ≤ max |d| / ω², since the response of a critically damped oscillator to an impulse never changes its sign.
 //!
 //! Torques and the motion of the hand are compared with Pinocchio's (`tools/robots.py`). Look for

@@ -6,9 +6,9 @@
 //! u = Kp e + I − Kd ẋ,   I ← I + Ki h e,   e = 1 − x,
 //! ```
 //!
-//! which the actuator limits to ±15 N. While it does, the integral waits: otherwise it would go on
-//! growing and the slide overshoot (Åström, Hägglund, *Advanced PID Control*, §3.5, "windup").
-//! Three answers are known:
+//! which the actuator limits to ±15 N. While it does, the integral waits: otherwise it would
+//! continue to grow and the slide overshoot (Åström, Hägglund, *Advanced PID Control*, §3.5,
+//! "windup"). Three answers are known:
 //!
 //! - as long as the force is saturated from the start on, the slide is a damped oscillator under a
 //!   constant force;

@@ -1,18 +1,19 @@
 //! A quadcopter that takes off, steps aside while it turns, and flips over.
 //!
-//! A free body has no singular orientation: upside down is a place like any other. It is made of a
-//! block, two rods across and four disks, the rotors, whose thrusts f are its inputs, along its own
-//! Z; each rotor turns the frame backwards by a moment d f. By hand, about the centre of mass,
+//! A free body has no singular orientation: upside down is a place like any other. It consists of a
+//! block, two rods across and four disks, the rotors. Their thrusts f along its own Z are its
+//! inputs, and each rotor turns the frame backwards by a moment d f. By hand, about the centre of
+//! mass,
 //!
 //! ```text
 //! m r̈ = −m g e_z + R e_z Σf,   J ω̇ + ω × J ω = (a (f₂ − f₄), a (f₃ − f₁), d (f₁ − f₂ + f₃ − f₄)).
 //! ```
 //!
 //! The reference is the solution of these equations under scripted thrusts, with twenty digits
-//! (`tools/quadcopter.py`). Then 250 times a second a geometric controller (Lee, Leok, McClamroch,
-//! "Geometric tracking control of a quadrotor UAV on SE(3)", 2010) computes the thrusts: along R
-//! e_z the force that leads back to the path, and moments that turn R e_z into its direction.
-//! During the flip it follows a turn about its own X instead.
+//! (`tools/quadcopter.py`). Then a geometric controller (Lee, Leok, McClamroch, "Geometric tracking
+//! control of a quadrotor UAV on SE(3)", 2010) computes the thrusts 250 times a second. They
+//! combine the force along R e_z that leads back to the path, and moments that turn R e_z into its
+//! direction. During the flip it follows a turn about its own X instead.
 //!
 //! Look for thrusts that point downwards while it is upside down, and end at m g/4 each.
 //!

@@ -1,10 +1,10 @@
 //! A quadruped that hangs from a spring, bounces, and swings its legs.
 //!
 //! Masses, centres of mass and joints are those of the Unitree Go2 as its public description has
-//! them: a trunk that is free, and four legs of three links with springs and dampers in their
-//! joints, eighteen freedoms. The spring that holds the trunk ends in (0, 0, 1), so that no force
-//! has a moment about the vertical through there: angular momentum about it is kept, be there
-//! damping or not. Of the energy the dampers take what they dissipate,
+//! them. A free trunk and four legs of three links, with springs and dampers in their joints, have
+//! eighteen freedoms. The spring that holds the trunk ends in (0, 0, 1), so no force has a moment
+//! about the vertical through there. The angular momentum about it is conserved, with damping or
+//! without. The energy changes by the work of the dampers,
 //!
 //! ```text
 //! E(t) + ∫ c Σ q̇ᵢ² dt = E(0),   Σ over the twelve joints.

@@ -2,8 +2,8 @@
 //!
 //! Masses, centroids and joints are those of the UR5 as its public description has them.
 //! Accelerations without torques are compared with those of Pinocchio's articulated-body algorithm.
-//! Then the arm follows a path of its joints under computed torques: inverse dynamics of what it
-//! should do, and springs and dampers on what it does wrong, with a load in its hand that the
+//! Then the arm follows a path of its joints under computed torques: inverse dynamics of the
+//! desired motion, with springs and dampers on deviations. Its hand carries a load that the
 //! controller does not know.
 //!
 //! Look for how little the hand is off its path, and how far it would fall behind without the

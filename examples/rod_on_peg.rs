@@ -8,9 +8,9 @@
 //! impulse = (1 + e) m v/4,    ω = (1 + e) 3 v/(2 l),    loss = (1 − e²)/4 of the kinetic energy:
 //! ```
 //!
-//! the general v⁺ = v⁻ − (1 + e) M⁻¹ Jᵀ (J M⁻¹ Jᵀ)⁻¹ J v⁻ with the gradient J of the gap (Pfeiffer,
-//! Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8). Look for the plastic impact,
-//! e = 0: ω = 3 v/(2 l), and a quarter of the energy is lost.
+//! the general v⁺ = v⁻ − (1 + e) M⁻¹ Jᵀ (J M⁻¹ Jᵀ)⁻¹ J v⁻ with the gradient J of the gap. See
+//! Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, chapter 8. Look for the
+//! plastic impact, e = 0: ω = 3 v/(2 l), and a quarter of the energy is lost.
 
 mod common;
 

@@ -1,9 +1,9 @@
 //! A coin that rolls on a table without slipping.
 //!
-//! Coordinates are the point of contact x, y, the heading φ of the track, the tilt θ of the axis
-//! from the vertical, and the coin's own turns ψ. Rolling is two constraints on velocities, of
-//! which no function of the coordinates is what is left, so that the coin reaches any place in any
-//! direction; their multipliers are the friction of the table.
+//! Coordinates are the point of contact x, y, the heading φ of the track, and the tilt θ of the
+//! axis from the vertical. The last, ψ, is the coin's turn about its own axis. Rolling is two
+//! constraints on velocities that cannot be integrated to functions of the coordinates, so the coin
+//! reaches any place in any direction. Their multipliers are the friction of the table.
 //!
 //! Two motions are known. Leaning by a constant tilt the coin runs in a circle if its turns ψ̇ fit
 //! the rate n of the heading,

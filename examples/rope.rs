@@ -2,7 +2,7 @@
 //! from there on.
 //!
 //! Both have the mass m; the rope runs over a massless pulley. The cuboid, 2 r long, is on smooth
-//! floor up to s = l1; then the friction grows with the part of it that is on rough floor, to μ m
+//! floor up to s = l1. Then the friction grows with the part of it that is on rough floor, to μ m
 //! g. The cylinder may meet a wall at s = l3. From rest
 //!
 //! ```text
@@ -13,11 +13,10 @@
 //!
 //! so that it comes to rest at s = μ (l1 + r)/(μ − sin α), unless that is beyond the wall.
 //!
-//! The rolling is a joint, the rope a constraint of its own; their multipliers are the friction
-//! below the cylinder and the force of the rope. One more coordinate, w, has no inertia and a
-//! constraint on its velocity: it is the work of the friction, integrated along with the motion.
-//! Look for T + V − w, which stays what it is at the start, and for both ends: at rest for μ = 0.8,
-//! at the wall for μ = 0.6.
+//! The rolling is a joint, the rope a separate constraint. Their multipliers are the friction below
+//! the cylinder and the force of the rope. One more coordinate, w, has no inertia and a constraint
+//! on its velocity: it is the work of the friction, integrated along with the motion. Look for T +
+//! V − w, which stays constant, and for both ends: at rest for μ = 0.8, at the wall for μ = 0.6.
 //!
 //! `cargo run --example rope --features draw,plot`
 

@@ -11,8 +11,7 @@
 //! The bodies touch where the distance between them, a function of the state, falls to zero: an
 //! event.
 //!
-//! The statements in the place of bodies and joints are printed first: they are what is
-//! differentiated.
+//! The statements that replace bodies and joints are printed first: they are differentiated.
 //!
 //! Look for the time, which is the same for every mass, and for the two free-body diagrams.
 //!

@@ -1,12 +1,12 @@
 //! Five rows of five masses in the plane, between springs that hold them to their neighbours and to
 //! fixed points around them.
 //!
-//! Springs are without tension while the masses are in their places, one length apart, so that the
-//! lattice is stiff along its lines and soft across them: forces across are of third order, and the
-//! motion is far from that of a linear lattice. There is no gravity.
+//! Springs are without tension while the masses are in their places, one length apart. The lattice
+//! is therefore stiff along its lines and soft across them. Forces across are of third order, and
+//! the motion is far from that of a linear lattice. There is no gravity.
 //!
 //! The reference is Newton's law for each mass, in SciPy: `tools/many_of_a_kind.py`. Look for
-//! twelve digits, and for energy that stays what it is.
+//! twelve digits, and for energy that stays constant.
 //!
 //! `cargo run --example spring_lattice`
 

@@ -1,9 +1,9 @@
 //! A step ladder that slips, and the circle on which its instantaneous centre runs.
 //!
 //! Both halves have the length l; the left foot is fixed at O, the right one slips along the floor.
-//! With φ the angle of the left half to the floor, the hinge is at (l cos φ, l sin φ) and the right
-//! foot at (2 l cos φ, 0). The left half turns about its foot. The normals to the velocities of
-//! hinge and right foot meet in
+//! Let φ be the angle of the left half to the floor. The hinge is at (l cos φ, l sin φ) and the
+//! right foot at (2 l cos φ, 0). The left half turns about its foot. The normals to the velocities
+//! of hinge and right foot meet in
 //!
 //! ```text
 //! M = (2 l cos φ, 2 l sin φ),
@@ -13,7 +13,7 @@
 //! not turn: he moves on an arc of radius l about the point at his height above O.
 //!
 //! Look for the circle, for the man, who has no instantaneous centre, and for the energy, which
-//! stays what it was.
+//! stays constant.
 //!
 //! `cargo run --example step_ladder --features draw`
 

@@ -1,9 +1,9 @@
 //! A block on a running belt, held by a spring: it sticks, is carried along, slips back, and sticks
 //! again.
 //!
-//! Friction holds up to μₛ N and slows with μₖ N. With ω² = k/m, the block slips when the spring
-//! pulls with μₛ N and swings about the place where it pulls with μₖ N until it is as fast as the
-//! belt again. One period takes
+//! Friction holds up to μₛ N and slows with μₖ N. Let ω² = k/m. The block slips when the spring
+//! pulls with μₛ N. It then swings about the place where it pulls with μₖ N until it is as fast as
+//! the belt again. One period takes
 //!
 //! ```text
 //! 2 A/v + (2 π − 2 arctan(A ω/v))/ω,    A = (μₛ − μₖ) N/k

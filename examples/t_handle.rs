@@ -1,11 +1,11 @@
 //! A handle in the shape of a T turns in space without forces, about the axis of its middle moment
 //! of inertia.
 //!
-//! That turning is unstable: a disturbance of a thousandth grows until the handle turns over, and
-//! over again, as cosmonaut Dzhanibekov saw it of a wing nut. From one flip to the next passes 2
-//! K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*, §37), computed
-//! with twenty digits by `tools/spatial_examples.py`; after two of them the angular velocity in the
-//! axes of the handle is what it was. The declaration says of which cylinders it is made.
+//! That turning is unstable. A disturbance of a thousandth grows until the handle turns over, and
+//! over again, as cosmonaut Dzhanibekov observed with a wing nut. One flip follows the other after
+//! 2 K(m)/λ, with the complete elliptic integral K (Landau, Lifshitz, *Mechanics*, §37), computed
+//! with twenty digits by `tools/spatial_examples.py`. After two of them the angular velocity in the
+//! axes of the handle is the initial one. The declaration lists the cylinders of the handle.
 //!
 //! Look for energy and angular momentum, which are kept to rounding over ten flips.
 

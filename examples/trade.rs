@@ -124,7 +124,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("docs"), PathBuf::from);
     let mut text = format!(
         "# What every digit costs\n\nWritten by `cargo run --release --features trade --example trade` on {}, {}. Errors are the \
-         largest ones of a component at the end, against references of 30 digits (`tools/references.py`); times are the \
+         largest of any component at the end, against references of 30 digits (`tools/references.py`). Times are the \
          shortest of several runs on one core.\n",
         today()?,
         machine()

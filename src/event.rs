@@ -1,32 +1,31 @@
 //! Events: zeros of functions of time and state, found while a system is integrated.
 //!
-//! A [`Detector`] looks at several functions within each step, on the state that the method itself
-//! gives there, and returns their zeros one by one in the order of time. What happens then is up to
-//! the loop: go on, stop, or restart the method from another state, as after an impact.
-//! [`integrate_with_events`] is such a loop without heap; the front door `simulate` has another.
-//! Both, and [`integrate()`](crate::integrate::integrate), look for the events that the declaration
-//! of a system states without being asked, together with those that are given, and keep the system
-//! that contacts and friction switch.
+//! A [`Detector`] evaluates several functions within each step, on the states that the method
+//! itself gives there. It returns their zeros one by one in the order of time. The loop decides how
+//! to respond: continue, stop, or restart the method from another state, as after an impact.
+//! [`integrate_with_events`] is such a loop without heap; `simulate` has another. Both, and
+//! [`integrate()`](crate::integrate::integrate), always look for the declared events of a system,
+//! together with the given ones. They keep the system that contacts and friction switch.
 //!
 //! A function that is exactly zero at the start fires only once it has left zero and crossed it
-//! again; one that touches zero without changing its sign never does. One that is exactly zero at
+//! again. One that touches zero without changing its sign never fires. One that is exactly zero at
 //! the end of a run, where it would pass it, fires there.
 //!
-//! Within a step functions are resolved by polynomials through nine values, in pieces as short as
-//! it takes, so that all zeros of a smooth function are found, however close to each other, and
-//! those of one that changes fast as long as they are farther apart than 1/4096 of a step. A dip
-//! between two of the nine values is not seen if the function is smooth elsewhere; shorter steps
-//! see it. Jumps and kinks at zero, up to 64 a step, are found alike. A smooth function without
-//! zeros costs eight evaluations a step.
+//! Within a step, functions are resolved by polynomials through nine values, in pieces as short as
+//! necessary. All zeros of a smooth function are found, however close to each other. Those of a
+//! fast function are found if they are farther apart than 1/4096 of a step. A dip between two of
+//! the nine values is not seen if the function is smooth elsewhere; shorter steps see it. Jumps and
+//! kinks at zero, up to 64 a step, are found in the same way. A smooth function without zeros costs
+//! eight evaluations a step.
 //!
-//! Where an event replaces the state and leaves its function at zero, the function counts as being
-//! on the side from which it came, unless it goes on through zero at once: so a ball that is turned
-//! round cannot fall through the ground, however low it bounces. Infinitely many events are an
-//! error.
+//! An event may replace the state and leave its function at zero. The function then counts as being
+//! on the side from which it came, unless it continues through zero at once. A ball that is turned
+//! round therefore cannot fall through the ground, however low it bounces. Infinitely many events
+//! are an error.
 //!
-//! Functions of contacts and friction are another matter: they are positive while a mode lasts, so
-//! that a body that touches at the start and goes down hits the ground at once. Events at the same
-//! time follow each other in the order in which they were given, declared ones first.
+//! Functions of contacts and friction differ: they are positive while a mode lasts. A body that
+//! touches at the start and goes down therefore hits the ground at once. Simultaneous events follow
+//! each other in the order in which they were given, declared ones first.
 
 #[doc(inline)]
 pub use lagrange_runtime::event::{

@@ -2,11 +2,11 @@
 //!
 //! One file per family of methods, each citing its source. They need no heap, run forwards or
 //! backwards in time, and stop with a [`StepFailure`] instead of passing on NaN or infinity. States
-//! and times are summed with compensation, so that rounding errors do not grow with the number of
-//! steps where the method itself lets them not.
+//! and times are summed with compensation. Rounding errors therefore do not grow with the number of
+//! steps unless the method itself lets them.
 //!
-//! A [`Method`] is chosen and given to [`integrate`], or to the front door `simulate`, which also
-//! samples, watches for events and keeps trajectories; loops of one's own drive a [`Stepper`].
+//! A [`Method`] is chosen and given to [`integrate`] or to `simulate`, which also samples, watches
+//! for events and keeps trajectories. User-written loops drive a [`Stepper`].
 //!
 //! | method | for systems | order | symplectic | cost of a step | take it for |
 //! |---|---|---|---|---|---|
@@ -22,19 +22,19 @@
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | as above, without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and
-//! accelerations without velocities; emitted types say so themselves
-//! ([`SeparableSystem`](crate::system::SeparableSystem)), and the compiler refuses the others. One
+//! accelerations without velocities. Emitted types then implement
+//! [`SeparableSystem`](crate::system::SeparableSystem), and the compiler refuses the others. One
 //! that constraints on positions hold, and that would be separable without them, is a
-//! [`LeapfrogSystem`](crate::system::LeapfrogSystem): [`StormerVerlet`] and [`SymplecticEuler`]
-//! keep to its constraints by themselves, as [`Variational`] does to any. The implicit methods for
-//! any mass matrix want momenta and their rates, `emit { momentum_rates }`. All implicit methods
-//! iterate by Newton's method with `emit { jacobian }`. Without, difference quotients take the
-//! place of the Jacobian; methods of equal steps try fixed points first.
+//! [`LeapfrogSystem`](crate::system::LeapfrogSystem). [`StormerVerlet`] and [`SymplecticEuler`]
+//! enforce its constraints themselves, as [`Variational`] does for all systems. The implicit
+//! methods for any mass matrix require momenta and their rates, `emit { momentum_rates }`. All
+//! implicit methods iterate by Newton's method with `emit { jacobian }`. Without it, difference
+//! quotients replace the Jacobian; methods of equal steps try fixed points first.
 //!
 //! If a system has [constraints](mod@crate::constraint), a start must nearly satisfy these and is
-//! moved onto them, and the end of every step is brought back unless the method ends there by
-//! itself; so are states within a step. A step that cannot be corrected is an error with the last
-//! good state; an adaptive method tries shorter ones first.
+//! moved onto them. The end of every step is brought back unless the method ends there itself, and
+//! so are states within a step. A step that cannot be corrected is an error with the last good
+//! state; an adaptive method tries shorter ones first.
 
 #[doc(inline)]
 pub use lagrange_runtime::integrate::{

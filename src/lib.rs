@@ -49,7 +49,7 @@
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
-//! and the crate is `no_std`, has no front door and never allocates. `parquet` and `plot` let
+//! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` let
 //! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
 //! threads and processes. `draw` makes pictures and films of rigid bodies, in the plane and in
 //! space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits.

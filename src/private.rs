@@ -9,13 +9,13 @@ pub use lagrange_runtime::system::{Products, SeriesSolver};
 
 use crate::scalar::Number;
 
-/// Sine and cosine of several angles, under its bare name.
+/// Computes sine and cosine of several angles, under its bare name.
 #[inline(always)]
 pub fn sin_cos_each<S: Number, const N: usize>(angles: [S; N]) -> [(S, S); N] {
     S::sin_cos_each(angles)
 }
 
-/// A matrix in rows of its entries that are not zero, each with its row and column.
+/// Builds a matrix in rows from its nonzero entries, each with its row and column.
 ///
 /// # Panics
 /// If an index is too large.
@@ -28,8 +28,8 @@ pub fn matrix<S: Number, const N: usize, const M: usize>(entries: &[(usize, usiz
     matrix
 }
 
-/// One value where a number is less than another, a second one where it is not, and NaN where one
-/// of the two is.
+/// Selects one value where a number is less than another, a second one where it is not, and NaN
+/// where one of the two is.
 #[inline(always)]
 pub fn if_less<S: Number>(left: S, right: S, then: S, otherwise: S) -> S {
     let or_otherwise = S::select(right.less_equal(left), otherwise, S::NAN);

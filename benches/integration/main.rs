@@ -6,8 +6,8 @@
 //! criterion times the same runs one after the other.
 //!
 //! The other crates get a right-hand side that is simplified by hand, with constants folded and one
-//! sine and cosine for each angle. This crate gets what it emits for a declaration; all solvers
-//! return the last state only.
+//! sine and cosine for each angle. This crate gets its emitted code; all solvers return the last
+//! state only.
 
 #[path = "../../tests/references/mod.rs"]
 mod references;

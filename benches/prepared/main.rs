@@ -1,6 +1,6 @@
-//! Robots whose masses, centroids and inertias are parameters: as they are, and with what is made
-//! of parameters alone computed once, in turns: rows of a Markdown table. Times are minima, ratios
-//! medians (`timing.rs`).
+//! Robots whose masses, centroids and inertias are parameters, with and without preparation, in
+//! alternation. The output is rows of a Markdown table. Times are minima, ratios medians
+//! (`timing.rs`).
 
 mod robots;
 #[path = "../timing.rs"]

@@ -1,4 +1,4 @@
-//! Robots whose inertia is made of parameters. Written by `tools/spatial_benches.py`.
+//! Robots with inertia as parameters. Written by `tools/spatial_benches.py`.
 
 lagrange::system! {
     /// `ur5` of `lagrange-core/tests/spatial/models`; what is known of its inertia are parameters.

@@ -1,12 +1,11 @@
 //! Emitted code for bodies in space beside recursive algorithms by hand, in turns: rows of a
 //! Markdown table.
 //!
-//! Robots are declarations without parameters, so that emitted code knows every number; by hand are
-//! the algorithms that libraries of dynamics have for any chain of revolute joints
-//! (`rigid_bodies`), with these numbers at run time. Accelerations are without torques, and
-//! compared at two levels of accuracy: `standard`, where both sides call the platform for sines and
-//! cosines, and `fast`, where both have the same inline function. `tests/handwritten` shows that
-//! both sides compute the same.
+//! Robots are declarations without parameters, so emitted code knows every number. The handwritten
+//! side has the algorithms of dynamics libraries for any chain of revolute joints (`rigid_bodies`),
+//! with these numbers at run time. Accelerations are without torques, and compared at two levels of
+//! accuracy. At `standard`, both sides call the platform for sines and cosines; at `fast`, both
+//! have the same inline function. `tests/handwritten` shows that both sides compute the same.
 //!
 //! Times are minima, ratios medians (`timing.rs`). `cargo xtask performance spatial` runs this for
 //! two targets and writes docs/performance.md.

@@ -1,4 +1,4 @@
-//! A number that counts what is done with it.
+//! A number that counts its operations.
 
 use std::cell::Cell;
 use std::cmp::Ordering;

@@ -1,5 +1,5 @@
-//! Whatever the text of a robot, it is refused with words, or what is imported compiles. Options go
-//! by its length.
+//! Any text of a robot is refused with words, or its imported declaration compiles. Options follow
+//! from its length.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

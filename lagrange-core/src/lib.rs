@@ -2,9 +2,9 @@
 //! that happens at compile time.
 //!
 //! It is an ordinary library, so that systems can also be read from text, looked into and evaluated
-//! by tests, tools and build scripts. It is *not* a general computer algebra system: expressions
-//! are never expanded to be compared or simplified, and there is no solving, no integration and no
-//! polynomial arithmetic beyond what printing a formula takes. Users of `lagrange` do not link it.
+//! by tests, tools and build scripts. It is *not* a general computer algebra system. Expressions
+//! are never expanded to be compared or simplified. There is no solving, no integration, and no
+//! polynomial arithmetic beyond the needs of printed formulas. Users of `lagrange` do not link it.
 //!
 //! A pendulum, from text to its equation and its acceleration:
 //!
@@ -36,21 +36,20 @@
 //!
 //! 1. [`syntax`] reads tokens or text into a [`Declaration`](syntax::ast::Declaration), with all
 //!    mistakes reported together;
-//! 2. [`expand`] writes arrays, loops and sums out, [`inline`] puts functions in the place of their
-//!    calls, and [`bodies`] translates statements about rigid bodies into plain ones,
-//!    [`Plain`](bodies::Plain);
+//! 2. [`expand`] writes arrays, loops and sums out, [`inline`] replaces calls of functions by their
+//!    bodies, and [`bodies`] translates bodies into plain statements, [`Plain`](bodies::Plain);
 //! 3. [`mod@elaborate`] resolves names and checks meaning, which gives a [`Model`](model::Model);
 //! 4. [`mod@derive`] finds the [`Equations`](derive::Equations) of a model;
-//! 5. [`emit`] writes them as Rust: [`program`] lowers expressions to straight-line
-//!    [`Program`](program::Program)s, [`code`] writes those as the body of a function, [`formula`]
-//!    writes expressions as text, LaTeX or graphs.
+//! 5. [`emit`] writes them as Rust. [`program`] lowers expressions to straight-line
+//!    [`Program`](program::Program)s, [`code`] writes those as the body of a function, and
+//!    [`formula`] writes expressions as text, LaTeX or graphs.
 //!
 //! This crate holds [`model`], [`mod@elaborate`], [`mod@derive`], [`emit`], [`pipeline`] and
-//! [`files`], which reads tables. It
-//! re-exports the modules of three crates below it: `lagrange-expr`, the graph that owns every
-//! expression of a system, with its vocabulary; `lagrange-algebra`, the algorithms that take the
-//! graph; and `lagrange-language`, from tokens to plain statements. `ARCHITECTURE.md` lists their
-//! layers, and `docs/tour.md` follows a double pendulum through each phase.
+//! [`files`], which reads table files. It re-exports the modules of three crates below it.
+//! `lagrange-expr` is the graph that owns every expression of a system, with its vocabulary.
+//! `lagrange-algebra` holds the algorithms on the graph, and `lagrange-language` leads from tokens
+//! to plain statements. `ARCHITECTURE.md` lists their layers, and `docs/tour.md` follows a double
+//! pendulum through each phase.
 #![forbid(unsafe_code)]
 
 pub mod derive;

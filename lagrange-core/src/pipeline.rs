@@ -1,8 +1,9 @@
-//! The whole of it on one screen: text or tokens → declaration → (files of tables read, loops
-//! written out, functions inlined, bodies translated) plain statements → model → equations → items.
+//! The whole of it on one screen: text or tokens → declaration → plain statements → model →
+//! equations → items. On the way to plain statements, tables are read from files, loops written
+//! out, functions inlined and bodies translated.
 //!
-//! Text and tokens go the same way. What is wrong is collected in a report; after an error the
-//! skeleton takes the place of what was asked for, so that only the mistake is reported.
+//! Text and tokens go the same way. Mistakes are collected in a report. After an error the skeleton
+//! replaces the requested items, so that only the mistake is reported.
 
 mod callables;
 mod numeric;
@@ -26,7 +27,7 @@ pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use system::{Derived, System, parse, parse_with};
 
-/// The macro: everything emitted for a declaration, mistakes included.
+/// Expands the macro: writes everything emitted for a declaration, including mistakes.
 pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     expand_with(tokens, krate, &no_files)
 }

@@ -10,7 +10,8 @@ use lagrange_core::files;
 use lagrange_core::tables::FileText;
 use proc_macro2::{TokenStream, TokenTree};
 
-/// `system! { (path of the crate lagrange) declaration }`, as written by `lagrange::system!`.
+/// Expands `system! { (path of the crate lagrange) declaration }`, as written by
+/// `lagrange::system!`.
 #[proc_macro]
 pub fn system(input: proc_macro::TokenStream) -> proc_macro::TokenStream {
     let mut tokens = TokenStream::from(input).into_iter();

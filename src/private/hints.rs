@@ -1,9 +1,9 @@
 //! Compiler messages for products that a declaration does not emit.
 //!
-//! Each row makes two traits: one with the name of the product, implemented for all types that
+//! Each row makes two traits. One has the name of the product and is implemented for all types that
 //! implement the other, which none does. Declarations bring the first into scope, without its name.
-//! So the compiler finds these items nowhere, prefers any other of the name, and where there is
-//! none, it reports the message and the notes of the row. Nothing here ever runs.
+//! The compiler therefore finds these items nowhere and prefers any other of the name. Where there
+//! is none, it reports the message and the notes of the row. Nothing here ever runs.
 
 /// Makes the traits of each row. The macro at the end of the file brings them into scope.
 macro_rules! hints {
@@ -125,7 +125,7 @@ pub trait HasDefault {}
 
 /// The name of that value.
 pub trait DefaultValue: Sized {
-    /// Never called.
+    /// Cannot be called.
     fn default() {}
 }
 

@@ -14,8 +14,8 @@ const SIZE: (u32, u32) = (860, 420);
 /// Errors above this say only that the motion was lost.
 const LOST: f64 = 10.0;
 
-/// Time against error: methods on the first system as it is and in canonical variables, and below
-/// variants in the method that reaches the least error.
+/// Draws time against error. Methods on the first system as it is and in canonical variables are
+/// above, variants in the most accurate method below.
 pub(super) fn diagram(report: &Report) -> Figure {
     let first = report.rows.first();
     let is_first =

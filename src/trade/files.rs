@@ -11,10 +11,10 @@ use lagrange_files::save_bytes;
 
 impl Report {
     /// Writes the runs (CSV), the diagrams (SVG) and the recommendation (Markdown) into a
-    /// directory, in files named for the title; makes the directory if there is none.
+    /// directory, in files named for the title. The directory is created if it does not exist.
     ///
     /// # Errors
-    /// What the operating system says, or why the diagram could not be drawn.
+    /// If the operating system cannot write a file, or the diagram could not be drawn.
     pub fn save(&self, directory: impl AsRef<Path>) -> Result<(), PlotError> {
         let directory = directory.as_ref();
         let at = |path: &Path| {

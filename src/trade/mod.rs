@@ -1,10 +1,10 @@
 //! The price of every digit: methods, number types and variants of a system measured against each
 //! other.
 //!
-//! A [`Trade`] runs each method from coarse to fine settings, measures the error at the end and the
-//! time it took, and reports which one is the fastest for an accuracy.
-//! `cargo run --release --features trade --example trade` does it for four known systems; this is
-//! how to do it for a system of one's own:
+//! A [`Trade`] runs each method from coarse to fine settings, and measures the error at the end and
+//! the time it took. It reports the fastest for an accuracy.
+//! `cargo run --release --features trade --example trade` does this for four known systems. For
+//! your own system, write:
 //!
 //! ```no_run
 //! lagrange::system! {
@@ -60,8 +60,8 @@ pub struct Trade<'a> {
 const LONGEST: f64 = 0.2;
 
 impl<'a> Trade<'a> {
-    /// The motion of `system` from the state `start` at the time zero to the time `end`, in all
-    /// methods that take any system.
+    /// Creates the comparison by all methods that take any system. The motion of `system` leads
+    /// from the state `start` at the time zero to the time `end`.
     pub fn new<M>(title: &str, system: &'a M, start: M::State, end: M::Scalar) -> Self
     where
         M: OdeSystem,
@@ -79,8 +79,8 @@ impl<'a> Trade<'a> {
         trade.variant("standard", system)
     }
 
-    /// The state at the end. If it is not given, the finest run of [`Verner98`] on the first system
-    /// takes its place, so that errors close to rounding are not to be trusted.
+    /// Sets the state at the end. By default it is that of the finest run of [`Verner98`] on the
+    /// first system. Errors close to rounding are then not reliable.
     ///
     /// # Panics
     /// If it is no longer or shorter than the state at the start.
@@ -134,7 +134,7 @@ impl<'a> Trade<'a> {
         }
     }
 
-    /// A system in the methods that take coordinates and momenta.
+    /// Adds a system for the methods that take coordinates and momenta.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).
@@ -151,11 +151,11 @@ impl<'a> Trade<'a> {
             .by_step(&name, system, |step| Variational { step })
     }
 
-    /// A [reduced type](crate::system!#reduced-types) of the same declaration, with steps by
+    /// Adds a [reduced type](crate::system!#reduced-types) of the same declaration, with steps by
     /// tolerance and without.
     ///
-    /// It starts at what `restrict` leaves of the start, and is judged by what `expand` makes of
-    /// its end: so the error that the reduction itself makes is in the account.
+    /// It starts from the image of the start under `restrict`, and is judged by the image of its
+    /// end under `expand`. The error of the reduction itself is therefore included.
     #[must_use]
     pub fn reduced<M>(
         mut self,
@@ -175,7 +175,7 @@ impl<'a> Trade<'a> {
         self
     }
 
-    /// A system in the methods for separable ones.
+    /// Adds a system for the methods for separable ones.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).
@@ -190,7 +190,7 @@ impl<'a> Trade<'a> {
             .by_step(name, system, |step| BlanesMoan4 { step })
     }
 
-    /// Any method that is told a tolerance.
+    /// Adds a method with a tolerance.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).
@@ -204,7 +204,7 @@ impl<'a> Trade<'a> {
         self.with(name, system, Knob::Tolerance, method)
     }
 
-    /// Any method that is told the length of a step.
+    /// Adds a method with a step length.
     ///
     /// # Panics
     /// As [`variant`](Self::variant).

@@ -25,19 +25,19 @@ impl Report {
         &self.title
     }
 
-    /// All runs, in the order in which they were made; none if there was no reference and the
-    /// finest run failed.
+    /// Returns all runs, in the order in which they were made; none if there was no reference and
+    /// the finest run failed.
     pub fn rows(&self) -> &[Row] {
         &self.rows
     }
 
-    /// The fastest run whose error is no more than this.
+    /// Returns the fastest run whose error is no more than this.
     pub fn fastest(&self, error: f64) -> Option<(&Row, Measurement)> {
         let good = self.measured().filter(|(_, found)| found.error <= error);
         good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
     }
 
-    /// The fastest way to each accuracy that was reached, a table in Markdown.
+    /// Writes the fastest way to each accuracy that was reached, a table in Markdown.
     pub fn recommendation(&self) -> String {
         let mut text = String::from(
             "| error wanted | method | numbers | variant | setting | error | µs | evaluations |\n|---|---|---|---|---|---|---|---|\n",
@@ -65,7 +65,7 @@ impl Report {
         text
     }
 
-    /// All runs as comma-separated values, the failed ones with their reason.
+    /// Writes all runs as comma-separated values, the failed ones with their reason.
     pub fn csv(&self) -> String {
         let mut text = String::from(
             "method,numbers,variant,knob,setting,error,microseconds,steps,rejections,evaluations,jacobians,iterations,failure\n",
@@ -88,7 +88,7 @@ impl Report {
         text
     }
 
-    /// The title in small letters, digits and underscores.
+    /// Returns the title in small letters, digits and underscores.
     pub fn file_name(&self) -> String {
         let words =
             self.title.split(|letter: char| !letter.is_ascii_alphanumeric()).filter(|word| !word.is_empty());

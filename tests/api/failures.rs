@@ -115,8 +115,8 @@ fn an_acceleration_that_is_not_finite_is_named_with_its_time() {
     let beyond = said(&Cart::default(), [1.5, 0.0, 0.0, 0.0]);
     assert_eq!(
         beyond,
-        "the acceleration `x_ddot` is NaN at time 0.0, although the state is finite: a formula is undefined or singular there, such as \
-         a root of a negative number, a negative power of zero, or a function of the crate beyond the condition that guards it (at time 0.0)"
+        "the acceleration `x_ddot` is NaN at time 0.0 for a finite state; look for roots of negative numbers, negative powers of zero, or \
+         functions beyond their guards (at time 0.0)"
     );
     // … and where the motion reaches it, whatever the method.
     let pushed = Cart { u: 5.0, ..Cart::default() };

@@ -1,8 +1,8 @@
 //! Paragraphs of comments and pages: how they are wrapped, and their sentences.
 //!
 //! `cargo xtask wrap` applies [`wrapped`], so that the rule and the tool agree. Code, tables,
-//! headings, quotes and links that stand alone are no paragraphs; an item of a list is one, with
-//! its later lines under its text.
+//! headings, quotes, pictures and links that stand alone are no paragraphs. An item of a list is
+//! one, with its later lines under its text.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -38,19 +38,21 @@ pub(crate) fn wrapped(file: &str, is_rust: bool) -> String {
     wrapped.join("\n")
 }
 
-/// Returns the line numbers, counted from one, of sentences with more than [`MAX_WORDS`] words,
-/// with their beginnings.
+/// Returns the line numbers, counted from one, of paragraphs with sentences of more than
+/// [`MAX_WORDS`] words, with the beginnings of these.
 pub(crate) fn long_sentences(file: &str, is_rust: bool) -> Vec<(usize, String)> {
     let lines = file.split('\n').collect::<Vec<_>>();
     let long = paragraphs(&lines, is_rust).into_iter().flat_map(|paragraph| {
         let line = paragraph.lines.start + 1;
-        paragraph
-            .sentences()
-            .into_iter()
-            .filter(|words| words.len() > MAX_WORDS)
-            .map(move |words| (line, words[..6].join(" ")))
+        long_sentences_of(&paragraph.text.join(" ")).into_iter().map(move |beginning| (line, beginning))
     });
     long.collect()
+}
+
+/// Returns the beginnings of the sentences of a text that have more than [`MAX_WORDS`] words.
+pub(crate) fn long_sentences_of(text: &str) -> Vec<String> {
+    let long = sentences(text).into_iter().filter(|words| words.len() > MAX_WORDS);
+    long.map(|words| words[..6].join(" ")).collect()
 }
 
 impl Paragraph<'_> {
@@ -78,25 +80,24 @@ impl Paragraph<'_> {
         wrapped.push(line);
         wrapped
     }
+}
 
-    /// Returns the words of each sentence, with code as one word. References are no sentences.
-    fn sentences(&self) -> Vec<Vec<String>> {
-        let text = self.text.join(" ");
-        if text.starts_with("Source") {
-            return Vec::new();
-        }
-        let mut sentences = vec![Vec::new()];
-        for piece in pieces(&text) {
-            let ends = ends_sentence(&piece);
-            if piece.chars().any(char::is_alphanumeric) {
-                sentences.last_mut().into_iter().for_each(|sentence| sentence.push(piece.clone()));
-            }
-            if ends {
-                sentences.push(Vec::new());
-            }
-        }
-        sentences
+/// Returns the words of each sentence, with code as one word. References are no sentences.
+fn sentences(text: &str) -> Vec<Vec<String>> {
+    if text.starts_with("Source") {
+        return Vec::new();
     }
+    let mut sentences = vec![Vec::new()];
+    for piece in pieces(text) {
+        let ends = ends_sentence(&piece);
+        if piece.chars().any(char::is_alphanumeric) {
+            sentences.last_mut().into_iter().for_each(|sentence| sentence.push(piece.clone()));
+        }
+        if ends {
+            sentences.push(Vec::new());
+        }
+    }
+    sentences
 }
 
 /// Finds the paragraphs of a file of Rust, which are in its comments, or of Markdown.
@@ -144,7 +145,7 @@ fn comment(line: &str) -> (&str, &str) {
 /// True if a line is text of a paragraph. Indented lines are code unless they continue one.
 fn is_prose(text: &str, is_open: bool) -> bool {
     let trimmed = text.trim_start();
-    let is_link = trimmed.starts_with('[') && trimmed.contains("]: ");
+    let is_link = trimmed.starts_with("![") || trimmed.starts_with('[') && trimmed.contains("]: ");
     let is_code = text.starts_with("    ") && !is_open && item(text).is_none();
     !(trimmed.is_empty() || trimmed.starts_with(['|', '#', '<', '>', '~']) || is_link || is_code)
 }

@@ -2,7 +2,7 @@
 //! at a revision of git.
 //!
 //! A line counts if it has a token of code on it. Comments, documentation, tests, test doubles and
-//! what is compiled for tests only do not count.
+//! other code for tests only do not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

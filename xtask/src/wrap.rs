@@ -8,7 +8,7 @@ use crate::prose::{long_sentences, wrapped};
 use crate::size::git;
 
 /// Folders whose files are compared with others byte by byte, or made by tools.
-const KEPT: [&str; 4] = ["lagrange-core/tests/golden/", "tests/ui/", "docs/gallery/", "docs/trade/"];
+const KEPT: [&str; 2] = ["lagrange-core/tests/golden/", "tests/ui/"];
 
 /// Wraps the files that git knows and prints those that changed.
 pub(crate) fn wrap(root: &Path) -> Result<(), String> {

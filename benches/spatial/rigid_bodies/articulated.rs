@@ -1,9 +1,9 @@
 //! Forward dynamics by articulated bodies.
 //!
-//! The inertia of an articulated body is kept in three blocks: with motion (α, a) it answers with
-//! the moment A α + B a and the force Bᵀ α + C a beside its bias. A joint about z that transmits no
-//! torque leaves nothing in row 2 of A and B, so that only a corner of A and two rows of B are
-//! turned.
+//! The inertia of an articulated body is kept in three blocks. With motion (α, a) it answers with
+//! the moment A α + B a and the force Bᵀ α + C a, in addition to its bias. A joint about z that
+//! transmits no torque leaves nothing in row 2 of A and B. Only a corner of A and two rows of B are
+//! therefore turned.
 
 use crate::handwritten::{SinCos, fma};
 
@@ -183,8 +183,8 @@ impl Freed {
     }
 }
 
-/// (r × row j of B) i + (r × row i of B') j: what the rotary inertia gains when moments are taken
-/// about −r, where B becomes B'.
+/// Computes (r × row j of B) i + (r × row i of B') j. This is the gain of rotary inertia when
+/// moments are taken about −r, where B becomes B'.
 #[inline(always)]
 fn about([x, y, z]: Vector, b: &Matrix, c: &Matrix) -> Symmetric {
     Symmetric {

@@ -1,10 +1,10 @@
 //! The mass matrix by composite rigid bodies.
 //!
-//! About the origin of the world and in its axes rather than in those of the links: there inertias
-//! and forces need not be handed on from link to link, which costs more than to turn each link's
-//! inertia once, at twenty joints more than twice as much. A joint's axis z at the place p moves
-//! what it carries with z and p × z at the origin; entry (i, j) is the power of the force for joint
-//! j there.
+//! The reference is the origin of the world and its axes, not those of the links. Inertias and
+//! forces then need not be handed on from link to link. That costs more than turning each link's
+//! inertia once, at twenty joints more than twice as much. The axis z of a joint at the place p
+//! moves the bodies behind it with z and p × z at the origin. Entry (i, j) is the power of the
+//! force for joint j there.
 
 use std::array::from_fn;
 

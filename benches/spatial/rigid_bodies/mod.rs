@@ -1,17 +1,19 @@
 //! Dynamics of chains of revolute joints by hand: what an expert would write for any such chain.
 //!
-//! A module, not a bench of its own. The algorithms are those of Featherstone, *Rigid Body Dynamics
-//! Algorithms* (2008): recursive Newton–Euler (table 5.1), the composite-rigid-body algorithm
-//! (table 6.2) and the articulated-body algorithm (table 7.1), the first and the last in the axes
-//! of the links, composite bodies in those of the world. They are written for speed: arrays on the
-//! stack, the number of joints known to the compiler, transforms as a rotation and a place,
-//! symmetric matrices by their six entries, and every joint turns about the z of its link, so that
-//! its motion subspace picks a component. The first link has no velocity but its own rate and
-//! nothing to hand on, and is written apart.
+//! A module, not a separate bench. The algorithms are those of Featherstone, *Rigid Body Dynamics
+//! Algorithms* (2008):
+//! - recursive Newton–Euler (table 5.1), in the axes of the links;
+//! - the composite-rigid-body algorithm (table 6.2), in the axes of the world;
+//! - the articulated-body algorithm (table 7.1), in the axes of the links.
 //!
-//! Numbers of the chain are run-time values, as in every library of dynamics: unlike emitted code,
-//! none of this knows which of them are 0 or 1, or that a link has no mass. Not for branches,
-//! prismatic joints or contact.
+//! They are written for speed: arrays on the stack, the number of joints known to the compiler, and
+//! symmetric matrices by their six entries. A transform is a rotation and a place. Every joint
+//! turns about the z of its link, so that its motion subspace picks a component. The first link has
+//! no velocity but its own rate and nothing to hand on, and is written separately.
+//!
+//! Numbers of the chain are run-time values, as in every library of dynamics. Unlike emitted code,
+//! none of this knows which of them are 0 or 1, or that a link has no mass. Branches, prismatic
+//! joints and contact are not supported.
 
 mod articulated;
 mod composite;

@@ -1,8 +1,8 @@
 //! Inverse dynamics by recursive Newton–Euler.
 //!
 //! Accelerations are classical ones of the joints, so that no linear velocity is needed (Luh,
-//! Walker, Paul), and the six products of K = ω̇× + (ω×)² serve both the place of the next joint
-//! and the forces on the link (Balafoutis and Patel):
+//! Walker, Paul). The six products of K = ω̇× + (ω×)² serve both the place of the next joint and
+//! the forces on the link (Balafoutis and Patel):
 //!
 //! ```text
 //! a_next = a + K r,    f = m a + K h,    n = h × a + Σ x × K x dm.

@@ -5,7 +5,7 @@
 //! programs, which it optimises, verifies and interprets; [`code`] writes programs as source text
 //! of a target language.
 //!
-//! This is *not* a general computer algebra system: expressions are never multiplied out to be
+//! This is *not* a general computer algebra system. Expressions are never multiplied out to be
 //! compared, and there is no integration and no polynomial arithmetic beyond the needs of printed
 //! formulas.
 //!

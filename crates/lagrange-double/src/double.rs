@@ -30,7 +30,7 @@ impl Double {
         Double::joined(upper, lower, upper)
     }
 
-    /// The nearest double, and what is missing from it.
+    /// Returns the nearest double, and the remainder.
     #[inline]
     pub fn parts(self) -> (f64, f64) {
         (self.upper, self.lower)

@@ -1,4 +1,5 @@
-//! Functions of the number: zeros, infinities and NaN as IEEE 754 says, all else by wide numbers.
+//! Functions of the number: zeros, infinities and NaN according to IEEE 754, all else by wide
+//! numbers.
 
 use lagrange_runtime::Number;
 

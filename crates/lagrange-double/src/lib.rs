@@ -18,7 +18,7 @@
 //! norms using double-word arithmetic", *ACM TOMS* 49 (2023), 1.
 //!
 //! The bounds hold while neither the result nor an intermediate result is below 2⁻⁹⁶⁹ or close to
-//! overflow; beyond, results keep the 53 bits of a double. Functions compute with 192 bits in
+//! overflow. Beyond, results keep the 53 bits of a double. Functions compute with 192 bits in
 //! integers. They use no library of the platform. All results are the same bits with and without
 //! fused products.
 #![no_std]

@@ -6,8 +6,8 @@ use crate::double::Double;
 use crate::wide::Wide;
 
 /// Words of a number of quadrants: two bits before the point and 446 behind it. An angle of 106
-/// bits is no closer to a multiple of π/2 than about 2⁻¹²⁰, so more than 192 bits follow the first
-/// that is set.
+/// bits is no closer to a multiple of π/2 than about 2⁻¹²⁰. More than 192 bits therefore follow the
+/// first set bit.
 const WORDS: usize = 7;
 type Quadrants = [u64; WORDS];
 

@@ -1,9 +1,8 @@
 //! Detection of ends of springs and dampers that are fixed to the ground.
 //!
-//! A scene says where a connector ends, and on which bodies it pulls. An end on no body is at rest
-//! if it is in the same place at every moment of the film and also in another configuration at
-//! another time; there it needs something to hold it, unless a line or a joint is drawn there
-//! already.
+//! A scene states where a connector ends, and on which bodies it pulls. An end on no body is at
+//! rest if it never leaves its place, neither during the film nor in another configuration at
+//! another time. Such an end needs a support, unless a line or a joint is drawn there already.
 
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;

@@ -1,4 +1,4 @@
-//! Pictures side by side.
+//! Pictures next to each other.
 
 use crate::geometry::{add, moved};
 use crate::picture::{Mark, Picture, Point};
@@ -9,7 +9,8 @@ const ROW: usize = 3;
 pub(super) const SEPARATOR: &str = "; ";
 
 impl Picture {
-    /// Pictures side by side, each with its title above; more than three in several rows.
+    /// Arranges pictures next to each other, each with its title above; more than three in several
+    /// rows.
     pub fn beside(pictures: &[Picture]) -> Picture {
         let columns = columns(pictures.len());
         let (mut size, mut marks) = ([0.0_f64, 0.0_f64], Vec::new());

@@ -1,5 +1,5 @@
 //! Colours of drawings: those of Okabe and Ito, *Color Universal Design* (2008), which people with
-//! any colour vision tell apart.
+//! any colour vision can distinguish.
 
 use crate::picture::Colour;
 

@@ -9,7 +9,7 @@ const PIECES: usize = 16;
 /// The lines around what a hole cuts out of a part: the hole itself if it lies inside, nothing if
 /// it lies outside.
 ///
-/// In between, one of the two must be convex: the other is then cut by its sides one after another
+/// In between, one of the two must be convex. Its sides cut the other one after another
 /// (Sutherland, Hodgman, *Communications of the ACM* 17, 1974). Where neither is, less is cut out
 /// than both share.
 pub(super) fn common(part: &[Segment], hole: &[Segment]) -> Vec<Vec<Segment>> {

@@ -53,13 +53,13 @@ pub trait DrawnSpace: Stored {
 /// Bodies, connectors, joints, lines and names are drawn; arrows and what else helps are requested.
 /// One window shows all that is ever drawn, on one scale, and arrows of one kind have one scale.
 ///
-/// In the plane x points to the right and y upwards. Springs and dampers that end where nothing is
-/// and nothing moves get a short wall there, and those between the same points lie side by side.
-/// The longest arrow is a quarter of the picture. Positions, angles and vectors are those of the
-/// declaration.
+/// In the plane x points to the right and y upwards. Springs and dampers that end at a point
+/// without a body and without motion get a short wall there. Those between the same points lie next
+/// to each other. The longest arrow is a quarter of the picture. Positions, angles and vectors are
+/// those of the declaration.
 ///
-/// In space z points upwards. Solids are shaded and hide what is behind them; bodies that are given
-/// by numbers only are drawn as rods between their joints.
+/// In space z points upwards. Solids are shaded and hide everything behind them; bodies that are
+/// given by numbers only are drawn as rods between their joints.
 ///
 /// ```
 /// use lagrange::draw::Drawing;
@@ -132,14 +132,13 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds forces and moments that have names: those that are declared, weights, those of springs
-    /// and dampers, and those by which joints uphold their constraints. In space moments have two
+    /// Adds the forces and moments that have names: declared ones, weights, those of springs and
+    /// dampers, and those by which joints maintain their constraints. In space moments have two
     /// heads. Torques on angles act on the bodies that turn as the angles do. A line below the
-    /// picture names what of this cannot be drawn: the forces of joints that the coordinates fulfil
-    /// by themselves, and torques on angles that do not tell which bodies they turn;
-    /// [`hide`](Self::hide) takes a name out of it. Hand-written constraints and potentials,
-    /// contacts and dry friction act, too, without having such names; in the plane
-    /// [`free_body`](Self::free_body) shows what all of them amount to.
+    /// picture names the omitted ones: forces of joints that the coordinates satisfy, and torques
+    /// on angles that determine no body. [`hide`](Self::hide) removes a name from it. Hand-written
+    /// constraints and potentials, contacts and dry friction act, too, but have no such names. In
+    /// the plane, [`free_body`](Self::free_body) shows their resultant.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
@@ -174,8 +173,8 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds moments before those of the pictures, for traces; in the plane the window shows what is
-    /// drawn then, too.
+    /// Adds moments before those of the pictures, for traces. In the plane, the window then
+    /// includes the places at these moments.
     pub fn past(mut self, states: impl IntoIterator<Item = (M::Scalar, M::State)>) -> Self {
         self.past.extend(states);
         self
@@ -185,18 +184,18 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
 impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
     /// Draws nothing but one body and the forces and moments that act on it.
     ///
-    /// What acts besides those of [`forces`](Self::forces) follows from the motion. Its resultant
-    /// is drawn in dark grey at the centre of mass: the force R = m a − Σ F, and the moment M_R = J
-    /// α − Σ M about the centre of mass, unless only rounding is left of them. [`Moment::force`]
-    /// knows R by this name.
+    /// The loads other than those of [`forces`](Self::forces) follow from the motion. Their
+    /// resultant is drawn in dark grey at the centre of mass. It is the force R = m a − Σ F, with
+    /// the moment M_R = J α − Σ M about the centre of mass. It is omitted if only rounding is left.
+    /// [`Moment::force`] knows R by this name.
     pub fn free_body(mut self, body: &str) -> Self {
         self.free_body = Some(body.to_owned());
         self.wanted.is_free = true;
         self.forces()
     }
 
-    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. Where
-    /// a body does not turn there is none; one that is far away is indicated by its ray.
+    /// Adds the instantaneous centres of rotation M, each with a ray from the centre of mass. A
+    /// body that does not turn has none; one that is far away is indicated by its ray.
     pub fn centers(mut self) -> Self {
         self.wanted.centers = true;
         self
@@ -210,8 +209,8 @@ impl<'a, M: Scene<Space = Plane>> Drawing<'a, M> {
 }
 
 impl<M: Scene<Space = Spatial>> Drawing<'_, M> {
-    /// Sets the direction in which the eye is, in radians: the azimuth from x towards y, and the
-    /// elevation above the plane of both; −60° and 25° without this.
+    /// Sets the direction of the eye, in radians: the azimuth from x towards y, and the elevation
+    /// above the plane of both. The default is −60° and 25°.
     pub fn view(mut self, azimuth: f64, elevation: f64) -> Self {
         self.look.direction = Direction { azimuth, elevation, ..self.look.direction };
         self
@@ -250,8 +249,8 @@ where
     /// system has.
     ///
     /// # Errors
-    /// If a number is not finite, the scene lacks the free body or what is to be hidden, there is
-    /// nothing to draw, or the picture is too small.
+    /// If a number is not finite, there is nothing to draw, or the picture is too small. Also if
+    /// the scene lacks the free body or a hidden name.
     pub fn picture(&self, t: M::Scalar, y: &M::State) -> Result<Picture, DrawError> {
         self.pictures([(t, *y)])?.pop().ok_or(DrawError::NothingToDraw)
     }
@@ -259,7 +258,7 @@ where
     /// Draws pictures at several times and states, with one window and one scale of arrows.
     ///
     /// # Errors
-    /// Those of [`picture`](Self::picture).
+    /// As for [`picture`](Self::picture).
     pub fn pictures(
         &self,
         states: impl IntoIterator<Item = (M::Scalar, M::State)>,

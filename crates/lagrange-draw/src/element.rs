@@ -35,7 +35,7 @@ pub(super) enum Shape {
     /// A body whose own coordinates are placed so, with its centre of mass.
     Body { place: Place, center: Point, pieces: Vec<Piece> },
     /// A line with hatching on its right, along these stretches from a point of it, whose ends may
-    /// be infinite; these points of it are to be seen.
+    /// be infinite. These points of it must be visible.
     Ground { place: Place, stretches: Vec<[f64; 2]>, seen: Vec<Point> },
     /// A spring or damper, `lane` places on the left of the line between its ends; for torsion,
     /// around as many others.

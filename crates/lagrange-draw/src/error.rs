@@ -27,14 +27,14 @@ pub enum DrawError {
     View([f64; 2]),
     /// The picture is too small for its margins, or larger than an image can be.
     Size([f64; 2]),
-    /// The extension of the file is none of those that can be written.
+    /// The extension of the file is not supported.
     Extension {
         /// The file.
         path: PathBuf,
         /// The extensions that can be written.
         known: &'static [&'static str],
     },
-    /// Pictures and times do not make a film; the text says why.
+    /// Pictures and times do not make a film; the text gives the reason.
     Film(String),
     /// A file could not be written.
     Io {

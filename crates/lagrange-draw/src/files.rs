@@ -9,17 +9,17 @@ use crate::svg;
 use lagrange_files::save_bytes;
 
 impl Picture {
-    /// The picture as an SVG document.
+    /// Returns the picture as an SVG document.
     pub fn svg(&self) -> String {
         svg::document(self)
     }
 
-    /// Saves the picture to a file; an older one stays until the new one is whole. Its extension
-    /// says what it is: `svg`, or `png` with two pixels to that of a screen.
+    /// Saves the picture to a file; an older one stays until the new one is complete. Its extension
+    /// selects the format: `svg`, or `png` with two pixels to that of a screen.
     ///
     /// # Errors
-    /// If the extension is another, the picture is too large for an image, or what the operating
-    /// system says.
+    /// If the extension is not supported, the picture is too large for an image, or the operating
+    /// system cannot write the file.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();

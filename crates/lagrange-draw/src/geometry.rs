@@ -99,9 +99,9 @@ pub(super) fn polyline(points: impl IntoIterator<Item = Point>, is_closed: bool)
     segments
 }
 
-/// An arc of an ellipse about the origin, without a start: Bézier curves for at most a right angle
-/// each, whose control points are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer Aided
-/// Geometric Design* 8 (1991).
+/// Returns an arc of an ellipse about the origin, without a start. It has Bézier curves for at most
+/// a right angle each, whose control points are 4/3 tan(δ/4) along the tangents. Source: Goldapp, *Computer
+/// Aided Geometric Design* 8 (1991).
 pub(super) fn arc(radii: Point, from: f64, to: f64) -> Vec<Segment> {
     let count = arc_pieces(to - from);
     let step = (to - from) / count as f64;

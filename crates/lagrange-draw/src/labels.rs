@@ -1,8 +1,8 @@
 //! Placement of labels that overlap neither each other nor lines.
 //!
 //! Each label keeps one of eight sides of its place through a whole film, so that it never jumps.
-//! Labels are placed one after another, each where it is least in the way; those of bodies come
-//! last, and stay away where there is no room.
+//! Labels are placed one after another, each where it obstructs least. Those of bodies come last,
+//! and are omitted where there is no room.
 
 use std::f64::consts::{PI, SQRT_2};
 
@@ -37,7 +37,7 @@ const RINGS: usize = FARTHER.len() + 1;
 /// The number of the place that is the point itself.
 const ON_POINT: usize = AROUND.len() * RINGS;
 /// Penalties for overlapping another label, for each pixel of shift into the picture, for a line
-/// that crosses the label, and for a less suitable side.
+/// across the label, and for a less suitable side.
 const ON_LABEL: f64 = 60.0;
 const OUTSIDE: f64 = 0.1;
 const CROSSED: f64 = 3.0;

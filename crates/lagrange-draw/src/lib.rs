@@ -2,7 +2,7 @@
 //!
 //! A [`Drawing`] turns a [`Scene`](lagrange_runtime::scene::Scene) and states of it into
 //! [`Picture`]s. Nothing is computed of the motion here, and nothing needs tuning: window, scales,
-//! colours and places of labels follow from what is drawn.
+//! colours and places of labels follow from the drawing.
 //!
 //! ```
 //! use std::f64::consts::FRAC_PI_2;

@@ -34,8 +34,8 @@ impl<'m, M: Scene<Space = Plane>> Moment<'m, M> {
         self.snapshot.body(body).map(|body| body.motion)
     }
 
-    /// Returns the point of application and the components of the first force of this name; on a
-    /// free body also of R, the resultant of unnamed forces.
+    /// Returns the point of application and the components of the first force of this name. On a
+    /// free body, R is the resultant of unnamed forces.
     pub fn force(&self, name: &str) -> Option<([f64; 2], [f64; 2])> {
         let named = self.snapshot.loads.iter().find_map(|load| match load.value {
             Value::Force(force) if load.name == name => Some((load.at, force)),

@@ -1,4 +1,4 @@
-//! Sheets of paper: a title above, a note below, and what is drawn and written between them.
+//! Sheets of paper: a title above, a note below, and marks and text between them.
 
 use crate::error::DrawError;
 use crate::geometry::subtract;

@@ -1,8 +1,8 @@
 //! Detection of coincident springs and dampers, and the offset with which they are drawn.
 //!
-//! A spring and a damper between the same two points, as in every textbook on oscillations, are
-//! drawn side by side; a torsion damper about the place of a torsion spring is drawn around it.
-//! What merely meets at one moment stays where it is.
+//! A spring and a damper between the same two points are drawn next to each other, as in every
+//! textbook on oscillations. A torsion damper about the place of a torsion spring is drawn around
+//! it. Connectors that merely meet at one moment stay where they are.
 
 use std::collections::BTreeMap;
 

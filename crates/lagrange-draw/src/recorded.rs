@@ -1,4 +1,4 @@
-//! A recorded motion: what films are made of.
+//! A recorded motion, the content of films.
 
 use std::borrow::Cow;
 use std::fmt::Debug;
@@ -9,7 +9,7 @@ use crate::timeline::Timeline;
 
 /// A motion as it was recorded by a drawing.
 pub trait Recorded: Clone + PartialEq + Debug {
-    /// The extension of files in a format of its own.
+    /// The extension of files in this space's format.
     const FORMAT: &'static str;
 
     /// Returns the picture of each moment.
@@ -18,7 +18,7 @@ pub trait Recorded: Clone + PartialEq + Debug {
     /// Returns the motion as an HTML page.
     fn page(&self, timeline: &Timeline) -> String;
 
-    /// Returns the content of a file in the format of its own.
+    /// Returns the content of a file in this space's format.
     ///
     /// # Errors
     /// If the file would be larger than its format allows.

@@ -1,9 +1,9 @@
 //! The resultant of unnamed forces.
 //!
-//! By Newton's law and the axiom of angular momentum all forces on a body sum up to m a and all
-//! moments about its centre of mass to J α. What is named may be less: joints that the coordinates
-//! fulfil by themselves, hand-written constraints and potentials, contacts and friction hand out no
-//! force. The rest is known all the same,
+//! By Newton's law, all forces on a body add up to m a. By the axiom of angular momentum, all
+//! moments about its centre of mass add up to J α. Named loads may add up to less: joints that the
+//! coordinates satisfy, hand-written constraints and potentials, contacts and friction have no
+//! named force. The rest is still known,
 //!
 //! ```text
 //! R = m a − Σ F,    M_R = J α − Σ (M + r × F).

@@ -8,8 +8,8 @@ use lagrange_plot::notation::formula;
 /// A sheet over a picture, in the coordinates of the scene.
 ///
 /// Points and lengths are those of the scene, angles in radians counterclockwise. Labels are
-/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label is none. What is drawn at
-/// some moments of a film only is not seen at the others.
+/// written as in formulas: `v_P`, `J_{SP}`, `phi` for φ; an empty label draws nothing. Marks that
+/// are drawn at some moments of a film only are not visible at the others.
 #[derive(Debug)]
 pub struct Sketch {
     pub(super) elements: Vec<Element>,
@@ -21,75 +21,75 @@ impl Sketch {
         Sketch { elements: Vec::new(), ink: INK }
     }
 
-    /// The colour of what follows: 0 dark grey, then blue, vermilion, green, purple, orange, light
-    /// blue. Velocities, accelerations and forces have colours of their own.
+    /// Sets the colour of later marks: 0 dark grey, then blue, vermilion, green, purple, orange,
+    /// light blue. Velocities, accelerations and forces have separate colours.
     pub fn ink(&mut self, number: usize) -> &mut Self {
         self.ink = ink(number);
         self
     }
 
-    /// A point.
+    /// Draws a point.
     pub fn point(&mut self, at: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Dot { at })
     }
 
-    /// A straight line between two points.
+    /// Draws a straight line between two points.
     pub fn segment(&mut self, from: [f64; 2], to: [f64; 2]) -> &mut Self {
         self.add("", Shape::Segment { ends: [from, to], is_dashed: false })
     }
 
-    /// A dashed straight line between two points.
+    /// Draws a dashed straight line between two points.
     pub fn dashed(&mut self, from: [f64; 2], to: [f64; 2]) -> &mut Self {
         self.add("", Shape::Segment { ends: [from, to], is_dashed: true })
     }
 
-    /// A dashed straight line through two points, to the borders of the picture.
+    /// Draws a dashed straight line through two points, to the borders of the picture.
     pub fn line(&mut self, a: [f64; 2], b: [f64; 2]) -> &mut Self {
         self.add("", Shape::Through { points: [a, b] })
     }
 
-    /// A circle.
+    /// Draws a circle.
     pub fn circle(&mut self, center: [f64; 2], radius: f64) -> &mut Self {
         self.add("", Shape::Circle { center, radius, is_dashed: false })
     }
 
-    /// A dashed circle.
+    /// Draws a dashed circle.
     pub fn dashed_circle(&mut self, center: [f64; 2], radius: f64) -> &mut Self {
         self.add("", Shape::Circle { center, radius, is_dashed: true })
     }
 
-    /// An arrow, as long as the vector.
+    /// Draws an arrow, as long as the vector.
     pub fn arrow(&mut self, from: [f64; 2], vector: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Arrow { from, vector, measure: Measure::World, is_push: false })
     }
 
-    /// A velocity, on the scale of all velocities of the film.
+    /// Draws a velocity, on the scale of all velocities of the film.
     pub fn velocity(&mut self, from: [f64; 2], velocity: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, velocity, label, Measure::Velocity, VELOCITY)
     }
 
-    /// An acceleration, on the scale of all accelerations of the film.
+    /// Draws an acceleration, on the scale of all accelerations of the film.
     pub fn acceleration(&mut self, from: [f64; 2], acceleration: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, acceleration, label, Measure::Acceleration, ACCELERATION)
     }
 
-    /// A force, on the scale of all forces of the film.
+    /// Draws a force, on the scale of all forces of the film.
     pub fn force(&mut self, from: [f64; 2], force: [f64; 2], label: &str) -> &mut Self {
         self.measured(from, force, label, Measure::Force, FORCE)
     }
 
-    /// An arc about a point with an arrowhead, from one angle to another.
+    /// Draws an arc about a point with an arrowhead, from one angle to another.
     pub fn angle(&mut self, at: [f64; 2], from: f64, to: f64, label: &str) -> &mut Self {
         self.add(label, Shape::Angle { at, from, to })
     }
 
-    /// A line with arrowheads that tells a distance, on the left as one goes from one point to the
-    /// other.
+    /// Draws a line with arrowheads for a distance, with the label on the left in the direction
+    /// from one point to the other.
     pub fn dimension(&mut self, from: [f64; 2], to: [f64; 2], label: &str) -> &mut Self {
         self.add(label, Shape::Dimension { ends: [from, to] })
     }
 
-    /// Text with its middle at a point, or beside it where it would lie on a line.
+    /// Writes text with its middle at a point, or beside it where it would lie on a line.
     pub fn text(&mut self, at: [f64; 2], text: &str) -> &mut Self {
         // A single word is a symbol, a sentence is none.
         let written = if text.contains(' ') { text.to_string() } else { formula(text) };
@@ -97,12 +97,12 @@ impl Sketch {
         self
     }
 
-    /// A line through points.
+    /// Draws a line through points.
     pub fn polyline(&mut self, points: &[[f64; 2]]) -> &mut Self {
         self.add("", Shape::Polyline { points: points.to_vec() })
     }
 
-    /// An area with these corners, lightly filled.
+    /// Draws an area with these corners, lightly filled.
     pub fn area(&mut self, points: &[[f64; 2]]) -> &mut Self {
         self.add("", Shape::Area { points: points.to_vec() })
     }

@@ -1,4 +1,4 @@
-//! From scenes to elements: what is drawn of each item, and what is written beside it.
+//! From scenes to elements: the marks and labels of each item.
 
 use crate::anchored::Anchored;
 use crate::colour::{self, ACCELERATION, CENTER, FORCE, INK, PALE, REST, VELOCITY};

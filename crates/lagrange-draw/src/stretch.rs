@@ -1,8 +1,8 @@
 //! The extents of lines in a picture.
 //!
-//! Lines of a scene have no ends, but where two of them cross, a floor ends at a wall and a plateau
-//! where a slope begins. So a line at rest is cut where others cross it, and those stretches stay
-//! along which something touches it at any time.
+//! Lines of a scene have no ends. However, where two of them cross, a floor ends at a wall, and a
+//! plateau where a slope begins. A line at rest is therefore cut where others cross it, and the
+//! stretches remain that an object touches at any time.
 
 use std::collections::BTreeMap;
 

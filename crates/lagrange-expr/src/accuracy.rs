@@ -16,7 +16,7 @@ impl Accuracy {
     /// Every level.
     pub const ALL: [Accuracy; 3] = [Accuracy::Fast, Accuracy::Standard, Accuracy::Strict];
 
-    /// Its name in the attribute.
+    /// Returns its name in the attribute.
     pub fn name(self) -> &'static str {
         match self {
             Accuracy::Fast => "fast",

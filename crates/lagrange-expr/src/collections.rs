@@ -21,7 +21,7 @@ impl<K, V> Default for HashMap<K, V> {
 }
 
 impl<K: Eq + Hash, V> HashMap<K, V> {
-    /// The value at `key`.
+    /// Returns the value at `key`.
     pub fn get(&self, key: &K) -> Option<&V> {
         self.0.get(key)
     }
@@ -31,27 +31,27 @@ impl<K: Eq + Hash, V> HashMap<K, V> {
         self.0.contains_key(key)
     }
 
-    /// Sets `key` and returns what it held.
+    /// Sets `key` and returns its previous value.
     pub fn insert(&mut self, key: K, value: V) -> Option<V> {
         self.0.insert(key, value)
     }
 
-    /// The value at `key`, to change.
+    /// Returns the value at `key`, to change.
     pub fn get_mut(&mut self, key: &K) -> Option<&mut V> {
         self.0.get_mut(key)
     }
 
-    /// Removes `key` and returns what it held.
+    /// Removes `key` and returns its value.
     pub fn remove(&mut self, key: &K) -> Option<V> {
         self.0.remove(key)
     }
 
-    /// The value at `key`, made first if it is absent.
+    /// Returns the value at `key`, created first if it is absent.
     pub fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
         self.0.entry(key).or_insert_with(value)
     }
 
-    /// The number of entries.
+    /// Returns the number of entries.
     pub fn len(&self) -> usize {
         self.0.len()
     }
@@ -92,7 +92,7 @@ impl<T: Eq + Hash> HashSet<T> {
         self.0.insert(element)
     }
 
-    /// The number of elements.
+    /// Returns the number of elements.
     pub fn len(&self) -> usize {
         self.0.len()
     }
@@ -121,12 +121,12 @@ impl<K, V> Default for OrderedMap<K, V> {
 }
 
 impl<K: Eq + Hash, V> OrderedMap<K, V> {
-    /// The value at `key`.
+    /// Returns the value at `key`.
     pub fn get(&self, key: &K) -> Option<&V> {
         self.0.get(key)
     }
 
-    /// The value at `key`, to change.
+    /// Returns the value at `key`, to change.
     pub fn get_mut(&mut self, key: &K) -> Option<&mut V> {
         self.0.get_mut(key)
     }
@@ -136,17 +136,17 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.contains_key(key)
     }
 
-    /// Sets `key`, which keeps its place if it was present, and returns what it held.
+    /// Sets `key`, which keeps its place if it was present, and returns its previous value.
     pub fn insert(&mut self, key: K, value: V) -> Option<V> {
         self.0.insert(key, value)
     }
 
-    /// The value at `key`, made first if it is absent.
+    /// Returns the value at `key`, created first if it is absent.
     pub fn get_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> &mut V {
         self.0.entry(key).or_insert_with(value)
     }
 
-    /// The index of `key`, which is added with `value` if it is absent.
+    /// Returns the index of `key`, which is added with `value` if it is absent.
     pub fn index_or_insert_with(&mut self, key: K, value: impl FnOnce() -> V) -> usize {
         let entry = self.0.entry(key);
         let index = entry.index();
@@ -154,17 +154,17 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         index
     }
 
-    /// The index of `key`.
+    /// Returns the index of `key`.
     pub fn index_of(&self, key: &K) -> Option<usize> {
         self.0.get_index_of(key)
     }
 
-    /// The key at an index this map has given out.
+    /// Returns the key at an index this map has given out.
     pub fn key_at(&self, index: usize) -> &K {
         self.0.get_index(index).expect("an index of this map").0
     }
 
-    /// The value at an index this map has given out.
+    /// Returns the value at an index this map has given out.
     pub fn value_at(&self, index: usize) -> &V {
         &self.0[index]
     }
@@ -174,7 +174,7 @@ impl<K: Eq + Hash, V> OrderedMap<K, V> {
         self.0.iter()
     }
 
-    /// The number of entries.
+    /// Returns the number of entries.
     pub fn len(&self) -> usize {
         self.0.len()
     }

@@ -1,6 +1,6 @@
 //! The elementary functions, one row each.
 //!
-//! A row holds everything the other modules know of a function; adding one is adding a variant to
+//! A row holds everything the other modules know of a function. To add one, add a variant to
 //! [`Function`] and a row here, and a row to the list `lagrange_math::functions`, from which
 //! numbers take their methods. Derivatives are those of Abramowitz and Stegun, *Handbook of
 //! Mathematical Functions*, chapter 4; derivatives of piecewise functions are taken branch by
@@ -15,7 +15,7 @@ use Partial::{
 
 pub use domain::Domain;
 
-/// An elementary function; what is known of each is in its row.
+/// An elementary function; its row holds all its properties.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[expect(missing_docs, reason = "the names are those of the functions")]
 pub enum Function {
@@ -404,12 +404,12 @@ pub fn row(function: Function) -> &'static Row {
     &ROWS[function as usize]
 }
 
-/// The function of that name in the language.
+/// Returns the function of that name in the language.
 pub fn by_name(name: &str) -> Option<&'static Row> {
     ROWS.iter().find(|row| row.name == name)
 }
 
-/// `a * b + c`, rounded once where emitted code rounds once.
+/// Returns `a * b + c`, rounded once where emitted code rounds once.
 pub fn multiply_add(a: f64, b: f64, c: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
 }

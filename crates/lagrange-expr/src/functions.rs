@@ -1,6 +1,6 @@
 //! Values of elementary functions as expressions, and their derivatives.
 //!
-//! What is known of each function is in its row of [`elementary`](crate::elementary).
+//! The row of each function in [`elementary`](crate::elementary) holds its properties.
 
 mod quarter_turns;
 
@@ -9,10 +9,10 @@ use crate::expr::{ExprId, Function, Graph, Node, Relation};
 use crate::number::Number;
 use quarter_turns::without_quarter_turns;
 
-/// The constructor of function values: uses parity and known values, and writes roots and powers
-/// with numeric exponents as products.
+/// Makes a function value: uses parity and known values, and writes roots and powers with numeric
+/// exponents as products.
 ///
-/// `arguments` must be as many as the function's arity.
+/// The number of `arguments` must be the function's arity.
 pub fn apply(graph: &mut Graph, function: Function, arguments: &[ExprId]) -> ExprId {
     match function {
         Function::Sqrt => return graph.power(arguments[0], half_of(Number::ONE)),
@@ -112,7 +112,7 @@ fn sine_of_pi_times(x: &Number) -> Option<Number> {
     }
 }
 
-/// Partial derivatives of a function value with respect to each argument.
+/// Returns the partial derivatives of a function value with respect to each argument.
 pub fn partials(graph: &mut Graph, function: Function, arguments: &[ExprId], value: ExprId) -> Vec<ExprId> {
     let call = FunctionValue { arguments, value };
     row(function).partials.iter().map(|partial| call.build(graph, partial)).collect()

@@ -1,11 +1,11 @@
 //! Largest numbers and sizes that a declaration may have, all in one place.
 //!
 //! Each is checked before the work that it bounds. The table in the description of the language
-//! lists them with their messages, and a test provokes every one of these. Not for budgets inside
-//! algorithms, beyond which something is left as it is.
+//! lists them with their messages, and a test provokes every one of these. Budgets inside
+//! algorithms, beyond which an expression stays as it is, are not among them.
 
-/// Bracket groups and conditions inside each other: nothing else is read by recursion, but for the
-/// few tokens that are handed to `syn`.
+/// Bracket groups and conditions inside each other. Nothing else is read by recursion, except for
+/// the few tokens that are handed to `syn`.
 pub const MAX_NESTING: u32 = 64;
 
 /// Indices behind a name. Emitted types hold arrays in arrays, which the compiler of Rust walks by

@@ -44,7 +44,7 @@ impl Number {
     /// Two.
     pub const TWO: Number = Number(Repr::Word(Ratio::new_raw(2, 1)));
 
-    /// `numerator / denominator`; `None` if the denominator is zero.
+    /// Returns `numerator / denominator`; `None` if the denominator is zero.
     pub fn ratio(numerator: i64, denominator: i64) -> Option<Number> {
         if denominator == 0 {
             return None;
@@ -100,8 +100,8 @@ impl Number {
         self.to_integer() == Some(1)
     }
 
-    /// The value, if it is an integer that fits a word: most are, and their arithmetic needs no
-    /// gcd.
+    /// Returns the value, if it is an integer that fits a word: most are, and their arithmetic
+    /// needs no gcd.
     pub fn to_integer(&self) -> Option<i64> {
         match &self.0 {
             Repr::Word(ratio) if *ratio.denom() == 1 => Some(*ratio.numer()),
@@ -125,7 +125,7 @@ impl Number {
         }
     }
 
-    /// True if numerator and denominator are short enough to go on computing with.
+    /// True if numerator and denominator are short enough for further computation.
     pub fn is_short(&self) -> bool {
         match &self.0 {
             Repr::Word(_) => true,
@@ -146,13 +146,13 @@ impl Number {
         self.is_integer() && !self.is_even()
     }
 
-    /// The value, if it is an integer that fits.
+    /// Returns the value, if it is an integer that fits.
     pub fn to_i32(&self) -> Option<i32> {
         self.to_integer().and_then(|integer| i32::try_from(integer).ok())
     }
 
-    /// The digits of an unsigned decimal and how many of them stand behind the point; `None` if the
-    /// decimal does not end or the number is negative.
+    /// Returns the digits of an unsigned decimal and the number of them behind the point. `None` if
+    /// the decimal does not end or the number is negative.
     pub fn decimal(&self) -> Option<(String, usize)> {
         let big = self.to_big();
         let (ten, five) = (BigInt::from(10), BigInt::from(5));
@@ -167,7 +167,7 @@ impl Number {
         (rest.is_one() && !big.is_negative()).then(|| (digits().to_string(), places as usize))
     }
 
-    /// The nearest `f64`; infinite if the magnitude is out of range.
+    /// Returns the nearest `f64`; infinite if the magnitude is out of range.
     pub fn to_f64(&self) -> f64 {
         let exact = |n: &i64| n.unsigned_abs() <= 1 << 53;
         match &self.0 {
@@ -179,12 +179,12 @@ impl Number {
         }
     }
 
-    /// Magnitude.
+    /// Returns the magnitude.
     pub fn abs(&self) -> Number {
         if self.is_negative() { -self } else { self.clone() }
     }
 
-    /// `1 / self`; `None` for zero.
+    /// Returns `1 / self`; `None` for zero.
     pub fn reciprocal(&self) -> Option<Number> {
         (!self.is_zero()).then(|| match &self.0 {
             Repr::Word(ratio) if *ratio.numer() != i64::MIN => Number(Repr::Word(ratio.recip())),
@@ -192,8 +192,8 @@ impl Number {
         })
     }
 
-    /// The largest number with the sign of `self` of which both are integer multiples: 3/2 of 9/2
-    /// and −6. It is `self` if the other is zero.
+    /// Returns the largest number with the sign of `self` of which both are integer multiples: 3/2
+    /// of 9/2 and −6. It is `self` if the other is zero.
     pub fn common_divisor(&self, other: &Number) -> Number {
         // p = g n and q = g d, where n/d is p/q in lowest terms.
         let ratio = other.reciprocal().map(|inverse| (self * &inverse).to_big());
@@ -206,8 +206,8 @@ impl Number {
         )
     }
 
-    /// `self` to an integer power; `None` for a negative power of zero and for results too long to
-    /// be useful.
+    /// Raises `self` to an integer power; `None` for a negative power of zero and for results too
+    /// long to be useful.
     pub fn power(&self, exponent: i32) -> Option<Number> {
         if exponent == 1 || self.is_one() {
             return Some(self.clone());
@@ -223,7 +223,7 @@ impl Number {
         Some(Number::from_big(Pow::pow(big, magnitude)))
     }
 
-    /// The exact square root of a square; `None` for every other number.
+    /// Returns the exact square root of a square; `None` for every other number.
     pub fn exact_sqrt(&self) -> Option<Number> {
         if self.is_negative() {
             return None;

@@ -1,19 +1,21 @@
 //! Solids with known moments of inertia: one row each.
 //!
 //! The coordinates of a solid are those of `lagrange::scene::Outline`. Moments of inertia are about
-//! the axis through the centre of mass that is normal to the plane, for a mass of one: squares of
-//! lengths.
+//! the axis through the centre of mass, normal to the plane, for a mass of one: squares of lengths.
 //!
 //! Sources: Meriam, Kraige, *Engineering Mechanics: Dynamics*, table D/4, for all but polygons; for
 //! those Steger, *On the calculation of arbitrary moments of polygons* (1996).
 //! `tests/api/inertia.rs` of `lagrange` derives each by integration.
 
+mod formulas;
 mod polygon;
 
 use crate::diagnostics;
-use crate::expr::{ExprId, Function, Graph};
-use crate::functions;
-use crate::number::Number;
+use crate::expr::{ExprId, Graph};
+use formulas::{
+    about_center, fraction, hollow_sphere, regular_polygon, sector_center, semicircular_center,
+    sum_of_squares, triangle_center,
+};
 pub use polygon::double_area;
 
 /// Formula for something that follows from the size of a solid.
@@ -26,9 +28,9 @@ pub struct Solid {
     pub name: &'static str,
     /// Dimensions that give its size.
     pub dimensions: Dimensions,
-    /// Moment of inertia about the centre of mass for a mass of one, from as many scalars as there
-    /// are dimensions; of corners from their coordinates, one corner after the other, in either
-    /// orientation.
+    /// Moment of inertia about the centre of mass for a mass of one, a function of as many scalars
+    /// as there are dimensions. Corners give their coordinates, one corner after the other, in
+    /// either orientation.
     pub inertia: Formula<ExprId>,
     /// Centre of mass in the solid's coordinates, from the same scalars; `None` for the origin.
     pub centroid: Option<Formula<[ExprId; 2]>>,
@@ -64,7 +66,7 @@ impl Dimensions {
         }
     }
 
-    /// Spelling in a call.
+    /// Returns the spelling in a call.
     pub fn written(self) -> String {
         match self {
             Dimensions::Scalars(names) => names.join(", "),
@@ -74,12 +76,12 @@ impl Dimensions {
 }
 
 impl Solid {
-    /// Spelling as a shape: `rectangle(a, b)`.
+    /// Returns the spelling as a shape: `rectangle(a, b)`.
     pub fn shape_usage(&self) -> String {
         format!("{}({})", self.name, self.dimensions.written())
     }
 
-    /// Call of its moment of inertia: `rectangle(m, a, b)`.
+    /// Returns the call of its moment of inertia: `rectangle(m, a, b)`.
     pub fn inertia_usage(&self) -> String {
         match self.dimensions {
             Dimensions::Scalars([]) => format!("{}(m)", self.name),
@@ -87,12 +89,12 @@ impl Solid {
         }
     }
 
-    /// Call of its centre of mass: `triangle_center(a, b, c)`.
+    /// Returns the call of its centre of mass: `triangle_center(a, b, c)`.
     pub fn center_usage(&self) -> String {
         format!("{}{CENTER_SUFFIX}({})", self.name, self.dimensions.written())
     }
 
-    /// The name of the function that gives its centre of mass, if that is not the origin:
+    /// Returns the name of the function for its centre of mass, if that is not the origin:
     /// `triangle_center`.
     pub fn center_function(&self) -> Option<String> {
         self.centroid.map(|_| format!("{}{CENTER_SUFFIX}", self.name))
@@ -102,17 +104,17 @@ impl Solid {
 /// Suffix that makes the name of a solid that of the function of its centre of mass.
 const CENTER_SUFFIX: &str = "_center";
 
-/// The solid of a name.
+/// Returns the solid of this name.
 pub fn by_name(name: &str) -> Option<&'static Solid> {
     SOLIDS.iter().find(|solid| solid.name == name)
 }
 
-/// The solid whose centre of mass a function of this name gives.
+/// Returns the solid whose centre of mass is a function of this name.
 pub fn by_center_function(name: &str) -> Option<&'static Solid> {
     by_name(name.strip_suffix(CENTER_SUFFIX)?).filter(|solid| solid.centroid.is_some())
 }
 
-/// The name of a solid that was probably meant.
+/// Returns the name of a solid that was probably meant.
 pub fn nearest(name: &str) -> Option<&'static str> {
     diagnostics::nearest(name, SOLIDS.iter().map(|solid| solid.name))
 }
@@ -303,87 +305,6 @@ pub const SOLIDS: [Solid; 19] = [
         radius: None,
     },
 ];
-
-/// x · numerator / denominator
-fn fraction(graph: &mut Graph, numerator: i64, x: ExprId, denominator: i64) -> ExprId {
-    let (multiple, denominator) = (graph.scale(Number::from(numerator), x), graph.number(denominator));
-    graph.divide(multiple, denominator)
-}
-
-/// Σ xᵢ² · numerator / denominator
-fn sum_of_squares(graph: &mut Graph, x: &[ExprId], numerator: i64, denominator: i64) -> ExprId {
-    let squares = x.iter().map(|&x| graph.square(x)).collect::<Vec<_>>();
-    let sum = graph.total(squares);
-    fraction(graph, numerator, sum, denominator)
-}
-
-/// r²/2 − s²: a sector of a disk is like the disk about the centre of the circle, which is s away
-/// from its centre of mass.
-fn about_center(graph: &mut Graph, r: ExprId, s: ExprId) -> ExprId {
-    let about_circle = sum_of_squares(graph, &[r], 1, 2);
-    let square = graph.square(s);
-    graph.subtract(about_circle, square)
-}
-
-/// (0, 4 r / 3π)
-fn semicircular_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
-    let (pi, r) = (graph.pi(), fraction(graph, 4, x[0], 3));
-    [graph.number(0), graph.divide(r, pi)]
-}
-
-/// (4 r sin(angle/2) / (3 angle), 0)
-fn sector_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
-    let half = fraction(graph, 1, x[1], 2);
-    let sine = functions::apply(graph, Function::Sin, &[half]);
-    let product = graph.multiply(x[0], sine);
-    let scaled = fraction(graph, 4, product, 3);
-    [graph.divide(scaled, x[1]), graph.number(0)]
-}
-
-/// A third of the sum of the corners (0, 0), (a, 0) and (p, q): p = (a² − b² + c²)/2a, and q = √(c²
-/// − p²) as by Heron.
-fn triangle_center(graph: &mut Graph, x: &[ExprId]) -> [ExprId; 2] {
-    let [a, b, c] = [x[0], x[1], x[2]];
-    let [a2, b2, c2] = [a, b, c].map(|side| graph.square(side));
-    let twice = graph.scale(Number::TWO, a);
-    let numerator = graph.sum(Number::ZERO, [(a2, Number::ONE), (b2, Number::MINUS_ONE), (c2, Number::ONE)]);
-    let p = graph.divide(numerator, twice);
-    let signs = [[1, 1, 1], [-1, 1, 1], [1, -1, 1], [1, 1, -1]];
-    let factors = signs.map(|signs| {
-        let terms = [a, b, c].into_iter().zip(signs);
-        graph.sum(Number::ZERO, terms.map(|(side, sign)| (side, Number::from(sign))))
-    });
-    let heron = graph.product(factors.map(|factor| (factor, Number::ONE)));
-    let root = functions::apply(graph, Function::Sqrt, &[heron]);
-    let q = graph.divide(root, twice);
-    let sum = graph.add(a, p);
-    [fraction(graph, 1, sum, 3), fraction(graph, 1, q, 3)]
-}
-
-/// r² (2 + cos(2π/n)) / 6
-fn regular_polygon(graph: &mut Graph, x: &[ExprId]) -> ExprId {
-    let pi = graph.pi();
-    let turn = graph.scale(Number::TWO, pi);
-    let angle = graph.divide(turn, x[0]);
-    let cosine = functions::apply(graph, Function::Cos, &[angle]);
-    let sum = graph.sum(Number::TWO, [(cosine, Number::ONE)]);
-    let square = graph.square(x[1]);
-    let product = graph.multiply(square, sum);
-    fraction(graph, 1, product, 6)
-}
-
-/// 2/5 (R⁵ − r⁵)/(R³ − r³) with R − r cancelled, which leaves 2/3 R² for a thin one.
-fn hollow_sphere(graph: &mut Graph, x: &[ExprId]) -> ExprId {
-    let homogeneous = |graph: &mut Graph, degree: i64| {
-        let terms =
-            (0..=degree).map(|i| graph.product([(x[0], Number::from(i)), (x[1], Number::from(degree - i))]));
-        let terms = terms.collect::<Vec<_>>();
-        graph.total(terms)
-    };
-    let (upper, lower) = (homogeneous(graph, 4), homogeneous(graph, 2));
-    let quotient = graph.divide(upper, lower);
-    fraction(graph, 2, quotient, 5)
-}
 
 #[cfg(test)]
 mod tests;

@@ -44,8 +44,7 @@ pub struct Symbol {
     pub name: String,
     /// The role.
     pub role: Role,
-    /// Number of dots over the name: how often what it names is differentiated with respect to
-    /// time.
+    /// Number of dots over the name: the order of its derivative with respect to time.
     pub dots: u8,
 }
 
@@ -87,24 +86,24 @@ pub struct Symbols {
 }
 
 impl Symbols {
-    /// The symbol in `role`, added under `name` if it is new; velocities and accelerations as rates
-    /// of what has that name.
+    /// Returns the symbol in `role`, added under `name` if it is new. Velocities and accelerations
+    /// are rates of the variable of that name.
     pub fn intern(&mut self, name: &str, role: Role) -> SymbolId {
         self.intern_dotted(name, role, role.dots())
     }
 
-    /// The symbol in `role`, added under `name` with so many dots if it is new.
+    /// Returns the symbol in `role`, added under `name` with this many dots if it is new.
     pub fn intern_dotted(&mut self, name: &str, role: Role, dots: u8) -> SymbolId {
         let symbol = || Symbol { name: name.to_owned(), role, dots };
         SymbolId(self.by_role.index_or_insert_with(role, symbol) as u32)
     }
 
-    /// The symbol behind an id of this table.
+    /// Returns the symbol behind an id of this table.
     pub fn get(&self, id: SymbolId) -> &Symbol {
         self.by_role.value_at(id.0 as usize)
     }
 
-    /// The symbol in `role`, if there is one.
+    /// Returns the symbol in `role`, if there is one.
     pub fn find(&self, role: Role) -> Option<SymbolId> {
         self.by_role.index_of(&role).map(|index| SymbolId(index as u32))
     }

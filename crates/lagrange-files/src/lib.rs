@@ -18,12 +18,11 @@ pub const UNFINISHED: &str = ".unfinished";
 /// Saves a file that `write` writes. An older file stays until the new one is whole, and as it is
 /// after an error.
 ///
-/// The new file has the permissions of the older one. Of a link the file that it leads to is
-/// replaced. A pipe or a device is written to directly. `wrong` makes an error of what the
-/// operating system says.
+/// The new file has the permissions of the older one. For a link, the target is replaced. A pipe or
+/// a device is written to directly. `wrong` makes an error from that of the operating system.
 ///
 /// # Errors
-/// Those of `write`, and what the operating system says.
+/// If `write` fails, or the operating system cannot write the file.
 pub fn save<T, E>(
     path: &Path,
     wrong: impl Fn(io::Error) -> E,
@@ -43,7 +42,7 @@ pub fn save<T, E>(
 /// Saves these bytes, as [`save`] does.
 ///
 /// # Errors
-/// What the operating system says.
+/// If the operating system cannot write the file.
 pub fn save_bytes(path: &Path, bytes: impl AsRef<[u8]>) -> io::Result<()> {
     save(path, |error| error, |mut file| file.write_all(bytes.as_ref()))
 }

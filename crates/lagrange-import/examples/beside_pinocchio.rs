@@ -3,8 +3,8 @@
 //!
 //! `cargo run --release -p lagrange-import --example beside_pinocchio -- robot.urdf reference.txt [--free] [--trust-inertia]`
 //! prints freedoms, constraints, operations of the accelerations, the largest relative difference
-//! from the reference, and how many links have inertia that no body has; or why nothing is
-//! imported. Without files it takes one of the tests.
+//! from the reference, and the number of links whose inertia no body has. If nothing is imported,
+//! it prints the reason. Without files it takes one of the tests.
 
 #[path = "../tests/import/reference.rs"]
 mod reference;

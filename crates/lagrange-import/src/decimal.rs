@@ -1,7 +1,7 @@
 //! Decimals: numbers of a file as people wrote them, with the values that they have.
 //!
-//! What a declaration takes over stays as exact as it was in the file, and is written short:
-//! without zeros that say nothing.
+//! Numbers in a declaration stay as exact as they were in the file, and are written short, without
+//! needless zeros.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! Mistakes in files: where they are, in which element, what is wrong and what helps.
+//! Mistakes in files: their places and elements, their description, and help.
 
 use std::fmt;
 
@@ -9,7 +9,7 @@ pub struct Mistake {
     pub line: u32,
     /// Column in that line, from one.
     pub column: u32,
-    /// The element, such as `joint "elbow", <axis>`; empty where there is none.
+    /// The element, such as `joint "elbow", <axis>`; empty for the whole file.
     pub element: String,
     /// Message in one sentence without a full stop.
     pub message: String,

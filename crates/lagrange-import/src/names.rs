@@ -23,8 +23,7 @@ impl Identifiers {
     /// Takes an identifier like a name; `kind`, such as `link`, is put to those that would not be
     /// one or are taken.
     ///
-    /// What stands in `endings` is taken with it, behind an underscore, for names that are made of
-    /// it.
+    /// Names made of it, with `endings` behind an underscore, are reserved with it.
     pub(crate) fn take(&mut self, name: &str, kind: &str, endings: &[&str]) -> String {
         let base = identifier(name, kind);
         let with_kind = format!("{base}_{kind}");

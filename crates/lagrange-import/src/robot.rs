@@ -1,5 +1,5 @@
-//! Robots: links and the joints between them, as a tree that has been checked, and nothing of how a
-//! file says so.
+//! Robots: links and the joints between them, as a tree that has been checked, independent of any
+//! file format.
 
 use crate::decimal::Decimal;
 

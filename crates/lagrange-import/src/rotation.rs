@@ -1,7 +1,7 @@
 //! Rotations: by roll, pitch and yaw, of directions and of tensors of inertia.
 //!
-//! Entries of a rotation within [`SNAPPED`] of 0, 1 and −1 are these numbers if all of their row or
-//! column are, as in the language itself.
+//! An entry of a rotation within [`SNAPPED`] of 0, 1 or −1 becomes this number if its whole row or
+//! column does. The language itself does the same.
 
 use crate::decimal::Decimal;
 

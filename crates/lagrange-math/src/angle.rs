@@ -6,11 +6,15 @@
 //! sin(r + δ) ≈ r + (r z p(z) + δ (1 − z/2)),    cos(r + δ) ≈ 1 − z/2 + (z² q(z) − r δ),
 //! ```
 //!
-//! where the first term is exact, or its rounding error is added back, and what follows is at most
-//! a tenth of it. In units in the last place the error is at most 0.5 of the last sum, 0.34 of the
-//! rounding of what follows (the sine at r = π/4, where six roundings of terms near 0.08 meet a
-//! unit of 2⁻⁵³), 0.04 of the polynomial and 0.01 of the reduction. The polynomials are added up so
-//! that few operations wait for each other.
+//! where the first term is exact, or its rounding error is added back, and the rest is at most a
+//! tenth of it. In units in the last place the error is at most the sum of these contributions:
+//! - 0.5 of the last sum;
+//! - 0.34 of the rounding of the rest (the sine at r = π/4, where six roundings of terms near 0.08
+//!   meet a unit of 2⁻⁵³);
+//! - 0.04 of the polynomial;
+//! - 0.01 of the reduction.
+//!
+//! The polynomials are added up so that few operations wait for each other.
 
 use crate::fused::multiply_add;
 use crate::pair::Pair;

@@ -1,7 +1,7 @@
 //! Angles with a given tangent, sine or cosine, without a branch.
 //!
-//! The angle of a point is found in an eighth of the plane first, from the smaller and the larger
-//! of its coordinates in magnitude, a ≤ b:
+//! The angle of a point is first found in an eighth of the plane. With a ≤ b, the smaller and the
+//! larger of its coordinates in magnitude:
 //!
 //! ```text
 //! arctan(a/b) = arctan t,           t = a / b                 if a ≤ b tan(π/8),

@@ -8,12 +8,12 @@ use crate::precise;
 /// integers.
 pub const LARGEST_ANGLE: f64 = 1e5;
 
-/// The sine and the cosine of each angle, in radians.
+/// Computes the sine and the cosine of each angle, in radians.
 ///
 /// The error is below 0.9 units in the last place for angles of any size, whether or not products
-/// are fused. What comes of an angle does not depend on the other angles, and it is the same on
-/// every platform that fuses products, and on every one that does not. Zeros keep their sign;
-/// infinity and NaN give NaN.
+/// are fused. The result for an angle does not depend on the other angles. It is the same on every
+/// platform that fuses products, and on every one that does not. Zeros keep their sign; infinity
+/// and NaN give NaN.
 ///
 /// ```
 /// use lagrange_math::sin_cos_each;
@@ -33,9 +33,10 @@ pub fn sin_cos_each<const N: usize>(angles: [f64; N]) -> [(f64, f64); N] {
     zipped(sines, cosines)
 }
 
-/// All sines and all cosines of the angles, with products that are fused or not, whatever the
-/// target is: for callers that find out at run time what the processor has, and compile this for
-/// it. Results and errors are those of [`sin_cos_each`], which asks for the one or the other.
+/// Computes all sines and all cosines of the angles, with or without fused products, whatever the
+/// target is. It serves callers that detect the processor's instructions at run time and compile
+/// this function for them. Results and errors are those of [`sin_cos_each`], which decides by the
+/// target.
 ///
 /// ```
 /// use lagrange_math::sines_and_cosines;
@@ -50,10 +51,10 @@ pub fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [f64; N]) ->
     sine_and_cosine_of_each(angle::sin_cos::<FUSED>, angle::sin_cos_large, angles)
 }
 
-/// All sines and all cosines of the angles without fused products, with an error below 0.55 units
-/// in the last place for angles of any size.
+/// Computes all sines and all cosines of the angles without fused products. The error is below 0.55
+/// units in the last place for angles of any size.
 ///
-/// What comes of an angle has the same bits on every platform and does not depend on the other
+/// The result for an angle has the same bits on every platform and does not depend on the other
 /// angles. Zeros keep their sign; infinity and NaN give NaN.
 ///
 /// ```
@@ -115,15 +116,16 @@ fn zipped<const N: usize>(sines: [f64; N], cosines: [f64; N]) -> [(f64, f64); N]
     core::array::from_fn(|i| (sines[i], cosines[i]))
 }
 
-/// Computes sines and cosines in single precision, in double precision and rounded once: the error
-/// is below 0.5000001 units in the last place for angles of any size.
+/// Computes sines and cosines in single precision by way of double precision, rounded once. The
+/// error is below 0.5000001 units in the last place for angles of any size.
 #[inline(always)]
 #[must_use]
 pub fn sin_cos_each_f32<const N: usize>(angles: [f32; N]) -> [(f32, f32); N] {
     sin_cos_each(angles.map(f64::from)).map(|(sine, cosine)| (sine as f32, cosine as f32))
 }
 
-/// [`sines_and_cosines`] in single precision, with results and errors of [`sin_cos_each_f32`].
+/// Computes [`sines_and_cosines`] in single precision, with results and errors of
+/// [`sin_cos_each_f32`].
 #[inline(always)]
 #[must_use]
 pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]) -> ([f32; N], [f32; N]) {
@@ -140,7 +142,7 @@ pub fn sines_and_cosines_f32<const FUSED: bool, const N: usize>(angles: [f32; N]
 }
 
 /// Returns the boundaries between loops, so that compilers unroll short ones and vectorise long
-/// ones; without them an odd number of angles costs up to half as much again.
+/// ones. Without them an odd number of angles costs up to half as much again.
 const fn cuts(count: usize) -> [usize; 2] {
     if count < 4 { [0, count] } else { [count - count % 8, count - count % 2] }
 }

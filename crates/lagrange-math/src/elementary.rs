@@ -38,11 +38,11 @@ macro_rules! of_lanes {
 
 crate::functions!(of_lanes);
 
-/// Values of a function at several numbers, with products that are fused or not, as for
+/// Computes values of a function at several numbers, with products that are fused or not, as for
 /// [`sines_and_cosines`](crate::sines_and_cosines).
 ///
-/// What comes of a number does not depend on the others, and is the same on every platform for each
-/// choice of FUSED. Errors in units in the last place:
+/// The result for a number does not depend on the others, and is the same on every platform for
+/// each choice of FUSED. Errors in units in the last place:
 ///
 /// | | error, fused or not |
 /// |---|---|
@@ -110,11 +110,11 @@ fn each<const N: usize>(
     values
 }
 
-/// The angles in [−π, π] of several points, each with an ordinate and an abscissa.
+/// Computes the angles in [−π, π] of several points, each with an ordinate and an abscissa.
 ///
-/// Errors are below 0.7 units in the last place where both are zero or from 10⁻²⁷⁰ to 10²⁷⁰ in
-/// magnitude; other points, the origin among them, have the angle that `libm` gives them, with the
-/// sides of the cut as IEEE 754 has them. All else is as for [`values`].
+/// Errors are below 0.7 units in the last place where both coordinates are zero or from 10⁻²⁷⁰ to
+/// 10²⁷⁰ in magnitude. Other points, including the origin, have the angle of `libm`, with the sides
+/// of the cut according to IEEE 754. The rest is as for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas: [f64; N]) -> [f64; N] {
@@ -126,11 +126,11 @@ pub fn angles<const FUSED: bool, const N: usize>(ordinates: [f64; N], abscissas:
     )
 }
 
-/// The lengths √(x² + y²) of several vectors.
+/// Computes the lengths √(x² + y²) of several vectors.
 ///
 /// Errors are below 0.6 units in the last place where both components are zero or from 10⁻¹³⁰ to
-/// 10¹⁵⁰ in magnitude; others have the length that `libm` gives them, infinite if a component is.
-/// All else is as for [`values`].
+/// 10¹⁵⁰ in magnitude. Others have the length of `libm`, infinite if a component is. The rest is as
+/// for [`values`].
 #[inline(always)]
 #[must_use]
 pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [f64; N] {
@@ -141,8 +141,8 @@ pub fn lengths<const FUSED: bool, const N: usize>(x: [f64; N], y: [f64; N]) -> [
     )
 }
 
-/// A number to a real power, with an error below one unit in the last place. The bits are the same
-/// on every platform. NaN if either is NaN.
+/// Raises a number to a real power, with an error below one unit in the last place. The bits are
+/// the same on every platform. NaN if either is NaN.
 ///
 /// ```
 /// assert_eq!(lagrange_math::power(2.0, 0.5), 2_f64.sqrt());
@@ -154,21 +154,21 @@ pub fn power(base: f64, exponent: f64) -> f64 {
     if base.is_nan() || exponent.is_nan() { f64::NAN } else { libm::pow(base, exponent) }
 }
 
-/// [`values`] in single precision, computed in double and rounded once.
+/// Computes [`values`] in single precision, by way of double precision, rounded once.
 #[inline(always)]
 #[must_use]
 pub fn values_f32<const FUSED: bool, const N: usize>(function: Elementary, arguments: [f32; N]) -> [f32; N] {
     narrow(values::<FUSED, N>(function, widen(arguments)))
 }
 
-/// [`angles`] in single precision, computed in double and rounded once.
+/// Computes [`angles`] in single precision, by way of double precision, rounded once.
 #[inline(always)]
 #[must_use]
 pub fn angles_f32<const FUSED: bool, const N: usize>(ordinates: [f32; N], abscissas: [f32; N]) -> [f32; N] {
     narrow(angles::<FUSED, N>(widen(ordinates), widen(abscissas)))
 }
 
-/// [`lengths`] in single precision, computed in double and rounded once.
+/// Computes [`lengths`] in single precision, by way of double precision, rounded once.
 #[inline(always)]
 #[must_use]
 pub fn lengths_f32<const FUSED: bool, const N: usize>(x: [f32; N], y: [f32; N]) -> [f32; N] {

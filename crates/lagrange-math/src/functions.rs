@@ -65,8 +65,7 @@ macro_rules! functions {
                 /// The angle in [−π, π] of the point with ordinate `self` and the given abscissa.
                 ///
                 /// As in IEEE 754, the sign of a zero picks the side of the cut: (±0, −1) gives ±π
-                /// and (±0, 1) gives ±0, and the origin counts as a point of the axis its zeros lie
-                /// on.
+                /// and (±0, 1) gives ±0. The origin counts as a point of the axis of its zeros.
                 fn(self, abscissa);
             }
 

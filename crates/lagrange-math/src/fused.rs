@@ -1,4 +1,4 @@
-//! Products and sums in one rounding, where that is asked for.
+//! Products and sums in one rounding, where requested.
 
 /// True if the target that is compiled for has an instruction for a product and a sum with one
 /// rounding.

@@ -1,21 +1,23 @@
-//! Elementary functions of several numbers at a time: sine and cosine of the level of accuracy
-//! `fast`, and all functions of numbers side by side, in the lanes of vector instructions, and of
-//! numbers with the same bits on every platform.
+//! Elementary functions of several numbers at a time. They serve the level of accuracy `fast` (sine
+//! and cosine), numbers in the lanes of vector instructions, and those with the same bits
+//! everywhere.
 //!
-//! [`sin_cos_each`], [`values`] and the others have no branch that depends on a number and no
-//! table, so that the compiler inlines them and computes several numbers with each instruction
-//! where the target can. They call nothing of the platform: without fused products, results have
-//! the same bits everywhere.
+//! [`sin_cos_each`], [`values`] and the others have no table and no branch that depends on a
+//! number. The compiler inlines them and computes several numbers with each instruction where the
+//! target can. They call nothing of the platform: without fused products, results have the same
+//! bits everywhere.
 //!
-//! The methods are the classical ones. Sine and cosine: reduction to [−π/4, π/4] with π/2 in three
-//! parts (W. J. Cody, W. Waite, *Software Manual for the Elementary Functions*, 1980, chapter 8),
-//! then one minimax polynomial each for sine and cosine, and exchange and change of sign by the
-//! quadrant (J.-M. Muller, *Elementary Functions*, 3rd ed., 2016, chapters 3 and 11). The others:
-//! reduction by multiples of ln 2 and π/4 in two parts (Cody and Waite, chapters 5, 6, 11 and 12),
-//! one or two minimax polynomials, and the terms that matter as sums of two doubles (P. T. P. Tang,
-//! "Table-driven implementation of the exponential function in IEEE floating-point arithmetic", ACM
-//! TOMS 15, 1989, has such sums; Muller, chapters 2 and 11). `tools/sin_cos.py` and
-//! `tools/elementary.py` compute every constant.
+//! The methods are the classical ones:
+//! - Sine and cosine are reduced to [−π/4, π/4] with π/2 in three parts, as in W. J. Cody, W.
+//!   Waite, *Software Manual for the Elementary Functions*, 1980, chapter 8. One minimax polynomial
+//!   each gives sine and cosine, which the quadrant exchanges and changes in sign: J.-M. Muller, *Elementary
+//!   Functions*, 3rd ed., 2016, chapters 3 and 11.
+//! - The others are reduced by multiples of ln 2 and π/4 in two parts (Cody and Waite, chapters 5,
+//!   6, 11 and 12). One or two minimax polynomials follow. Important terms are sums of two doubles,
+//!   as in P. T. P. Tang, "Table-driven implementation of the exponential function in IEEE
+//!   floating-point arithmetic", ACM TOMS 15, 1989, and Muller, chapters 2 and 11.
+//!
+//! `tools/sin_cos.py` and `tools/elementary.py` compute every constant.
 #![no_std]
 #![forbid(unsafe_code)]
 

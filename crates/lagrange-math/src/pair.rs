@@ -1,4 +1,4 @@
-//! Numbers as sums of two doubles, and what is exact in them (T. J. Dekker, "A floating-point
+//! Numbers as sums of two doubles, and their exact operations (T. J. Dekker, "A floating-point
 //! technique for extending the available precision", Numerische Mathematik 18, 1971).
 
 use crate::fused::multiply_add;

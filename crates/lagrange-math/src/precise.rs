@@ -2,7 +2,7 @@
 //! table and without fused products.
 //!
 //! With the notation of [`crate::angle`], r is split into r₁, a multiple of 2⁻⁸, and r₂ = r − r₁.
-//! Then terms with few bits are exact products: 1 − r₁²/2, c₁ r₁³ and C₁ r₁⁴, where c₁ has 27 bits
+//! Then terms with few bits are exact products: 1 − r₁²/2, c₁ r₁³ and C₁ r₁⁴. Here c₁ has 27 bits
 //! of the polynomial's first coefficient c, C₁ has 21 of C, and c = c₁ + c₂, C = C₁ + C₂.
 //!
 //! ```text

@@ -1,7 +1,7 @@
 //! Angles of any size in quarter turns, in integers.
 //!
 //! M. H. Payne, R. N. Hanek, "Radian reduction for trigonometric functions", *SIGNUM Newsletter* 18
-//! (1983): of 2/π only those bits count that neither make multiples of four quarters nor are too
+//! (1983). Of 2/π, only those bits count that neither make multiples of four quarters nor are too
 //! small.
 
 /// The bits of 2/π behind the point.
@@ -32,7 +32,8 @@ const TWO_OVER_PI: [u64; 24] = [
     0x0606_1556_ca73_a8c9,
 ];
 
-/// A finite angle in quarter turns modulo four: two bits before the point, all others behind it.
+/// Returns a finite angle in quarter turns modulo four: two bits before the point, all others
+/// behind it.
 ///
 /// Negative numbers are in two's complement. The error is below 2⁵⁵ in the last place.
 ///
@@ -65,7 +66,7 @@ fn bits_from(place: i64) -> u64 {
 }
 
 /// Splits quarter turns into the nearest whole number, modulo four, and the magnitude of the rest.
-/// That is at most one half and begins at the point. The truth value tells a negative rest.
+/// That is at most one half and begins at the point. The truth value is true for a negative rest.
 #[must_use]
 pub fn nearest_quarter<const WORDS: usize>(turns: [u64; WORDS]) -> (u64, bool, [u64; WORDS]) {
     let nearest = (turns[0] >> 62) + (turns[0] >> 61 & 1);

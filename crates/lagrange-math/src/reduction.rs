@@ -1,12 +1,12 @@
 //! Angles to a multiple of π/2 and a rest between −π/4 and π/4.
 //!
 //! A sum of three parts stands for π/2. The first two have 37 bits and the multiple at most 16, so
-//! that their products are exact, and so is the first difference (Sterbenz: its terms are near to
-//! each other, and both are multiples of 2⁻⁵³). The rest is a sum of two doubles.
+//! that their products are exact. The first difference is exact, too (Sterbenz: its terms are near
+//! to each other, and both are multiples of 2⁻⁵³). The rest is a sum of two doubles.
 //!
-//! How good it is depends on how near a double comes to a multiple of π/2. Of all up to 10⁵ the
-//! nearest is 45.553093477052, at 2^−60.5 from 29 π/2; at the double nearest to each of the 63 661
-//! multiples the relative error of the rest is below 2^−63 (`tools/sin_cos.py angles`). Other
+//! Its accuracy depends on how near a double comes to a multiple of π/2. Of all doubles up to 10⁵
+//! the nearest is 45.553093477052, at 2^−60.5 from 29 π/2. At the double nearest to each of the 63
+//! 661 multiples the relative error of the rest is below 2^−63 (`tools/sin_cos.py angles`). Other
 //! doubles are farther away.
 //!
 //! Larger angles are reduced in integers. No double is nearer than 2^−61 to a multiple of π/2, so

@@ -1,5 +1,5 @@
-//! The tangent of one angle, without a branch: the quotient of the sine and the cosine of the
-//! reduced angle, or of the cosine and the sine in odd quadrants, both as sums of two doubles, so
+//! The tangent of one angle, without a branch. It is the quotient of the sine and the cosine of the
+//! reduced angle, or of the cosine and the sine in odd quadrants. Both are sums of two doubles, so
 //! that only the quotient is rounded.
 
 use crate::angle::of_rest;

@@ -1,4 +1,4 @@
-//! Axes on paper: where they lie, their marks and what is written beside them.
+//! Axes on paper: their places, marks and labels.
 
 use crate::axis::Axis;
 use crate::label::{Anchor, Label};

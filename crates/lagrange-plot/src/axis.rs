@@ -1,4 +1,4 @@
-//! Axes: what they span, where their marks are, and what is written there.
+//! Axes: their ranges, the places of their marks, and their labels.
 
 use crate::notation::raised;
 
@@ -46,8 +46,8 @@ const PLAIN: core::ops::Range<f64> = 1e-3..1e5;
 const DIGITS: f64 = 1e6;
 
 impl Axis {
-    /// An axis for values of this range, with some room at both ends in terms of it, and about this
-    /// many marks.
+    /// Creates an axis for values of this range, with some room at both ends relative to it, and
+    /// about this many marks.
     pub fn new(scale: Scale, range: Option<(f64, f64)>, room: f64, marks: u32) -> Self {
         match scale {
             Scale::Linear => linear(range.unwrap_or((0.0, 1.0)), room, marks),
@@ -55,14 +55,14 @@ impl Axis {
         }
     }
 
-    /// An axis for those of these values that are finite, on a logarithmic axis for those above
+    /// Creates an axis for the finite ones of these values; a logarithmic axis is for those above
     /// zero.
     pub fn over(scale: Scale, values: impl Iterator<Item = f64>, room: f64, marks: u32) -> Self {
         Axis::new(scale, range(scale, values), room, marks)
     }
 
-    /// An axis that ends with the least and the largest of the finite values, on a logarithmic axis
-    /// of those above zero.
+    /// Creates an axis that ends with the least and the largest of the finite values; a logarithmic
+    /// axis is for those above zero.
     pub fn exact(scale: Scale, values: impl Iterator<Item = f64>, marks: u32) -> Self {
         match (scale, range(scale, values)) {
             (Scale::Logarithmic, Some((low, high))) if low < high => exact_logarithmic((low, high)),

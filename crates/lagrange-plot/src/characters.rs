@@ -1,11 +1,11 @@
 //! Characters of texts and numbers that pictures show, and how documents hold them.
 //!
-//! Names and titles come from anywhere, while XML 1.0 (section 2.2) has no place for most control
-//! characters and for U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
-//! ones, so that widths are those of what is written.
+//! Names and titles come from anywhere. XML 1.0 (section 2.2) does not allow most control
+//! characters, nor U+FFFE and U+FFFF, not even as references. Pixels and documents show the same
+//! characters, so that widths are those of the displayed text.
 
-/// The characters of a text that a picture shows: a blank for each tab and end of a line, nothing
-/// for other control characters and for code points that are no characters.
+/// Returns the characters of a text that a picture shows. Each tab and end of a line becomes a
+/// blank; other control characters and code points that are no characters are dropped.
 pub fn shown(text: &str) -> impl Iterator<Item = char> + '_ {
     text.chars().filter_map(|character| match character {
         '\t' | '\n' | '\r' | '\u{85}' => Some(' '),
@@ -20,7 +20,7 @@ fn is_noncharacter(character: char) -> bool {
     code & 0xfffe == 0xfffe || (0xfdd0..=0xfdef).contains(&code)
 }
 
-/// The text in XML or HTML, where nothing in it is taken for a tag.
+/// Escapes a text for XML or HTML, so that nothing in it is taken for a tag.
 pub fn escaped(text: &str) -> String {
     let mut escaped = String::new();
     for character in shown(text) {

@@ -1,9 +1,9 @@
 //! Figures of curves, areas and coloured cells, saved as SVG or PNG.
 //!
-//! A [`Figure`] is a grid of panels with axes of their own, a [`Panel`] holds curves. Nothing needs
+//! A [`Figure`] is a grid of panels with separate axes; a [`Panel`] holds curves. Nothing needs
 //! tuning: ranges, marks, labels and colours follow from the numbers. Colours are those of Okabe
-//! and Ito, *Color Universal Design* (2008), which people with any colour vision tell apart; more
-//! than seven curves run from blue to yellow.
+//! and Ito, *Color Universal Design* (2008), which people with any colour vision can distinguish.
+//! More than seven curves run from blue to yellow.
 
 use std::fmt::{Display, Formatter};
 use std::io::{self, BufWriter};
@@ -19,7 +19,7 @@ use crate::panel::Panel;
 use crate::paper::Paper;
 use crate::pixels::Pixels;
 
-/// Panels side by side.
+/// Panels next to each other.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Figure {
     /// The panels, row by row.
@@ -34,8 +34,8 @@ pub struct Figure {
 const POINTS_A_PIXEL: u32 = 5;
 
 impl Figure {
-    /// A figure of one panel, so large that each of its cells has a whole number of pixels in a PNG
-    /// file.
+    /// Creates a figure of one panel, so large that each of its cells has a whole number of pixels
+    /// in a PNG file.
     pub fn of_cells(panel: Panel) -> Figure {
         let size = panel.size_of_cells(FINENESS / POINTS_A_PIXEL);
         Figure { panels: vec![panel], columns: 1, size }
@@ -60,7 +60,7 @@ impl Figure {
         }
     }
 
-    /// The figure as SVG.
+    /// Returns the figure as SVG.
     ///
     /// # Errors
     /// If an image cannot be encoded.

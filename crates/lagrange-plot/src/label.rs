@@ -187,8 +187,8 @@ impl Label {
     /// Returns the content of an SVG text element: symbols in italics, subscripts smaller and
     /// lower.
     ///
-    /// Sizes are in the units of the picture, which every viewer understands: not all take a
-    /// percentage, or an em of a part of a text.
+    /// Sizes are in the units of the picture, which every viewer understands. Some viewers do not
+    /// accept a percentage, or an em for a part of a text.
     pub fn content(&self, size: f64) -> String {
         let mut content = String::new();
         let mut is_lowered = false;

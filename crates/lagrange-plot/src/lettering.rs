@@ -1,12 +1,11 @@
 //! Letters as outlines, of a font that is embedded, so that pictures in pixels are the same
 //! everywhere.
 //!
-//! The font is STIX Two, made for mathematics, cut down to what labels need and called Lagrange
-//! Letters: `letters/` holds it with its licence, the SIL Open Font License 1.1, and
+//! The font is STIX Two, made for mathematics, reduced to the letters of labels and named Lagrange
+//! Letters. `letters/` holds it with its licence, the SIL Open Font License 1.1, and
 //! `tools/letters.py` makes it. It is read by `ttf-parser`. Pairs of letters are kerned and accents
-//! stand above what they belong to; ligatures, and scripts that are not written letter by letter
-//! from left to right, are not for here. A character that the font lacks is a box with a question
-//! mark.
+//! stand above their letters. Ligatures, and scripts that are not written letter by letter from
+//! left to right, are not supported. A character that the font lacks is a box with a question mark.
 
 use std::sync::LazyLock;
 
@@ -15,8 +14,8 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder, Rect};
 
 use crate::characters::shown;
 
-/// The family that is asked for where viewers have fonts of their own: the embedded one in full, or
-/// what is set about as wide.
+/// The font family for viewers with fonts of their own: the embedded one in full, or others of
+/// about the same width.
 pub const FAMILY: &str =
     "'STIX Two Text', 'STIX Two Math', 'Latin Modern Roman', Cambria, 'Times New Roman', Times, serif";
 
@@ -44,8 +43,8 @@ fn face(data: &'static [u8]) -> Face<'static> {
     Face::parse(data, 0).expect("the embedded fonts are fonts")
 }
 
-/// The outline of a line of text for a font of size 1, y downwards from the left end of the base
-/// line; none if nothing is to be seen.
+/// Returns the outline of a line of text for a font of size 1, with y downwards from the left end
+/// of the base line. `None` if nothing is visible.
 pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     let mut pen = Pen { path: PathBuilder::new(), at: (0.0, 0.0), unit: 1.0 };
     set(text, slope, |letter, at| {
@@ -57,8 +56,8 @@ pub fn outline(text: &str, slope: Slope) -> Option<Path> {
     pen.path.finish()
 }
 
-/// The width of a line of text for a font of size 1, from the start of its first letter to where
-/// another one would follow.
+/// Returns the width of a line of text for a font of size 1, up to where the next letter would
+/// start.
 pub fn width(text: &str, slope: Slope) -> f64 {
     f64::from(set(text, slope, |_, _| {}))
 }

@@ -1,6 +1,6 @@
 //! Figures of curves over numbers, and the pixels and letters of all pictures.
 //!
-//! Nothing here knows of mechanics: what is plotted comes as names and points. Without the feature
+//! Nothing here knows of mechanics: plots consist of names and points. Without the feature
 //! `figures` there are axes, pixels and letters only, which pictures of mechanisms use, too.
 #![forbid(unsafe_code)]
 

@@ -129,9 +129,9 @@ impl Columns {
     }
 }
 
-/// Writes the name of a column in the notation of labels if it is that of a symbol: `theta1_dot` is
-/// θ̇ with the subscript 1, `x[2]` is x with the subscript 2. Words such as `energy` have no
-/// symbol.
+/// Writes the name of a column in the notation of labels if it is that of a symbol. Thus
+/// `theta1_dot` is θ̇ with the subscript 1, and `x[2]` is x with the subscript 2. Words such as
+/// `energy` have no symbol.
 fn quantity(name: &str) -> Option<String> {
     let (stem, indices) = name.split_at(name.find('[').unwrap_or(name.len()));
     let (stem, dots) = [("_ddot", "\u{308}"), ("_dot", "\u{307}")]

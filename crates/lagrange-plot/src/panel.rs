@@ -1,4 +1,4 @@
-//! One pair of axes with what is over them.
+//! One pair of axes with its content.
 
 use crate::axes::{
     FINENESS, Frame, Side, around, draw_abscissa, draw_border, draw_ordinate, points, rounded,

@@ -31,8 +31,8 @@ pub(crate) fn mixed([from, to]: [Colour; 2], part: f64) -> Colour {
 }
 
 impl Pixels {
-    /// A white picture of so many pixels with so many of them to the unit of what is drawn; none
-    /// without pixels, or with more than can lie in memory.
+    /// Returns a white picture of this many pixels, with `scale` pixels to the unit of the drawing.
+    /// `None` without pixels, or with more than fit into memory.
     pub fn white([width, height]: [u32; 2], scale: f64) -> Option<Pixels> {
         let size = IntSize::from_wh(width, height)?;
         let bytes = (width as usize).checked_mul(height as usize)?.checked_mul(4)?;
@@ -53,7 +53,7 @@ impl Pixels {
         self.pixmap.height()
     }
 
-    /// Red, green, blue and opacity of each pixel, in rows from the top.
+    /// Returns red, green, blue and opacity of each pixel, in rows from the top.
     pub fn rgba(&self) -> &[u8] {
         self.pixmap.data()
     }
@@ -87,8 +87,8 @@ impl Pixels {
         self.pixmap.draw_pixmap(0, 0, image, &paint, self.transform.pre_concat(within), None);
     }
 
-    /// Writes a line of text, which this takes from a font of size 1 with its left end on the base
-    /// line at the origin, y downwards, to its place.
+    /// Writes a line of text. The transform takes it from a font of size 1 to its place. There the
+    /// left end is on the base line at the origin, with y downwards.
     pub fn write(&mut self, text: &str, slope: Slope, place: Transform, colour: Colour) {
         let Some(outline) = lettering::outline(text, slope) else { return };
         let transform = self.transform.pre_concat(place);
@@ -99,7 +99,7 @@ impl Pixels {
     /// Writes the picture as PNG.
     ///
     /// # Errors
-    /// What the file says.
+    /// If the file cannot be written.
     pub fn save(&self, file: &mut impl Write) -> io::Result<()> {
         let mut encoder = png::Encoder::new(&mut *file, self.width(), self.height());
         encoder.set_color(png::ColorType::Rgb);

@@ -8,10 +8,10 @@ pub(crate) type Point = (f64, f64);
 /// Splits a curve where it is not finite, and leaves out what cannot be seen at this width of a
 /// line.
 ///
-/// Of the points of a curve over time that lie within one column, the first, the lowest, the
-/// highest and the last stay, so that no extreme is lost. Of any other curve, points stay that lie
-/// in another square than the one before, and a segment that joins the same squares as an earlier
-/// one is left out: where it runs along itself, it is drawn once.
+/// Reduces the points of a curve. For a curve over time, the first, the lowest, the highest and the
+/// last point within one column stay, so that no extreme is lost. Other curves keep points that lie
+/// in another square than the one before. A segment that joins the same squares as an earlier one
+/// is omitted: where a curve runs along itself, it is drawn once.
 pub(crate) fn thin(points: impl Iterator<Item = Point>, width: f64) -> Vec<Vec<Point>> {
     let mut pieces = Vec::new();
     for piece in finite(points) {

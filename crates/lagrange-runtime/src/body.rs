@@ -70,8 +70,8 @@ pub struct Motion<S> {
     pub angular_acceleration: S,
 }
 
-/// The acceleration of a point Q of a body, in the three parts in which it appears from another
-/// point P of the body at distance −ρ.
+/// The acceleration of a point Q of a body in three parts. They refer to another point P of the
+/// body at distance −ρ.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Acceleration<S> {
     /// a_P, the acceleration of P.
@@ -83,7 +83,7 @@ pub struct Acceleration<S> {
 }
 
 impl<S: Scalar> Acceleration<S> {
-    /// The acceleration itself: the sum of its parts.
+    /// Returns the acceleration itself: the sum of its parts.
     #[must_use]
     pub fn total(&self) -> [S; 2] {
         sum(self.reference, sum(self.tangential, self.radial))
@@ -92,7 +92,7 @@ impl<S: Scalar> Acceleration<S> {
 
 /// Places and directions.
 impl<S: Scalar> Motion<S> {
-    /// A direction fixed in the body, given in its own axes, as it lies in the plane.
+    /// Turns a direction fixed in the body, given in its own axes, into the plane.
     #[must_use]
     pub fn vector(&self, [x, y]: [S; 2]) -> [S; 2] {
         let (sin, cos) = self.angle.sin_cos();
@@ -105,8 +105,8 @@ impl<S: Scalar> Motion<S> {
         sum(self.center, self.between(self.centroid, own))
     }
 
-    /// The own coordinates of the point of the body, imagined as large as need be, that is at a
-    /// place: what undoes [`point`](Motion::point).
+    /// Returns the own coordinates of the point of the body, imagined as large as necessary, at a
+    /// place: the inverse of [`point`](Motion::point).
     #[must_use]
     pub fn own(&self, place: [S; 2]) -> [S; 2] {
         sum(self.centroid, self.turned_back(difference(place, self.center)))
@@ -126,33 +126,33 @@ impl<S: Scalar> Motion<S> {
 
 /// Velocities.
 impl<S: Scalar> Motion<S> {
-    /// The velocity of a point of the body.
+    /// Returns the velocity of a point of the body.
     #[must_use]
     pub fn velocity_at(&self, own: [S; 2]) -> [S; 2] {
         sum(self.velocity, scaled(self.angular_velocity, turned(self.between(self.centroid, own))))
     }
 
-    /// The two parts v_P and ω e_z × ρ of the velocity of a point Q of the body as it appears from
-    /// the point P; their sum is [`velocity_at`](Motion::velocity_at) whatever P is.
+    /// Returns the two parts v_P and ω e_z × ρ of the velocity of a point Q of the body, as seen
+    /// from the point P. Their sum is [`velocity_at`](Motion::velocity_at) for every P.
     #[must_use]
     pub fn velocity_from(&self, own: [S; 2], reference: [S; 2]) -> [[S; 2]; 2] {
         let about = scaled(self.angular_velocity, turned(self.between(reference, own)));
         [self.velocity_at(reference), about]
     }
 
-    /// The instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of the body
-    /// has no velocity.
+    /// Returns the instantaneous centre of rotation r_S + e_z × v_S / ω: the place whose point of
+    /// the body has no velocity.
     ///
-    /// `None` if ω is zero, as in pure translation, or if the centre is not a finite place, as with
-    /// a state that is not a number. There is no tolerance: an ω that only rounding keeps from zero
-    /// gives a centre far away, the farther the smaller it is. Who wants to leave out such centres
-    /// compares their distance with a length that matters to them.
+    /// `None` if ω is zero, as in pure translation, or if the centre is not at a finite place, as
+    /// in a NaN state. There is no tolerance. An ω that only rounding keeps from zero gives a
+    /// centre far away, the farther the smaller it is. To omit such centres, compare their distance
+    /// with a length of your system.
     #[must_use]
     pub fn instant_center(&self) -> Option<[S; 2]> {
         finite(sum(self.center, self.instant_arm()))
     }
 
-    /// The instantaneous centre in the body's own coordinates, where its path is the moving
+    /// Returns the instantaneous centre in the body's own coordinates, where its path is the moving
     /// centrode; `None` as for [`instant_center`](Motion::instant_center).
     #[must_use]
     pub fn own_instant_center(&self) -> Option<[S; 2]> {
@@ -167,14 +167,14 @@ impl<S: Scalar> Motion<S> {
 
 /// Accelerations.
 impl<S: Scalar> Motion<S> {
-    /// The acceleration of a point of the body as it appears from the centre of mass.
+    /// Returns the acceleration of a point of the body in parts that refer to the centre of mass.
     #[must_use]
     pub fn acceleration_at(&self, own: [S; 2]) -> Acceleration<S> {
         self.parts(self.acceleration, self.between(self.centroid, own))
     }
 
-    /// The acceleration of a point of the body as it appears from the point `reference`, in own
-    /// coordinates too. The total does not depend on it, the parts do.
+    /// Returns the acceleration of a point of the body in parts that refer to the point
+    /// `reference`, also in own coordinates. The total does not depend on it, the parts do.
     #[must_use]
     pub fn acceleration_from(&self, own: [S; 2], reference: [S; 2]) -> Acceleration<S> {
         self.parts(self.acceleration_at(reference).total(), self.between(reference, own))
@@ -192,13 +192,13 @@ impl<S: Scalar> Motion<S> {
 
 /// Momentum and energy.
 impl<S: Scalar> Motion<S> {
-    /// m v_S.
+    /// Computes m v_S.
     #[must_use]
     pub fn linear_momentum(&self) -> [S; 2] {
         scaled(self.mass, self.velocity)
     }
 
-    /// The angular momentum m (r_S − r_O) × v_S + J_S ω about a place O at rest, positive
+    /// Returns the angular momentum m (r_S − r_O) × v_S + J_S ω about a place O at rest, positive
     /// counterclockwise.
     #[must_use]
     pub fn angular_momentum(&self, about: [S; 2]) -> S {
@@ -206,7 +206,7 @@ impl<S: Scalar> Motion<S> {
         cross(arm, self.linear_momentum()) + self.inertia * self.angular_velocity
     }
 
-    /// ½ m v_S² + ½ J_S ω².
+    /// Computes ½ m v_S² + ½ J_S ω².
     #[must_use]
     pub fn kinetic_energy(&self) -> S {
         let omega = self.angular_velocity;
@@ -214,16 +214,16 @@ impl<S: Scalar> Motion<S> {
         S::from_f64(0.5) * twice
     }
 
-    /// The moment of inertia J_P = J_S + m r² about a point of the body at distance r from the
-    /// centre of mass (Steiner).
+    /// Returns the moment of inertia J_P = J_S + m r² about a point of the body at distance r from
+    /// the centre of mass (Steiner).
     #[must_use]
     pub fn inertia_about(&self, own: [S; 2]) -> S {
         self.inertia + self.mass * norm_squared(difference(own, self.centroid))
     }
 
-    /// Computes the moment of all forces on the body about one of its points P, by the axiom of
-    /// angular momentum: J_P ω̇ + m (ρ_S × a_P)_z with ρ_S from P to the centre of mass. Positive
-    /// counterclockwise.
+    /// Computes the moment of all forces on the body about one of its points P, positive
+    /// counterclockwise. By the axiom of angular momentum, it is J_P ω̇ + m (ρ_S × a_P)_z, with ρ_S
+    /// from P to the centre of mass.
     ///
     /// For the centre of mass that is J_S ω̇, for a point at rest J_P ω̇.
     #[must_use]

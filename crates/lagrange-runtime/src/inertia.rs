@@ -1,18 +1,17 @@
 //! Moments of inertia of plane and solid bodies, and where their centres of mass are.
 //!
-//! Every moment of inertia here is about the axis through the *centre of mass* that is normal to
-//! the plane of motion, J = ∫ (X² + Y²) dm, of a homogeneous body of the mass `mass`: kg m² if that
-//! is in kg and lengths in m. For a prismatic body of height h and density γ that is γ h times the
-//! polar second moment of its area. [`steiner`] shifts to a parallel axis; [`MassGeometry`] puts
-//! bodies together of parts and holes.
+//! Every moment of inertia here is J = ∫ (X² + Y²) dm of a homogeneous body of the mass `mass`. Its
+//! axis goes through the *centre of mass* and is normal to the plane of motion. It is in kg m² for
+//! masses in kg and lengths in m. For a prismatic body of height h and density γ it is γ h times
+//! the polar second moment of its area. [`steiner`] shifts it to a parallel axis; [`MassGeometry`]
+//! combines parts and holes to bodies.
 //!
-//! Where the centre of mass is not obvious a function ending in `_center` tells it in the body's
+//! If the centre of mass is not obvious, a function ending in `_center` returns it in the body's
 //! own coordinates, those of [`Outline`](crate::scene::Outline). The language of `system!` has the
 //! same functions.
 //!
-//! What is not a number stays not a number, and NaN is returned for what does not exist, such as a
-//! triangle with a side longer than the other two together. Signs of lengths do not matter unless
-//! stated.
+//! NaN stays NaN, and NaN is returned for impossible shapes, such as a triangle with a side longer
+//! than the other two together. Signs of lengths do not matter unless stated.
 //!
 //! ```
 //! use lagrange::inertia::{MassGeometry, disk, rectangle, semicircular_disk, semicircular_disk_center};

@@ -16,15 +16,15 @@ const CENTRAL: f64 = 4.0;
 const ASIDE: f64 = 32.0;
 
 /// Returns the zero that Newton's method finds from a start within a number of steps; NaN if it
-/// finds none. Numbers side by side go on until each of them has its own, which does not depend on
-/// the others.
+/// finds none. Numbers in lanes continue until each of them has its own zero, which does not depend
+/// on the others.
 ///
-/// `equation` computes of y the residual r, its slope ∂r/∂y, and the sum of what one relative
-/// rounding error in y and in each value that r is made of would leave of it. A candidate is a
-/// point where r is within four times that, or where steps of rounding size stop shrinking. It is a
-/// zero if the last two slopes agree over a distance that rounding does not hide, or if r changes
-/// its sign around it: a residual that only becomes small beside its terms, as √(y² + 1) − y does,
-/// has none. From a zero one more step is taken.
+/// For a value of y, `equation` computes the residual r, its slope ∂r/∂y, and a rounding error of
+/// r. That is the sum of the effects of one relative rounding error in y and in each value on the
+/// way to r. A candidate is a point where r is within four times that, or where steps of rounding
+/// size stop shrinking. It is a zero if r changes its sign around it, or the last two slopes agree
+/// over a distance that rounding does not hide. A residual that only becomes small beside its
+/// terms, as √(y² + 1) − y does, has no zero. From a zero one more step is taken.
 ///
 /// ```
 /// use lagrange::root::newton;

@@ -48,19 +48,19 @@ macro_rules! value_of {
     };
 }
 
-/// A real number with elementary functions, or several that go through the same formulas side by
-/// side.
+/// A real number with elementary functions, or several in lanes that take the same formulas.
 ///
 /// Angles are in radians. Outside the domain of a function the result is NaN. NaN in gives NaN out,
-/// save for `hypot` with an infinite and `powi` with a zero argument, as stated there; emitted code
-/// relies on this to never hide a failed computation. Zeros keep their sign where IEEE 754 says so.
+/// except for `hypot` with an infinite and `powi` with a zero argument, as documented there.
+/// Emitted code relies on this to never hide a failed computation. Zeros keep their sign according
+/// to IEEE 754.
 ///
-/// Numbers side by side cannot branch, each may want another way: they compute both and
+/// Numbers in lanes cannot branch, since each may need another branch: they compute both and
 /// [`select`](Number::select). For those that can branch a [mask](Mask) is a `bool`, and they are
 /// [`Scalar`]s.
 ///
 /// Functions with a default need not be defined. Defaults are accurate to a few units in the last
-/// place, in double precision or less, and build on the required functions: `atan` on
+/// place, in double precision or less. They build on the required functions: `atan` on
 /// [`atan2`](Number::atan2), and `sin_cos` on sine and cosine. A new function of the language
 /// always has a default.
 pub trait Number:
@@ -73,7 +73,7 @@ pub trait Number:
     + Neg<Output = Self>
     + 'static
 {
-    /// The result of a comparison: `bool`, or one truth value per number side by side.
+    /// The result of a comparison: `bool`, or one truth value per lane.
     type Mask: Mask;
 
     /// Zero.
@@ -83,7 +83,7 @@ pub trait Number:
     /// Not a number.
     const NAN: Self;
 
-    /// The nearest number; infinite if the magnitude is out of range.
+    /// Converts to the nearest number; infinite if the magnitude is out of range.
     fn from_f64(value: f64) -> Self;
 
     /// True if this is less than the other; false if either is NaN.
@@ -92,30 +92,31 @@ pub trait Number:
     /// True if this is less than or equal to the other; false if either is NaN.
     fn less_equal(self, other: Self) -> Self::Mask;
 
-    /// The first number where the mask is true, the second elsewhere.
+    /// Selects the first number where the mask is true, the second elsewhere.
     fn select(mask: Self::Mask, then: Self, otherwise: Self) -> Self;
 
-    /// The largest whole number that is not above this one, but at least 0 and below `count`; 0 for
-    /// NaN. `None` of numbers side by side, and where an implementation does not know better: then
-    /// tables search for what they know otherwise.
+    /// Returns the largest whole number that is not above this one, but at least 0 and below
+    /// `count`; 0 for NaN. `None` for numbers in lanes and by default. Tables then search for their
+    /// pieces in another way.
     #[inline]
     fn floor_below(self, count: usize) -> Option<usize> {
         let _ = count;
         None
     }
 
-    /// Sine and cosine; NaN at infinity.
+    /// Computes sine and cosine; NaN at infinity.
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
 
-    /// Sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at infinity.
+    /// Computes sine and cosine of each angle, for declarations with `#[accuracy(fast)]`; NaN at
+    /// infinity.
     ///
-    /// For `f64` and `f32` this is [`lagrange_math`]'s: computed several at a time where the target
-    /// can, the error below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For
-    /// other numbers it is [`sin_cos`](Number::sin_cos) unless their implementation knows better;
-    /// what comes of an angle must not depend on the others.
+    /// For `f64` and `f32`, [`lagrange_math`] computes several at a time if the target can. The
+    /// error is below 0.9 units in the last place for `f64`, and 0.5000001 for `f32`. For other
+    /// numbers the default is [`sin_cos`](Number::sin_cos); the result for an angle must not depend
+    /// on the others.
     ///
     /// ```
     /// use lagrange::Number;
@@ -130,34 +131,37 @@ pub trait Number:
 
     lagrange_math::functions!(methods);
 
-    /// `self` to a real power: NaN for a negative base with an exponent that is not an integer, and
-    /// for NaN in either place; else as IEEE 754 `pow`.
+    /// Raises `self` to a real power. NaN for a negative base with an exponent that is not an
+    /// integer, and for NaN in either place; otherwise as IEEE 754 `pow`.
     ///
     /// Unlike [`f64::powf`], which hides NaN in 1^NaN and NaN^0.
     fn powf(self, exponent: Self) -> Self;
 
-    /// −1, 0 or +1; zeros keep their sign, NaN stays NaN.
+    /// Returns −1, 0 or +1; zeros keep their sign, NaN stays NaN.
     #[inline(always)]
     fn sign(self) -> Self {
         let or_negative = Self::select(self.less(Self::ZERO), -Self::ONE, self);
         Self::select(Self::ZERO.less(self), Self::ONE, or_negative)
     }
 
-    /// The smaller of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::min`].
+    /// Returns the smaller of two numbers, `self` if they are equal; NaN if either is, unlike
+    /// [`f64::min`].
     #[inline(always)]
     fn min(self, other: Self) -> Self {
         let or_other = Self::select(other.less(self), other, Self::NAN);
         Self::select(self.less_equal(other), self, or_other)
     }
 
-    /// The larger of two numbers, `self` if they are equal; NaN if either is, unlike [`f64::max`].
+    /// Returns the larger of two numbers, `self` if they are equal; NaN if either is, unlike
+    /// [`f64::max`].
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         let or_other = Self::select(self.less(other), other, Self::NAN);
         Self::select(other.less_equal(self), self, or_other)
     }
 
-    /// `self` to an integer power, by repeated squaring; the empty product, one, for exponent zero.
+    /// Raises `self` to an integer power, by repeated squaring; exponent zero gives the empty
+    /// product, one.
     ///
     /// A negative power is the reciprocal of the positive one. Rounding errors grow in proportion
     /// to the exponent. The result depends on no library and is the same on every platform.
@@ -178,11 +182,11 @@ pub trait Number:
         if exponent < 0 { Self::ONE / product } else { product }
     }
 
-    /// `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the target
-    /// feature `fma` is enabled at compile time.
+    /// Computes `self * factor + addend`; for `f64` and `f32` with one rounding exactly when the
+    /// target feature `fma` is enabled at compile time.
     ///
-    /// On a target without the instruction a fused product is a library call, many times slower
-    /// than the product and the sum it stands for; there the result is rounded twice.
+    /// On a target without the instruction, a fused product is a library call, many times slower
+    /// than a product and a sum. There the result is rounded twice.
     #[inline]
     fn multiply_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
@@ -195,21 +199,22 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
     /// True if this is neither NaN nor infinite.
     fn is_finite(self) -> bool;
 
-    /// The distance from one to the next number, as [`f64::EPSILON`].
+    /// Returns the distance from one to the next number, as [`f64::EPSILON`].
     #[inline]
     fn epsilon() -> Self {
         spacing_at_one()
     }
 
-    /// `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target is, for
+    /// Computes `self * factor + addend` with one rounding for `f64` and `f32`, whatever the target
+    /// is, for
     /// [`Lanes`]: where it is no instruction it is a call of a library.
     #[inline(always)]
     fn fused_multiply_add(self, factor: Self, addend: Self) -> Self {
         self.multiply_add(factor, addend)
     }
 
-    /// All sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse products if
-    /// FUSED.
+    /// Computes all sines and all cosines of several angles, for [`Lanes`]; `f64` and `f32` fuse
+    /// products if FUSED.
     #[inline(always)]
     fn sines_and_cosines<const FUSED: bool, const N: usize>(angles: [Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sines, mut cosines) = (angles, angles);
@@ -219,35 +224,35 @@ pub trait Scalar: Number<Mask = bool> + PartialEq + PartialOrd {
         (sines, cosines)
     }
 
-    /// Values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32` fuse
-    /// products if FUSED.
+    /// Computes values of an elementary function at several numbers, for [`Lanes`]; `f64` and `f32`
+    /// fuse products if FUSED.
     #[inline(always)]
     fn values<const FUSED: bool, const N: usize>(function: Elementary, arguments: [Self; N]) -> [Self; N] {
         arguments.map(|x| lagrange_math::functions!(value_of function of x:))
     }
 
-    /// The angles of several points, each with an ordinate and an abscissa, for [`Lanes`]; `f64`
-    /// and `f32` fuse products if FUSED.
+    /// Computes the angles of several points, each with an ordinate and an abscissa, for [`Lanes`];
+    /// `f64` and `f32` fuse products if FUSED.
     #[inline(always)]
     fn angles<const FUSED: bool, const N: usize>(ordinates: [Self; N], abscissas: [Self; N]) -> [Self; N] {
         core::array::from_fn(|i| ordinates[i].atan2(abscissas[i]))
     }
 
-    /// The lengths √(x² + y²) of several vectors, for [`Lanes`]; `f64` and `f32` fuse products if
-    /// FUSED.
+    /// Computes the lengths √(x² + y²) of several vectors, for [`Lanes`]; `f64` and `f32` fuse
+    /// products if FUSED.
     #[inline(always)]
     fn lengths<const FUSED: bool, const N: usize>(x: [Self; N], y: [Self; N]) -> [Self; N] {
         core::array::from_fn(|i| x[i].hypot(y[i]))
     }
 
-    /// Binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps. Of others
-    /// the result has no meaning.
+    /// Computes the binary logarithm of a positive normal number to 2 · 10⁻⁴, for lengths of steps.
+    /// Of others the result has no meaning.
     #[inline(always)]
     fn rough_log2(self) -> Self {
         self.ln() / Self::from_f64(core::f64::consts::LN_2)
     }
 
-    /// Two to this power, which is brought into [−100, 100], to 10⁻⁴ of it, for lengths of steps.
+    /// Raises two to this power, limited to [−100, 100], to a relative 10⁻⁴, for lengths of steps.
     #[inline(always)]
     fn rough_exp2(self) -> Self {
         let hundred = Self::from_f64(100.0);

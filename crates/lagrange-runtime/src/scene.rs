@@ -27,10 +27,10 @@ pub trait Scene: MechanicalSystem {
     /// The plane or space.
     type Space: Space;
 
-    /// Hands out everything that is to be drawn at time `t`, coordinates `q` and velocities `v`:
-    /// lines, bodies and frames, connectors, joints, and then forces and moments, each in the order
-    /// of the declaration. Everything is in the axes of the world. In space these are the same
-    /// things of the same shape at all moments, but for where they are.
+    /// Passes on everything to be drawn at time `t`, coordinates `q` and velocities `v`. First come
+    /// lines, bodies and frames, connectors and joints, then forces and moments, each in the order
+    /// of the declaration. Everything is in the axes of the world. In space, only the places of
+    /// items change with time, not the items or their shapes.
     fn items(
         &self,
         t: Self::Scalar,
@@ -49,7 +49,7 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         name: &'a str,
         /// Motion.
         motion: D::Motion<S>,
-        /// Its shape, in its own coordinates; empty if it has none.
+        /// Its shape, in its own coordinates; empty for a body without shape.
         parts: &'a [Part<'a, S, D>],
     },
     /// A frame, in space only.
@@ -72,8 +72,8 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
     },
     /// A joint.
     Joint {
-        /// Its name; in space that of its quaternion, of its first coordinate, or of what it
-        /// places, or that of a pin.
+        /// Its name. In space it is that of its quaternion, of its first coordinate, of the placed
+        /// body, or of a pin.
         name: &'a str,
         /// Kind of joint; in space with its axis and the bodies that it joins.
         kind: D::Joint<'a, S>,
@@ -106,9 +106,8 @@ pub enum Item<'a, S: Scalar, D: Space = Plane> {
         /// Its value, in space its components.
         moment: D::Moment<S>,
     },
-    /// A force or moment that acts and is not handed out: that of a joint which the coordinates
-    /// fulfil by themselves, since it has no multiplier, or a torque on a coordinate that does not
-    /// tell which bodies it turns or where it acts.
+    /// A force or moment that acts and is not included. A joint that the coordinates satisfy has no
+    /// multiplier, and a torque on a coordinate may determine neither a body nor a place.
     Omitted {
         /// The name of the joint, or what acts.
         name: &'a str,

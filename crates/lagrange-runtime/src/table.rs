@@ -1,9 +1,9 @@
 //! Tables that declarations hold: splines, evaluated in any number type.
 //!
 //! `lagrange::system!` computes the coefficients of the polynomials; here they are looked up and
-//! evaluated. Where all pieces are equally long that takes `f64` and `f32` the same time for tables
-//! of any size; otherwise there is a search that halves what is left of them. Numbers side by side
-//! are evaluated in groups, one for each piece that some of them are in.
+//! evaluated. If all pieces are equally long, that takes `f64` and `f32` the same time for tables
+//! of any size. Otherwise a binary search finds the piece. Numbers in lanes are evaluated in
+//! groups, one for each piece that contains some of them.
 
 use crate::scalar::{Mask, Number};
 
@@ -100,20 +100,20 @@ fn in_groups<S: Number>(evaluate: impl Fn(&mut Group<S::Mask>) -> S) -> S {
 pub struct Curve<const N: usize> {
     /// Places where pieces meet.
     pub axis: Axis,
-    /// Coefficients of each piece, the one before the first knot and the one behind the last among
-    /// them, so one more than there are knots: those of ascending powers of the distance from where
-    /// the piece begins, of the first one from the first knot.
+    /// Coefficients of each piece, one piece more than there are knots: the first lies before the
+    /// first knot, the last behind the last one. They belong to ascending powers of the distance
+    /// from the start of the piece, of the first one from the first knot.
     pub pieces: &'static [[f64; N]],
 }
 
 impl<const N: usize> Curve<N> {
-    /// The value; NaN for NaN.
+    /// Computes the value; NaN for NaN.
     #[inline]
     pub fn value<S: Number>(&self, x: S) -> S {
         self.derivative(0, x)
     }
 
-    /// The derivative of an order; NaN for NaN.
+    /// Computes the derivative of an order; NaN for NaN.
     #[inline]
     pub fn derivative<S: Number>(&self, order: usize, x: S) -> S {
         in_groups(|group| match self.axis.find(group, x) {
@@ -129,19 +129,19 @@ pub struct Surface<const N: usize> {
     /// Places where pieces meet, along the first and along the second argument.
     pub axes: [Axis; 2],
     /// Coefficients of each piece, in rows of ascending powers of the first distance, with
-    /// ascending powers of the second one in each; the pieces themselves in rows along the second
+    /// ascending powers of the second one in each. The pieces are in rows along the second
     /// argument, as many as in a [`Curve`].
     pub pieces: &'static [[[f64; N]; N]],
 }
 
 impl<const N: usize> Surface<N> {
-    /// The value; NaN where an argument is.
+    /// Computes the value; NaN where an argument is.
     #[inline]
     pub fn value<S: Number>(&self, x: S, y: S) -> S {
         self.derivative([0, 0], [x, y])
     }
 
-    /// The derivative of an order by each argument; NaN where an argument is.
+    /// Computes the derivative of an order by each argument; NaN where an argument is.
     #[inline]
     pub fn derivative<S: Number>(&self, [by_x, by_y]: [usize; 2], [x, y]: [S; 2]) -> S {
         let [along_x, along_y] = &self.axes;

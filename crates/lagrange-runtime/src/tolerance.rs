@@ -1,10 +1,10 @@
 //! Sizes below which a difference counts as rounding: one table.
 //!
 //! The unit is ε, the distance from one to the next number, times the magnitude in the third
-//! column. Each value is large enough for what sums and eliminations make of ε, and small enough
-//! that nothing that is meant is lost. They have room: no unit test of this crate fails if one of
-//! them is halved or doubled. The last column names the first test, if there is one, that fails at
-//! a 64th or else a 4096th, and at 64 or else 4096 times the value.
+//! column. Each value is large enough for the effects of sums and eliminations on ε, and small
+//! enough to lose no intended value. They have room: no unit test of this crate fails if one of
+//! them is halved or doubled. The last column names the first test, if any, that fails at 1/64 (or
+//! else 1/4096) and at 64 (or else 4096) times the value.
 //!
 //! | constant | ε | times | why | told by |
 //! |---|---|---|---|---|

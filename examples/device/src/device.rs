@@ -18,7 +18,7 @@ impl Device {
     /// another device of OpenCL.
     ///
     /// # Errors
-    /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.
+    /// [`NotFound`](DeviceError::NotFound), which names the missing parts and how to install them.
     pub fn open() -> Result<Device, DeviceError> {
         let mut all = Device::all()?;
         let first = all.iter().position(|device| device.backend.description().is_graphics).unwrap_or(0);
@@ -28,7 +28,7 @@ impl Device {
     /// All devices, at least one; a device that CUDA and OpenCL both know is there twice.
     ///
     /// # Errors
-    /// [`NotFound`](DeviceError::NotFound), which says what is missing and how it is installed.
+    /// [`NotFound`](DeviceError::NotFound), which names the missing parts and how to install them.
     pub fn all() -> Result<Vec<Device>, DeviceError> {
         let (found, missing) = devices();
         if found.is_empty() {
@@ -52,7 +52,7 @@ impl Device {
         &*self.backend
     }
 
-    /// Motions of a system from each of these states, to be asked for more and run.
+    /// Creates motions of a system from each of these states, to be configured and run.
     pub fn ensemble<'a, M>(
         &'a self,
         system: &'a M,

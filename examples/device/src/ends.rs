@@ -11,8 +11,8 @@ use crate::number::{DeviceNumber, Precision};
 
 /// The final states of the motions: one row each, in columns.
 ///
-/// Of an emitted system the columns are also methods, such as `ends.theta()`. The row of a motion
-/// that failed holds NaN: what is known of it is in [`failures`](Ends::failures).
+/// For an emitted system the columns are also methods, such as `ends.theta()`. The row of a failed
+/// motion holds NaN; [`failures`](Ends::failures) describes it.
 pub struct Ends<M: KernelSystem> {
     columns: M::Columns<States<M::Scalar>>,
     failures: Vec<Failure<M>>,

@@ -27,8 +27,8 @@ impl<'a, M: KernelSystem<Scalar: DeviceNumber>> Motions<'a, M> {
         Motions { backend, system, starts, change: None, from: M::Scalar::ZERO }
     }
 
-    /// Gives each motion a system of its own: a copy of that of all, whose parameters and inputs
-    /// are changed by its index.
+    /// Gives each motion a separate system: a copy of the common one, with parameters and inputs
+    /// changed by its index.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + 'a) -> Self
     where
         M: Clone,
@@ -97,8 +97,8 @@ impl<M: KernelSystem<Scalar: DeviceNumber>> Ensemble<'_, M> {
     /// Computes all motions.
     ///
     /// # Errors
-    /// If a setting makes no sense, or the device cannot compute. A motion that fails is none: its
-    /// row holds NaN, and what is known of it is in [`failures`](Ends::failures).
+    /// If a setting is invalid, or the device cannot compute. A failed motion is no error: its row
+    /// holds NaN, and [`failures`](Ends::failures) describes it.
     pub fn run(self) -> Result<Ends<M>, DeviceError> {
         let backend = self.motions.backend;
         if self.is_single {

@@ -28,19 +28,20 @@
 //! ```
 //!
 //! Systems must declare `emit { kernel }`, which is possible without constraints, contacts,
-//! friction and events. Inputs keep their values for a motion. What is not smooth, such as `if`, is
-//! decided as the state says, and lowers the order of methods there: equal steps pass over it, the
-//! adaptive pair makes small ones.
+//! friction and events. Inputs keep their values for a motion. Non-smooth terms, such as `if`, are
+//! decided by the state, which lowers the order of methods there. Equal steps pass over such
+//! places, and the adaptive pair makes small steps.
 //!
 //! By default motions are computed in the numbers of the system;
-//! [`single_precision`](Ensemble::single_precision) is faster. A device that has no `f64` says so.
+//! [`single_precision`](Ensemble::single_precision) is faster. A device without `f64` causes an
+//! error.
 //!
 //! # What must be installed
 //!
-//! To compile this crate, nothing. At run time a device of NVIDIA needs its driver and NVRTC of the
-//! CUDA toolkit (feature `cuda`), any other the driver of OpenCL that its maker provides (feature
-//! `opencl`); `pocl-opencl-icd` computes on processors. What is missing is said by
-//! [`Device::open`].
+//! This crate compiles without further software. At run time a device of NVIDIA needs its driver
+//! and NVRTC of the CUDA toolkit (feature `cuda`). Any other device needs the OpenCL driver of its
+//! maker (feature `opencl`); `pocl-opencl-icd` computes on processors. [`Device::open`] reports
+//! missing parts.
 #![deny(unsafe_code)]
 
 #[cfg(not(any(feature = "cuda", feature = "opencl")))]

@@ -12,8 +12,7 @@ pub trait DeviceNumber: Scalar + sealed::Sealed {
 pub(crate) mod sealed {
     /// A bound that only this crate implements.
     pub trait Sealed {
-        /// True if motions of systems in these numbers are computed in single precision unless it
-        /// is said otherwise.
+        /// True if motions of systems in these numbers are computed in single precision by default.
         const IS_SINGLE: bool;
     }
 }

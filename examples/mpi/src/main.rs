@@ -1,7 +1,7 @@
 //! A hundred thousand double pendulums over the processes of an MPI job:
 //! `mpirun -n 4 pendulums FOLDER [MOTIONS [PARTS]]`
 //!
-//! Ends are saved to the folder part by part, and then summed up without it; the first process
+//! Ends are saved to the folder part by part, and then summed again without it. The first process
 //! prints the bits of the sums, which are the same for any number of processes.
 //! `tools/mpi_check.py` kills processes of this in the middle.
 

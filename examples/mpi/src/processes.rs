@@ -45,9 +45,9 @@ pub(crate) fn shard(processes: &impl Communicator) -> Shard {
 
 /// Computes all motions, each process its shard, and hands their reduction to every process.
 ///
-/// The first process merges the reductions of parts in their order, so the result has the bits of
-/// `Ensemble::reduce` in a single process with the same parts. All processes must call this with
-/// the same ensemble, which needs at least one part for each.
+/// The first process merges the reductions of parts in their order. The result therefore has the
+/// bits of `Ensemble::reduce` in a single process with the same parts. All processes must call this
+/// with the same ensemble, which needs at least one part for each.
 pub(crate) fn reduce_over<M, K, D, P, R>(
     processes: &impl CommunicatorCollectives,
     ensemble: Ensemble<'_, M, K, D, P>,

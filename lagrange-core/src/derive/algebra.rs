@@ -10,16 +10,16 @@ use lagrange_expr::number::Number;
 /// Σ slope · variable, in ascending order of variables.
 pub(super) type LinearForm = Vec<(ExprId, ExprId)>;
 
-/// Terms up to which the product of two sums is multiplied out on trial, as of four by four: the
-/// trial costs as much as it makes.
+/// Most terms of a product of two sums that is multiplied out as a trial, such as four by four. The
+/// trial costs as much as its result.
 const MAX_OPENED: usize = 16;
 /// Depth to which factors are counted. Counting decides between two ways of writing one sum and
 /// must not walk a whole graph.
 const DEEPEST_COUNTED: usize = 4;
 
-/// The graph, with sums simplified: equal products meet, and squares of sine and cosine; products
-/// of sines and cosines are written in sums and differences of angles where that leaves fewer terms
-/// to cancel each other.
+/// The graph, with sums simplified: equal products meet, and squares of sine and cosine. Products
+/// of sines and cosines are written in sums and differences of angles if fewer terms are then left
+/// to cancel.
 pub(super) struct Algebra<'g> {
     pub(super) graph: &'g mut Graph,
     angles: Angles,

@@ -1,8 +1,8 @@
 //! Constraints as cross terms of the quadratic form.
 //!
 //! A constraint c(q, t) = 0, or one that is linear in the velocities, restricts the accelerations
-//! by A a + b = 0 with A = ∂ċ/∂v or ∂c/∂v. Gauss's principle then asks for the stationary point of
-//! ½ aᵀM a − fᵀa − λᵀ(A a + b): each multiplier λ is one more unknown, whose only terms are −λ
+//! by A a + b = 0. Here A is ∂ċ/∂v or ∂c/∂v. Gauss's principle then requires the stationary point
+//! of ½ aᵀM a − fᵀa − λᵀ(A a + b). Each multiplier λ is one more unknown, whose only terms are −λ
 //! times the rate of the constraint, and M a = f + Aᵀλ. Source: Udwadia, Kalaba, *Analytical
 //! Dynamics*, §3; Lanczos, *The Variational Principles of Mechanics*, §II.5.
 
@@ -22,8 +22,8 @@ pub struct ConstraintEquations {
     pub jacobian: Vec<Vec<ExprId>>,
     /// b in A q̈ + b = 0
     pub drifts: Vec<ExprId>,
-    /// Aᵀλ, in which symbols stand for the multipliers: what is found for them at run time is more
-    /// than the expressions above where constraints depend on each other or contacts act.
+    /// Aᵀλ with symbols for the multipliers. Where constraints depend on each other or contacts
+    /// act, run time finds more for these symbols than the expressions above.
     pub forces: Vec<ExprId>,
     /// δ with M δ = Aᵀμ and A δ = −r, where the symbol of each multiplier stands for the residual r
     /// of its constraint.
@@ -70,8 +70,9 @@ fn correction(model: &mut Model, elimination: &Elimination) -> Vec<ExprId> {
     values
 }
 
-/// b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ + κ c = 0
-/// for constraints on velocities (Baumgarte, Comput. Methods Appl. Mech. Eng. 1 (1972) 1–16).
+/// Returns b in A a + b = 0. With a rate κ of stabilisation this is c̈ + 2 κ ċ + κ² c = 0, and ċ +
+/// κ c = 0 for constraints on velocities. Source: Baumgarte, Comput. Methods Appl. Mech. Eng. 1
+/// (1972) 1–16.
 fn drifts(model: &mut Model) -> Vec<ExprId> {
     let mut rates = Rates::new(AccelerationTerms::Dropped);
     let (graph, stabilisation) = (&mut model.graph, model.stabilisation);

@@ -1,7 +1,7 @@
 //! A rough time for evaluating expressions, to choose between ways of computing the same.
 //!
-//! Processors overlap operations that do not wait for each other, but not those that do. So the
-//! time grows with the number of operations and with the longest chain of them; weights are
+//! Processors overlap operations that do not wait for each other, but not those that do. The time
+//! therefore grows with the number of operations and with their longest chain. Weights are
 //! latencies and costs on current processors, in cycles.
 
 use lagrange_expr::collections::HashMap;

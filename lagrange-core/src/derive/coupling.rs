@@ -9,9 +9,8 @@ use lagrange_expr::number::Number;
 /// Expressions looked at before the search ends.
 const LONGEST_LOOK: usize = 200_000;
 
-/// Largest number of velocities found that one square of the Lagrangian is made of, all of which
-/// the mass matrix couples with each other. The search ends at `enough` of them, and when it takes
-/// long.
+/// Finds the largest number of velocities in one square of the Lagrangian that the mass matrix
+/// couples with each other. The search ends at `enough` of them, and when it takes long.
 pub fn most_coupled(model: &Model, enough: usize) -> usize {
     let graph = &model.graph;
     let mut degrees = Degrees::default();

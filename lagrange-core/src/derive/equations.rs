@@ -26,8 +26,8 @@ use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The equations of motion and what else a model was asked for. Products that are not wanted are
-/// not among `products`; the two sides of M q̈ = f come with the accelerations.
+/// The equations of motion and the other requested products of a model. Products that are not
+/// requested are not among `products`; the two sides of M q̈ = f come with the accelerations.
 #[derive(Clone, Debug)]
 pub struct Equations {
     /// q̈ as functions of t, q, v.
@@ -48,7 +48,7 @@ pub struct Equations {
     /// The counted cost of each strategy, as far as it was tried, in the order of
     /// [`Strategy::ALL`].
     pub costs: [Option<f64>; 3],
-    /// M in rows; none if it is large and was not asked for.
+    /// M in rows; empty if it is large and was not requested.
     pub mass_matrix: Rows,
     /// f in M q̈ = f
     pub forcing: Vec<ExprId>,
@@ -158,9 +158,9 @@ impl Equations {
         Ok(equations)
     }
 
-    /// Components of a product of a model, matrices row by row and Jacobians without the rows of
-    /// the positions' rates, by the entries of the state; `None` if it has no components or was not
-    /// asked for.
+    /// Returns the components of a product of a model, by the entries of the state. Matrices are
+    /// row by row, and Jacobians lack the rows of the positions' rates. `None` if it has no
+    /// components or was not requested.
     pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
         let of_constraints =
             |part: fn(&Constraint) -> ExprId| Some(model.constraints.iter().map(part).collect());
@@ -261,8 +261,8 @@ fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms)
     MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
-/// The elimination that constraints, contacts and friction have other right-hand sides for: that of
-/// the strategy taken or, if it has none, that of the mass matrix.
+/// Returns the elimination for the right-hand sides of constraints, contacts and friction. It is
+/// that of the chosen strategy or, if it has none, that of the mass matrix.
 fn kept_elimination(
     model: &mut Model,
     forms: &mut Forms,

@@ -1,10 +1,9 @@
-//! The quadratic form that all equations follow from: over the variables that it was declared in,
-//! and over the generalised velocities, where its coefficients are the mass matrix M and its linear
-//! part is −f.
+//! The quadratic form from which all equations follow. It exists over the variables of the
+//! declaration, and over the generalised velocities. There its coefficients are the mass matrix M
+//! and its linear part is −f.
 //!
 //! A chain of n links has n² such coefficients, although its accelerations take a time in
-//! proportion to n. So a large form is pushed down when somebody asks for its coefficients, and not
-//! before.
+//! proportion to n. A large form is therefore pushed down only when its coefficients are requested.
 
 use super::constraints::join_multipliers;
 use super::cost::cost;
@@ -21,9 +20,9 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// Number of unknowns up to which coefficients are multiplied out on trial. What a coordinate does
-/// to itself cancels, but the number of coefficients grows as its square, and with it what they
-/// share when they stay closed.
+/// Most unknowns for which coefficients are multiplied out as a trial. The effects of a coordinate
+/// on itself cancel. However, the number of coefficients grows as its square, and so does the
+/// number of parts that they share when they stay closed.
 const MAX_MULTIPLIED_OUT: usize = 4;
 /// Number of expressions up to which they are: the trial multiplies out everything and factorises
 /// two matrices.
@@ -103,8 +102,8 @@ impl VelocityForm {
     }
 }
 
-/// Removes couplings that vanish without showing it, as between polar coordinates that were written
-/// down by way of Cartesian ones: r sin θ cos θ − r cos θ sin θ.
+/// Removes couplings that vanish without showing it: r sin θ cos θ − r cos θ sin θ. They occur
+/// between polar coordinates that were defined by Cartesian ones.
 fn separate_uncoupled(graph: &mut Graph, pushed: &mut QuadraticForm, velocities: &[ExprId]) {
     let places = velocities.iter().enumerate().map(|(n, &v)| (v, n)).collect::<HashMap<_, _>>();
     let above_diagonal = |(n, &i): (usize, &ExprId)| {

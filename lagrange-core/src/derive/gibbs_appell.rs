@@ -1,27 +1,27 @@
 //! Equations of motion that a Gibbs function states.
 //!
-//! S = ½ Σ m |a|², summed up over all masses, is the Gibbs function or energy of acceleration, and
-//! ∂S/∂q̈ = Q are the equations of motion (Gibbs, "On the fundamental formulae of dynamics", Amer.
-//! J. Math. 2 (1879) 49–64; Appell, C. R. Acad. Sci. 129 (1900); Lurie, *Analytical Mechanics*,
-//! §10.4). Of a rigid body, with the acceleration a of its centre of mass, the angular acceleration
-//! α and its tensor of inertia J, S = ½ m |a|² + ½ α·Jα + α·(ω × Jω) but for terms without
-//! accelerations.
+//! S = ½ Σ m |a|², summed over all masses, is the Gibbs function or energy of acceleration, and
+//! ∂S/∂q̈ = Q are the equations of motion. Sources: Gibbs, "On the fundamental formulae of
+//! dynamics", Amer. J. Math. 2 (1879) 49–64; Appell, C. R. Acad. Sci. 129 (1900); Lurie, *Analytical
+//! Mechanics*, §10.4. A rigid body has the acceleration a of its centre of mass, the angular
+//! acceleration α and the tensor of inertia J. Without terms free of accelerations, its S is ½ m |a|² +
+//! ½ α·Jα + α·(ω × Jω).
 //!
-//! Accelerations are affine in q̈. The principal part of one, that with q̈, is a velocity with q̇
-//! written for q̈: of ω̇ it is ω. So the second derivatives of S with respect to accelerations are
-//! coefficients of the quadratic form at velocities, where those of T stand as well, and the slope
-//! of S along an acceleration is a linear part there. What is pushed down from there are forces and
-//! moments: inverse dynamics is the recursive Newton–Euler algorithm (Featherstone, *Rigid Body
-//! Dynamics Algorithms*, §5.3), and the form over q̇ has the mass matrix by composite bodies
-//! (§6.2). Neither velocities of points nor rates of momenta are needed. Gravity enters as an
-//! acceleration of the base, and what a joint cannot tell from the inertia of its carrier may be
-//! moved there beforehand (Khalil and Dombre, *Modeling, Identification and Control of Robots*,
-//! §9.4), since S need not be that of every body by itself.
+//! Accelerations are affine in q̈. The principal part of one, the part with q̈, is a velocity with
+//! q̇ written for q̈: that of ω̇ is ω. The second derivatives of S with respect to accelerations
+//! are therefore coefficients of the quadratic form at velocities, beside those of T. The slope of
+//! S along an acceleration is a linear part there. The terms that are pushed down from there are
+//! forces and moments. Inverse dynamics is the recursive Newton–Euler algorithm, and the form over
+//! q̇ has the mass matrix by composite bodies. See Featherstone, *Rigid Body Dynamics Algorithms*,
+//! §5.3 and §6.2. Neither velocities of points nor rates of momenta are needed. Gravity enters as
+//! an acceleration of the base. Inertia that a joint cannot distinguish from that of its carrier
+//! may be moved there in advance: S need not belong to each body separately. See Khalil and Dombre, *Modeling,
+//! Identification and Control of Robots*, §9.4.
 //!
 //! # A pendulum in numbers
 //!
 //! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. In the axes of the rod its
-//! end is accelerated by −5 θ̇² along and by 5 θ̈ across it; with the base accelerated upwards by
+//! end is accelerated by −5 θ̇² along and by 5 θ̈ across it. With the base accelerated upwards by
 //! 10, a = 5 θ̈ + 10 · 3/5 across.
 //!
 //! | node | principal part | square | linear part at θ̈ = 0 |

@@ -3,8 +3,8 @@
 //! Lagrange's equations do not change if the Lagrangian, the dissipation and all forces are
 //! multiplied by one number. What this means for parameters follows from the terms that are added
 //! up: all have the same grade. These are linear equations between the grades of parameters, which
-//! are solved one after the other. One that contradicts those before it says that a number has been
-//! written where a unit should be, and is passed over; what stays open is zero.
+//! are solved one after the other. One that contradicts those before it shows that a number stands
+//! for a unit somewhere, and is skipped. Grades that stay open are zero.
 
 use std::collections::BTreeMap;
 

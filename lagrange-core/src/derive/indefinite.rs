@@ -1,12 +1,12 @@
 //! Mass matrices whose pivots may vanish although they are regular.
 //!
-//! No pivot of a positive definite matrix vanishes, in whatever order it is factorised, and a
-//! kinetic energy has no other. A Lagrangian may: of ½ sin x ẋ² + ẋ ẏ the matrix [sin x, 1; 1, 0]
-//! is regular everywhere, and its first pivot is zero at x = 0. What has a coupled diagonal entry
-//! without a sure sign gets a test at run time, and a second way to its accelerations. That is
-//! asked of what is declared as a Lagrangian only, with constraints, too: in the axes of bodies the
-//! signs of kinetic energies hide in sums of products. Source: Golub, Van Loan, *Matrix
-//! Computations*, 4th ed., §4.4 (symmetric indefinite systems).
+//! No pivot of a positive definite matrix vanishes, in any order of factorisation, and the matrix
+//! of a kinetic energy is positive definite. A Lagrangian may have others. For ½ sin x ẋ² + ẋ ẏ,
+//! the matrix [sin x, 1; 1, 0] is regular everywhere. Its first pivot is zero at x = 0. A coupled
+//! diagonal entry without a sure sign gets a test at run time, and a second way to its
+//! accelerations. This concerns only systems declared by a Lagrangian, also with constraints. In
+//! the axes of bodies, the signs of kinetic energies hide in sums of products. Source: Golub, Van
+//! Loan, *Matrix Computations*, 4th ed., §4.4 (symmetric indefinite systems).
 
 use super::elimination::solution::Solution;
 use lagrange_expr::collections::HashMap;
@@ -46,8 +46,8 @@ pub(super) fn largest(graph: &mut Graph, a: ExprId, b: ExprId) -> ExprId {
     functions::apply(graph, Function::Max, &[a, b])
 }
 
-/// True if an expression is taken to have one sign where a system is regular: parameters are
-/// positive, even powers do not vanish, and where one term of a sum has a sign the others do not
+/// True if an expression is assumed to have one sign where a system is regular. Parameters are
+/// positive, and even powers do not vanish. If one term of a sum has a sign, the others do not
 /// outweigh it.
 fn has_sure_sign(graph: &Graph, root: ExprId) -> bool {
     let mut known: HashMap<ExprId, bool> = HashMap::default();

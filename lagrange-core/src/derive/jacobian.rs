@@ -1,10 +1,10 @@
 //! Derivatives of the accelerations by coordinates, velocities and parameters.
 //!
 //! There are two ways, and the one that counts cheaper is kept. The accelerations can be
-//! differentiated as they are computed, one sweep for each variable. Or, since the inverse dynamics
-//! r(q, v, a) = 0 defines them, M ∂a/∂x = −∂r/∂x at fixed accelerations: r holds no elimination,
-//! and that of M, which is there already, is shared by all the variables (Carpentier and Mansard, *Analytical
-//! Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3).
+//! differentiated as they are computed, one sweep for each variable. Alternatively, the inverse
+//! dynamics r(q, v, a) = 0 defines them, so M ∂a/∂x = −∂r/∂x at fixed accelerations. Then r needs
+//! no elimination, and that of M, which exists already, serves all the variables. See Carpentier
+//! and Mansard, *Analytical Derivatives of Rigid Body Dynamics Algorithms*, 2018, eq. 3.
 
 use super::cost::cost;
 use super::elimination::order::{eliminate_dense, eliminate_recursive};
@@ -19,7 +19,7 @@ use lagrange_algebra::calculus::{AccelerationTerms, jacobian, substitute_all};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Above this many coordinates only one way is tried, the one that is known to be cheaper there: a
+/// Above this many coordinates only the way is tried that is known to be cheaper there. A
 /// factorised full matrix of n rows takes n³ operations, and differentiating it n⁴.
 const LARGEST_TRIAL: usize = 20;
 
@@ -34,8 +34,8 @@ pub(super) struct Derivatives {
 }
 
 impl Derivatives {
-    /// Prepares what is to be tried. Under `strict` that is the first way, since nothing cancels in
-    /// it that does not cancel in the accelerations, and under constraints, since r holds no
+    /// Prepares the ways to try. Under `strict` that is the first way, since nothing cancels in it
+    /// that does not cancel in the accelerations. Under constraints it is, too, since r has no
     /// multipliers.
     pub(super) fn new(
         model: &mut Model,

@@ -1,17 +1,18 @@
 //! The Lagrangian as a quadratic form in velocities, with its linear part.
 //!
-//! For T = ½ Σ w u², u = dx(q, t)/dt, the accelerations a minimise ½ Σ w (u·a)² + Σ (w u̇ + ẇ
-//! u)(u·a) − ½ Σ u² (ẇ·a) + (V̇·a) − Σ F (ṗ·a), where u·a is the part of u that is linear in the
-//! velocities, taken at a, and rates are taken at zero acceleration (Gauss's principle; Udwadia and
-//! Kalaba, *Analytical Dynamics*, §3). Terms of the Lagrangian of any other form contribute d/dt
-//! ∂L/∂v − ∂L/∂q by reverse-mode differentiation, and second derivatives from the second-order
-//! reverse sweep of Gower and Mello, continued through the nonlinear nodes.
+//! Let T = ½ Σ w u² with u = dx(q, t)/dt. The accelerations a minimise ½ Σ w (u·a)² + Σ (w u̇ + ẇ
+//! u)(u·a) − ½ Σ u² (ẇ·a) + (V̇·a) − Σ F (ṗ·a). Here u·a is the part of u that is linear in the
+//! velocities, evaluated at a, and rates are evaluated at zero acceleration. This is Gauss's
+//! principle (Udwadia and Kalaba, *Analytical Dynamics*, §3). Terms of the Lagrangian of any other
+//! form contribute d/dt ∂L/∂v − ∂L/∂q by reverse-mode differentiation. Their second derivatives
+//! come from the second-order reverse sweep of Gower and Mello, continued through the nonlinear
+//! nodes.
 //!
 //! # A pendulum in numbers
 //!
-//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1: x = 5 sin θ, y = −5 cos θ,
-//! hence ẋ = 4 θ̇ and ẏ = 3 θ̇, and at zero acceleration ẍ = −3, ÿ = 4. The potential loses height
-//! at the rate V̇ = 30 θ̇.
+//! m = 1 on a rod of length 5 under g = 10, at sin θ = 3/5 with θ̇ = 1. From x = 5 sin θ and y = −5
+//! cos θ follow ẋ = 4 θ̇ and ẏ = 3 θ̇. At zero acceleration ẍ = −3 and ÿ = 4. The potential loses
+//! height at the rate V̇ = 30 θ̇.
 //!
 //! | node | square | linear part | because |
 //! |---|---|---|---|
@@ -26,8 +27,8 @@
 //! # Polar coordinates in numbers
 //!
 //! Weights that change: ½ m (ṙ² + r² φ̇²) with m = 1 at r = 2, ṙ = 3, φ̇ = 5. The weight of φ̇ is w =
-//! r² = 4 with ẇ = 2 r ṙ, so that ẇ u = 60 is the linear part at φ̇, Coriolis' force, and −½ u² =
-//! −25/2 at the node ẇ comes down to ṙ as −25/2 · 2 r = −50, the centrifugal force.
+//! r² = 4 with ẇ = 2 r ṙ. The linear part at φ̇ is ẇ u = 60, Coriolis' force. At the node ẇ, −½ u² =
+//! −25/2 comes down to ṙ as −25/2 · 2 r = −50, the centrifugal force.
 
 use super::curvature::Curvature;
 use super::gibbs_appell::{GibbsForm, remainder};

@@ -1,26 +1,26 @@
 //! From a model to its equations of motion.
 //!
-//! [`Equations`] are what the emitted methods return; [`derive()`] finds them, or says which motion
-//! nothing determines.
+//! [`Equations`] are the results of the emitted methods. [`derive()`] finds them, or reports which
+//! motion nothing determines.
 //!
 //! # The form
 //!
 //! **Velocities stay nodes.** `dot(x)` of any expression is its total time derivative, and the
 //! model remembers which velocity is the rate of which position.
 //!
-//! `least_constraint` walks the Lagrangian from its root. A term ½ w u² with u = dx/dt contributes
-//! w to the quadratic and w u̇ + ẇ u to the linear part *at the node u*, and −½ u² at the node ẇ;
-//! the potential contributes 1 at V̇, a force F at a point p contributes −F at ṗ. Everything else
-//! contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v − ∂L/∂q by reverse
-//! mode. No Jacobian appears. `quadratic_form` holds what comes together at each pair of nodes and
-//! sums it when it is needed.
+//! `least_constraint` walks the Lagrangian from its root. A term ½ w u² with u = dx/dt contributes *at
+//! the node u*. It adds w to the quadratic and w u̇ + ẇ u to the linear part. It also contributes
+//! −½ u² at the node ẇ. The potential contributes 1 at V̇, a force F at a point p contributes −F at
+//! ṗ. Everything else contributes second derivatives by a second-order reverse sweep and d/dt ∂L/∂v
+//! − ∂L/∂q by reverse mode. No Jacobian appears. `quadratic_form` collects the contributions at
+//! each pair of nodes and sums them when necessary.
 //!
-//! Where such terms hold components that joints turn, brackets at the turned pairs take the place
-//! of those rates (`quasi_velocities`).
+//! If such terms hold components that joints turn, brackets at the turned pairs replace those rates
+//! (`quasi_velocities`).
 //!
-//! A Gibbs function (`gibbs_appell`) says the same of part of the Lagrangian by second derivatives
-//! and slopes in the accelerations, at the velocities that are their principal parts, so that forms
-//! and sweeps need not know where coefficients come from.
+//! A Gibbs function (`gibbs_appell`) describes part of the Lagrangian by second derivatives and
+//! slopes in the accelerations. They stand at the velocities that are the principal parts of
+//! accelerations, so forms and sweeps need not know where coefficients come from.
 //!
 //! `sweep` orders the velocity nodes so that one body is finished before the body that carries it.
 //! All multiples of one velocity are substituted together, so that its square shares factors with
@@ -30,10 +30,11 @@
 //!
 //! # The strategies
 //!
-//! Each of three (`strategies`) is written down and the one that counts cheapest is kept, except
-//! that large full matrices are not factorised on trial, and not even written down unless somebody
-//! asks for them (`forms`); the documentation of the emitted type names it with the counted costs.
-//! `cost` counts operations and the longest chain of them that wait for each other.
+//! Each of three strategies (`strategies`) is written down and the one with the lowest cost is
+//! kept. Large full matrices are an exception: they are not factorised as a trial, and not even
+//! written down unless requested (`forms`). The documentation of the emitted type names the
+//! strategy with the counted costs. `cost` counts operations and the longest chain of them that
+//! wait for each other.
 //!
 //! - *Mass matrix* (`elimination`): every node is pushed down to the generalised velocities. The
 //!   coefficients are then the mass matrix, and eliminating all velocities is a left-looking LDLᵀ
@@ -43,53 +44,53 @@
 //!   linear. Where joints turn axes, velocities are eliminated before these are turned, or in the
 //!   order of the sweep, and the cheaper is kept.
 //! - *Sum of squares* (`sum_of_squares`): body by body, too, but the form stays a sum of squares.
-//!   What is left of an elimination is a sum of squares again, by Lagrange's identity, and depends
-//!   on the rest only by way of minors t₁ y₂ − t₂ y₁ of the direction t in which the unknown moves
-//!   two variables. So a single number stands for the subtree behind a massless rod, accelerations
-//!   are substituted back in the frame of the rod, and gravity is an offset that every point
-//!   shares. Nothing is subtracted that was not subtracted in the declaration. Where two of several
-//!   squares may both lose the unknown in some configuration, a choice takes the place of their
+//!   The remainder of an elimination is a sum of squares again, by Lagrange's identity. It depends
+//!   on the rest only by minors t₁ y₂ − t₂ y₁ of the direction t in which the unknown moves two
+//!   variables. A single number therefore stands for the subtree behind a massless rod.
+//!   Accelerations are substituted back in the frame of the rod, and gravity is an offset that
+//!   every point shares. Nothing is subtracted that was not subtracted in the declaration. If two
+//!   of several squares may both lose the unknown in some configuration, a choice replaces their
 //!   rotation. Products of sines and cosines are written in sums and differences of angles where
-//!   that leaves fewer terms (`algebra`). This strategy needs a kinetic energy made of squares of
-//!   rates; velocities are eliminated outermost first, by the number of inertias that they move.
+//!   that leaves fewer terms (`algebra`). This strategy needs a kinetic energy of squares of rates;
+//!   velocities are eliminated outermost first, by the number of inertias that they move.
 //!
 //! # Constraints, contacts and friction
 //!
 //! **Constraints are more unknowns of the same form** (`constraints`): −λ times what the constraint
 //! demands of accelerations. `elimination` takes a multiplier as soon as the velocities of its
-//! constraint are gone, when its square −A M⁻¹ Aᵀ is complete, so that chains of constrained bodies
-//! cost in proportion to their length; systems of up to 40 unknowns also try multipliers last and
-//! keep what counts cheaper. Coordinates without inertia go in pairs with the multiplier that
-//! determines them. On the way it writes down by how much each pivot is smaller than what
-//! velocities contributed to it; where that factor exceeds the inverse square of
-//! `constraint::rank_tolerance` at run time, emitted code takes a second way: orthogonal factors of
-//! the whole system and the multipliers of least norm, or NaN if the equations contradict each
-//! other. Projection is one more right-hand side for the same factors.
+//! constraint are gone, when its square −A M⁻¹ Aᵀ is complete. Chains of constrained bodies
+//! therefore cost in proportion to their length. Systems of up to 40 unknowns also try multipliers
+//! last and keep the cheaper result. Coordinates without inertia go in pairs with the multiplier
+//! that determines them. On the way it records the factor by which each pivot is smaller than the
+//! contributions of velocities to it. If that factor exceeds the inverse square of
+//! `constraint::rank_tolerance` at run time, emitted code takes a second way. It computes the
+//! multipliers of least norm by orthogonal factors of the whole system, or NaN if the equations
+//! contradict each other. Projection is one more right-hand side for the same factors.
 //!
-//! Without constraints only an indefinite matrix has pivots that vanish though it is regular;
-//! `indefinite` sees by the signs of the diagonal where that may be, and the second way of such
-//! systems is `constraint::indefinite_motion`. Kinetic energies cost nothing more.
+//! Without constraints only an indefinite matrix has pivots that vanish although it is regular.
+//! `indefinite` sees by the signs of the diagonal where that is possible, and the second way of
+//! such systems is `constraint::indefinite_motion`. Kinetic energies cost nothing extra.
 //!
-//! **Contacts and friction are responses** (`responses`): a unit of force along the gradient of a
-//! gap or of a slip velocity is one more right-hand side, too. Which of these forces act is a
-//! matter of run time and of modes, fields of the emitted type. The force of each is a symbol
-//! (`Role::Reaction`) that only outputs and friction limits may hold, limits affinely, so that what
-//! is left to solve at run time is linear, with one row for each force.
+//! **Contacts and friction are responses** (`responses`). A unit of force along the gradient of a
+//! gap or of a slip velocity is one more right-hand side, too. The acting forces are determined at
+//! run time by modes, fields of the emitted type. The force of each is a symbol (`Role::Reaction`)
+//! that only outputs and friction limits may contain, limits affinely. The equations that remain at
+//! run time are therefore linear, with one row for each force.
 //!
 //! # What else follows
 //!
-//! Momenta, forcing, bias and inverse dynamics are linear parts of the same form; inverse dynamics
+//! Momenta, forcing, bias and inverse dynamics are linear parts of the same form. Inverse dynamics
 //! is the same sweep with accelerations kept, which makes it the recursive Newton–Euler algorithm
-//! on chains. Jacobians are found two ways, and the counted cheaper is kept: forward through the
-//! accelerations as they are computed, or implicitly from the inverse dynamics with the factors of
-//! M shared by all columns (`jacobian`).
+//! on chains. Jacobians are found in two ways, and the cheaper is kept (`jacobian`). One goes
+//! forward through the accelerations as they are computed. The other is implicit, from the inverse
+//! dynamics, with the factors of M shared by all columns.
 //!
-//! **What is not smooth switches** (`switches`): conditions of `if` and the kinks of `abs`, `sign`,
-//! `min` and `max` that the equations of motion hold are collected as surfaces, and emission writes
-//! every method with a symbol for the side of each (`Role::Side`). A field of the emitted type
-//! fixes the sides; free, they are the signs of the surface functions. Conditions that derivation
-//! itself puts in (`sum_of_squares::guard`) have the same value on both sides and do not count.
-//! Systems without switches are emitted as if there were none.
+//! **Non-smooth terms switch** (`switches`): conditions of `if` and the kinks of `abs`, `sign`,
+//! `min` and `max` in the equations of motion are collected as surfaces. Emission writes every
+//! method with a symbol for the side of each (`Role::Side`). A field of the emitted type fixes the
+//! sides; free, they are the signs of the surface functions. Conditions that derivation itself puts
+//! in (`sum_of_squares::guard`) have the same value on both sides and do not count. Systems without
+//! switches are emitted as if there were none.
 
 mod algebra;
 mod constraints;
@@ -137,8 +138,8 @@ pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};
 pub use structure::{Conserved, MassStructure, Structure};
 pub use switches::{Switch, one_sided};
 
-/// The equations of a model. That there are none is reported at `place`, or at a coordinate that
-/// nothing determines.
+/// Derives the equations of a model. If there are none, this is reported at `place`, or at a
+/// coordinate that nothing determines.
 pub fn derive(
     declaration: &Declaration,
     place: Option<Span>,

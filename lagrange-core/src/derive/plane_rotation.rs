@@ -1,22 +1,25 @@
 //! Plane rotations among the affine variables of a form.
 //!
-//! Components along the axes of a body that a joint turns by q are u₁ = c x₁ + s x₂ and u₂ = c x₂ −
-//! s x₁ with c = cos q, s = sin q, for its angular velocity and for the velocity of its origin
-//! alike. Substituted one by one, the coefficients of x₁ and x₂ would be sums of products with c²,
-//! c s and s². By c² + s² = 1 five products do for all three coefficients of a pair,
+//! A joint turns by q, with c = cos q and s = sin q. Components along the axes of the turned body
+//! are u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁. This holds for its angular velocity and for the
+//! velocity of its origin alike. Substituted one by one, the coefficients of x₁ and x₂ would be
+//! sums of products with c², c s and s². By c² + s² = 1, five products suffice for all three
+//! coefficients of a pair,
 //!
-//! t = s (A − B) + 2 c C: ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B +
-//! s t) x₂²,
+//! ```text
+//! ½ A u₁² + C u₁ u₂ + ½ B u₂² = ½ (A − s t) x₁² + (c t − C) x₁ x₂ + ½ (B + s t) x₂²,
+//! t = s (A − B) + 2 c C,
+//! ```
 //!
-//! four for the four coefficients between two pairs, and what rotations leave alone stays as it is:
-//! a mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). So the inertia of a composite
-//! body keeps ten coefficients of twenty-one.
+//! and four for the four coefficients between two pairs. Invariants of rotations stay as they are:
+//! a mass ½ m (v₁² + v₂²), and a moment of mass h (v₁ ω₂ − v₂ ω₁). The inertia of a composite body
+//! therefore keeps ten coefficients of twenty-one.
 //!
 //! # In numbers
 //!
-//! c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2: t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7, so that x₁ has 7 −
-//! 28/5 = 7/5, x₂ has 2 + 28/5 = 38/5, and x₁ x₂ has 21/5 − 5/2 = 17/10. The sum of the squares'
-//! coefficients is 9 on both sides, A B − C² = 31/4 as well.
+//! Let c = 3/5, s = 4/5 and A = 7, B = 2, C = 5/2. Then t = 4/5 · 5 + 2 · 3/5 · 5/2 = 7. The new
+//! coefficients are A − s t = 7/5, B + s t = 38/5 and c t − C = 17/10. The sum A + B is 9 on both
+//! sides, and A B − C² = 31/4 as well.
 
 use std::collections::BTreeSet;
 
@@ -105,8 +108,8 @@ fn component(
     (first.0 != second.0).then_some(found)
 }
 
-/// u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ are α x₁ and β x₂ turned if α γ = −β δ, u' being β
-/// δ times the second component.
+/// Returns the turned pair of u = α c x₁ + β s x₂ and u' = δ c x₂ + γ s x₁ if α γ = −β δ. It turns
+/// α x₁ and β x₂, and u' is β δ times its second component.
 fn pair(one: &Component, other: &Component) -> Option<TurnedPair> {
     let [alpha, beta] = [one.along.1, one.across.1];
     let [delta, gamma] = [other.along.1, other.across.1];

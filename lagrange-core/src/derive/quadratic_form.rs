@@ -25,7 +25,8 @@ pub(super) struct FormRow {
 }
 
 /// A symmetric quadratic form. Contributions to a coefficient are collected and summed once, when
-/// the coefficient is needed; the sum is then long enough for the simplifier to find what cancels.
+/// the coefficient is needed. The sum is then long enough for the simplifier to find terms that
+/// cancel.
 #[derive(Clone, Default, Debug)]
 pub(super) struct QuadraticForm {
     /// Wᵢⱼ under its ordered pair of variables.
@@ -239,8 +240,8 @@ impl QuadraticForm {
 
     /// Substitutes xᵢ = tᵢ·y for all `multiples` (xᵢ, tᵢ) of y at once.
     ///
-    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. If another velocity stands in the form
-    /// as xⱼ does, as the velocity of the body that carries this one, wⱼ is also its coefficient
+    /// The square of y then gets Σ tⱼ·wⱼ with wⱼ = Σ tᵢ Wᵢⱼ. Another velocity may stand in the form
+    /// as xⱼ does, such as that of the body that carries this one. Then wⱼ is also its coefficient
     /// with y.
     fn collapse(&mut self, graph: &mut Graph, y: ExprId, multiples: &[(ExprId, ExprId)]) {
         let mut among: BTreeMap<ExprId, Contributions> = BTreeMap::new();

@@ -1,25 +1,25 @@
 //! Inertial forces of terms in quasi-velocities.
 //!
-//! Components along moving axes, such as those of an angular velocity, are affine in the velocities
-//! but rates of nothing. For a term R(u, q) of the Lagrangian in such nodes u with the momenta p =
-//! ∂R/∂u, d/dt ∂R/∂q̇ − ∂R/∂q is ṗ at the nodes u, less ∂R/∂q at constant u, and what the nodes
-//! themselves contribute, d/dt ∂u/∂q̇ − ∂u/∂q weighted with p. That is a sum of local terms: of u =
-//! Σ s x + f with coefficients s and a rest f free of velocities,
+//! Components along moving axes, such as those of an angular velocity, are affine in the
+//! velocities, but they are not rates. Let R(u, q) be a term of the Lagrangian in such nodes u,
+//! with the momenta p = ∂R/∂u. Then d/dt ∂R/∂q̇ − ∂R/∂q consists of three parts: ṗ at the nodes u,
+//! −∂R/∂q at constant u, and d/dt ∂u/∂q̇ − ∂u/∂q weighted with p. The last part is a sum of local
+//! terms: of u = Σ s x + f with coefficients s and a rest f free of velocities,
 //!
 //! - p ṡ at each part x, which passes p s on to its own parts unless x is a rate,
 //! - −p ∂u/∂s at the rate of every factor s and −p at that of f.
 //!
-//! These are the brackets of Hamel's equations (Hamel, "Die Lagrange-Eulerschen Gleichungen der
-//! Mechanik", Z. Math. Phys. 50 (1904) 1–57; Lurie, *Analytical Mechanics*, §10.1), one at each
-//! edge of the graph, and no rate of a generalised momentum is taken. Of a pair that is turned by
-//! q, u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, they are −q̇ p₂ at u₁, q̇ p₁ at u₂ and u₁ p₂ − u₂ p₁
-//! at q̇: ω × p.
+//! These are the brackets of Hamel's equations, one at each edge of the graph, and no rate of a
+//! generalised momentum is taken. Sources: Hamel, "Die Lagrange-Eulerschen Gleichungen der
+//! Mechanik", Z. Math. Phys. 50 (1904) 1–57; Lurie, *Analytical Mechanics*, §10.1. For a pair that
+//! is turned by q, u₁ = c x₁ + s x₂ and u₂ = c x₂ − s x₁, the brackets are ω × p. They are −q̇ p₂
+//! at u₁, q̇ p₁ at u₂, and u₁ p₂ − u₂ p₁ at q̇.
 //!
 //! # A rotating frame in numbers
 //!
-//! A unit mass at (3, 4) at rest in axes that turn with q̇ = 2: in these, u = (−8, 6) is its
-//! velocity and, T being ½ u², its momentum. They are constant, ṗ = 0, and (−q̇ p₂, q̇ p₁) = (−12,
-//! −16) is its acceleration −q̇² (3, 4) towards the axis.
+//! A unit mass at (3, 4) is at rest in axes that turn with q̇ = 2. There u = (−8, 6) is its
+//! velocity and, since T is ½ u², its momentum. Both are constant, ṗ = 0, and (−q̇ p₂, q̇ p₁) =
+//! (−12, −16) is its acceleration −q̇² (3, 4) towards the axis.
 
 use std::collections::BTreeMap;
 

@@ -1,7 +1,7 @@
 //! Responses of the motion to forces of contacts and friction, and limits of these forces.
 //!
-//! The equations of motion are linear in these forces: with all of them zero they give a₀ and λ₀,
-//! and a unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k, which
+//! The equations of motion are linear in these forces. With all of them zero they give a₀ and λ₀. A
+//! unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k. These
 //! follow from the same elimination with −d_k as its linear part. Source: Featherstone, *Rigid Body
 //! Dynamics Algorithms*, §11.5.
 

@@ -1,9 +1,9 @@
 //! Equations of motion in the form in which Taylor series cost least.
 //!
-//! Accelerations as functions of the state hold every product that solving the equations takes. The
-//! residual that they make zero holds fewer, above all if the rates u̇ of the velocities in T = ½ Σ
-//! w u² stay as they are: a series knows them once it knows u. So the residual Σ w u̇ (∂u/∂v) + …
-//! of a chain has four products of series a joint, and its accelerations have many times as many.
+//! Accelerations as functions of the state contain every product that solving the equations takes.
+//! Their residual contains fewer, above all if the rates u̇ of the velocities in T = ½ Σ w u² stay
+//! as they are. A series determines them from u. The residual Σ w u̇ (∂u/∂v) + … of a chain
+//! therefore has four products of series per joint, and its accelerations have many times as many.
 //!
 //! The multipliers λ of constraints are unknown, too. The residual then holds −Aᵀλ, and below it
 //! stands the rate of each constraint's velocity, which is not written out either.

@@ -16,8 +16,8 @@ use lagrange_algebra::calculus::AccelerationTerms;
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::ExprId;
 
-/// Above this many coordinates a full mass matrix is not factorised on trial: the cubic cost of
-/// writing the factorisation down would be all that the trial finds.
+/// Above this many coordinates a full mass matrix is not factorised as a trial. The cubic cost of
+/// writing the factorisation down would be the only result of the trial.
 const LARGEST_TRIAL: usize = 40;
 
 /// True if the mass matrix is too large to be factorised on trial, and full as far as it is.
@@ -48,7 +48,7 @@ pub enum StrategyChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// A given one; the mass matrix instead of a sum of squares where the kinetic energy is none.
+    /// A given one; the mass matrix instead of a sum of squares if the kinetic energy is not one.
     Always(Strategy),
 }
 
@@ -65,13 +65,13 @@ impl fmt::Display for SingularMassMatrix {
 impl std::error::Error for SingularMassMatrix {}
 
 impl SingularMassMatrix {
-    /// Message in the user's words, with the names of the coordinates that take part in a motion
-    /// without inertia.
+    /// Writes the message in the user's words, with the names of the coordinates that take part in
+    /// a motion without inertia.
     pub fn message(self, coordinates: &[&str]) -> String {
         messages::singular_mass_matrix(coordinates)
     }
 
-    /// Advice.
+    /// Returns advice.
     pub fn help(self) -> &'static str {
         messages::SINGULAR_HELP
     }
@@ -123,9 +123,8 @@ impl Candidates<'_> {
     }
 
     /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise
-    /// squares come first; where they lead nowhere, the mass matrix if what cancels in it can be
-    /// looked for, and elimination body by body if it is too large for that: this adds up less
-    /// before it subtracts.
+    /// squares come first. If they fail, the mass matrix is used if its cancellations can be found.
+    /// If it is too large for that, elimination body by body adds up less before it subtracts.
     fn most_accurate(&mut self) -> Result<Solved, SingularMassMatrix> {
         let velocities = self.model.velocities();
         let pushed = self.forms.pushed(self.model);

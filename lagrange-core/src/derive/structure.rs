@@ -16,7 +16,7 @@ pub struct MassStructure {
     pub is_constant: bool,
     /// An entry depends on velocities.
     pub depends_on_velocities: bool,
-    /// Coordinates that are coupled with each other; single ones form blocks of their own.
+    /// Coordinates that are coupled with each other; single ones form separate blocks.
     pub blocks: Vec<Vec<usize>>,
 }
 
@@ -34,9 +34,9 @@ impl MassStructure {
         }
     }
 
-    /// Structure of the matrix M, free of velocities, in the residual M a − f, if numbers show that
-    /// it couples all coordinates and depends on them. `None` leaves it open: what does not change
-    /// from one point to another may be constant or not.
+    /// Returns the structure of the matrix M, free of velocities, in the residual M a − f. Numbers
+    /// must show that it couples all coordinates and depends on them. `None` leaves it open:
+    /// entries that do not change between points may be constant or not.
     pub(super) fn seen_at_points(graph: &Graph, residual: &[ExprId]) -> Option<MassStructure> {
         let everything = vec![true; residual.len()];
         // Not the same shift for all: many systems look the same from every side.

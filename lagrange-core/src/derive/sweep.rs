@@ -1,9 +1,10 @@
 //! The order in which a quadratic form is pushed from the velocities it was written in down to the
 //! generalised velocities.
 //!
-//! A variable may be pushed when no unprocessed variable depends on it; this is the reverse sweep
-//! of Gower and Mello, "A new framework for the computation of Hessians", Optim. Methods Softw. 27
-//! (2012), 251–273, restricted to the part of the graph that is affine in the velocities.
+//! A variable may be pushed when no unprocessed variable depends on it. This is the reverse sweep
+//! of Gower and Mello, restricted to the part of the graph that is affine in the velocities. Its
+//! source is "A new framework for the computation of Hessians", Optim. Methods Softw. 27 (2012),
+//! 251–273.
 //!
 //! # The double pendulum, step by step
 //!
@@ -16,9 +17,9 @@
 //! | collapse | ẋ₁ and ẏ₁, together | multiples of θ̇₁ |
 //! | free | θ̇₁ | |
 //!
-//! A strategy that eliminates θ̇₂ where it is free does so while the form still speaks of ẋ₁ and
-//! ẏ₁, the end of the upper rod: that is the articulated-body algorithm. One that waits for the
-//! last step has the mass matrix.
+//! A strategy may eliminate θ̇₂ as soon as it is free, while the form still contains the end ẋ₁, ẏ₁
+//! of the upper rod. That is the articulated-body algorithm. One that waits for the last step has
+//! the mass matrix.
 
 use std::collections::BTreeSet;
 
@@ -65,8 +66,8 @@ pub(super) enum Rotations {
     /// inertia of composite bodies keeps its shape, which is cheapest where all velocities are
     /// eliminated at the end.
     InTurn,
-    /// They are substituted together when nothing else is left, so that what a joint alone moves is
-    /// eliminated in the axes of its body, before these are turned.
+    /// They are substituted together when nothing else is left. The inertia that only a joint moves
+    /// is thus eliminated in the axes of its body, before these are turned.
     Last,
     /// They are sums like any other.
     Split,
@@ -147,8 +148,8 @@ impl Sweep {
         }
     }
 
-    /// Writes a multiple of a multiple as a multiple of what is below, if nothing else needs the
-    /// one between: `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` is often there already.
+    /// Writes a multiple of a multiple as a multiple of its base, if nothing else needs the one
+    /// between. Thus `l·(cos q·q̇)` becomes `(l·cos q)·q̇`, and `l·cos q` often exists already.
     fn skip_multiples_of_multiples(&mut self, graph: &mut Graph, heads: &[ExprId]) {
         let is_head = heads.iter().copied().collect::<HashSet<_>>();
         for id in self.ids() {

@@ -1,12 +1,12 @@
 //! Switches: surfaces in time and state on which the equations of motion are not smooth.
 //!
 //! They are where a condition of `if` changes, and the kinks of `abs`, `sign`, `min` and `max`.
-//! Methods of integration keep their order only if no step leads across one: a run fixes the side
-//! of every switch, on which the equations are smooth, and changes it where the surface is met.
+//! Methods of integration keep their order only if no step leads across one. A run fixes the side
+//! of every switch, on which the equations are smooth, and changes it where the surface is reached.
 //! [`one_sided`] writes expressions with symbols for the sides. For |x|, whose switch is x with the
 //! side s, that is s x; for `if t < 1 { 0 } else { f }`, whose switch is t − 1, it is
-//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that
-//! what is raised to a fractional power keeps its magnitude: [`domains`].
+//! `if s < 0 { 0 } else { f }`. Steps look beyond a surface before it is located there, so that a
+//! base with a fractional power keeps its magnitude: [`domains`].
 //!
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6,
 //! "discontinuous equations".

@@ -2,13 +2,13 @@
 //! are not velocities.
 //!
 //! With q̇ = N(q) v, displacements are δq = N δπ, where the δπ belong to the velocities. The
-//! equations of motion along them are d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. What stands for the dots
-//! vanishes where velocities are rates, and is ω × p for an angular velocity ω in turning axes with
-//! the momentum p = ∂L/∂ω: in these δω = dδπ/dt + ω × δπ. These are Euler's equations, a case of
-//! the Boltzmann–Hamel equations (Lurie, *Analytical Mechanics*, §10.1).
+//! equations of motion along them are d/dt ∂L/∂v − Nᵀ ∂L/∂q + … = Q. The dots vanish where
+//! velocities are rates. For an angular velocity ω in turning axes with the momentum p = ∂L/∂ω,
+//! they are ω × p: in these axes δω = dδπ/dt + ω × δπ. These are Euler's equations, a case of the
+//! Boltzmann–Hamel equations (Lurie, *Analytical Mechanics*, §10.1).
 //!
-//! In numbers: with the moments of inertia 1, 2, 3 and ω = (0, 1, 1), p = (0, 2, 3) and ω × p = (1,
-//! 0, 0), so that ω̇ = (−1, 0, 0).
+//! In numbers, take the moments of inertia 1, 2, 3 and ω = (0, 1, 1). Then p = (0, 2, 3) and ω × p =
+//! (1, 0, 0), so ω̇ = (−1, 0, 0).
 
 use super::quadratic_form::QuadraticForm;
 use crate::model::Model;

@@ -1,4 +1,4 @@
-//! Constraints as statements: what is zero, and what that demands of the velocities.
+//! Constraints as statements: their residuals, and their conditions on the velocities.
 
 use super::elaborator::Elaborator;
 use super::loads::forbid_states;

@@ -1,4 +1,4 @@
-//! Coordinates, orientations and velocities: what the state is made of.
+//! Coordinates, orientations and velocities: the components of the state.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
@@ -11,8 +11,8 @@ use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{AstId, Name, Quaternion};
 
-/// Components of a quaternion, the scalar part first, of whose products a rate is made, with the
-/// components of the angular velocity that multiply them and signs: q̇ = ½ q ⊗ (0, ω) for ω in the
+/// Components of a quaternion, the scalar part first, that enter each rate, with the factors among
+/// the components of the angular velocity, and signs. They represent q̇ = ½ q ⊗ (0, ω) for ω in the
 /// turned axes (Featherstone, *Rigid Body Dynamics Algorithms*, §4.5).
 const QUATERNION_RATES: [[(usize, usize, i64); 3]; 4] = [
     [(1, 0, -1), (2, 1, -1), (3, 2, -1)],

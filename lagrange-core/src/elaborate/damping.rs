@@ -7,7 +7,7 @@
 //!
 //! > σ²/(r·r if that is positive, else 1) + (0 if r·r is positive, else 1) ṙ·ṙ,
 //!
-//! which needs no root. On a line, r = (x, 0), the square of the rate is ẋ² by itself.
+//! which needs no root. On a line, r = (x, 0), the square of the rate is simply ẋ².
 
 use super::elaborator::Elaborator;
 use lagrange_algebra::calculus::{AccelerationTerms, Rates, substitute};

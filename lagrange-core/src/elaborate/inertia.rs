@@ -71,7 +71,7 @@ fn scalar_arguments(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[Ast
     scalars.into_iter().collect()
 }
 
-/// The scalars that give the size of a solid. What is wrong with them is reported once, although
+/// Returns the scalars that give the size of a solid. Mistakes in them are reported once, although
 /// the moment of inertia and the centre of mass of a body's shape have the same arguments.
 fn solid_dimensions(
     evaluator: &mut Evaluator<'_>,

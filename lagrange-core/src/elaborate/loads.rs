@@ -1,6 +1,6 @@
 //! Forces and torques as loads along velocities, by virtual work.
 //!
-//! A force F at a point p does work at the rate F·ṗ; its generalised force is ∂(F·ṗ)/∂v, so it acts
+//! A force F at a point p does work at the rate F·ṗ. Its generalised force is ∂(F·ṗ)/∂v, so it acts
 //! on the node ṗ itself and no Jacobian is formed.
 
 use proc_macro2::Span;

@@ -2,8 +2,8 @@
 //! the scalar holds them.
 //!
 //! A value without symbols that is not real is a mistake wherever it stands. A number that is too
-//! large for the scalar is one only where it is left in what is to be computed: `1e400 / 1e399` is
-//! ten.
+//! large for the scalar is one only if it remains in an expression to be computed: `1e400 / 1e399`
+//! is ten.
 
 use super::evaluator::Evaluator;
 use super::messages;

@@ -120,9 +120,9 @@ fn vector_of(elaborator: &mut Elaborator, what: &str, syntax: AstId, dimension: 
     }
 }
 
-/// Moments and products of inertia are those of a body if no principal moment exceeds the sum of
-/// the others, which also makes them positive: then the second moments ½ (tr J) 1 − J of the mass
-/// have no negative eigenvalue.
+/// Moments and products of inertia are physical if no principal moment exceeds the sum of the
+/// others, which also makes them positive. The second moments ½ (tr J) 1 − J of the mass then have
+/// no negative eigenvalue.
 fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId; 6]) {
     let components = tensor.map(|syntax| scalar(elaborator, syntax));
     let (graph, defaults) = (&elaborator.evaluator.graph, Defaults::of(elaborator));
@@ -145,8 +145,8 @@ fn tensor_is_physical(elaborator: &mut Elaborator, body: &Name, tensor: &[AstId;
 /// True if a body can have these moments and products of inertia, xx, yy, zz, xy, xz and yz, about
 /// its centre of mass.
 ///
-/// The second moments of its mass are then positive semidefinite, but for rounding: by the signs of
-/// the principal minors.
+/// The second moments of its mass are then positive semidefinite, except for rounding: by the signs
+/// of the principal minors.
 pub fn is_physical([xx, yy, zz, xy, xz, yz]: [f64; 6]) -> bool {
     let half = 0.5 * (xx + yy + zz);
     let [a, b, c] = [half - xx, half - yy, half - zz];

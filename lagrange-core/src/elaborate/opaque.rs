@@ -1,4 +1,4 @@
-//! Functions without a formula in a declaration: what they are called, and their calls.
+//! Functions without a formula in a declaration: their names, and their calls.
 
 use proc_macro2::Span;
 
@@ -36,8 +36,8 @@ pub(super) fn define(evaluator: &mut Evaluator<'_>, name: &Name, function: Optio
     }
 }
 
-/// Value of a call of such a function; `None` if there is none of that name, `Some(None)` if
-/// something is wrong with the call, which is reported.
+/// Returns the value of a call of such a function. `None` if there is none of that name,
+/// `Some(None)` if the call has a mistake, which is reported.
 pub(super) fn evaluate_callable(
     evaluator: &mut Evaluator<'_>,
     name: &Name,

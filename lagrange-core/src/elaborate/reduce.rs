@@ -1,14 +1,14 @@
 //! A model with coordinates frozen or small, from the model of the whole system.
 //!
-//! A frozen coordinate is replaced by its value, its rates by zero. In small coordinates the
-//! Lagrangian is expanded to second order, their velocities counted like themselves, which makes
-//! their equations of motion linear (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed.,
-//! §6.1, there about an equilibrium; here the other coordinates move on). So is dissipation, and of
-//! loads the power F·ṗ, so that forces on small coordinates are of first order. Expanding commutes
-//! with the rate of change, whence rates stay rates and sums of squares survive.
+//! A frozen coordinate is replaced by its value, its rates by zero. In small coordinates and their
+//! velocities together, the Lagrangian is expanded to second order, so their equations of motion
+//! become linear. See Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §6.1, there about
+//! an equilibrium; here the other coordinates move. Dissipation and the power F·ṗ of loads are
+//! expanded in the same way, so forces on small coordinates are of first order. Expansion commutes
+//! with the time derivative, so rates stay rates and sums of squares survive.
 //!
-//! The result moves to a graph of its own with coordinates numbered from zero, and from there it
-//! takes the ordinary way.
+//! The result moves to a separate graph with coordinates numbered from zero, and is then handled
+//! like any other model.
 
 use super::messages;
 use crate::model::{

@@ -1,7 +1,7 @@
 //! Statements on rigid bodies to what a model holds of them.
 //!
-//! [`lagrange_language::bodies`] says which expressions matter; here they are evaluated and
-//! differentiated by time, and only if a product that needs them is asked for. The equations of
+//! [`lagrange_language::bodies`] selects the important expressions. Here they are evaluated and
+//! differentiated by time, and only if a product that needs them is requested. The equations of
 //! motion know nothing of it.
 
 use super::elaborator::Elaborator;

@@ -1,10 +1,10 @@
 //! Energies whose momenta would jump.
 //!
-//! d/dt ∂L/∂v needs second derivatives of L by velocities. |v| alone has none where v vanishes, nor
-//! have `sign`, `min` and `max` where they switch; |v| v and |v|³ have. A product is continuous
-//! where one factor jumps and another vanishes there; that is looked for structurally, so that what
-//! only cancels between terms counts as a jump. An `if` is the user's own statement of branches and
-//! is not judged.
+//! d/dt ∂L/∂v needs second derivatives of L by velocities. |v| alone has none where v vanishes, and
+//! neither have `sign`, `min` and `max` where they switch; |v| v and |v|³ have. A product is
+//! continuous where one factor jumps and another vanishes there. This is determined from the
+//! structure: jumps that only cancel between terms count as jumps. An `if` is the user's own
+//! statement of branches and is not judged.
 
 use super::elaborator::Elaborator;
 use super::messages;

@@ -1,8 +1,8 @@
 //! Algebraic unknowns: values that equations define.
 //!
-//! While its equation is read the unknown is a symbol. Parts of the equation that do not hold it
-//! become the arguments of the function that it is, the largest ones each, so that they are
-//! computed once and not in every step of the iteration.
+//! While its equation is read the unknown is a symbol. The largest parts of the equation without
+//! the unknown become the arguments of its function. They are then computed once and not in every
+//! step of the iteration.
 
 use super::elaborator::Elaborator;
 use super::evaluator::Evaluator;

@@ -1,4 +1,4 @@
-//! The `stabilise` statement: how fast what is left of constraints decays.
+//! The `stabilise` statement: the rate at which residuals of constraints decay.
 //!
 //! Source: Baumgarte, "Stabilization of constraints and integrals of motion in dynamical systems",
 //! Computer Methods in Applied Mechanics and Engineering 1 (1972), with both gains from one rate,

@@ -1,10 +1,10 @@
 //! Bodies on which torques act that are declared on angles.
 //!
-//! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, that of a moment
-//! m on this body is the same; if it turns as one body does against another, θ̇ = ω₂ − ω₁, that of
-//! m on one and −m on the other. Where θ is the second angle of a double pendulum, measured from
-//! the first rod, the torque is that of a motor in the joint; measured from the vertical, it acts
-//! on the second rod alone. What fits in two ways says nothing.
+//! A torque m on an angle θ has the power m θ̇. If θ turns as a body does, θ̇ = ω, a moment m on
+//! this body has the same power. If it turns as one body does against another, θ̇ = ω₂ − ω₁, the
+//! moments m on one and −m on the other have it. If θ is the second angle of a double pendulum,
+//! measured from the first rod, the torque is that of a motor in the joint. Measured from the
+//! vertical, it acts on the second rod alone. A torque that fits in two ways is not attributed.
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;

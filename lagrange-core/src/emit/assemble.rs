@@ -36,7 +36,7 @@ use lagrange_expr::diagnostics::Report;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::Declaration;
 
-/// The items of a derived system; `None` if it cannot be written, which is reported.
+/// Writes the items of a derived system; `None` if it cannot be written, which is reported.
 ///
 /// `statements` are the plain statements, if others stand for rigid bodies; `krate` is the path of
 /// the crate `lagrange` where the items will stand.
@@ -56,8 +56,8 @@ pub fn system(
     Some(items)
 }
 
-/// The equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none, which
-/// is reported.
+/// Writes the equations of motion as C, as `emit { kernel }` keeps them; `None` if there are none,
+/// which is reported.
 pub fn kernel(
     (declaration, model, equations): (&Declaration, &Model, &Equations),
     precision: Precision,

@@ -6,9 +6,10 @@ use quote::{quote, quote_spanned};
 use super::base::attributes::{NOTICE, UNUSED, conditions, expectations, of_warnings};
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Severity};
 
-/// `compile_error!` for errors, variables that are not used for names that are not, and something
-/// deprecated for what takes long to compile or is doubtful: a stable macro cannot report anything
-/// else. Each mistake is one error; related places stand in its text.
+/// Writes diagnostics, although a stable macro can report only warnings of the compiler. Errors are
+/// therefore `compile_error!`, unused names are unused variables, and slow compilation or doubtful
+/// declarations are uses of a deprecated item. Each mistake is one error; related places stand in
+/// its text.
 ///
 /// `attributes` are those of the struct: their conditions hold here, too, and so do their lint
 /// levels.
@@ -81,7 +82,7 @@ fn error(diagnostic: &Diagnostic, attributes: &TokenStream) -> TokenStream {
     quote!(#conditions #error)
 }
 
-/// The error covers everything from the first to the last token of its origin: the compiler takes
+/// The error covers everything from the first to the last token of its origin. The compiler takes
 /// the span of the invocation from its first and last tokens.
 fn compile_error(origin: Origin, message: &str) -> TokenStream {
     let start = quote_spanned!(origin.start=> ::core::compile_error!);

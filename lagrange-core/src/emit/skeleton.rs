@@ -34,8 +34,9 @@ const TAKEN: [&str; 10] = [
 
 const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 
-/// The items of a system that could not be derived: the same types and methods, so that the code
-/// that uses them causes no errors of its own. They are never run, since the mistakes are errors.
+/// Returns the items of a system that could not be derived. They have the same types and methods,
+/// so that the code that uses them causes no further errors. They never run, since the mistakes are
+/// errors.
 pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
     let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons_of_reduced(declaration, krate));
     quote!(#system #reduced)

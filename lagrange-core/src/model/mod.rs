@@ -27,7 +27,7 @@ pub struct Model {
     pub coordinates: Vec<Coordinate>,
     /// Generalised velocities in state order, one for each freedom.
     pub speeds: Vec<Speed>,
-    /// Orientations that unit quaternions say.
+    /// Orientations in unit quaternions.
     pub orientations: Vec<Orientation>,
     /// The energies as declared.
     pub energies: Energies,
@@ -41,8 +41,7 @@ pub struct Model {
     pub loads: Vec<Load>,
     /// Constraints on coordinates and velocities, in declaration order.
     pub constraints: Vec<Constraint>,
-    /// Names of constraints of joints that are left out, since the coordinates fulfil them by
-    /// themselves.
+    /// Names of constraints of joints that are omitted, since the coordinates satisfy them.
     pub implied: Vec<String>,
     /// The rate κ at which constraints are stabilised: c̈ + 2 κ ċ + κ² c = 0; constant in motion.
     pub stabilisation: Option<ExprId>,
@@ -52,15 +51,15 @@ pub struct Model {
     pub reactions: Vec<Reaction>,
     /// Declared outputs.
     pub outputs: Vec<Output>,
-    /// Rigid bodies, as far as they are asked for.
+    /// Rigid bodies, as far as requested.
     pub scene: Scene,
-    /// Velocities that are known to be rates, with what they are rates of: `(u, x)` with u = dx/dt.
+    /// Velocities that are known to be rates, with their variables: `(u, x)` with u = dx/dt.
     pub rates: Vec<(ExprId, ExprId)>,
     /// The user's names for expressions, in the order of preference.
     pub labels: Vec<(ExprId, String)>,
     /// Units of parameters, inputs, coordinates, velocities and outputs, as far as they are known.
     pub units: NamedUnits,
-    /// The level of accuracy that was asked for.
+    /// The requested level of accuracy.
     pub accuracy: Accuracy,
     /// The products to emit, in the order of [`Product::ALL`].
     pub products: Vec<Product>,
@@ -231,7 +230,7 @@ pub struct Event {
 pub enum Action {
     /// The motion ends.
     Stop,
-    /// It goes on.
+    /// The run continues.
     Record,
     /// Bodies touch: the contact with this index among [`Model::reactions`].
     Impact(u32),
@@ -242,7 +241,7 @@ pub enum Action {
 /// An entry of the state and its value after an event.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
-    /// Its index in [q…, v…], of which q are as many as there are positions.
+    /// Its index in [q…, v…], where q has one entry for each position.
     pub index: usize,
     /// A function of t, q and v before the event.
     pub value: ExprId,
@@ -296,7 +295,7 @@ impl ReactionKind {
 }
 
 impl Model {
-    /// The generalised velocities in state order.
+    /// Returns the generalised velocities in state order.
     pub fn velocities(&self) -> Vec<ExprId> {
         self.speeds.iter().map(|speed| speed.velocity).collect()
     }
@@ -308,7 +307,7 @@ impl Model {
         unknowns
     }
 
-    /// The multipliers in the order of the constraints.
+    /// Returns the multipliers in the order of the constraints.
     pub fn multipliers(&self) -> Vec<ExprId> {
         self.constraints.iter().map(|constraint| constraint.multiplier).collect()
     }
@@ -319,12 +318,12 @@ impl Model {
         speed.coordinate.map_or(&speed.name, |coordinate| &self.coordinates[coordinate].name)
     }
 
-    /// The rates of the positions, functions of positions and velocities.
+    /// Returns the rates of the positions, functions of positions and velocities.
     pub fn position_rates(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
     }
 
-    /// The first-order states in their order.
+    /// Returns the first-order states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Coordinate> {
         self.coordinates.iter().filter(|coordinate| coordinate.is_state)
     }
@@ -334,7 +333,7 @@ impl Model {
         self.orientations.is_empty() && self.states().next().is_none()
     }
 
-    /// The positions in state order.
+    /// Returns the positions in state order.
     pub fn positions(&self) -> Vec<ExprId> {
         self.coordinates.iter().map(|coordinate| coordinate.position).collect()
     }

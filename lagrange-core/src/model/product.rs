@@ -113,7 +113,7 @@ pub struct ProductRow {
     pub name: &'static str,
     /// When it is emitted.
     pub when: Availability,
-    /// Its method; `None` for constants and for what is emitted of bodies.
+    /// Its method; `None` for constants and for products of bodies.
     pub method: Option<ProductMethod>,
 }
 
@@ -337,12 +337,12 @@ impl Product {
         &ROWS[self as usize]
     }
 
-    /// The product of that name in `emit { … }`.
+    /// Returns the product of this name in `emit { … }`.
     pub fn by_name(name: &str) -> Option<Product> {
         Product::ALL.into_iter().find(|product| product.name() == name)
     }
 
-    /// Its name in `emit { … }`.
+    /// Returns its name in `emit { … }`.
     pub fn name(self) -> &'static str {
         self.row().name
     }
@@ -352,7 +352,7 @@ impl Product {
         self.row().when == Availability::Constraints
     }
 
-    /// True of derivatives of the right-hand side.
+    /// True for derivatives of the right-hand side.
     pub fn is_derivative(self) -> bool {
         matches!(self, Product::Jacobian | Product::TangentJacobian | Product::ParameterJacobian)
     }
@@ -362,7 +362,8 @@ impl Product {
         self.row().when == Availability::Bodies
     }
 
-    /// End of the name of the method that it has for each body, which begins with that of the body.
+    /// Returns the end of the name of its method for each body, which begins with the name of the
+    /// body.
     pub fn method_suffix(self) -> Option<&'static str> {
         match self {
             Product::Motion => Some("_motion"),

@@ -4,7 +4,7 @@ use lagrange_expr::expr::ExprId;
 use lagrange_language::bodies::DrawnKind;
 use lagrange_language::syntax::ast::Name;
 
-/// Rigid bodies, as far as they are asked for.
+/// Rigid bodies, as far as requested.
 #[derive(Clone, Default, Debug)]
 pub struct Scene {
     /// Motions of bodies, in the order of their declaration.
@@ -29,7 +29,7 @@ pub struct BodyMotion {
 }
 
 impl BodyMotion {
-    /// Number of values that tell how a body moves in the plane, and in space.
+    /// Number of values that describe the motion of a body in the plane, and in space.
     pub const VALUES: [usize; 2] = [13, 37];
 
     /// The centre of mass in the plane.
@@ -53,7 +53,7 @@ pub struct LinkPose {
 }
 
 impl LinkPose {
-    /// Number of values that tell where a frame is.
+    /// Number of values that give the place of a frame.
     pub const VALUES: usize = 12;
 }
 
@@ -71,7 +71,7 @@ pub struct LinkTwist {
 pub struct DrawnItem {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// Its numbers in the order that its kind says; vectors take two places, in space three.
+    /// Its numbers in the order of its kind; vectors take two places, in space three.
     pub values: Vec<ExprId>,
     /// The shape, if it is a body.
     pub parts: Vec<OutlinedPart>,

@@ -193,7 +193,7 @@ impl NumericSystem {
             .chain(self.callables.programs())
     }
 
-    /// The number of velocities.
+    /// Returns the number of velocities.
     pub fn degrees_of_freedom(&self) -> usize {
         self.size[1]
     }
@@ -221,7 +221,7 @@ impl NumericSystem {
         run_with(program, value_of, |function, arguments| self.callables.call(function, arguments))
     }
 
-    /// q̈
+    /// Computes q̈.
     pub fn acceleration(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
         match self.straight_way(at) {
@@ -233,7 +233,7 @@ impl NumericSystem {
         }
     }
 
-    /// The multipliers in the order of the constraints.
+    /// Computes the multipliers in the order of the constraints.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
         match self.trusted(&self.multipliers, at) {
@@ -264,9 +264,9 @@ impl NumericSystem {
         [found, growth]
     }
 
-    /// Accelerations and multipliers from the undivided equations; by elimination all the same
-    /// where there are none, and where these have no solution although no pivot was to vanish: some
-    /// accelerations may be finite.
+    /// Computes accelerations and multipliers from the undivided equations. Without such equations,
+    /// they follow from elimination all the same. So they do where the equations have no solution
+    /// although no pivot was to vanish: some accelerations may be finite.
     fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
         let (n, values) = (self.size[1], self.run(&self.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
@@ -282,7 +282,7 @@ impl NumericSystem {
         [motion, multipliers]
     }
 
-    /// ẏ = [q̇, v̇] for y = [q, v].
+    /// Computes ẏ = [q̇, v̇] for y = [q, v].
     pub fn rhs(&self, t: f64, y: &[f64]) -> Vec<f64> {
         let (q, v) = y.split_at(self.size[0].min(y.len()));
         let mut rate = self.run(&self.position_rates, Instant { t, q, v, a: &[], multipliers: &[] });
@@ -290,23 +290,23 @@ impl NumericSystem {
         rate
     }
 
-    /// A product at a state: one value for an energy, one per coordinate for a vector, rows one
-    /// after the other for a matrix. Of Jacobians only the rows of the accelerations. `None` if it
-    /// was not derived.
+    /// Computes a product at a state: one value for an energy, one per coordinate for a vector,
+    /// rows one after the other for a matrix. Jacobians have only the rows of the accelerations.
+    /// `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
         let multipliers = self.multipliers(t, q, v);
         Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &multipliers }))
     }
 
-    /// The generalised forces that must act beside the declared ones to produce accelerations.
-    /// `None` if they were not derived.
+    /// Computes the generalised forces that must act in addition to the declared ones to produce
+    /// accelerations. `None` if they were not derived.
     pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.products.iter().find(|(known, _)| *known == Product::InverseDynamics)?;
         Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))
     }
 
-    /// The components of a declared output; `None` if there is none of that name.
+    /// Computes the components of a declared output; `None` if there is none of that name.
     pub fn output(&self, name: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (_, program) = self.outputs.iter().find(|(known, _)| known == name)?;
         let (a, multipliers) = (self.acceleration(t, q, v), self.multipliers(t, q, v));

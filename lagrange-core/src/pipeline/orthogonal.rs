@@ -1,6 +1,6 @@
-//! Orthogonal factors of matrices of any size that may lack full rank, as `linalg::orthogonal` of
-//! `lagrange-runtime` has them for sizes known at compile time: Householder reflections with
-//! exchange of columns. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Orthogonal factors of matrices of any size that may lack full rank: Householder reflections with
+//! exchange of columns. `linalg::orthogonal` of `lagrange-runtime` has them for sizes known at
+//! compile time. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 /// A column is taken before others with at most this relative excess of remaining length, so that
 /// rounding does not choose between equals.
@@ -9,8 +9,8 @@ const PRECEDENCE: f64 = 0.125;
 /// The factors Q and R of a matrix, in the order in which its columns were taken.
 #[derive(Debug)]
 pub(super) struct OrthogonalFactors {
-    /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with
-    /// I − u uᵀ from there on.
+    /// Column taken k-th: R above row k and, if k is below the rank, the reflection u with I − u uᵀ
+    /// from there on.
     columns: Vec<Vec<f64>>,
     /// The diagonal of R.
     diagonal: Vec<f64>,
@@ -85,7 +85,7 @@ impl OrthogonalFactors {
     }
 
     /// Returns the shortest x for which the columns, in the amounts x / `scales`, add up to a
-    /// vector with these components in the directions of the independent columns.
+    /// vector. The vector has these components in the directions of the independent columns.
     pub(super) fn shortest_amounts(&self, components: &[f64], scales: &[f64]) -> Vec<f64> {
         let row = |k: usize| {
             let mut row = vec![0.0; scales.len()];

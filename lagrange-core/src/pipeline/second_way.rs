@@ -1,10 +1,10 @@
-//! Motion where elimination in a fixed order fails: constraints depend on each other or make up for
-//! a mass that is zero, or a pivot of an indefinite mass matrix vanishes.
+//! Motion where elimination in a fixed order fails. Constraints depend on each other or compensate
+//! for a zero mass, or a pivot of an indefinite mass matrix vanishes.
 //!
 //! The rule is that of emitted code (`constraint::redundant_motion` and
-//! `constraint::indefinite_motion` of `lagrange-runtime`), for sizes known at run time: M a = f +
-//! Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers that give
-//! the same motion, those with the smallest sum of squares are taken.
+//! `constraint::indefinite_motion` of `lagrange-runtime`), for sizes known at run time. It solves M
+//! a = f + Aᵀλ and A a + b = 0 by orthogonal factors of the scaled gradients. Of all multipliers
+//! that give the same motion, those with the smallest sum of squares are taken.
 
 use super::orthogonal::{OrthogonalFactors, length, reciprocal};
 

@@ -61,12 +61,12 @@ pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
 }
 
 impl System {
-    /// The statements, one on each line; those about rigid bodies in plain words.
+    /// Writes the statements, one on each line, with those about rigid bodies as plain statements.
     pub fn statements(&self) -> String {
         emit::statements(&self.declaration)
     }
 
-    /// Returns the number by which emitted types tell declarations apart, `FINGERPRINT`. Layout,
+    /// Returns the number by which emitted types distinguish declarations, `FINGERPRINT`. Layout,
     /// comments and pictures do not change it.
     pub fn fingerprint(&self) -> u64 {
         emit::fingerprint(&self.declaration)
@@ -87,7 +87,7 @@ impl System {
 }
 
 impl Derived {
-    /// The emitted items. `krate` is the path of the crate `lagrange` where they will stand.
+    /// Writes the emitted items. `krate` is the path of the crate `lagrange` where they will stand.
     ///
     /// # Errors
     /// If a constant is too large for the scalar.
@@ -96,7 +96,7 @@ impl Derived {
         items_of((&declaration, &mut model, &equations), reduced, krate, &mut report).ok_or(report)
     }
 
-    /// The equations of motion as C, as `emit { kernel }` keeps them.
+    /// Writes the equations of motion as C, as `emit { kernel }` keeps them.
     ///
     /// # Errors
     /// If the system has what a kernel does not go with, or a constant is too large for the
@@ -107,14 +107,14 @@ impl Derived {
         text.ok_or(report)
     }
 
-    /// The equations, the structure and the cost of the system in lines of Markdown, as they stand
-    /// in the documentation of the emitted struct.
+    /// Writes the equations, the structure and the cost of the system in lines of Markdown, as they
+    /// stand in the documentation of the emitted struct.
     pub fn documentation(&mut self) -> Vec<String> {
         emit::documentation(&mut self.model, &self.equations)
     }
 
-    /// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that
-    /// keep them short; nothing if M is large and was not asked for.
+    /// Returns M q̈ = f in LaTeX, one line for each coordinate. Definitions of abbreviations that
+    /// keep the lines short come first. The result is empty if M is large and was not requested.
     pub fn equations_latex(&mut self) -> String {
         emit::equations_latex(&mut self.model, &self.equations)
     }

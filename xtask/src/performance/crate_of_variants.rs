@@ -1,4 +1,4 @@
-//! A crate with the accelerations of chains in several variants, and what it measures.
+//! A crate with the accelerations of chains in several variants, and its measurements.
 
 use std::fmt::Write;
 use std::fs;

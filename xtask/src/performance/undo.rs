@@ -1,4 +1,4 @@
-//! Passes that undo what lowering and other passes have done, to show what it was worth.
+//! Passes that undo the work of lowering and other passes, to measure its value.
 
 use lagrange_core::number::Number;
 use lagrange_core::program::{Builder, Op, Program, ValueId, ValueTable};

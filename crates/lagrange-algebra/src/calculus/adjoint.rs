@@ -6,14 +6,14 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// ∂root/∂x for every x of `variables`.
+/// Returns ∂root/∂x for every x of `variables`.
 pub fn gradient(graph: &mut Graph, root: ExprId, variables: &[ExprId]) -> Vec<ExprId> {
     let one = graph.number(1);
     adjoint(graph, &[(root, one)], variables)
 }
 
-/// Σ weight · ∂root/∂x over the `(root, weight)` pairs of `seeds`, for every x of `variables`. The
-/// weights are not differentiated.
+/// Returns Σ weight · ∂root/∂x over the `(root, weight)` pairs of `seeds`, for every x of
+/// `variables`. The weights are not differentiated.
 pub fn adjoint(graph: &mut Graph, seeds: &[(ExprId, ExprId)], variables: &[ExprId]) -> Vec<ExprId> {
     sweep(graph, seeds, variables, |_, _, _| {})
 }

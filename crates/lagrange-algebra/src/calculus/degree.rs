@@ -44,7 +44,7 @@ impl Degrees {
         Degrees { excluded, ..self }
     }
 
-    /// Finds the degree of everything `roots` are made of.
+    /// Finds the degree of all parts of `roots`.
     pub fn classify(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable_until(roots, |id| self.known.contains(&id)) {
             if !self.known.contains(&id) {
@@ -54,7 +54,7 @@ impl Degrees {
         }
     }
 
-    /// The degree of an expression that has been classified; free ones need not have been.
+    /// Returns the degree of an expression that has been classified; free ones need not have been.
     pub fn of(&self, graph: &Graph, id: ExprId) -> Degree {
         if !graph.dependencies(id).intersects(self.kinds) {
             return Degree::Free;
@@ -96,8 +96,9 @@ impl Degrees {
     }
 }
 
-/// The degree in which an expression is homogeneous in the velocities, that is k if it becomes sᵏ
-/// times itself when all velocities are multiplied by s; `None` if it is not, or not plainly so.
+/// Returns the degree k in which an expression is homogeneous in the velocities. It becomes sᵏ
+/// times itself when all velocities are multiplied by s. `None` if it is not homogeneous, or not
+/// plainly so.
 pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();
     for id in graph.reachable_until(&[root], |id| !depends_on_velocities(graph, id)) {
@@ -124,8 +125,8 @@ pub fn homogeneity(graph: &Graph, root: ExprId) -> Option<i64> {
     known.get(&root).copied().flatten()
 }
 
-/// The degree of an expression as a polynomial in symbols of these kinds; `None` if it is none, or
-/// not plainly one.
+/// Returns the degree of an expression as a polynomial in symbols of these kinds; `None` if it is
+/// not a polynomial, or not plainly one.
 pub fn polynomial_degree(graph: &Graph, root: ExprId, kinds: Dependencies) -> Option<i64> {
     let is_free = |id: ExprId| !graph.dependencies(id).intersects(kinds);
     let mut known: HashMap<ExprId, Option<i64>> = HashMap::default();

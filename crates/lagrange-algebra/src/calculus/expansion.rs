@@ -1,14 +1,14 @@
 //! Taylor polynomials of degree two, jointly in several symbols.
 //!
-//! Every expression is carried as its value at the point of expansion and its parts of first and of
-//! second degree in the deviations from there, which the chain rule propagates from operands to
-//! results (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed.,
-//! chapter 13). All other symbols stay what they are, so that the result is exact in them. With
-//! nothing but held symbols this is substitution.
+//! Every expression is carried as its value at the point of expansion and its parts of first and
+//! second degree in the deviations. The chain rule propagates them from operands to results
+//! (truncated power series; Griewank and Walther, *Evaluating Derivatives*, 2nd ed., chapter 13).
+//! All other symbols are kept, so that the result is exact in them. With nothing but held symbols
+//! this is substitution.
 //!
-//! An expression has no expansion where it is undefined at the point or jumps there. Where it has a
-//! kink, the expansion is known to a lower order only, and to a higher one again behind what
-//! vanishes there: |v| to order 0,
+//! An expression has no expansion where it is undefined at the point or jumps there. At a kink, the
+//! expansion is known to a lower order only. It is known to a higher order again behind a factor
+//! that vanishes there: |v| to order 0,
 //! |v| v to order 1, |v|³ to order 2.
 
 use crate::calculus::{partials, rebuild, second_partials};
@@ -46,17 +46,17 @@ impl Series {
         Series { parts, closed: graph.total(parts), order, varies: true }
     }
 
-    /// The degree of the polynomial.
+    /// Returns the degree of the polynomial.
     pub fn degree(&self, graph: &Graph) -> usize {
         (1..=HIGHEST).rev().find(|&degree| !graph.is_zero(self.parts[degree])).unwrap_or(0)
     }
 
-    /// The lowest degree in which the expression need not vanish.
+    /// Returns the lowest degree in which the expression need not vanish.
     pub fn valuation(&self, graph: &Graph) -> usize {
         (0..=self.order).find(|&degree| !vanishes(graph, self.parts[degree])).unwrap_or(self.order + 1)
     }
 
-    /// The parts up to a degree.
+    /// Returns the parts up to a degree.
     pub fn up_to(&self, graph: &mut Graph, degree: usize) -> ExprId {
         match self.degree(graph) <= degree {
             true => self.closed,
@@ -99,7 +99,7 @@ impl Expansion {
         self.deviations.insert(symbol, graph.subtract(symbol, value));
     }
 
-    /// The expansion of an expression, if it has one to an order of at most two.
+    /// Returns the expansion of an expression, if it has one to an order of at most two.
     pub fn of(&mut self, graph: &mut Graph, root: ExprId, order: usize) -> Option<Series> {
         self.value(graph, root);
         for id in graph.reachable_until(&[root], |id| self.series.contains(&id)) {

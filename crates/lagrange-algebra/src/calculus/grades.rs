@@ -14,7 +14,8 @@ use lagrange_expr::number::Number;
 pub struct Grades(HashMap<ExprId, Number>);
 
 impl Grades {
-    /// Grades of everything that `roots` are made of; none if all symbols have the grade zero.
+    /// Computes the grades of all parts of `roots`; there are none if all symbols have the grade
+    /// zero.
     pub fn of(graph: &Graph, roots: &[ExprId]) -> Grades {
         let mut grades = Grades::default();
         if graph.is_graded() {
@@ -23,12 +24,12 @@ impl Grades {
         grades
     }
 
-    /// The grade of an expression that has been looked at; zero of others.
+    /// Returns the grade of an expression that has been visited; zero for others.
     pub fn grade(&self, id: ExprId) -> Number {
         self.0.get(&id).cloned().unwrap_or(Number::ZERO)
     }
 
-    /// Looks at everything that other expressions are made of, too.
+    /// Adds the grades of all parts of other expressions.
     pub fn extend(&mut self, graph: &Graph, roots: &[ExprId]) {
         for id in graph.reachable_until(roots, |id| self.0.contains(&id)) {
             if !self.0.contains(&id) {

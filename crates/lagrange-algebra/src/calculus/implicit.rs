@@ -1,8 +1,7 @@
 //! Derivatives of algebraic unknowns.
 //!
-//! Where 0 = r(x₁, …, y), the solution y(x₁, …) has the derivatives ∂y/∂xᵢ = −(∂r/∂xᵢ)/(∂r/∂y).
-//! Each of them is a formula in the arguments and y, whence second derivatives follow by the chain
-//! rule.
+//! The solution y(x₁, …) of 0 = r(x₁, …, y) has the derivatives ∂y/∂xᵢ = −(∂r/∂xᵢ)/(∂r/∂y). Each of
+//! them is a formula in the arguments and y, so second derivatives follow by the chain rule.
 
 use crate::calculus::{partial, substitute};
 use lagrange_expr::collections::HashMap;

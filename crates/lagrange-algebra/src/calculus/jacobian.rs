@@ -8,12 +8,12 @@ use lagrange_expr::number::Number;
 /// Derivatives of nodes by their operands, each found once.
 type Slopes = HashMap<ExprId, Vec<(ExprId, ExprId)>>;
 
-/// ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which are
-/// symbols.
+/// Returns ∂root/∂x in rows, one for each of `roots` with an entry for each of `variables`, which
+/// are symbols.
 ///
-/// One sweep for each variable visits what depends on it. What all the sweeps need is shared: the
-/// derivatives of nodes by their operands. A choice is differentiated branch by branch, so that
-/// what is undefined in a branch that is not taken does no harm.
+/// One sweep for each variable visits the nodes that depend on it. The sweeps share the derivatives
+/// of nodes by their operands. A choice is differentiated branch by branch, so that undefined
+/// values of the other branch do no harm.
 pub fn jacobian(graph: &mut Graph, roots: &[ExprId], variables: &[ExprId]) -> Vec<Vec<ExprId>> {
     let nodes = graph.reachable(roots);
     let mut slopes = Slopes::default();

@@ -7,8 +7,8 @@ use lagrange_expr::functions;
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// `(operand, ∂node/∂operand)` for every operand with a derivative, each operand once; conditions
-/// have none.
+/// Returns `(operand, ∂node/∂operand)` for every operand with a derivative, each operand once;
+/// conditions have none.
 pub fn partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     let edges = edges(graph, id);
     let mut slopes: OrderedMap<ExprId, ExprId> = OrderedMap::default();
@@ -49,9 +49,9 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
     }
 }
 
-/// `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered pair of
-/// places occurs once; where the same operand stands in two places, that pair counts twice, so that
-/// the entries with this operand add up to its second derivative.
+/// Returns `(operand, operand, ∂²node/∂operand∂operand)` without vanishing ones. Each unordered
+/// pair of places occurs once. If the same operand stands in two places, their pair counts twice,
+/// so that the entries with this operand add up to its second derivative.
 pub fn second_partials(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId, ExprId)> {
     let mut found = pairs_of_places(graph, id);
     for (places, (i, j, second)) in &mut found {

@@ -5,7 +5,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
-/// ∂root/∂symbol, memoised over the graph: the cost is proportional to what `root` is made of.
+/// Computes ∂root/∂symbol, memoised over the graph: the cost is proportional to the size of `root`.
 pub fn partial(graph: &mut Graph, root: ExprId, symbol: ExprId) -> ExprId {
     let mut derivative: HashMap<ExprId, ExprId> = HashMap::default();
     let one = graph.number(1);

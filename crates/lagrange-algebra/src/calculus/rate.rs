@@ -17,9 +17,9 @@ pub enum AccelerationTerms {
 
 /// Total time derivatives of expressions, each computed once.
 ///
-/// Coordinates change with their velocities, positions in general as the graph says, and time with
-/// rate one. Parameters do not change; neither do inputs, whose rates are unknown: a caller to whom
-/// that matters must look for them first.
+/// Coordinates change with their velocities, positions in general as the graph defines, and time
+/// with rate one. Parameters do not change; neither do inputs, whose rates are unknown: a caller to
+/// whom that matters must look for them first.
 #[derive(Debug)]
 pub struct Rates {
     accelerations: AccelerationTerms,
@@ -27,7 +27,7 @@ pub struct Rates {
 }
 
 impl Rates {
-    /// Nothing derived yet.
+    /// Creates rates with nothing derived yet.
     pub fn new(accelerations: AccelerationTerms) -> Rates {
         Rates { accelerations, known: HashMap::default() }
     }
@@ -37,7 +37,7 @@ impl Rates {
         self.known.insert(id, rate);
     }
 
-    /// d/dt of an expression.
+    /// Returns d/dt of an expression.
     pub fn of(&mut self, graph: &mut Graph, root: ExprId) -> ExprId {
         let mut pending = vec![root];
         while let Some(&id) = pending.last() {

@@ -5,10 +5,11 @@ use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Function, Graph, Node};
 use lagrange_expr::functions;
 use lagrange_expr::number::Number;
 
-/// Bound of what rounding leaves of an equation where it is solved, in units of the rounding of one
-/// operation: Σ |n ∂r/∂n| over the value and all that is computed of it on the way to r (Higham, *Accuracy
-/// and Stability of Numerical Algorithms*, 2nd ed., §3.3 and chapter 25). The polynomial of a table
-/// is computed of a value at a knot and of the distance from there, each rounded, too.
+/// Bounds the rounding error of an equation at its solution, in units of the rounding of one
+/// operation. The bound is Σ |n ∂r/∂n| over the value and all that is computed from it on the way
+/// to r. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and chapter 25.
+/// The polynomial of a table is computed from a value at a knot and the distance from there, each
+/// of which is rounded, too.
 pub fn rounding(graph: &mut Graph, unknown: &AlgebraicUnknown) -> ExprId {
     let (root, one) = (unknown.residual, graph.number(1));
     let mut shares = Vec::new();

@@ -4,12 +4,12 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::functions::apply;
 
-/// `root` with every expression that `replacements` knows replaced, all at once.
+/// Replaces every expression in `root` that `replacements` contains, all at once.
 pub fn substitute(graph: &mut Graph, root: ExprId, replacements: &HashMap<ExprId, ExprId>) -> ExprId {
     substitute_all(graph, &[root], replacements)[0]
 }
 
-/// Substitution in several roots, each shared part once.
+/// Replaces expressions in several roots, each shared part once.
 pub fn substitute_all(
     graph: &mut Graph,
     roots: &[ExprId],
@@ -26,7 +26,7 @@ pub fn substitute_all(
     roots.iter().map(|root| image.get(root).copied().unwrap_or(*root)).collect()
 }
 
-/// The node with every operand mapped, made by the constructors.
+/// Rebuilds a node with every operand mapped, by the constructors.
 pub fn rebuild(graph: &mut Graph, id: ExprId, map: impl Fn(ExprId) -> ExprId) -> ExprId {
     let node = graph.node(id).clone();
     if matches!(node, Node::Number(_) | Node::Pi) {

@@ -1,13 +1,13 @@
-//! Copies of expressions in a graph of their own.
+//! Copies of expressions in a separate graph.
 
 use crate::calculus::substitute::construct;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph, Node};
 use lagrange_expr::symbol::Role;
 
-/// A new graph with everything that `roots` are made of, and where each expression is there. No
-/// rates of positions are set in it. Symbols keep their names and get the roles that `role` gives
-/// them, which must be as many as before.
+/// Creates a new graph with the parts of `roots`, and returns the place of each expression there.
+/// No rates of positions are set in it. Symbols keep their names and get the roles from `role`,
+/// whose number must be unchanged.
 pub fn transplant(
     source: &Graph,
     roots: &[ExprId],

@@ -16,8 +16,8 @@ pub enum Scalar {
     F32,
     /// A type parameter bounded by `Scalar`; literals are converted from `f64`.
     Generic(Ident),
-    /// A type parameter bounded by `Number`, which may be several numbers side by side: choices
-    /// compute both of their values and select. Literals are converted from `f64`.
+    /// A type parameter bounded by `Number`, which may be several numbers in lanes: choices compute
+    /// both of their values and select. Literals are converted from `f64`.
     SideBySide {
         /// The type parameter.
         number: Ident,

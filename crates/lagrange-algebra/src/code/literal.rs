@@ -57,7 +57,7 @@ impl Constant<'_> {
     }
 }
 
-/// A number as it stands in code of any scalar, NaN included.
+/// Writes a number as it stands in code of any scalar, including NaN.
 pub fn float(value: f64) -> TokenStream {
     if value.is_nan() {
         return quote!(::core::primitive::f64::NAN);
@@ -73,8 +73,8 @@ pub(super) fn literal(text: &str) -> Literal {
 
 /// The `f32` nearest to an exact number.
 ///
-/// Rounding to `f64` first goes wrong only where that result lies exactly halfway between two `f32`
-/// while the number itself does not; there the number decides.
+/// Rounding to `f64` first is wrong only where that result lies exactly halfway between two `f32`
+/// and the number itself does not. There the number decides.
 fn nearest_single(number: &Number) -> f32 {
     let double = number.to_f64();
     let single = double as f32;

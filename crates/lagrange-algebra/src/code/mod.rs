@@ -1,13 +1,12 @@
 //! Programs as the body of a function: of Rust, and by [`statements`] of C.
 //!
-//! The statements read like code written by hand: what has a name or is used several times becomes
-//! a `let`, everything else is written where it is used, up to a bounded length. Names are the
-//! labels of the program where it has any, and otherwise say what a value is made of (`sin_theta`,
-//! `x_dot_sq`, `m_l`) or what it changes with: `const_0` with nothing but parameters, `pos_0` with
-//! time and coordinates, `vel_0` with velocities.
+//! The statements read like handwritten code. A value with a name, or with several uses, becomes a
+//! `let`; all others are written where they are used, up to a bounded length. Names are the labels
+//! of the program where it has any. Otherwise they list the factors of a value: `sin_theta`,
+//! `x_dot_sq`, `m_l`. If these are too many, they give its dependencies: `const_0` for nothing but
+//! parameters, `pos_0` for time and coordinates, `vel_0` for velocities.
 //!
-//! Elementary functions are called by their bare names; a body says which of them it needs in
-//! scope.
+//! Elementary functions are called by their bare names; a body lists those that it needs in scope.
 
 mod body;
 mod c;

@@ -23,7 +23,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Nothing given out yet; `reserved` never will be.
+    /// Creates names of which none is used yet; `reserved` ones never will be.
     pub fn new<'a>(reserved: impl IntoIterator<Item = &'a str>) -> Names {
         let taken = reserved.into_iter().map(ToOwned::to_owned).collect();
         Names { taken, ..Names::default() }
@@ -39,16 +39,16 @@ impl Names {
         self.callees.insert(name.to_owned(), span);
     }
 
-    /// A function of the user's crate. Unlike variables it is looked up where the user names it, or
-    /// the function that it is a derivative of.
+    /// Returns the name of a function of the user's crate. Unlike variables it is looked up where
+    /// the user names it, or the function that it is a derivative of.
     pub fn callee(&self, function: &Opaque) -> Ident {
         let name = function.rust_name();
         let place = self.callees.get(&name).or_else(|| self.callees.get(&function.function().name));
         Ident::new(&name, place.copied().unwrap_or_else(Span::call_site))
     }
 
-    /// The variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for the
-    /// rates of `x`, `t` for time. Where that is taken, underscores are appended.
+    /// Returns the variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for
+    /// the rates of `x`, `t` for time. Where that is taken, underscores are appended.
     pub fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
         if let Some(known) = self.roles.get(&role) {
             return known.clone();
@@ -66,20 +66,20 @@ impl Names {
         ident
     }
 
-    /// Gives a symbol that has no name of its own a variable called `wish`, or like it where that
-    /// is taken.
+    /// Gives a symbol without a separate name a variable called `wish`, or like it if that is
+    /// taken.
     pub fn assign(&mut self, role: Role, wish: &str) {
         let ident = self.fresh(wish);
         self.roles.insert(role, ident);
     }
 
-    /// A new variable called `wish`, or `wish_2`, `wish_3` … where that is taken.
+    /// Makes a new variable called `wish`, or `wish_2`, `wish_3` … if that is taken.
     pub fn fresh(&mut self, wish: &str) -> Ident {
         let wish = sanitise(wish);
         if self.taken.contains(&wish) { self.count_up(&wish, 2) } else { self.take(wish) }
     }
 
-    /// A new variable called `stem_0`, `stem_1` …
+    /// Makes a new variable called `stem_0`, `stem_1` …
     pub fn numbered(&mut self, stem: &str) -> Ident {
         self.count_up(stem, 0)
     }
@@ -118,8 +118,8 @@ fn sanitise(name: &str) -> String {
     name
 }
 
-/// True if a name is spelt like a constant or a unit struct: with one of them in scope, the
-/// variable of that name would be taken for it, since hygiene does not cover constants.
+/// True if a name is spelt like a constant or a unit struct. A variable of that name would be taken
+/// for one in scope, since hygiene does not cover constants.
 fn may_be_constant(name: &str) -> bool {
     let is_type = name.starts_with(char::is_uppercase) && !name.contains('_');
     is_type || (name.contains(char::is_uppercase) && !name.contains(char::is_lowercase))

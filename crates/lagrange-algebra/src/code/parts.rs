@@ -1,9 +1,9 @@
 //! Long bodies in parts.
 //!
-//! The compiler opens a scope for each `let` that ends with the block and walks nested scopes by
-//! recursion: some thousands of statements in one block are more than the stack of rustc 1.95 holds
-//! when it writes debug information. So long bodies are written in blocks, each of which gives what
-//! later ones need:
+//! For each `let`, the compiler opens a scope that ends with the block, and it walks nested scopes
+//! by recursion. Some thousands of statements in one block exceed the stack of rustc 1.95 when it
+//! writes debug information. Long bodies are therefore written in blocks, each of which returns the
+//! values that later ones need:
 //!
 //! ```text
 //! let [a, b] = { let c = …; let a = … c …; let b = … c …; [a, b] };

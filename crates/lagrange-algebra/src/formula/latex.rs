@@ -15,7 +15,7 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Symbol;
 use names::latex_name;
 
-/// The expression written out in full.
+/// Writes the expression out in full.
 pub fn latex(graph: &Graph, expr: ExprId) -> String {
     write(graph, expr, &|_| None)
 }
@@ -58,7 +58,7 @@ fn pieces(view: &View, id: ExprId, least: Strength) -> Vec<Piece> {
     pieces
 }
 
-/// The rate of what has this name.
+/// Writes the rate of the variable of this name.
 pub fn rate(name: &str) -> String {
     latex_name(name, Some(r"\dot"))
 }

@@ -10,8 +10,8 @@ const LONGEST_REPEATED: usize = 24;
 /// The length taken for a name.
 const NAME_LENGTH: usize = 4;
 
-/// Names with what they stand for, each before its first use, and the texts of `roots`, all written
-/// by `write` with the names it is given.
+/// Returns names with their expressions, each before its first use, and the texts of `roots`.
+/// `write` writes all of them with the names that it receives.
 pub(super) fn define(
     graph: &Graph,
     roots: &[ExprId],

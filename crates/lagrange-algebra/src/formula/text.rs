@@ -13,25 +13,24 @@ use lagrange_expr::elementary::row;
 use lagrange_expr::expr::{ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// The expression written out in full.
+/// Writes the expression out in full.
 pub fn text(graph: &Graph, expr: ExprId) -> String {
     write(graph, expr, &|_| None)
 }
 
-/// The rate of what has this name.
+/// Writes the rate of the variable of this name.
 pub fn rate(name: &str) -> String {
     format!("dot({name})")
 }
 
-/// The expression with those of its parts written by name that have one; `expr` itself is written
-/// out.
+/// Writes an expression with its named parts by their names; `expr` itself is written out.
 pub fn write<'n>(graph: &Graph, expr: ExprId, names: &dyn Fn(ExprId) -> Option<&'n str>) -> String {
     let view = View { graph, root: expr, names };
     write_pieces(expr, |id, least| pieces(&view, id, least))
 }
 
-/// The roots in at most about `max_length` characters if that is possible without names; otherwise
-/// with names for shared parts, so that the length is proportional to the size of the graph.
+/// Writes the roots in at most about `max_length` characters if that is possible without names.
+/// Otherwise shared parts get names, so that the length is proportional to the size of the graph.
 ///
 /// The first list holds `(name, text)` in an order in which everything is defined before it is
 /// used, the second one the texts of the roots.

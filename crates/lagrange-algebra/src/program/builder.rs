@@ -1,9 +1,9 @@
 //! The only maker of programs: numbers values, folds constants, leaves out what nothing needs.
 //!
 //! Operations on constants become constants: exact rational ones where the result is rational. A
-//! division by a rational number becomes a multiplication. Beyond that only identities are used
-//! that hold to the last bit, infinities and NaN included and signs of zero excepted, and that
-//! never add an operation. `0 * x` therefore stays.
+//! division by a rational number becomes a multiplication. Beyond that, only identities are used
+//! that never add an operation. They hold to the last bit, including infinities and NaN but not
+//! signs of zero. `0 * x` therefore stays.
 
 use super::interpret::integer_power;
 use super::ir::{Float, Op, Program, Value, ValueId, ValueTable};
@@ -14,20 +14,20 @@ use lagrange_expr::number::Number;
 
 /// A program under construction.
 ///
-/// Pushing an operation that is already there gives the value that is there, so common
-/// subexpressions need no pass of their own; operations on constants give constants.
+/// Pushing an operation that exists already returns its value, so common subexpressions need no
+/// separate pass. Operations on constants return constants.
 #[derive(Clone, Default, Debug)]
 pub struct Builder {
     values: OrderedMap<Op, Option<Box<str>>>,
 }
 
 impl Builder {
-    /// Nothing computed yet.
+    /// Creates a builder of an empty program.
     pub fn new() -> Builder {
         Builder::default()
     }
 
-    /// The value of an operation, folded if its operands are constants.
+    /// Pushes an operation, folded if its operands are constants, and returns its value.
     pub fn push(&mut self, op: Op) -> ValueId {
         match fold(self, op) {
             Ok(known) => known,
@@ -42,47 +42,47 @@ impl Builder {
         ValueId::new(self.values.index_or_insert_with(op, || None))
     }
 
-    /// The operation behind a value.
+    /// Returns the operation behind a value.
     pub fn op(&self, id: ValueId) -> &Op {
         self.values.key_at(id.index())
     }
 
-    /// An exact number.
+    /// Pushes an exact number.
     pub fn constant(&mut self, value: Number) -> ValueId {
         self.push(Op::Constant(value))
     }
 
-    /// `a + b`
+    /// Returns `a + b`.
     pub fn add(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Add(a, b))
     }
 
-    /// `a - b`
+    /// Returns `a - b`.
     pub fn subtract(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Subtract(a, b))
     }
 
-    /// `a * b`
+    /// Returns `a * b`.
     pub fn multiply(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Multiply(a, b))
     }
 
-    /// `a / b`
+    /// Returns `a / b`.
     pub fn divide(&mut self, a: ValueId, b: ValueId) -> ValueId {
         self.push(Op::Divide(a, b))
     }
 
-    /// `-a`
+    /// Returns `-a`.
     pub fn negate(&mut self, a: ValueId) -> ValueId {
         self.push(Op::Negate(a))
     }
 
-    /// An elementary function.
+    /// Pushes a call of an elementary function.
     pub fn call(&mut self, function: Function, arguments: &[ValueId]) -> ValueId {
         self.push(Op::Call(function, arguments.into()))
     }
 
-    /// The name that a value has.
+    /// Returns the name that a value has.
     pub fn name(&self, id: ValueId) -> Option<&str> {
         self.values.value_at(id.index()).as_deref()
     }
@@ -95,7 +95,8 @@ impl Builder {
         }
     }
 
-    /// The program that computes `outputs`, without the values that do not contribute to them.
+    /// Finishes the program that computes `outputs`, without the values that do not contribute to
+    /// them.
     pub fn finish(self, outputs: &[ValueId]) -> Program {
         let mut needed = ValueTable::filled(self.values.len(), false);
         outputs.iter().for_each(|&output| needed[output] = true);

@@ -55,7 +55,7 @@ impl OperationCounts {
         }
     }
 
-    /// Number of operations.
+    /// Returns the number of operations.
     pub fn total(&self) -> usize {
         let OperationCounts {
             additions,
@@ -69,7 +69,7 @@ impl OperationCounts {
         additions + multiplications + divisions + square_roots + functions + sin_cos + selections
     }
 
-    /// A rough time in units of an addition.
+    /// Estimates the time in units of an addition.
     pub fn cost(&self) -> f64 {
         let weighted = self.additions
             + self.multiplications

@@ -8,7 +8,7 @@ use lagrange_expr::elementary::{multiply_add, row};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// The outputs where symbols have the values that `value_of` gives.
+/// Computes the outputs where symbols have the values that `value_of` gives.
 ///
 /// A selection whose condition compares with NaN is NaN, and so is a function of the user's.
 pub fn run(program: &Program, value_of: impl Fn(Role) -> f64) -> Vec<f64> {

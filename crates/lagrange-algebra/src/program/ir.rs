@@ -26,12 +26,12 @@ impl ValueId {
 pub struct Float(u64);
 
 impl Float {
-    /// The number as it is.
+    /// Wraps a number.
     pub fn new(value: f64) -> Float {
         Float(value.to_bits())
     }
 
-    /// The number.
+    /// Returns the number.
     pub fn value(self) -> f64 {
         f64::from_bits(self.0)
     }
@@ -125,7 +125,7 @@ impl Op {
         }
     }
 
-    /// Operation of the same kind on other operands.
+    /// Returns an operation of the same kind on other operands.
     pub fn map_operands(&self, mut map: impl FnMut(ValueId) -> ValueId) -> Op {
         let mut mapped = self.clone();
         mapped.for_each_operand_mut(|operand| *operand = map(*operand));
@@ -192,27 +192,27 @@ impl Program {
         Program { values, outputs }
     }
 
-    /// The operation that computes a value.
+    /// Returns the operation that computes a value.
     pub fn op(&self, id: ValueId) -> &Op {
         &self.values[id].op
     }
 
-    /// The name a value should have, if anybody gave it one.
+    /// Returns the name that a value should have, if it was given one.
     pub fn hint(&self, id: ValueId) -> Option<&str> {
         self.values[id].hint.as_deref()
     }
 
-    /// The values in the order in which they are computed.
+    /// Returns the values in the order in which they are computed.
     pub fn values(&self) -> impl DoubleEndedIterator<Item = (ValueId, &Op)> + ExactSizeIterator {
         self.values.iter().map(|(id, value)| (id, &value.op))
     }
 
-    /// The results, in the order in which they were asked for; some may be the same value.
+    /// Returns the results in the requested order; some may be the same value.
     pub fn outputs(&self) -> &[ValueId] {
         &self.outputs
     }
 
-    /// The number of values.
+    /// Returns the number of values.
     pub fn len(&self) -> usize {
         self.values.len()
     }
@@ -222,7 +222,7 @@ impl Program {
         self.values.len() == 0
     }
 
-    /// Number of uses of each value, an output counting as a use.
+    /// Returns the number of uses of each value, where an output counts as a use.
     pub fn uses(&self) -> ValueTable<usize> {
         let mut uses = ValueTable::filled(self.len(), 0);
         for (_, op) in self.values() {
@@ -238,12 +238,12 @@ impl Program {
 pub struct ValueTable<T>(Vec<T>);
 
 impl<T> ValueTable<T> {
-    /// An empty table, to be filled in the order of the values.
+    /// Creates an empty table, to be filled in the order of the values.
     pub fn with_capacity(capacity: usize) -> ValueTable<T> {
         ValueTable(Vec::with_capacity(capacity))
     }
 
-    /// Table with the same entry for each of `len` values.
+    /// Creates a table with the same entry for each of `len` values.
     pub fn filled(len: usize, entry: T) -> ValueTable<T>
     where
         T: Clone,

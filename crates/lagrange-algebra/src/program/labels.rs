@@ -11,7 +11,7 @@ pub struct Labels {
 }
 
 impl Labels {
-    /// Names an expression, unless it has a name already.
+    /// Gives an expression a name, unless it has one already.
     pub fn insert(&mut self, expression: ExprId, name: impl Into<String>) {
         self.names.get_or_insert_with(expression, || name.into());
     }
@@ -21,7 +21,7 @@ impl Labels {
         self.names.iter().map(|(expression, name)| (*expression, name.as_str()))
     }
 
-    /// The name of an expression.
+    /// Returns the name of an expression.
     pub fn get(&self, expression: ExprId) -> Option<&str> {
         self.names.get(&expression).map(String::as_str)
     }

@@ -14,7 +14,7 @@ pub struct Listing<'a> {
     symbols: &'a Symbols,
 }
 
-/// The text of a program whose inputs have their names from `symbols`.
+/// Returns the text of a program whose inputs have their names from `symbols`.
 pub fn listing<'a>(program: &'a Program, symbols: &'a Symbols) -> Listing<'a> {
     Listing { program, symbols }
 }

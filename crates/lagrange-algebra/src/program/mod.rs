@@ -1,4 +1,4 @@
-//! Straight-line programs: what is computed, in which order, and nothing about how it is written.
+//! Straight-line programs: operations and their order, without any notation.
 //!
 //! [`lower()`] turns expressions of the graph into a [`Program`], in which every value is one
 //! machine-sized operation on earlier ones. [`optimise`] runs the passes, each of which takes a

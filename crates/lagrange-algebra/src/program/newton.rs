@@ -54,7 +54,7 @@ impl NewtonProgram {
         }
     }
 
-    /// The value of the unknown, by the operations of emitted code for `f64`; NaN if none is found.
+    /// Computes the unknown by the operations of emitted code for `f64`; NaN if none is found.
     /// `call` computes functions of the user's.
     pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> f64) -> f64 {
         let argument = |role: Role| {

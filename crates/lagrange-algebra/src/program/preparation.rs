@@ -21,17 +21,17 @@ pub struct Preparation {
 }
 
 impl Preparation {
-    /// Nothing prepared yet, of a system with so many parameters.
+    /// Creates an empty preparation for a system with this many parameters.
     pub fn new(parameters: u32) -> Preparation {
         Preparation { builder: Builder::new(), kept: OrderedMap::default(), parameters }
     }
 
-    /// The role of a prepared value.
+    /// Returns the role of a prepared value.
     pub fn role(&self, index: usize) -> Role {
         Role::Parameter(self.parameters + u32::try_from(index).expect("fewer than 2^32 values fit in memory"))
     }
 
-    /// The program that computes the same with what is prepared as its inputs.
+    /// Returns the program that computes the same with the prepared values as its inputs.
     pub fn prepare(&mut self, program: &Program) -> Program {
         let variability = Variability::of_values(program);
         let mut builder = Builder::new();
@@ -79,7 +79,7 @@ impl Preparation {
         }
     }
 
-    /// Number of values that are prepared.
+    /// Returns the number of prepared values.
     pub fn len(&self) -> usize {
         self.kept.len()
     }
@@ -89,12 +89,12 @@ impl Preparation {
         self.kept.is_empty()
     }
 
-    /// The name of a prepared value, if anybody gave it one.
+    /// Returns the name of a prepared value, if it was given one.
     pub fn name(&self, index: usize) -> Option<&str> {
         self.builder.name(*self.kept.key_at(index))
     }
 
-    /// The program that computes what is prepared, in the order of its roles.
+    /// Returns the program that computes the prepared values, in the order of their roles.
     pub fn finish(self) -> Program {
         let outputs = self.kept.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         self.builder.finish(&outputs)

@@ -1,4 +1,4 @@
-//! Variability of values: what they change with, and so how often.
+//! Variability of values: the quantities on which they depend, and thus how often they change.
 
 use super::ir::{Op, Program, ValueTable};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
@@ -21,7 +21,7 @@ pub enum Variability {
 }
 
 impl Variability {
-    /// Variability of a symbol.
+    /// Returns the variability of a symbol.
     pub fn of_role(role: Role) -> Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
@@ -34,7 +34,7 @@ impl Variability {
         }
     }
 
-    /// Variability of an expression.
+    /// Returns the variability of an expression.
     pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
         let position =
             Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::PLACEHOLDER;
@@ -49,7 +49,7 @@ impl Variability {
         strongest.map_or(Variability::Constant, |(_, variability)| *variability)
     }
 
-    /// Variability of every value of a program.
+    /// Returns the variability of every value of a program.
     pub fn of_values(program: &Program) -> ValueTable<Variability> {
         let mut found = ValueTable::with_capacity(program.len());
         for (_, op) in program.values() {

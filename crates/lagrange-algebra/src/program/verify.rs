@@ -6,7 +6,7 @@ use super::ir::{Op, Program, ValueId};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::elementary::row;
 
-/// A program that is none.
+/// The mistake in an invalid program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     /// An operand that is not computed before its use.

@@ -4,8 +4,8 @@ use crate::calculus::{AccelerationTerms, Rates};
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph, Node};
 
-/// The values of elementary functions that change and that `roots` or the rates of such functions
-/// hold, each with its rate.
+/// Returns the values of changing elementary functions within `roots` or the rates of such
+/// functions, each with its rate.
 pub fn function_rates(graph: &mut Graph, roots: &[ExprId]) -> Vec<(ExprId, ExprId)> {
     let mut rates = Rates::new(AccelerationTerms::Kept);
     let mut found: OrderedMap<ExprId, ExprId> = OrderedMap::default();

@@ -12,8 +12,8 @@
 //! | y = √x | (xₘ − Σ_{0<j<m} yⱼ yₘ₋ⱼ)/(2 y₀) |
 //! | f(x) | f′(x) ẋ of order m − 1, divided by m |
 //!
-//! The last line holds for every elementary function: its rate is a program, too, so that the sine
-//! of an angle costs the product cos θ · θ̇, which a velocity in the system often has anyway.
+//! The last line holds for every elementary function, as its rate is a program, too. The sine of an
+//! angle costs the product cos θ · θ̇, which the system often needs for a velocity anyway.
 //!
 //! Source: Griewank and Walther, *Evaluating Derivatives*, 2nd ed., §13; Jorba and Zou, "A software
 //! package for the numerical integration of ODEs by means of high-order Taylor methods", *Experimental
@@ -21,11 +21,11 @@
 //!
 //! # Accelerations
 //!
-//! Either accelerations are functions of t, q and v, and expanded as such. Or they are the zeros of
-//! a residual R that is linear in them, as inverse dynamics is. Rates ẇ of velocities w stay
-//! unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each order R is computed
-//! with aₖ = 0; the matrix ∂R/∂a of order zero gives aₖ, and what depends on aₖ is corrected by its
-//! share.
+//! Accelerations may be functions of t, q and v, and are then expanded as such. Alternatively they
+//! are the zeros of a residual R that is linear in them, such as inverse dynamics. Rates ẇ of
+//! velocities w stay unexpanded in R, as symbols, since ẇₖ = (k+1) wₖ₊₁ costs nothing. In each
+//! order R is computed with aₖ = 0. The matrix ∂R/∂a of order zero gives aₖ, and values that depend
+//! on aₖ are corrected by its share.
 //!
 //! The multipliers λ of constraints are unknown in the same way: forces −Aᵀλ stand in R, and the
 //! rates ċ̇ of the constraints below it.
@@ -42,10 +42,10 @@
 //!
 //! # Orders
 //!
-//! In step k a value that velocities and positions determine gets its coefficient of order k + 1,
-//! and one that holds accelerations or rates of velocities gets that of order k. A product then
-//! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and besides only those of order zero
-//! and the newest. These sums are alike for all products, so that they are computed side by side.
+//! In step k, a value that velocities and positions determine gets its coefficient of order k + 1.
+//! A value that contains accelerations or rates of velocities gets that of order k. A product then
+//! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and otherwise only those of order
+//! zero and the newest. These sums are alike for all products and are computed together.
 
 mod functions;
 mod kinds;

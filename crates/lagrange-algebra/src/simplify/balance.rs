@@ -1,8 +1,8 @@
 //! Quotients without products of inertias.
 //!
-//! Eliminations multiply pivots out: what they divide by D is a sum of products of two masses,
+//! Eliminations multiply pivots out. A numerator over D is then a sum of products of two masses,
 //! which leaves the range of floating-point numbers where its quotient does not. Here such a sum is
-//! divided term by term, so that every sum has the [grade](Grades) of one mass at most; the order
+//! divided term by term, so that every sum has at most the [grade](Grades) of one mass. The order
 //! of factors in a product is left to lowering, which keeps partial products in range, too.
 
 use super::monomial::Monomial;
@@ -16,9 +16,9 @@ const MAX_FACTORS: usize = 64;
 /// Depth to which quotients within quotients are taken apart: one for each elimination.
 const MAX_DEPTH: usize = 12;
 
-/// Returns the expressions that stand for those that `roots` are made of, where they are others.
-/// `unit` is something that never vanishes and has the grade of a mass: both sides of a quotient of
-/// two products of masses are divided by it.
+/// Returns replacements of the parts of `roots`, where they differ. `unit` is an expression that
+/// never vanishes and has the grade of a mass. Both sides of a quotient of two products of masses
+/// are divided by it.
 pub fn balanced(graph: &mut Graph, roots: &[ExprId], unit: Option<ExprId>) -> HashMap<ExprId, ExprId> {
     let mut grades = Grades::of(graph, roots);
     grades.extend(graph, unit.as_slice());
@@ -136,7 +136,7 @@ impl Balance {
         (grade.abs() <= Number::ONE && !divisor.is_one()).then_some(divisor)
     }
 
-    /// True if no factor need be there to divide the sum by: it is divided by itself, or a product
+    /// True if the sum has a divisor without further factors: it is divided by itself, or a product
     /// of masses is divided by it.
     fn needs_unit(&mut self, graph: &Graph, exponent: &Number, others: &Monomial) -> bool {
         let (below, _) = others.split(|_, power| power.is_negative());

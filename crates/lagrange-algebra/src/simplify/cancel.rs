@@ -12,9 +12,9 @@ use lagrange_expr::number::Number;
 /// and each level opens sums that others share.
 const DEEPEST: usize = 6;
 
-/// `numerator / denominator`. If the denominator is a product and the terms of the numerator share
-/// a factor with it, that is cancelled and what else they share is drawn out, provided that makes
-/// the formula shorter.
+/// Returns `numerator / denominator`. Factors that a product in the denominator shares with all
+/// terms of the numerator are cancelled. Other common factors are drawn out. Either is done only if
+/// the formula gets shorter.
 pub fn quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> ExprId {
     let plain = graph.divide(numerator, denominator);
     let (scale, core) = graph.split_coefficient(denominator);

@@ -7,8 +7,8 @@ use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// `Σ coefficient · term`, with equal products added up however they are nested,
-/// `a·cos²x + a·sin²x` replaced by `a`, and `a·cosh²x - a·sinh²x` by `a`.
+/// Returns `Σ coefficient · term`, with equal products combined, `a·cos²x + a·sin²x` replaced by
+/// `a`, and `a·cosh²x - a·sinh²x` by `a`.
 ///
 /// Products are compared, and the factors of `a` may be spread, over up to 16 nested parts. What is
 /// not replaced stays as it is; if nothing is replaced, the result is that of [`Graph::sum`].

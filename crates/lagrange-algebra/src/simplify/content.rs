@@ -8,9 +8,9 @@ use lagrange_expr::expr::ExprId;
 use lagrange_expr::expr::Graph;
 use lagrange_expr::number::Number;
 
-/// A common factor of the expressions, and what they are without it. Forms that are multiples of
-/// each other by a product of such factors end up equal: of the rest, the first has a positive
-/// coefficient, and a single expression is all content.
+/// Returns a common factor of the expressions, and the expressions without it. Forms that are
+/// multiples of each other by a product of such factors end up equal. The first of the remaining
+/// expressions has a positive coefficient, and a single expression is all content.
 pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId>) {
     let one = graph.number(1);
     if let [only] = expressions {
@@ -31,8 +31,8 @@ pub fn content(graph: &mut Graph, expressions: &[ExprId]) -> (ExprId, Vec<ExprId
     (graph.scale(first.coefficient.clone(), common_core), rest)
 }
 
-/// `numerator / denominator`, unless that divides by something that changes during the motion,
-/// which may be zero somewhere.
+/// Returns `numerator / denominator`, unless the divisor changes during the motion and may vanish
+/// somewhere.
 pub fn safe_quotient(graph: &mut Graph, numerator: ExprId, denominator: ExprId) -> Option<ExprId> {
     let found = quotient(graph, numerator, denominator);
     let (_, core) = graph.split_coefficient(found);

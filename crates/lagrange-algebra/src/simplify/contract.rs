@@ -1,15 +1,17 @@
 //! Sums of products of sines and cosines with as few terms as possible, so that little cancels.
 //!
-//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, where
-//! what cancels does so exactly; what is left is gathered into products again:
+//! Products of sines and cosines are written as sums of waves, sin or cos of a sum of angles, in
+//! which terms cancel exactly. The remainder is gathered into products again:
 //!
 //! ```text
 //! cos a cos b = ½ cos(a − b) + ½ cos(a + b),     cos a − cos b = −2 sin((a + b)/2) sin((a − b)/2), …
 //! ```
 //!
-//! (Abramowitz and Stegun, §4.3.31–37). So sin a cos b − cos a sin b becomes sin(a − b), in which
-//! the angles are subtracted before their sine is taken; m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin²
-//! a; and 1 − cos a becomes 2 sin²(a/2).
+//! (Abramowitz and Stegun, §4.3.31–37). Examples:
+//! - sin a cos b − cos a sin b becomes sin(a − b), in which the angles are subtracted before their
+//!   sine is taken;
+//! - m₁ + m₂ − m₂ cos² a becomes m₁ + m₂ sin² a;
+//! - 1 − cos a becomes 2 sin²(a/2).
 
 use std::collections::BTreeMap;
 
@@ -41,7 +43,7 @@ struct Group {
     products: Vec<WaveProduct>,
 }
 
-/// `Σ coefficient · term` with fewer terms, if any are found, and the same terms otherwise.
+/// Returns `Σ coefficient · term` with fewer terms, if possible, and the same terms otherwise.
 /// `angles` remembers how angles have been written before.
 pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Number)>) -> ExprId {
     if terms.len() < 2 || terms.len() > MAX_TERMS {
@@ -75,7 +77,7 @@ pub fn contract(graph: &mut Graph, angles: &mut Angles, terms: Vec<(ExprId, Numb
     graph.sum(Number::ZERO, left)
 }
 
-/// The expressions with every sum in them contracted.
+/// Returns the expressions with every sum in them contracted.
 pub fn contract_all(graph: &mut Graph, angles: &mut Angles, exprs: &[ExprId]) -> Vec<ExprId> {
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
     for id in graph.reachable(exprs) {
@@ -195,8 +197,10 @@ fn merge(a: &WaveProduct, b: &WaveProduct) -> Option<WaveProduct> {
     Some(WaveProduct { coefficient, waves: common })
 }
 
-/// cos a + cos b = 2 cos cos, cos a − cos b = −2 sin sin, sin a ± sin b = 2 sin cos, of (a + b)/2
-/// and (a − b)/2.
+/// Turns a sum into a product of functions of (a + b)/2 and (a − b)/2, by these identities:
+/// - cos a + cos b = 2 cos cos;
+/// - cos a − cos b = −2 sin sin;
+/// - sin a ± sin b = 2 sin cos.
 fn sum_to_product(
     x: &Wave,
     y: &Wave,

@@ -1,9 +1,9 @@
 //! Multiplying out within a budget.
 //!
-//! Expressions are taken in ascending order, so that what they are made of is known when their turn
-//! comes. Arguments of functions, bases of roots and of denominators stay closed, but are
-//! themselves written in the form that [`Expander::readable`] gives. What exceeds the budget stays
-//! closed too.
+//! Expressions are taken in ascending order, so that their parts are known when their turn comes.
+//! Arguments of functions, bases of roots and of denominators stay closed, but are themselves
+//! written in the form that [`Expander::readable`] gives. Parts that exceed the budget stay closed
+//! too.
 
 use std::rc::Rc;
 
@@ -209,8 +209,8 @@ impl Expander {
     }
 }
 
-/// True if a sum takes the difference of symbols or of products of symbols, as a spring does of its
-/// length and its length at rest. Multiplied out, it would round where the difference of near
+/// True if a sum contains a difference of symbols or of products of symbols, such as the length of
+/// a spring and its rest length. Multiplied out, it would round where the difference of near
 /// numbers is exact.
 pub(super) fn is_difference(graph: &Graph, terms: &[(ExprId, Number)]) -> bool {
     let is_symbol = |id: ExprId| matches!(graph.node(id), Node::Symbol(_));

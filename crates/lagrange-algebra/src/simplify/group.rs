@@ -33,8 +33,8 @@ pub(super) fn group(graph: &mut Graph, polynomial: &Polynomial) -> ExprId {
     graph.sum(Number::ZERO, parts)
 }
 
-/// The polynomial with terms that differ only in sines and cosines put together: what stands in
-/// brackets, like sin a cos b − cos a sin b, is often needed again.
+/// Returns the polynomial with terms combined that differ only in sines and cosines. The sum in
+/// brackets, such as sin a cos b − cos a sin b, is often needed again.
 pub(super) fn gather_waves(graph: &mut Graph, polynomial: &Polynomial) -> Polynomial {
     let is_wave = |graph: &Graph, base: ExprId| {
         matches!(graph.node(base), Node::Call(Function::Sin | Function::Cos, _))

@@ -7,13 +7,13 @@
 //!   because that nesting is what keeps derived equations small;
 //! - [`quotient`] cancels what the equation of a single coordinate shares with its inertia;
 //! - [`contract()`] writes sums of products of sines and cosines with fewer terms, so that little
-//!   cancels; [`open()`] multiplies out what it may then contract;
+//!   cancels; [`open()`] multiplies out products that it may then contract;
 //! - [`content()`] is what expressions have in common;
-//! - [`multiply_out`] is for small systems, where what cancels is worth more than what is shared.
+//! - [`multiply_out`] is for small systems, where cancellation saves more than sharing.
 //!
-//! For readers and for proofs, and unfit for code: [`present()`] multiplies out within a budget and
-//! regroups, [`proves_zero`] multiplies out to decide whether nothing is left, [`vanishing()`] for
-//! which of many values that is worth trying.
+//! These serve readers and proofs, and are unfit for code. [`present()`] multiplies out within a
+//! budget and regroups. [`proves_zero`] multiplies out to decide whether an expression vanishes,
+//! and [`vanishing()`] selects the values for which that is worth trying.
 //!
 //! Every result equals its input wherever the input is defined; it may be defined in more places.
 

@@ -101,8 +101,8 @@ impl Monomial {
     /// The monomial of a product with nested products opened; `None` if more than `limit` nodes
     /// would have to be visited.
     ///
-    /// Integer powers of products are distributed over the factors; other powers are not, because
-    /// the root of a product is not the product of the roots where two factors are negative.
+    /// Integer powers of products are distributed over the factors. Other powers are not: the root
+    /// of a product is not the product of the roots if two factors are negative.
     pub(super) fn of(graph: &Graph, id: ExprId, limit: usize) -> Option<Monomial> {
         let mut pending = vec![(id, Number::ONE)];
         let mut factors = Vec::new();

@@ -10,8 +10,8 @@ use lagrange_expr::number::Number;
 /// takes.
 const MAX_TERMS: usize = 64;
 
-/// The terms with those sums among their factors multiplied out that `is_chosen` accepts; `None` if
-/// they become too many. Roots and denominators stay closed.
+/// Multiplies out the sums among the factors of terms that `is_chosen` accepts; `None` if the terms
+/// become too many. Roots and denominators stay closed.
 pub fn open(
     graph: &mut Graph,
     terms: &[(ExprId, Number)],
@@ -32,7 +32,7 @@ pub fn open(
     Some(opened)
 }
 
-/// Number of terms of an expression when everything is multiplied out and nothing is added up.
+/// Counts the terms of an expression when everything is multiplied out and nothing is combined.
 pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     let mut counts: HashMap<ExprId, usize> = HashMap::default();
     for id in graph.reachable(&[id]) {
@@ -54,7 +54,7 @@ pub fn count_opened(graph: &Graph, id: ExprId) -> usize {
     counts.get(&id).copied().unwrap_or(1)
 }
 
-/// The sums that stand among the factors of terms, each once.
+/// Returns the sums that stand among the factors of terms, each once.
 pub fn factors_to_open(graph: &Graph, terms: &[(ExprId, Number)]) -> Vec<ExprId> {
     let mut found = Vec::new();
     for (id, coefficient) in terms {

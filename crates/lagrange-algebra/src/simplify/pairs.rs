@@ -1,7 +1,8 @@
 //! The engine behind the rules: finds pairs of terms that a rule turns into one.
 //!
-//! A term is read as a side of a rule in every possible way; readings are looked up by what the
-//! other side must look like. So the cost is proportional to the number of terms, not of pairs.
+//! A term is read as a side of a rule in every possible way. Readings are looked up by the form
+//! that the other side must have. The cost is therefore proportional to the number of terms, not of
+//! pairs.
 
 use super::monomial::{Monomial, Term};
 use super::rules::{Rule, RuleArguments};
@@ -31,7 +32,8 @@ struct Reading {
 }
 
 impl Rule {
-    /// The single term that replaces the terms `a` and `b` of a sum, if the rule matches them.
+    /// Returns the single term that replaces the terms `a` and `b` of a sum, if the rule matches
+    /// them.
     pub fn apply(&self, graph: &mut Graph, a: ExprId, b: ExprId) -> Option<ExprId> {
         let terms = [a, b].map(|id| {
             let (coefficient, core) = graph.split_coefficient(id);

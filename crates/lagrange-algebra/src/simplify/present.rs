@@ -1,4 +1,4 @@
-//! Formulas for readers, and the question whether anything is left of one.
+//! Formulas for readers, and proofs that one vanishes.
 
 use super::expand::{Expander, Purpose};
 use lagrange_expr::expr::evaluate;
@@ -9,12 +9,12 @@ use lagrange_expr::symbol::Role;
 /// settles the question without a proof; a smaller one only means that the proof is tried.
 const LARGEST_RESIDUE: f64 = 1e-6;
 
-/// An equal expression that is shorter when written out, or `expr` itself if none is found.
+/// Returns an equal expression that is shorter when written out, or `expr` itself if none is found.
 ///
 /// Sub-expressions are multiplied out, the rules of [`RULES`](super::RULES) applied, equal terms
 /// collected, and the result regrouped by what changes during the motion. Whatever has more than
 /// `budget` monomials stays closed; 200 is enough for the formulas people read. The cost is bounded
-/// by the budget and by the number of nodes `expr` is made of.
+/// by the budget and by the number of nodes of `expr`.
 pub fn present(graph: &mut Graph, expr: ExprId, budget: usize) -> ExprId {
     present_all(graph, &[expr], budget)[0]
 }
@@ -38,9 +38,9 @@ pub fn present_all(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<Ex
     current
 }
 
-/// Equal expressions, multiplied out and regrouped within `budget` monomials, for evaluation: no
-/// function is added, and differences of symbols stay closed, so that nothing is rounded that was
-/// exact. They need not be cheaper; that is for the caller to count.
+/// Returns equal expressions, multiplied out and regrouped within `budget` monomials, for
+/// evaluation. No function is added. Differences of symbols stay closed, so that exact values are
+/// not rounded. The result need not be cheaper: the caller counts.
 pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<ExprId> {
     let mut expander = Expander::new(Purpose::Computing, budget);
     let mut expanded = |expr: &ExprId| {
@@ -53,7 +53,7 @@ pub fn multiply_out(graph: &mut Graph, exprs: &[ExprId], budget: usize) -> Vec<E
 /// True if the value is zero everywhere, as far as multiplying out shows within `budget` monomials.
 ///
 /// Sines and cosines of sums are expanded, so that every polynomial identity between sines and
-/// cosines of independent angles is found. `true` is a proof; `false` says nothing. Nothing is
+/// cosines of independent angles is found. `true` is a proof; `false` proves nothing. Nothing is
 /// multiplied out if a numerical value shows that the answer is no.
 pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     if is_plainly_not_zero(graph, expr) {
@@ -67,8 +67,8 @@ pub fn proves_zero(graph: &mut Graph, expr: ExprId, budget: usize) -> bool {
     simplified.is_some_and(|polynomial| polynomial.is_zero())
 }
 
-/// True if the value at a point without symmetries differs from zero by more than rounding: most
-/// expressions that are asked about do, and seeing that is much cheaper than multiplying out.
+/// True if the value at a point without symmetries differs from zero by more than rounding. Most
+/// expressions do, and this test is much cheaper than multiplying out.
 fn is_plainly_not_zero(graph: &Graph, expr: ExprId) -> bool {
     let value = evaluate(graph, &[expr], |role| {
         let (kind, index) = match role {

@@ -1,4 +1,4 @@
-//! Expressions that vanish nowhere, as far as their signs tell.
+//! Expressions that vanish nowhere, as their signs show.
 
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;

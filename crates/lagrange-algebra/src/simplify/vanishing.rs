@@ -41,7 +41,8 @@ fn differ_from_zero(graph: &Graph, values: &[ExprId]) -> Vec<bool> {
     values.iter().map(|value| at(value).is_finite() && at(value).abs() > ROUNDING * largest).collect()
 }
 
-/// A number between 1/2 and 3/2 for each symbol: multiples of the golden ratio are spread evenly.
+/// Returns a number between 1/2 and 3/2 for each symbol: multiples of the golden ratio are spread
+/// evenly.
 pub fn somewhere(role: Role) -> f64 {
     const GOLDEN_RATIO: f64 = 1.618_033_988_749_895;
     let (kind, index) = match role {

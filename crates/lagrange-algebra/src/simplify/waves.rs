@@ -1,7 +1,7 @@
 //! Sines and cosines in a form that is the same for equal values.
 //!
 //! Sines and cosines of sums become polynomials in those of the single angles (Abramowitz and
-//! Stegun, §4.3.16–17), then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single
+//! Stegun, §4.3.16–17). Then sin² becomes 1 - cos² and sinh² becomes cosh² - 1. If the single
 //! angles are independent, two polynomials of that form are equal only if they are the same.
 
 use super::effort::Effort;
@@ -11,8 +11,8 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
 
-/// Multiple of an angle up to which it is written in sine and cosine of the angle, n + 1 terms for
-/// both; higher multiples are angles of their own.
+/// Largest multiple of an angle that is written in sine and cosine of the angle, n + 1 terms for
+/// both. Higher multiples are separate angles.
 const HIGHEST_MULTIPLE: i32 = 8;
 
 /// The sine and the cosine of an angle.

@@ -12,7 +12,7 @@ use lagrange_plot::characters::number;
 type Key = (usize, String);
 
 impl Film {
-    /// The film as SVG that plays by itself, again and again. Still viewers show its first picture.
+    /// Returns the film as an SVG that plays in a loop. Still viewers show its first picture.
     pub fn svg(&self) -> String {
         animated(&self.recording, &self.timeline)
     }

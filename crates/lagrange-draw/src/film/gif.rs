@@ -20,8 +20,8 @@ const SAMPLES: usize = 16;
 const SHORTEST: u64 = 2;
 
 impl<D: DrawnSpace> Film<D> {
-    /// The film as a GIF that plays again and again. Times are rounded to hundredths of a second,
-    /// without adding up; of pictures that follow each other faster than fifty times a second, some
+    /// Returns the film as a GIF that plays in a loop. Times are rounded to hundredths of a second,
+    /// without accumulating. If pictures follow each other faster than fifty times a second, some
     /// are left out.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Films: motions as HTML pages, as GIF, and as animated SVG or glTF.
 //!
-//! [`layers`] finds out how each mark of a picture changes, which the files hold instead of whole
-//! pictures; [`motion`] finds marks that only turn and move.
+//! [`layers`] determines how each mark of a picture changes, since the files hold changes instead
+//! of whole pictures. [`motion`] finds marks that only turn and move.
 
 mod animation;
 mod chart;
@@ -47,13 +47,15 @@ pub struct Film<D: DrawnSpace = Plane> {
 }
 
 impl Film {
-    /// A film of pictures that are shown at these times, in seconds: rising, or falling if the
+    /// Creates a film of pictures shown at these times, in seconds: rising, or falling if the
     /// motion ran backwards.
     ///
     /// # Errors
-    /// If there is no picture, not one time for each picture, if times do not rise or fall
-    /// throughout, if pictures differ in size or in their number of marks, or if a mark is not at a
-    /// finite place.
+    /// If any of these holds:
+    /// - there is no picture, or not one time for each picture;
+    /// - times neither rise nor fall throughout;
+    /// - pictures differ in size or in their number of marks;
+    /// - a mark is not at a finite place.
     pub fn new(pictures: Vec<Picture>, times: Vec<f64>) -> Result<Film, DrawError> {
         check_count(&times, pictures.len())?;
         let timeline = Timeline::new(times)?;
@@ -63,8 +65,8 @@ impl Film {
 }
 
 impl<D: DrawnSpace> Film<D> {
-    /// Adds a curve to the plot under the picture of a page: a value for each picture, in joule if
-    /// it is an energy in SI units. Values that are not finite leave a gap.
+    /// Adds a curve to the plot under the picture of a page, with a value for each picture.
+    /// Energies are in joule if they are in SI units. Values that are not finite leave a gap.
     ///
     /// # Errors
     /// If there is not one value for each picture.
@@ -82,15 +84,15 @@ impl<D: DrawnSpace> Film<D> {
         &self.timeline.times
     }
 
-    /// Returns its pictures, in space seen as the drawing says.
+    /// Returns its pictures, in space as seen from the eye of the drawing.
     pub fn pictures(&self) -> Cow<'_, [Picture]> {
         self.recording.pictures()
     }
 
-    /// Returns the film as an HTML page that needs nothing else: to play, pause and scrub, in space
-    /// to turn with the mouse and to zoom, with curves under the picture. Without scripts, in space
-    /// without WebGL 2, it shows the first picture; where less motion is preferred, it waits to be
-    /// started.
+    /// Returns the film as a self-contained HTML page, with curves under the picture. It can be
+    /// played, paused and scrubbed; in space it can be turned with the mouse and zoomed. Without
+    /// scripts, or in space without WebGL 2, it shows the first picture. If the reader prefers
+    /// reduced motion, it waits to be started.
     pub fn html(&self) -> String {
         self.recording.page(&self.timeline)
     }
@@ -99,8 +101,8 @@ impl<D: DrawnSpace> Film<D> {
     /// extension. An older file stays until the new one is whole.
     ///
     /// # Errors
-    /// If the extension is none of `html`, `gif`, and `svg` in the plane or `glb` in space, or the
-    /// file cannot be written.
+    /// If the extension is not `html`, `gif`, `svg` in the plane or `glb` in space, or the file
+    /// cannot be written.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), DrawError> {
         let path = path.as_ref();
         let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default();

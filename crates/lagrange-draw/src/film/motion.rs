@@ -1,8 +1,8 @@
 //! Finds marks that turn and move without changing their shape.
 //!
-//! The turn between two sets of corresponding points that fits best in the sense of least squares
-//! is, about their means, the angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization
-//! for Geometric Computation* (1996), the plane case of fitting a rotation.
+//! The best turn between two sets of corresponding points about their means, in the sense of least
+//! squares, is the angle of Σ (a·b, a×b). Source: Kanatani, *Statistical Optimization for Geometric
+//! Computation* (1996), the plane case of fitting a rotation.
 
 use std::f64::consts::TAU;
 

@@ -1,9 +1,9 @@
 //! The colours of a GIF: at most 256 for all of its pictures.
 //!
-//! Boxes of colours are halved across their longest side until there are enough of them, as in
-//! Heckbert, *Color image quantization for frame buffer display* (1982), but in the middle instead
-//! of at the median: pictures are mostly background, and what counts are the shades between it and
-//! the lines.
+//! Boxes of colours are halved across their longest side until there are enough of them: Heckbert, *Color
+//! image quantization for frame buffer display* (1982). Unlike there, they are halved in the middle
+//! instead of at the median. Pictures are mostly background, and the shades between it and the
+//! lines matter.
 
 use std::collections::BTreeMap;
 
@@ -95,8 +95,8 @@ impl Palette {
         index
     }
 
-    /// The first of the nearest colours. They are sorted by red, so that the search goes on from
-    /// both sides of that of the colour until the reds alone are further apart than the best.
+    /// The first of the nearest colours. They are sorted by red. The search continues from both
+    /// sides of the red of the colour until the reds alone are further apart than the best.
     fn nearest(&self, colour: Rgb) -> usize {
         let red = self.colours.partition_point(|other| other[0] < colour[0]);
         let mut best = (u32::MAX, 0);

@@ -16,21 +16,21 @@ impl<M: Scene<Space: DrawnSpace>> Drawing<'_, M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A film of the samples of a trajectory, such as those of a run
+    /// Creates a film of the samples of a trajectory, such as those of a run
     /// [`every`](lagrange_runtime::simulate::Simulation::every) twenty-fifth of a second. Of
     /// samples at the same time, which impacts may leave, it shows the last. Where a control set
     /// inputs, forces are those of the inputs of each sample. If the run observed its
     /// [`energy`](lagrange_runtime::simulate::Simulation::energy), pages plot it.
     ///
     /// # Errors
-    /// If there are more than 100 000 pictures, or one cannot be made, as
-    /// [`pictures`](Drawing::pictures) says.
+    /// If there are more than 100 000 pictures, or one cannot be made, as for
+    /// [`pictures`](Drawing::pictures).
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
         let film = self.film_of(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
-    /// A film of about this many pictures a second from a run that was
+    /// Creates a film of about this many pictures a second from a run that was
     /// [`dense`](lagrange_runtime::simulate::Simulation::dense). The intervals are equal, and such
     /// that the last picture shows the end. Where a control set inputs, forces are those of the
     /// inputs of the last sample before each picture.
@@ -54,7 +54,7 @@ where
 }
 
 impl<D: DrawnSpace> Film<D> {
-    /// Adds columns of the trajectory that the film was made of to what pages plot.
+    /// Adds columns of the film's trajectory to the plots of pages.
     ///
     /// # Errors
     /// If there is no such column, or no sample at the time of one of the pictures.
@@ -80,8 +80,8 @@ impl<D: DrawnSpace> Film<D> {
         Ok(film)
     }
 
-    /// Adds a quantity to what pages plot, such as a kinetic energy, from times and states of the
-    /// trajectory that the film was made of.
+    /// Adds a quantity to the plots of pages, such as a kinetic energy, from times and states of
+    /// the film's trajectory.
     ///
     /// # Errors
     /// If the trajectory does not know the state at the time of one of the pictures.

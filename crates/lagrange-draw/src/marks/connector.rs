@@ -134,9 +134,9 @@ mod tests {
         assert_eq!(coil([0.0, 0.0], [9.0, 0.0]).len(), coil([0.0, 0.0], [99.0, 7.0]).len());
     }
 
-    /// Two of opposite places keep a distance in between, reach from end to end, and swap sides
-    /// where one is declared against the other: in any direction, and where both ends are in the
-    /// same place.
+    /// Two connectors between opposite places keep a distance in between and reach from end to end.
+    /// They swap sides where one is declared against the other, in any direction and with both ends
+    /// in the same place.
     #[test]
     fn connectors_beside_each_other_do_not_touch() {
         let around = (0..24).map(|k| direction(TAU * f64::from(k) / 24.0));

@@ -1,9 +1,9 @@
-//! From where a scene in space is looked at.
+//! The point of view of a scene in space.
 //!
-//! The eye is in the direction (cos ε cos α, cos ε sin α, sin ε) of the middle of the scene, with
-//! the azimuth α from x towards y and the elevation ε above the plane of x and y; z points upwards
-//! in the picture. In perspective what is nearer is larger by d/(d − z), with the distance d of the
-//! eye from the middle and the height z towards it.
+//! Seen from the middle of the scene, the eye is in the direction (cos ε cos α, cos ε sin α, sin
+//! ε). Here α is the azimuth from x towards y, and ε the elevation above the plane of x and y. In
+//! the picture z points upwards. In perspective, nearer objects are larger by d/(d − z), with the
+//! distance d of the eye from the middle and the height z towards it.
 
 use super::vector::{Vector, cross};
 use crate::geometry::{add, dot, subtract, times};

@@ -29,12 +29,12 @@ impl Recorded for Projector {
 }
 
 impl Film<Spatial> {
-    /// The bodies and their motion as glTF 2.0, binary: a node for each thing, turned, moved and
-    /// stretched as it is at each moment. Traces are there in full length from the beginning; names
-    /// of bodies are those of nodes, and other labels are left out.
+    /// Returns the bodies and their motion as binary glTF 2.0, with a node for each mesh, turned,
+    /// moved and stretched at each moment. Traces are there in full length from the beginning;
+    /// names of bodies are those of nodes, and other labels are left out.
     ///
     /// # Errors
-    /// If the file would be larger than its format can tell.
+    /// If the file would be larger than its format allows.
     pub fn glb(&self) -> Result<Vec<u8>, DrawError> {
         self.recording.file(&self.timeline)
     }

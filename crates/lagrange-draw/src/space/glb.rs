@@ -1,9 +1,9 @@
 //! A motion in space as glTF 2.0 in one binary file. Source: *glTF 2.0 Specification*, Khronos
 //! Group (2021).
 //!
-//! z points upwards here and y there: a node above all others turns one to the other. What is
-//! stretched is scaled along its own z-axis if nothing else of it has a height; arrows, whose heads
-//! keep their length, have a morph target that is their stretch.
+//! z points upwards here and y there: a node above all others turns one to the other. A stretched
+//! mesh is scaled along its own z-axis if no other part of it has a height. Arrows, whose heads
+//! keep their length, have a morph target for their stretch.
 
 use super::mesh::Mesh;
 use super::motion::{Motion, Quaternion, once};
@@ -146,8 +146,8 @@ impl<'a> Model<'a> {
         self.nodes.push(format!("{{\"name\":{name},\"mesh\":{}}}", self.meshes.len() - 1));
     }
 
-    /// A field of the next node with its first value, and a channel if it changes; nothing if it is
-    /// what it is without being told.
+    /// Writes a field of the next node with its first value, and a channel if it changes. Writes
+    /// nothing for the default value.
     fn animated<const N: usize>(&mut self, path: &str, values: &[[f64; N]], default: [f64; N]) -> String {
         let Some(first) = values.first().filter(|_| *values != [default]) else { return String::new() };
         if values.len() > 1 {

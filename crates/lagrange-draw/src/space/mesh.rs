@@ -1,8 +1,8 @@
-//! Surfaces of plane faces, and lines: what things in space look like, in axes of their own.
+//! Surfaces of plane faces, and lines: the appearance of objects in space, in their own axes.
 //!
-//! A thing is placed by a rotation and an origin. What reaches from one point to another, as
-//! springs and arrows do, is stretched along its own z-axis besides: each corner says how much of
-//! the stretch it takes part in, so that arrows get longer and their heads do not.
+//! A mesh is placed by a rotation and an origin. Springs and arrows, which reach from one point to
+//! another, are also stretched along their own z-axis. Each corner has a share of the stretch, so
+//! that arrows get longer and their heads do not.
 
 use std::collections::BTreeMap;
 
@@ -81,12 +81,12 @@ impl Placement {
     }
 }
 
-/// Edges at which the faces of a smooth surface meet at no more than this angle are not drawn, but
-/// where they are its outline: cos 33°, for balls of few faces.
+/// Cosine of the largest angle, 33°, at which edges between faces of a smooth surface are not
+/// drawn, for balls of few faces. Edges of its outline always are.
 const SMOOTH: f64 = 0.84;
 
-/// The edges of a mesh: for each face and each of its sides which face is behind it, and whether
-/// the surface has a corner there.
+/// The edges of a mesh. Each side of each face has the face behind it, and is a corner of the
+/// surface or not.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Edges {
     sides: Vec<Vec<Neighbour>>,

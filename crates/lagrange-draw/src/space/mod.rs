@@ -1,9 +1,9 @@
 //! Pictures and films of systems of bodies in space.
 //!
-//! A motion is recorded as things ([`recording`]): meshes that turn, move and are stretched, made
-//! of what a scene hands out ([`stage`]). Pictures ([`projector`]) are drawn of them by a camera,
-//! from back to front ([`sort`]). Pages ([`page`]) and glTF files ([`glb`]) hold the things
-//! themselves: triangles with normals ([`surface`]), and tracks of quaternions ([`motion`]).
+//! A motion is recorded as meshes that turn, move and are stretched ([`recording`]), from the items
+//! of a scene ([`stage`]). Pictures ([`projector`]) are drawn of them by a camera, from back to
+//! front ([`sort`]). Pages ([`page`]) and glTF files ([`glb`]) hold the meshes themselves:
+//! triangles with normals ([`surface`]), and tracks of quaternions ([`motion`]).
 
 mod arrows;
 mod camera;

@@ -1,5 +1,4 @@
-//! Tracks in numbers that can be written: quaternions in the place of matrices, and what does not
-//! change once.
+//! Tracks in numbers for files: quaternions instead of matrices, and constant values once.
 
 use super::mesh::Placement;
 use super::recording::MovingMesh;

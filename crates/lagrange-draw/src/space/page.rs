@@ -1,5 +1,5 @@
-//! A motion in space as one HTML file, in which it can be turned: things and where they are, in
-//! whole numbers, and a viewer by WebGL.
+//! A motion in space as one HTML file in which it can be turned. The file contains the meshes,
+//! their places as whole numbers, and a viewer by WebGL.
 
 use super::camera::{DISTANCE, LIGHT, SHADE};
 use super::mesh::{Corner, Mesh};
@@ -26,8 +26,8 @@ const VIEWER: &str = concat!(
     include_str!("page/painter.js"),
     include_str!("page/labels.js")
 );
-const KEYS: &str = " Drag to turn, with two fingers or the right button to shift, wheel or pinch to zoom, double click for the first \
-                    view; with the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
+const KEYS: &str = " Drag to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
+                    view. With the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
 
 /// Whole numbers to the radius of the whole, to the size of a mesh, and to one.
 const FINE: f64 = 20_000.0;

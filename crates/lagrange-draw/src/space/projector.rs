@@ -1,4 +1,4 @@
-//! A motion in space as pictures: what is seen of things, from back to front, with labels.
+//! A motion in space as pictures: the visible parts of meshes, from back to front, with labels.
 
 use super::camera::Camera;
 use super::mesh::{Edges, normal};

@@ -41,8 +41,8 @@ impl<'a> Skeleton<'a> {
         if part.is_hole { mesh.edges_only() } else { mesh }
     }
 
-    /// Rods from the origin of a link to the joints that it carries and, where there are none, to
-    /// its centre of mass, which is a ball.
+    /// Returns rods from the origin of a link to the joints that it carries. Without joints, they
+    /// lead to its centre of mass, which is a ball.
     fn rods(&self, link: &Link) -> Option<Mesh> {
         let is_carried = |joint: &&Joint<Spatial>| {
             let [carrier, other] = joint.kind.links.each_ref().map(|name| name.as_ref() == Some(&link.name));

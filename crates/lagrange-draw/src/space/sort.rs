@@ -1,10 +1,10 @@
-//! Faces and lines from back to front, so that what is painted later hides what is behind it.
+//! Faces and lines from back to front, so that later ones hide those behind them.
 //!
 //! The plane of a face divides all others into those on the side of the eye and those behind, which
-//! are painted first; what it cuts is divided. On either side the same is done again. Where a plane
-//! across an axis of the world divides things without cutting any, that is taken before planes of
-//! faces; and the faces of a convex body that are seen hide none of each other, so that their order
-//! does not matter.
+//! are painted first. Faces that it cuts are divided. Both sides are then sorted in the same way. A
+//! plane across an axis of the world that divides objects without cutting any is preferred to
+//! planes of faces. The visible faces of a convex body hide none of each other, so their order does
+//! not matter.
 //!
 //! Source: Fuchs, Kedem, Naylor, *On Visible Surface Generation by A Priori Tree Structures*,
 //! SIGGRAPH 1980.

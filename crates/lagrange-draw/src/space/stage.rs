@@ -1,4 +1,4 @@
-//! From scenes in space to things: what stands for each item, and what is written beside it.
+//! From scenes in space to meshes and labels of each item.
 
 use super::arrows::Arrows;
 use super::mesh::{Corner, Mesh, Placement};

@@ -1,4 +1,4 @@
-//! The binary part of a glTF file: numbers one after the other, and what is said of them in JSON.
+//! The binary part of a glTF file: numbers one after the other, and their description in JSON.
 
 use crate::film::page::list;
 

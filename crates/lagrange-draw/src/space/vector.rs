@@ -39,8 +39,8 @@ pub(super) fn axes_along([x, y, z]: Vector) -> Rotation {
     transposed(&[first, second, [x, y, z]])
 }
 
-/// Axes whose third points in a direction of length one, and whose first is as near to another
-/// direction as it can be; none if that is the same direction.
+/// Returns axes whose third points in a direction of length one, and whose first is as near as
+/// possible to another direction. `None` if both are the same direction.
 pub(super) fn axes_near(first: Vector, along: Vector) -> Option<Rotation> {
     let first = unit(subtract(first, times(dot(first, along), along)))?;
     Some(transposed(&[first, cross(along, first), along]))

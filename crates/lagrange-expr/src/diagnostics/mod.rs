@@ -1,6 +1,6 @@
-//! Mistakes of a declaration: where they are, what is wrong in the user's words, what helps.
+//! Mistakes of a declaration: their places, their description in the user's words, and help.
 //!
-//! A phase adds to a [`Report`] and goes on as far as it can; the pipeline stops at the barrier
+//! A phase adds to a [`Report`] and continues as far as it can; the pipeline stops at the barrier
 //! between phases. Wording lives with the phase that finds the mistake, in its `messages` file.
 
 mod rows;
@@ -28,7 +28,7 @@ pub struct Origin {
 }
 
 impl Origin {
-    /// Stretch from the start of `self` to the end of `other`.
+    /// Returns the stretch from the start of `self` to the end of `other`.
     pub fn to(self, other: Origin) -> Origin {
         Origin { start: self.start, end: other.end }
     }
@@ -86,7 +86,7 @@ pub struct Diagnostic {
     pub message: String,
     /// The offending tokens.
     pub origin: Origin,
-    /// Other places that matter, each with what is there.
+    /// Other places that matter, each with a description.
     pub related: Vec<(Origin, String)>,
     /// Advice.
     pub help: Option<String>,
@@ -107,7 +107,7 @@ impl Diagnostic {
 }
 
 impl Diagnostic {
-    /// Message, then related places and help, each from a line of its own on.
+    /// Returns the message, then related places and help, each from a separate line on.
     pub fn text(&self) -> String {
         let mut text = self.message.clone();
         for (origin, note) in &self.related {
@@ -172,13 +172,13 @@ impl Report {
         &mut self.diagnostics[last]
     }
 
-    /// The mistake of this number, counted from zero in the order in which they are found, to add
-    /// what is learnt later.
+    /// Returns the mistake of this number, counted from zero in the order of discovery, to add
+    /// later findings.
     pub fn diagnostic_mut(&mut self, number: usize) -> Option<&mut Diagnostic> {
         self.diagnostics.get_mut(number)
     }
 
-    /// Changes each mistake, and keeps those of which it is said.
+    /// Changes each mistake, and keeps those for which `keep` is true.
     pub fn revise(&mut self, keep: impl FnMut(&mut Diagnostic) -> bool) {
         self.diagnostics.retain_mut(keep);
     }

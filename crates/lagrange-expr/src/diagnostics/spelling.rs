@@ -5,11 +5,10 @@ const LONGEST_COMPARED: usize = 64;
 /// A name that begins with another is near it if they share at least this many letters.
 const SHORTEST_PREFIX: usize = 3;
 
-/// The candidate nearest to a name that is none of them, if one is near enough to be worth
-/// suggesting.
+/// Returns the candidate nearest to an unknown name, if it is near enough to be worth suggesting.
 ///
 /// Nearness is the number of letters to insert, delete, replace or swap with their neighbour, at
-/// most a third of the longer name; upper and lower case count as equal. Failing that, a candidate
+/// most a third of the longer name. Upper and lower case count as equal. Failing that, a candidate
 /// is near that abbreviates the name or is abbreviated by it. Of equally near candidates the first
 /// wins.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {

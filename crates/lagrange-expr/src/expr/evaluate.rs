@@ -6,7 +6,7 @@ use crate::expr::{ExprId, Graph, Node};
 use crate::number::Number;
 use crate::symbol::Role;
 
-/// The values of `roots` where symbols have the values that `value_of` gives.
+/// Returns the values of `roots` where symbols have the values that `value_of` gives.
 ///
 /// A condition that compares with NaN makes the whole choice NaN. Functions of the user's have
 /// values that stand for any others.
@@ -20,8 +20,8 @@ pub fn evaluate(graph: &Graph, roots: &[ExprId], value_of: impl Fn(Role) -> f64)
     roots.iter().map(|root| values.get(root).copied().unwrap_or(f64::NAN)).collect()
 }
 
-/// The value of one node, where its operands have the values that `at` gives and symbols those that
-/// `value_of` gives.
+/// Returns the value of one node, where its operands have the values that `at` gives and symbols
+/// those that `value_of` gives.
 pub fn node_value(
     graph: &Graph,
     id: ExprId,

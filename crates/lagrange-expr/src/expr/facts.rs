@@ -46,7 +46,7 @@ impl Dependencies {
     }
 
     /// True if the value may change by itself during a motion: with time or the state, while inputs
-    /// stay what they are.
+    /// stay unchanged.
     pub fn may_change(self) -> bool {
         self.0 & !(Dependencies::PARAMETER.0 | Dependencies::INPUT.0) != 0
     }
@@ -84,8 +84,8 @@ pub(super) struct Facts {
     /// Names, numbers and function signs of the written-out expression. It saturates: the text of a
     /// graph can be exponentially long.
     pub(super) written_size: u64,
-    /// Every x for which the slope s of |x| is a factor with an odd exponent, be it in |x| = s x,
-    /// or x = s |x| beside other terms with s.
+    /// Every x for which the slope s of |x| is a factor with an odd exponent. This may be in |x| =
+    /// s x, or in x = s |x| beside other terms with s.
     pub(super) slopes: Box<[ExprId]>,
 }
 

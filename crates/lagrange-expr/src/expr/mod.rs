@@ -1,15 +1,15 @@
 //! Expressions as a hash-consed directed acyclic graph.
 //!
 //! A [`Graph`] owns every expression of one system; an [`ExprId`] is a handle into it. Equal
-//! expressions have equal ids, and children have smaller ids than their parents, so a loop over
-//! ascending ids is a walk from the leaves to the roots that needs no stack.
+//! expressions have equal ids, and children have smaller ids than their parents. A loop over
+//! ascending ids therefore walks from the leaves to the roots without a stack.
 //!
 //! Nodes come only from the constructors in [`sum`](Graph::sum), [`product`](Graph::product) and
 //! [`choose`](Graph::choose), and for elementary functions from [`crate::functions`]. They fold
 //! numbers, collect equal terms and equal bases and sort operands. They do *not* multiply out, and
-//! they keep the nesting in which a formula was built unless something cancels: shared parts stay
-//! shared, which is what keeps derived equations small. The graph knows no algorithm; those are
-//! functions that take it.
+//! they keep the nesting in which a formula was built unless a term cancels. Shared parts stay
+//! shared, which keeps derived equations small. The graph knows no algorithm; those are functions
+//! that take it.
 
 mod combine;
 mod evaluate;
@@ -66,7 +66,7 @@ impl Relation {
         }
     }
 
-    /// Symbol of the relation.
+    /// Returns the symbol of the relation.
     pub fn symbol(self) -> &'static str {
         match self {
             Relation::Less => "<",
@@ -149,17 +149,17 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// An empty graph.
+    /// Creates an empty graph.
     pub fn new() -> Graph {
         Graph::default()
     }
 
-    /// The node behind an id.
+    /// Returns the node behind an id.
     pub fn node(&self, id: ExprId) -> &Node {
         &self.nodes[id.index()]
     }
 
-    /// The number of distinct expressions made so far.
+    /// Returns the number of distinct expressions made so far.
     pub fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -169,12 +169,12 @@ impl Graph {
         self.nodes.is_empty()
     }
 
-    /// The symbols that expressions mention.
+    /// Returns the symbols that expressions mention.
     pub fn symbols(&self) -> &Symbols {
         &self.symbols
     }
 
-    /// The symbol, if the expression is one.
+    /// Returns the symbol, if the expression is one.
     pub fn symbol_of(&self, id: ExprId) -> Option<&Symbol> {
         match self.node(id) {
             Node::Symbol(symbol) => Some(self.symbols.get(*symbol)),
@@ -198,13 +198,13 @@ impl Graph {
         self.facts[id.index()].partial
     }
 
-    /// Number of names, numbers and function signs that the expression takes when it is written
+    /// Counts the names, numbers and function signs that the expression takes when it is written
     /// out; it saturates.
     pub fn written_size(&self, id: ExprId) -> u64 {
         self.facts[id.index()].written_size
     }
 
-    /// The number, if the expression is one.
+    /// Returns the number, if the expression is one.
     pub fn as_number(&self, id: ExprId) -> Option<&Number> {
         match self.node(id) {
             Node::Number(value) => Some(value),
@@ -222,7 +222,7 @@ impl Graph {
         self.as_number(id).is_some_and(Number::is_one)
     }
 
-    /// `(c, x)` such that the expression is `c · x` and `x` has no numeric factor.
+    /// Returns `(c, x)` such that the expression is `c · x` and `x` has no numeric factor.
     pub fn split_coefficient(&self, id: ExprId) -> (Number, ExprId) {
         match self.node(id) {
             Node::Sum { constant, terms } if constant.is_zero() && terms.len() == 1 => {
@@ -241,23 +241,23 @@ impl Graph {
         ExprId(u32::try_from(index).expect("fewer than 2^32 expressions fit in memory"))
     }
 
-    /// An exact number.
+    /// Makes an exact number.
     pub fn number(&mut self, value: impl Into<Number>) -> ExprId {
         self.intern(Node::Number(value.into()))
     }
 
-    /// The circle constant.
+    /// Makes the circle constant.
     pub fn pi(&mut self) -> ExprId {
         self.intern(Node::Pi)
     }
 
-    /// The symbol in `role`, named on first use.
+    /// Returns the symbol in `role`, named on first use.
     pub fn symbol(&mut self, name: &str, role: Role) -> ExprId {
         let id = self.symbols.intern(name, role);
         self.intern(Node::Symbol(id))
     }
 
-    /// The symbol in `role`, with its name and so many dots if it is new.
+    /// Returns the symbol in `role`, with its name and this many dots if it is new.
     pub fn dotted_symbol(&mut self, name: &str, role: Role, dots: u8) -> ExprId {
         let id = self.symbols.intern_dotted(name, role, dots);
         self.intern(Node::Symbol(id))
@@ -269,7 +269,7 @@ impl Graph {
         self.rates.insert(position, rate);
     }
 
-    /// The rate of a position, if it is none that the index tells.
+    /// Returns the rate of a position that differs from the velocity of its index.
     pub fn rate_of_position(&self, position: ExprId) -> Option<ExprId> {
         self.rates.get(&position).copied()
     }
@@ -284,68 +284,20 @@ impl Graph {
         !self.grades.is_empty()
     }
 
-    /// The power of the unit of inertia in which a symbol is measured; zero if none is known.
+    /// Returns the power of the unit of inertia in which a symbol is measured; zero if none is
+    /// known.
     pub fn grade_of_symbol(&self, symbol: ExprId) -> Number {
         self.grades.get(&symbol).cloned().unwrap_or(Number::ZERO)
     }
 
-    /// `a + b`
-    pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        self.sum(Number::ZERO, [(a, Number::ONE), (b, Number::ONE)])
-    }
-
-    /// `a - b`
-    pub fn subtract(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        self.sum(Number::ZERO, [(a, Number::ONE), (b, Number::MINUS_ONE)])
-    }
-
-    /// `-a`
-    pub fn negate(&mut self, a: ExprId) -> ExprId {
-        self.scale(Number::MINUS_ONE, a)
-    }
-
-    /// `c · a`
-    pub fn scale(&mut self, c: Number, a: ExprId) -> ExprId {
-        self.sum(Number::ZERO, [(a, c)])
-    }
-
-    /// `Σ aᵢ`
-    pub fn total(&mut self, terms: impl IntoIterator<Item = ExprId>) -> ExprId {
-        self.sum(Number::ZERO, terms.into_iter().map(|term| (term, Number::ONE)))
-    }
-
-    /// `a · b`
-    pub fn multiply(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        self.product([(a, Number::ONE), (b, Number::ONE)])
-    }
-
-    /// `a / b`
-    pub fn divide(&mut self, a: ExprId, b: ExprId) -> ExprId {
-        self.product([(a, Number::ONE), (b, Number::MINUS_ONE)])
-    }
-
-    /// `1 / a`
-    pub fn reciprocal(&mut self, a: ExprId) -> ExprId {
-        self.product([(a, Number::MINUS_ONE)])
-    }
-
-    /// `a ^ exponent`
-    pub fn power(&mut self, a: ExprId, exponent: Number) -> ExprId {
-        self.product([(a, exponent)])
-    }
-
-    /// `a ^ 2`
-    pub fn square(&mut self, a: ExprId) -> ExprId {
-        self.power(a, Number::TWO)
-    }
-
-    /// A function call as it stands; [`crate::functions::apply`] is the constructor that
+    /// Makes a function call as it stands; [`crate::functions::apply`] is the constructor that
     /// simplifies.
     pub fn call(&mut self, function: Function, arguments: &[ExprId]) -> ExprId {
         self.intern(Node::Call(function, arguments.into()))
     }
 
-    /// The value or a derivative of a function without a formula, for as many arguments as it has.
+    /// Makes the value or a derivative of a function without a formula, for as many arguments as it
+    /// has.
     pub fn opaque(&mut self, function: Opaque, arguments: &[ExprId]) -> ExprId {
         if function.vanishes() {
             return self.number(0);
@@ -353,8 +305,8 @@ impl Graph {
         self.intern(Node::Opaque(function, arguments.into()))
     }
 
-    /// `if left relation right { then } else { otherwise }`; the condition is decided here if both
-    /// sides are numbers, and dropped if both values are the same expression.
+    /// Makes `if left relation right { then } else { otherwise }`. The condition is decided here if
+    /// both sides are numbers, and dropped if both values are the same expression.
     pub fn choose(
         &mut self,
         relation: Relation,

@@ -4,13 +4,13 @@ use super::{ExprId, Graph};
 use crate::collections::HashSet;
 
 impl Graph {
-    /// Expressions that the roots are made of, themselves included, children before parents.
+    /// Returns all parts of the roots, including themselves, children before parents.
     pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
         self.reachable_until(roots, |_| false)
     }
 
-    /// Expressions as of [`reachable`](Graph::reachable), but without what is only reached through
-    /// those that `stop` accepts; those themselves are included.
+    /// Returns expressions as [`reachable`](Graph::reachable) does, except those that are only
+    /// reached through others that `stop` accepts. The latter are included.
     pub fn reachable_until(&self, roots: &[ExprId], stop: impl Fn(ExprId) -> bool) -> Vec<ExprId> {
         let mut seen = vec![false; roots.iter().map(|root| root.index() + 1).max().unwrap_or(0)];
         let mut pending = roots.to_vec();
@@ -27,8 +27,8 @@ impl Graph {
         found
     }
 
-    /// True if an expression is made of more than `limit` expressions, itself included. Looks at no
-    /// more than that many, however large the expression is.
+    /// True if an expression has more than `limit` parts, including itself. Visits no more than
+    /// that many, however large the expression is.
     pub fn is_larger_than(&self, root: ExprId, limit: usize) -> bool {
         let mut seen = HashSet::from_iter([root]);
         let mut pending = vec![root];

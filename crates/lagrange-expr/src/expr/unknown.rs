@@ -1,8 +1,8 @@
 //! Values that equations define implicitly.
 //!
 //! An algebraic unknown y of an equation 0 = r(x₁, …, y) is a function y(x₁, …) of its arguments.
-//! Expressions mention it as a call of an [`Opaque`] function; what r is, in symbols of its own for
-//! the arguments and the unknown, stands beside them in the graph.
+//! Expressions mention it as a call of an [`Opaque`] function. Its residual r, with separate
+//! symbols for the arguments and the unknown, is stored beside them in the graph.
 
 use super::{ExprId, Graph};
 use crate::opaque::Opaque;
@@ -19,14 +19,14 @@ pub struct AlgebraicUnknown {
     pub value: ExprId,
     /// Expression that is zero at the solution, in these symbols.
     pub residual: ExprId,
-    /// Value from which the iteration starts, made of the arguments.
+    /// Value from which the iteration starts, a function of the arguments.
     pub start: ExprId,
     /// Number of steps after which the equation counts as one without a solution.
     pub iterations: u32,
 }
 
 impl AlgebraicUnknown {
-    /// All expressions that define it.
+    /// Returns all expressions that define it.
     pub fn expressions(&self) -> Vec<ExprId> {
         [&self.arguments[..], &[self.value, self.residual, self.start]].concat()
     }
@@ -45,7 +45,7 @@ impl AlgebraicUnknown {
 }
 
 impl Graph {
-    /// A new symbol for an argument or the value of an algebraic unknown.
+    /// Makes a new symbol for an argument or the value of an algebraic unknown.
     pub fn operand(&mut self, name: &str) -> ExprId {
         let role = Role::Operand(self.operands);
         self.operands += 1;
@@ -62,7 +62,7 @@ impl Graph {
         &self.unknowns
     }
 
-    /// The equation that defines a function, if one does.
+    /// Returns the equation that defines a function, if one does.
     pub fn unknown(&self, function: &Opaque) -> Option<&AlgebraicUnknown> {
         self.unknowns.iter().find(|unknown| unknown.function == *function)
     }

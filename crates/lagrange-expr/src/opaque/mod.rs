@@ -1,11 +1,11 @@
 //! Functions that are known by their values alone: those of the user's crate, tables, and solutions
 //! of equations.
 //!
-//! Functions of the crate are only assumed to give equal values for equal arguments. A derivative
-//! is another function, which the user names or which has the name that [`default_name`] gives it;
-//! its values are known at run time only. Tables are differentiated piece by piece, and emitted
-//! code has functions of the same default names for them. Solutions of equations have derivatives
-//! with a formula, by implicit differentiation (`calculus::implicit`).
+//! Functions of the crate are only assumed to return equal values for equal arguments. A derivative
+//! is another function, which the user names or [`default_name`] does. Its values are known at run
+//! time only. Tables are differentiated piece by piece, and emitted code has functions of the same
+//! default names for them. Solutions of equations have derivatives with a formula, by implicit
+//! differentiation (`calculus::implicit`).
 
 mod spline;
 mod table;
@@ -70,18 +70,18 @@ impl Hash for Opaque {
 }
 
 impl Opaque {
-    /// The function itself.
+    /// Returns the function itself.
     pub fn value_of(function: OpaqueFunction) -> Opaque {
         let orders = vec![0; function.parameters.len()];
         Opaque { function: Arc::new(function), orders }
     }
 
-    /// The function that this is the value or a derivative of.
+    /// Returns the function of which this is the value or a derivative.
     pub fn function(&self) -> &OpaqueFunction {
         &self.function
     }
 
-    /// The number of arguments.
+    /// Returns the number of arguments.
     pub fn arity(&self) -> usize {
         self.orders.len()
     }
@@ -96,7 +96,7 @@ impl Opaque {
         self.orders.iter().map(|order| usize::from(*order)).sum()
     }
 
-    /// The partial derivative by an argument.
+    /// Returns the partial derivative by an argument.
     pub fn derivative(&self, argument: usize) -> Opaque {
         let mut derivative = self.clone();
         derivative.orders[argument] = derivative.orders[argument].saturating_add(1);
@@ -108,7 +108,7 @@ impl Opaque {
         matches!(self.function.source, Source::Equation)
     }
 
-    /// The name of the Rust function that computes it: as the user says, or by default.
+    /// Returns the name of the Rust function that computes it: the user's, or the default.
     pub fn rust_name(&self) -> String {
         if self.is_solution() {
             return format!("solve_{}", self.function.name);
@@ -130,7 +130,7 @@ impl Opaque {
         declared.map(|(_, name)| name.as_str())
     }
 
-    /// The table, if it is one.
+    /// Returns the table, if it is one.
     pub fn table(&self) -> Option<&Table> {
         match &self.function.source {
             Source::Table(table) => Some(table),
@@ -143,14 +143,14 @@ impl Opaque {
         self.table().is_some_and(|table| table.vanishes(&self.orders))
     }
 
-    /// Its value, if it is a table.
+    /// Returns its value, if it is a table.
     pub fn known_value(&self, arguments: &[f64]) -> Option<f64> {
         self.table().map(|table| table.value(&self.orders, arguments))
     }
 
-    /// A value in place of the unknown one, to tell at one point what may differ: a number between
-    /// 1/2 and 3/2 that the function, the orders and the arguments determine. NaN where an argument
-    /// is.
+    /// Returns a value in place of the unknown one, to find at one point whether expressions may
+    /// differ. It is a number between 1/2 and 3/2 determined by the function, the orders and the
+    /// arguments, and NaN if an argument is.
     pub fn stand_in(&self, arguments: &[f64]) -> f64 {
         let name = self.function.name.bytes().map(f64::from);
         let orders = self.orders.iter().map(|order| f64::from(*order));
@@ -200,8 +200,8 @@ impl Opaque {
         }
     }
 
-    /// In words: "the second derivative of `road`", or "the derivative of `lift` by `alpha`,
-    /// `speed`".
+    /// Describes it in words: "the second derivative of `road`", or "the derivative of `lift` by
+    /// `alpha`, `speed`".
     pub fn describe(&self) -> String {
         let name = &self.function.name;
         if self.order() == 0 {
@@ -219,8 +219,8 @@ impl Opaque {
     }
 }
 
-/// The name of the function that computes a derivative: of one argument `f_derivative`,
-/// `f_second_derivative`, …, of several `f_by_x`, `f_by_x_x`, `f_by_x_y`, ….
+/// Returns the name of the function that computes a derivative. With one argument it is
+/// `f_derivative`, `f_second_derivative`, …, with several `f_by_x`, `f_by_x_x`, `f_by_x_y`, ….
 pub fn default_name(name: &str, parameters: &[String], orders: &[u8]) -> String {
     match orders {
         [0] => name.to_owned(),

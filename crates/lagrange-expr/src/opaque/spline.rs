@@ -1,4 +1,4 @@
-//! Splines through points: the polynomials between them, and what goes on beyond.
+//! Splines through points: the polynomials between them, and their continuation beyond.
 //!
 //! Sources: de Boor, *A Practical Guide to Splines*, chapter IV, for the natural spline; Fritsch
 //! and Carlson, "Monotone piecewise cubic interpolation", SIAM Journal on Numerical Analysis 17
@@ -34,12 +34,12 @@ impl Interpolation {
         ("natural", Interpolation::Natural),
     ];
 
-    /// The name in declarations.
+    /// Returns the name in declarations.
     pub fn name(self) -> &'static str {
         Interpolation::ALL.iter().find(|(_, way)| *way == self).map_or("", |(name, _)| name)
     }
 
-    /// Number of coefficients of each polynomial.
+    /// Returns the number of coefficients of each polynomial.
     pub fn coefficients(self) -> usize {
         if self == Interpolation::Linear { 2 } else { 4 }
     }
@@ -50,15 +50,15 @@ impl Outside {
     pub const ALL: [(&'static str, Outside); 3] =
         [("error", Outside::Error), ("clamp", Outside::Clamp), ("extend", Outside::Extend)];
 
-    /// The name in declarations.
+    /// Returns the name in declarations.
     pub fn name(self) -> &'static str {
         Outside::ALL.iter().find(|(_, way)| *way == self).map_or("", |(name, _)| name)
     }
 }
 
-/// Coefficients, of ascending powers of the distance from where a piece begins, of the polynomials
-/// before the first knot, between two of them, and behind the last. The first one counts from the
-/// first knot.
+/// Computes coefficients of ascending powers of the distance from the start of a piece. The
+/// polynomials are those before the first knot, between two of them, and behind the last. The first
+/// one counts from the first knot.
 pub(super) fn pieces(
     knots: &[f64],
     values: &[f64],
@@ -109,9 +109,9 @@ fn end_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     secants.into_iter().chain([last]).collect()
 }
 
-/// Slopes of which the cubics between the points are monotone where the points are: means of the
-/// secants on both sides, zero where the points turn, and made smaller where they lie outside the
-/// circle α² + β² = 9.
+/// Returns slopes for which the cubics between the points are monotone where the points are. They
+/// are means of the secants on both sides, zero where the points turn, and reduced where they lie
+/// outside the circle α² + β² = 9.
 fn monotone_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let secants = secants(knots, values);
     let last = secants.len() - 1;

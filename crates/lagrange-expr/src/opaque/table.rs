@@ -1,9 +1,9 @@
 //! Tables: functions that are polynomials piece by piece, between the points that a declaration
 //! lists and beyond them.
 //!
-//! Of one argument a table is a spline; of two it is the tensor product of two, since splines
-//! depend linearly on the values that they go through: the coefficients of the splines along one
-//! axis are interpolated along the other.
+//! With one argument, a table is a spline. With two, it is the tensor product of two splines, since
+//! splines depend linearly on the values that they interpolate. The coefficients of the splines
+//! along one axis are interpolated along the other.
 
 use crate::elementary::multiply_add;
 
@@ -18,9 +18,9 @@ pub struct Table {
     pub interpolation: Interpolation,
     /// Value beyond the first and the last of them.
     pub outside: Outside,
-    /// Coefficients of the pieces, the one before the first knot and the one behind the last among
-    /// them; those of ascending powers of the distance from where a piece begins, with two
-    /// arguments in rows, pieces in rows, too.
+    /// Coefficients of the pieces, including the one before the first knot and the one behind the
+    /// last. They belong to ascending powers of the distance from the start of a piece. With two
+    /// arguments, both coefficients and pieces are in rows.
     pub coefficients: Vec<f64>,
 }
 
@@ -53,7 +53,7 @@ impl Axis {
         Axis { knots, density: if is_even { intervals / (last - first) } else { 0.0 } }
     }
 
-    /// The largest magnitude of a knot.
+    /// Returns the largest magnitude of a knot.
     pub fn largest_knot(&self) -> f64 {
         self.knots.iter().fold(0.0, |largest: f64, knot| largest.max(knot.abs()))
     }
@@ -82,16 +82,16 @@ impl Axis {
 }
 
 impl Table {
-    /// Table of one argument through points, of which there are at least two and whose first
-    /// components ascend.
+    /// Creates a table of one argument through points, of which there are at least two and whose
+    /// first components ascend.
     pub fn curve(points: &[(f64, f64)], interpolation: Interpolation, outside: Outside) -> Table {
         let (knots, values): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
         let coefficients = pieces(&knots, &values, interpolation, outside).concat();
         Table { axes: vec![Axis::new(knots)], interpolation, outside, coefficients }
     }
 
-    /// Table of two arguments with these values, in rows for each knot of the first argument. Of
-    /// the ways to interpolate it has only those that depend linearly on the values.
+    /// Creates a table of two arguments with these values, in rows for each knot of the first
+    /// argument. Of the ways to interpolate it has only those that depend linearly on the values.
     pub fn surface(
         [along_x, along_y]: [Vec<f64>; 2],
         values: &[Vec<f64>],
@@ -118,7 +118,7 @@ impl Table {
         Table { axes, interpolation, outside, coefficients }
     }
 
-    /// The largest magnitude of a value at which a piece begins.
+    /// Returns the largest magnitude of a value at which a piece begins.
     pub fn largest_value(&self) -> f64 {
         let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
         let values = self.coefficients.iter().step_by(size).filter(|value| value.is_finite());
@@ -171,7 +171,7 @@ impl Table {
         }
     }
 
-    /// A value or a derivative, computed as emitted code computes it; NaN for NaN.
+    /// Computes a value or a derivative as emitted code does; NaN for NaN.
     pub fn value(&self, orders: &[u8], arguments: &[f64]) -> f64 {
         let places = self.axes.iter().zip(arguments).map(|(axis, x)| axis.find(*x));
         let places = places.collect::<Option<Vec<_>>>();

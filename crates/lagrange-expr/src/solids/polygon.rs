@@ -1,11 +1,11 @@
 //! Polygons as fans of triangles about their first corner.
 //!
-//! With u the places of the other corners seen from the first, a triangle (0, u, w) has twice the
-//! area D = u × w, its centroid at (u + w)/3 and D (u·u + u·w + w·w)/12 as its second moment of
-//! area about the first corner. Areas count with their signs, so that only corners that follow each
+//! Let u and w be the places of two corners seen from the first. A triangle (0, u, w) has twice the
+//! area D = u × w and its centroid at (u + w)/3. Its second moment of area about the first corner
+//! is D (u·u + u·w + w·w)/12. Areas count with their signs, so that only corners that follow each
 //! other matter, and the quotients do not depend on the orientation.
 
-use super::fraction;
+use super::formulas::fraction;
 use crate::expr::{ExprId, Graph};
 use crate::number::Number;
 
@@ -63,7 +63,7 @@ fn mean(graph: &mut Graph, terms: Vec<ExprId>, fan: &[Triangle], divisor: i64) -
     fraction(graph, 1, quotient, divisor)
 }
 
-/// Twice the area, positive for corners in counterclockwise order.
+/// Returns twice the area, positive for corners in counterclockwise order.
 pub fn double_area(graph: &mut Graph, coordinates: &[ExprId]) -> ExprId {
     let fan = fan(graph, coordinates);
     graph.total(fan.iter().map(|triangle| triangle.area))

@@ -13,12 +13,12 @@ impl Dimension {
     /// That of plain numbers and of angles.
     pub const NONE: Dimension = Dimension([Number::ZERO; 7]);
 
-    /// From whole exponents of the [`BASE_UNITS`].
+    /// Creates a dimension from whole exponents of the [`BASE_UNITS`].
     pub fn of(exponents: [i8; 7]) -> Dimension {
         Dimension(exponents.map(|exponent| Number::from(i64::from(exponent))))
     }
 
-    /// From exponents of the [`BASE_UNITS`].
+    /// Creates a dimension from exponents of the [`BASE_UNITS`].
     pub fn from_exponents(exponents: [Number; 7]) -> Dimension {
         Dimension(exponents)
     }
@@ -33,17 +33,17 @@ impl Dimension {
         self.0.iter().all(Number::is_zero)
     }
 
-    /// That of a product.
+    /// Returns the dimension of a product.
     pub fn times(&self, other: &Dimension) -> Dimension {
         Dimension(std::array::from_fn(|i| &self.0[i] + &other.0[i]))
     }
 
-    /// That of a quotient.
+    /// Returns the dimension of a quotient.
     pub fn over(&self, other: &Dimension) -> Dimension {
         Dimension(std::array::from_fn(|i| &self.0[i] - &other.0[i]))
     }
 
-    /// That of a power.
+    /// Returns the dimension of a power.
     pub fn power(&self, exponent: &Number) -> Dimension {
         Dimension(std::array::from_fn(|i| &self.0[i] * exponent))
     }

@@ -1,10 +1,10 @@
-//! Units of measurement: how they are written, what they measure, and what they are in coherent
-//! units of the SI.
+//! Units of measurement: their spelling, their dimension, and their factor to coherent units of the
+//! SI.
 //!
 //! A unit is a product of powers of named units, such as `kg*m^2/s`. It has a [`Dimension`], the
 //! exponents of the base units, and a [`Scale`], the exact factor to the coherent unit of that
-//! dimension. Numbers at run time are in coherent units always, so that a unit costs nothing there;
-//! other units scale what is written in a declaration.
+//! dimension. Numbers at run time are always in coherent units, so that a unit costs nothing there;
+//! other units scale numbers in a declaration.
 //!
 //! Definitions of units: *The International System of Units*, 9th edition, BIPM 2019, and NIST
 //! Special Publication 811, appendix B.
@@ -44,7 +44,7 @@ impl Scale {
         *self == Scale::ONE
     }
 
-    /// To the nearest number; where π occurs, within a few roundings.
+    /// Returns the nearest number; where π occurs, one within a few roundings.
     pub fn to_f64(&self) -> f64 {
         self.number.to_f64() * std::f64::consts::PI.powi(self.pi)
     }
@@ -86,8 +86,8 @@ pub struct Unit {
 }
 
 impl Unit {
-    /// The product of these factors, which must be known; `None` if its factor to the coherent unit
-    /// is not exact.
+    /// Creates the product of these factors, which must be known; `None` if its factor to the
+    /// coherent unit is not exact.
     pub fn of(factors: Vec<UnitFactor>, origin: Origin) -> Option<Unit> {
         let mut unit = Unit { factors: Vec::new(), dimension: Dimension::NONE, scale: Scale::ONE, origin };
         for factor in &factors {
@@ -99,7 +99,7 @@ impl Unit {
         Some(unit)
     }
 
-    /// A product of whole powers of coherent units.
+    /// Creates a product of whole powers of coherent units.
     pub fn coherent_of(powers: &[(&str, i8)], origin: Origin) -> Option<Unit> {
         let factor = |(name, exponent): &(&str, i8)| UnitFactor {
             name: (*name).to_owned(),
@@ -113,8 +113,8 @@ impl Unit {
         self.scale.is_one()
     }
 
-    /// The unit of the same dimension that numbers have at run time: itself if it is coherent, else
-    /// with coherent units for its factors.
+    /// Returns the unit of the same dimension that numbers have at run time: itself if it is
+    /// coherent, otherwise with coherent units for its factors.
     pub fn coherent(&self) -> Unit {
         if self.is_coherent() {
             return self.clone();

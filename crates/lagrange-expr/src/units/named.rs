@@ -18,12 +18,13 @@ pub struct NamedUnit {
 pub struct NamedUnits(OrderedMap<String, NamedUnit>);
 
 impl NamedUnits {
-    /// The unit of a name, such as that of a parameter, a coordinate, a velocity or an output.
+    /// Returns the unit of a name, such as that of a parameter, a coordinate, a velocity or an
+    /// output.
     pub fn get(&self, name: &str) -> Option<&NamedUnit> {
         self.0.get(&name.to_owned())
     }
 
-    /// Every name that has a unit.
+    /// Returns every name that has a unit.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &NamedUnit)> {
         self.0.iter().map(|(name, unit)| (name.as_str(), unit))
     }
@@ -34,12 +35,12 @@ impl NamedUnits {
     }
 }
 
-/// The name under which the unit of one component of an output is kept.
+/// Returns the name under which the unit of one component of an output is kept.
 pub fn component_name(output: &str, index: usize) -> String {
     format!("{output}.{index}")
 }
 
-/// The name under which the unit of the momentum of a coordinate is kept.
+/// Returns the name under which the unit of the momentum of a coordinate is kept.
 pub fn momentum_name(coordinate: &str) -> String {
     format!("momentum of {coordinate}")
 }

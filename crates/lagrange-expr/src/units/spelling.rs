@@ -44,8 +44,8 @@ const NOUNS: [(&str, [i8; 7]); 24] = [
     ("a resistance", [1, 2, -3, -2, 0, 0, 0]),
 ];
 
-/// The coherent unit of a dimension: `N`, `J` and other short names where that is shorter than base
-/// units.
+/// Spells the coherent unit of a dimension: `N`, `J` and other short names if they are shorter than
+/// base units.
 pub fn spelled(dimension: &Dimension) -> String {
     let base = powers(dimension);
     let length = |powers: &[(&str, Number)]| -> f64 {
@@ -79,7 +79,7 @@ fn powers(dimension: &Dimension) -> Vec<(&'static str, Number)> {
         .collect()
 }
 
-/// `a force (N)`, or `a quantity in kg*m^3` if there is no word for it.
+/// Describes a dimension: `a force (N)`, or `a quantity in kg*m^3` if there is no word for it.
 pub fn described(dimension: &Dimension) -> String {
     let noun = NOUNS.iter().find(|(_, exponents)| Dimension::of(*exponents) == *dimension);
     match noun {
@@ -89,8 +89,8 @@ pub fn described(dimension: &Dimension) -> String {
     }
 }
 
-/// The word for a dimension without its article: `length`; `None` of plain numbers and where there
-/// is no word.
+/// Returns the word for a dimension without its article, such as `length`; `None` for plain numbers
+/// and if there is no word.
 pub fn noun(dimension: &Dimension) -> Option<&'static str> {
     let (noun, _) = NOUNS.iter().find(|(_, exponents)| Dimension::of(*exponents) == *dimension)?;
     let (_, word) = noun.split_once(' ')?;

@@ -223,12 +223,12 @@ fn named(name: &str) -> Option<(UnitMeaning, bool)> {
     Some((UnitMeaning { dimension, scale, coherent: row.coherent.to_vec() }, row.takes_prefixes))
 }
 
-/// The unit that is meant by a word which is none.
+/// Returns the unit that was probably meant by a word.
 pub fn meant(word: &str) -> Option<&'static str> {
     MEANT.iter().find(|(words, _)| words.contains(&word)).map(|(_, unit)| *unit)
 }
 
-/// Names of units that may be meant, those with usual prefixes among them.
+/// Returns the names of units that may be meant, including those with usual prefixes.
 pub fn names() -> Vec<String> {
     let coherent = COHERENT.iter().flat_map(|row| row.names.iter().map(|name| (*name, row.takes_prefixes)));
     let scaled = SCALED.iter().flat_map(|row| row.names.iter().map(|name| (*name, row.takes_prefixes)));

@@ -1,8 +1,8 @@
 //! Robots as declarations, to be read and edited.
 //!
 //! The order is that of the tree: a link, then the joint that places it. The printer of the
-//! language knows no comments and one line for each statement, so that text is laid out here
-//! ([`layout`]); that it is read as it is meant is checked by whoever asks for it.
+//! language has no comments and one line for each statement, so the text is laid out here
+//! ([`layout`]). The caller checks that it is parsed as intended.
 
 mod joints;
 mod layout;

@@ -1,4 +1,4 @@
-//! Joints: where they are, how they move, and what the file says of their limits.
+//! Joints: their places, motions and limits.
 
 use lagrange_core::diagnostics::nearest;
 use roxmltree::Node;

@@ -1,7 +1,7 @@
 //! URDF, the format in which robots are described for ROS: XML with `<link>` and `<joint>`
 //! elements.
 //!
-//! [`import`] writes a declaration for `lagrange::system!` that a person would go on with:
+//! [`import`] writes a declaration for `lagrange::system!`, as a starting point for editing:
 //!
 //! ```
 //! use lagrange_import::urdf::{Options, import};
@@ -54,10 +54,10 @@
 //! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
 //! | `<material>`, `<transmission>`, `<gazebo>`, `<sensor>`, `<ros2_control>`, `<calibration>`, `<safety_controller>` | left out |
 //!
-//! Anything else is left out with a warning, unless leaving it out may change the motion: unknown
-//! attributes of origins, axes, masses and inertia, and such elements at other places or misspelt,
-//! are mistakes. Elements and attributes of other namespaces, such as `<drake:joint>`, are for
-//! other programs: they are left out, with one warning for each prefix.
+//! Anything else is ignored with a warning, unless ignoring it may change the motion. Unknown
+//! attributes of origins, axes, masses and inertia, and such elements that are misplaced or
+//! misspelt, are errors. Elements and attributes of other namespaces, such as `<drake:joint>`, are
+//! for other programs: they are ignored, with one warning for each prefix.
 //!
 //! A joint that moves no mass would have no equation of motion: it is held at zero, with a warning.
 //! A link that can move without inertia otherwise, such as a free base without mass on which one
@@ -92,7 +92,7 @@ pub use crate::declaration::Motion;
 /// The options of an import.
 #[derive(Clone, Debug, Default)]
 pub struct Options {
-    /// Name of the struct; if it is not given it is made of the robot's.
+    /// Name of the struct; by default it follows from the robot's.
     pub name: Option<String>,
     /// True if the base moves freely instead of being fixed to the ground.
     pub is_free: bool,
@@ -103,7 +103,7 @@ pub struct Options {
     pub trusts_inertia: bool,
 }
 
-/// A declaration made of a file.
+/// A declaration from a file.
 #[derive(Clone, Debug)]
 pub struct Import {
     /// The declaration as a person would write it.

@@ -1,4 +1,4 @@
-//! Elements of a file: what they must and may hold, with mistakes collected at their lines.
+//! Elements of a file: their required and optional content, with mistakes collected at their lines.
 
 use lagrange_core::diagnostics::nearest;
 use roxmltree::{Attribute, Node};

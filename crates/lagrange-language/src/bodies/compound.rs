@@ -1,4 +1,4 @@
-//! Bodies made of parts, holes among them.
+//! Bodies of several parts, including holes.
 //!
 //! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Jᵢ + mᵢ |rᵢ − r_S|²) by Steiner's theorem, holes with the
 //! lower sign.

@@ -1,7 +1,7 @@
 //! Pins, slides and rolling as constraints.
 //!
-//! A constraint is written so that its gradient is the direction in which its force acts on what is
-//! named first: the force is λ times the direction.
+//! The gradient of a constraint is the direction in which its force acts on the first-named body.
+//! The force is λ times the direction.
 
 use super::drawing::{Load, draw_force, owner_of_point};
 use super::expressions::{mention, scene_point};

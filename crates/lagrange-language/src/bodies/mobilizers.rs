@@ -1,5 +1,4 @@
-//! Joints with coordinates of their own in the plane: they put a body where `origin` and `angle`
-//! would.
+//! Joints with coordinates in the plane: they place a body as `origin` and `angle` would.
 
 use super::body::translate_body;
 use super::expressions::{is_ground, mention, report_early};

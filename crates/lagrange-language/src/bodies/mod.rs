@@ -1,26 +1,26 @@
 //! Rigid bodies in the statements of the plain language: here those in the plane, in `space` the
 //! others.
 //!
-//! A body is its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c; springs,
-//! dampers and joints are energies, Rayleigh functions and constraints of points that bodies carry.
-//! [`plain()`] writes all of that down as syntax, before names are resolved, so that what follows
-//! knows nothing of bodies and the plain statements can be shown to the user. Nothing is simplified
-//! or differentiated here.
+//! A body becomes its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c. Springs,
+//! dampers and joints become energies, Rayleigh functions and constraints of points on bodies.
+//! [`plain()`] writes all of that as syntax before names are resolved. Later phases therefore know
+//! nothing of bodies, and the plain statements can be shown to the user. Nothing is simplified or
+//! differentiated here.
 //!
-//! Hand-written energies mix with those of bodies, and what a scene costs is what the same system
-//! costs by hand, to which `tests/bodies` holds it. Mistakes point at what the user wrote. A
-//! constraint of a joint that proves to be zero is left out.
+//! Hand-written energies mix with those of bodies, and a scene costs as much as the same system by
+//! hand, to which `tests/bodies` holds it. Mistakes point at the user's text. A constraint of a
+//! joint that proves to be zero is omitted.
 //!
-//! Beside the statements come expressions for motions, frames and drawings ([`Plain`]);
-//! `elaborate::scene` evaluates them only if `emit` asks for them, and they are emitted as values
-//! of `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the
-//! feature `draw`. What is handed out to be drawn is all that acts of what is declared with bodies:
-//! `tests/laws/scenes.rs` and `tests/api/axiom.rs` hold it to F = m a and to the axiom of angular
-//! momentum, `tests/spatial/drawing.rs` and `tests/api/spatial_axiom.rs` in space. On a free body
-//! the drawing adds the resultant of what has no name, m a − Σ F, from the motion. In space a load
-//! on the coordinate of a joint acts along its axis (`space::motors`); in the plane torques on
-//! angles find their bodies by proof (`elaborate::torques`). Joints without multipliers and torques
-//! that fit no body or several are handed out as omitted, and named below the picture.
+//! Motions, frames and drawings have expressions beside the statements ([`Plain`]).
+//! `elaborate::scene` evaluates them only if `emit` requests them. They are emitted as values of
+//! `lagrange::body` and `lagrange::scene`, which every build has; pictures are behind the feature
+//! `draw`. A drawing contains every load that is declared with bodies. `tests/laws/scenes.rs` and
+//! `tests/api/axiom.rs` check it against F = m a and the axiom of angular momentum,
+//! `tests/spatial/drawing.rs` and `tests/api/spatial_axiom.rs` in space. On a free body the drawing
+//! adds the resultant of unnamed loads, m a − Σ F, from the motion. In space a load on the
+//! coordinate of a joint acts along its axis (`space::motors`). In the plane, torques on angles
+//! find their bodies by proof (`elaborate::torques`). Joints without multipliers, and torques that
+//! fit no body or several, are listed as omitted and named below the picture.
 //!
 //! Source of the formulas: any textbook of plane rigid-body mechanics, such as Meriam, Kraige, *Engineering
 //! Mechanics: Dynamics*, ch. 5 and 6.
@@ -58,7 +58,7 @@ pub use plain::{
     SpatialJointForm, SpatialKinematics, SpatialMotion,
 };
 
-/// Puts plain statements in the place of those about bodies. Mistakes are reported.
+/// Replaces statements about bodies by plain statements. Mistakes are reported.
 pub fn plain(mut declaration: Declaration, report: &mut Report) -> Plain {
     report_repeated(&declaration, report);
     let translation = Translation::new(&mut declaration, report);

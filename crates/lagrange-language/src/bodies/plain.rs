@@ -3,7 +3,7 @@
 use crate::syntax::ast::{AstId, ConnectorKind, Declaration, MobilizerKind, Name, StatementKind};
 use lagrange_expr::diagnostics::Origin;
 
-/// A declaration without statements about bodies, and what is known of the bodies beside it.
+/// A declaration without statements about bodies, and the properties of the bodies beside it.
 ///
 /// Expressions are those of the declaration.
 #[derive(Clone, Debug)]
@@ -18,11 +18,9 @@ pub struct Plain {
     pub drawing: Vec<Drawn>,
     /// Conditions on numbers, checked where these are known.
     pub obligations: Vec<Obligation>,
-    /// Names of the constraints of joints. They are left out where the coordinates fulfil them by
-    /// themselves.
+    /// Names of the constraints of joints. They are omitted where the coordinates satisfy them.
     pub joints: Vec<Name>,
-    /// Names of `let`s that are places, with what they are places of: they are made of coordinates
-    /// and time.
+    /// Names of `let`s that are places, with their owners: they depend on coordinates and time.
     pub places: Vec<(String, String)>,
     /// Expressions in statements about bodies, so that mistakes in them are found whether or not
     /// they are needed.
@@ -30,7 +28,7 @@ pub struct Plain {
 }
 
 impl Plain {
-    /// The declaration without these constraints of joints.
+    /// Removes these constraints of joints.
     pub fn without(self, constraints: &[String]) -> Declaration {
         let mut declaration = self.declaration;
         declaration.statements.retain(|statement| match &statement.kind {
@@ -50,7 +48,7 @@ pub struct Motion {
     pub center: AstId,
     /// The centre of mass in the body's own coordinates.
     pub centroid: AstId,
-    /// The angle of its own axes.
+    /// The angle of the frame's axes.
     pub angle: AstId,
     /// Its mass.
     pub mass: AstId,
@@ -132,16 +130,16 @@ impl SpatialKinematics {
 pub struct Drawn {
     /// Kind of the item.
     pub kind: DrawnKind,
-    /// Its numbers, scalars and vectors, in the order that its kind says.
+    /// Its numbers, scalars and vectors, in the order of its kind.
     pub values: Vec<AstId>,
-    /// Constraints whose multipliers the values hold: it is left out if one of them is.
+    /// Constraints whose multipliers the values contain: it is omitted if one of them is.
     pub needs: Vec<String>,
 }
 
 /// Kinds of items to draw; vectors have two components, in space three.
 #[derive(Clone, Debug)]
 pub enum DrawnKind {
-    /// A body: no values of its own, but the outlines of its shape, one for each part.
+    /// A body: no values, but the outlines of its shape, one for each part.
     Body {
         /// Its index among the motions.
         body: usize,
@@ -211,7 +209,7 @@ pub enum DrawnKind {
     },
     /// A force or moment that acts, but whose value or place is not known: no values.
     Omitted {
-        /// Name of what is omitted.
+        /// Name of the omitted item.
         name: String,
     },
 }
@@ -224,9 +222,9 @@ pub struct Outline {
     pub variant: &'static str,
     /// Its dimensions.
     pub dimensions: Vec<AstId>,
-    /// Origin of its own coordinates in those of the body, a vector, and the angle by which its own
-    /// axes are turned there; in space all components of the origin, then those of the rotation in
-    /// rows.
+    /// Place of its own coordinates in those of the body. In the plane it is the origin, a vector,
+    /// and the angle of the axes. In space it is all components of the origin, then those of the
+    /// rotation in rows.
     pub place: Vec<AstId>,
     /// True if it is cut out.
     pub is_hole: bool,

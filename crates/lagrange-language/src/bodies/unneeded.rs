@@ -1,7 +1,8 @@
 //! Kinematic `let`s that nothing needs.
 //!
-//! Where a frame is in the world matters to weights, points and outputs only. What a scene does
-//! without is left out again, so that its plain statements hold what its equations are made of.
+//! The place of a frame in the world matters to weights, points and outputs only. Places that a
+//! scene does not need are omitted, so that its plain statements hold only the parts of its
+//! equations.
 
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};

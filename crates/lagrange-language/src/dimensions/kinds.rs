@@ -1,4 +1,4 @@
-//! Exponents of the base units for the kinds of quantities that mechanics asks for.
+//! Exponents of the base units for the kinds of quantities in mechanics.
 
 pub(super) const MASS: [i8; 7] = [1, 0, 0, 0, 0, 0, 0];
 pub(super) const LENGTH: [i8; 7] = [0, 1, 0, 0, 0, 0, 0];

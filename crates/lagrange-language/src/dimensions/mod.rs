@@ -1,16 +1,16 @@
-//! Dimensions of what is declared: numbers in coherent units, and what has which dimension.
+//! Dimensions in declarations: numbers in coherent units, and the dimension of each name.
 //!
 //! Numbers at run time are in coherent units of the SI. A number that is written in another unit is
 //! scaled, exactly, before anything else is known of the declaration: `param l: mm = 500` has the
-//! default 1/2. A declaration in which no unit is written passes unseen, and one with units of
-//! angles and of plain numbers alone is scaled but not checked.
+//! default 1/2. A declaration without any unit passes unchanged. One with units of angles and of
+//! plain numbers alone is scaled but not checked.
 //!
-//! In any other one every name has one dimension, be it declared or not, and statements ask for
-//! dimensions: energies are added, what is added is of one kind, sines are taken of plain numbers.
-//! These are equations between products of powers of dimensions; in exponents they are linear, and
-//! are solved one after the other by elimination. One that contradicts those before it is a mistake
-//! at the expression that it was asked of, with the chain of equations that say otherwise. Source:
-//! Kennedy, *Dimension types*, ESOP 1994.
+//! In any other declaration every name has one dimension, whether declared or not. Statements
+//! determine dimensions: energies are added, terms of a sum are of one kind, and arguments of sines
+//! are plain numbers. These are equations between products of powers of dimensions. They are linear
+//! in exponents, and are solved one after the other by elimination. An equation that contradicts
+//! those before it is a mistake at its expression, reported with the chain of contradicting
+//! equations. Source: Kennedy, *Dimension types*, ESOP 1994.
 
 mod calls;
 mod checker;

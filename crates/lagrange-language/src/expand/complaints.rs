@@ -1,4 +1,4 @@
-//! Mistakes in what is written out, each reported once however often it is written out.
+//! Mistakes in expanded text, each reported once however often it is expanded.
 
 use std::collections::BTreeSet;
 

@@ -1,7 +1,7 @@
-//! Expressions with values in the place of variables, elements in that of indices and terms in that
-//! of sums.
+//! Expressions with values instead of variables, elements instead of indices and terms instead of
+//! sums.
 //!
-//! What is still to be done waits on a stack, so that chains of any length are copied without
+//! Remaining expressions wait on a stack, so that chains of any length are copied without
 //! recursion. Expressions in which nothing changes are not copied.
 
 use super::complaints::Complaints;

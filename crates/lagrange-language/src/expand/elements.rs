@@ -1,4 +1,4 @@
-//! Names of elements: which array has which, and what they are called where arrays are written out.
+//! Names of elements: the array of each, and its name where arrays are written out.
 
 use std::collections::BTreeMap;
 

@@ -1,10 +1,9 @@
 //! Arrays, loops and sums, written out.
 //!
-//! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes the statements
-//! that it stands for and a sum its terms. That is done before anything else is known of the
-//! declaration, so that what follows is the same as for a declaration that was written out by hand:
-//! the same equations, the same code. Expressions keep the places of the tokens that they come
-//! from.
+//! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes its statements,
+//! and a sum its terms. This is done before anything else is known of the declaration. The result
+//! is therefore the same as for a declaration that was written out by hand: the same equations, the
+//! same code. Expressions keep the places of the tokens that they come from.
 //!
 //! `param`, `input`, `const`, `coord` and `quaternion` declare whole arrays, with the number of
 //! elements in brackets; all other statements declare one element, with its index. Indices are
@@ -42,8 +41,8 @@ use unrolling::unroll;
 
 pub use warnings::{name_elements, once_for_each_array};
 
-/// The declaration without arrays, loops and sums. If they are wrong, what can be told of it is in
-/// the result, and what is wrong in the report.
+/// Expands arrays, loops and sums. Mistakes in them are reported, and the result then has
+/// everything that is still known.
 pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Declaration {
     if !has_arrays(&mut declaration) {
         return declaration;

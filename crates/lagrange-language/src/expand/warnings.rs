@@ -35,7 +35,7 @@ pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
     });
 }
 
-/// Calls elements in messages what they are called in the declaration: `theta[2]`, not `theta_2`.
+/// Gives elements in messages the names of the declaration: `theta[2]`, not `theta_2`.
 pub fn name_elements(declaration: &Declaration, report: &mut Report) {
     if declaration.arrays.is_empty() || report.diagnostics().is_empty() {
         return;

@@ -1,12 +1,12 @@
-//! Functions that a declaration defines, put in the place of their calls.
+//! Functions that a declaration defines, inlined at their calls.
 //!
 //! `let f(x, y) = e;` stands for e with the arguments for x and y wherever `f(a, b)` is written
-//! behind it. That is done before anything else is known of the declaration, so that arguments may
-//! be numbers, vectors, points or bodies, and what follows knows of no such functions. Inside a
-//! function its parameters hide names of the declaration.
+//! behind it. This is done before anything else is known of the declaration. Arguments may
+//! therefore be numbers, vectors, points or bodies, and later phases know of no such functions.
+//! Inside a function its parameters hide names of the declaration.
 //!
-//! A function may call those before it, never itself: a chain of n functions that each call the one
-//! before twice stands for 2ⁿ terms, for which there is a bound.
+//! A function may call those before it, never itself. A chain of n functions that each call the one
+//! before twice expands to 2ⁿ terms, which is limited.
 
 mod messages;
 
@@ -22,8 +22,8 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Origin, Report, nearest};
 use lagrange_expr::limits::MAX_INLINED;
 
-/// The declaration without functions of its own. Mistakes in their calls are reported, those in
-/// what they stand for later.
+/// Inlines the functions that a declaration defines. Mistakes in their calls are reported here,
+/// those in their bodies later.
 pub fn without_functions(mut declaration: Declaration, report: &mut Report) -> Declaration {
     let is_function = |kind: &StatementKind| matches!(kind, StatementKind::Function(_));
     if declaration.statements.iter().all(|statement| statement.kind.declared_function().is_none()) {

@@ -103,7 +103,7 @@ impl Declaration {
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
     }
 
-    /// The parameters and inputs in their order.
+    /// Returns the parameters and inputs in their order.
     pub fn fields(&self) -> impl Iterator<Item = &Name> {
         let fields = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => Some(list),
@@ -112,7 +112,8 @@ impl Declaration {
         fields.flatten().map(|definition| &definition.name)
     }
 
-    /// The positions in their order: coordinates and components of quaternions, then states.
+    /// Returns the positions in their order: coordinates and components of quaternions, then
+    /// states.
     pub fn coordinates(&self) -> Vec<&Name> {
         let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
             StatementKind::Coordinates(names) => &names[..],
@@ -122,7 +123,7 @@ impl Declaration {
         positions.chain(self.states()).collect()
     }
 
-    /// The states in their order.
+    /// Returns the states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Name> {
         let states = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::States(names) => Some(names),
@@ -131,14 +132,14 @@ impl Declaration {
         states.flatten()
     }
 
-    /// True if there is an equation of the state of this name, be it wrong.
+    /// True if there is an equation of the state of this name, even an invalid one.
     pub fn states_rate_of(&self, state: &str) -> bool {
         let is_its =
             |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
         self.statements.iter().any(|statement| is_its(&statement.kind))
     }
 
-    /// The velocities in their order.
+    /// Returns the velocities in their order.
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
         let named = self.named_velocities();
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
@@ -152,8 +153,8 @@ impl Declaration {
         velocities.collect()
     }
 
-    /// The names that `velocity` statements give to the rates of coordinates, by the names of
-    /// these.
+    /// Returns the names that `velocity` statements give to the rates of coordinates, by the names
+    /// of these.
     pub fn named_velocities(&self) -> HashMap<String, &Name> {
         let mut named = HashMap::default();
         for Statement { kind, .. } in &self.statements {
@@ -166,7 +167,7 @@ impl Declaration {
         named
     }
 
-    /// True if a product that is emitted on demand is asked for: the last word counts.
+    /// True if a product that is emitted on demand is requested: the last word counts.
     pub fn asks_for(&self, product: &str) -> bool {
         let items = self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Emit(items) => Some(items),
@@ -176,7 +177,7 @@ impl Declaration {
         asked.next_back().is_some_and(|item| item.wanted)
     }
 
-    /// The names of outputs in their order.
+    /// Returns the names of outputs in their order.
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Output(name, _) => Some(name),
@@ -184,7 +185,7 @@ impl Declaration {
         })
     }
 
-    /// The reduced types in their order, each with its documentation.
+    /// Returns the reduced types in their order, each with its documentation.
     pub fn reductions(&self) -> impl Iterator<Item = (&Reduction, &TokenStream)> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
             StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
@@ -192,8 +193,8 @@ impl Declaration {
         })
     }
 
-    /// The declaration of a reduced type: another name and documentation, frozen coordinates left
-    /// out. What its statements say is still said of the whole system.
+    /// Returns the declaration of a reduced type: with another name and documentation, without
+    /// frozen coordinates. Its statements still describe the whole system.
     pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
         let is_frozen = |name: &Name| {
             let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
@@ -223,7 +224,7 @@ pub struct DeclaredBody {
     pub docs: TokenStream,
 }
 
-/// The bodies and frames that statements declare.
+/// Returns the bodies and frames that statements declare.
 pub fn declared_bodies(statements: &[Statement]) -> Vec<DeclaredBody> {
     let bodies = statements.iter().filter_map(|statement| {
         let (name, is_frame) = match &statement.kind {
@@ -265,7 +266,7 @@ pub struct StateVelocity<'d> {
     pub coordinate: Option<&'d Name>,
 }
 
-/// The name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
+/// Returns the name of the rate of a velocity: `x_ddot` of `x_dot`, `w_dot` of `w`.
 pub fn acceleration_name(velocity: &str) -> String {
     match velocity.strip_suffix("_dot") {
         Some(coordinate) => format!("{coordinate}_ddot"),
@@ -288,7 +289,7 @@ pub struct Name {
 }
 
 impl Name {
-    /// A name without square brackets and unit.
+    /// Creates a name without square brackets and unit.
     pub fn new(text: impl Into<String>, span: Span) -> Name {
         Name { text: text.into(), span, indices: Vec::new(), unit: None }
     }

@@ -192,8 +192,8 @@ fn in_brackets(input: ParseStream) -> syn::Result<Meta> {
     content.parse()
 }
 
-/// Checks that what stands behind `=`, if anything does, is a literal or a macro: the compiler
-/// takes nothing else, and syn reads all other expressions by recursion.
+/// Checks that any value behind `=` is a literal or a macro. The compiler accepts nothing else, and
+/// syn reads all other expressions by recursion.
 fn require_plain_value(input: ParseStream) -> syn::Result<()> {
     let is_unsafe = input.parse::<Option<Token![unsafe]>>()?.is_some();
     let is_path = is_unsafe || input.call(Path::parse_mod_style).is_ok();

@@ -1,4 +1,4 @@
-//! `{ label: e; label: e; }`: what is said of a body, a line or a spring.
+//! `{ label: e; label: e; }`: the description of a body, a line or a spring.
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 

@@ -1,7 +1,7 @@
 //! A position in a sequence of tokens.
 //!
-//! Square brackets behind a word that can be a name are no tokens of their own but belong to the
-//! word, so that whoever looks ahead sees the same of `q = …` and `q[i] = …`.
+//! Square brackets behind a word that can be a name belong to the word instead of being tokens.
+//! Lookahead therefore sees the same for `q = …` and `q[i] = …`.
 
 mod boundaries;
 mod brackets;

@@ -84,9 +84,9 @@ impl Parser<'_> {
         definitions
     }
 
-    /// `x, theta` behind this keyword. A word that cannot be a name counts all the same, so that
-    /// vectors have the length that the user expects; where it cannot be a field either, a name
-    /// stands for it that nobody can write.
+    /// Reads `x, theta` behind this keyword. A word that cannot be a name counts, too, so that
+    /// vectors have the length that the user expects. If it cannot be a field either, a name that
+    /// nobody can write stands for it.
     pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Name> {
         self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
             let start = cursor.position();

@@ -112,7 +112,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
 ];
 
-/// Names without a meaning, with what is written in their place.
+/// Names without a meaning, with their replacements.
 pub const NAMES: &[(&[&str], &str)] = &[
     (&["PI", "Pi", "M_PI", "π"], "pi"),
     (&["TAU", "two_pi", "twopi"], "2 * pi"),
@@ -283,7 +283,7 @@ pub(super) fn stranger(word: &str) -> Option<(&'static str, &'static str)> {
     STRANGERS.iter().find(|(words, ..)| words.contains(&word)).map(|(_, message, help)| (*message, *help))
 }
 
-/// Spelling here of a name without a meaning.
+/// Returns the spelling here of a name without a meaning.
 pub fn name(word: &str) -> Option<&'static str> {
     NAMES.iter().find(|(words, _)| words.contains(&word)).map(|(_, meant)| *meant)
 }
@@ -293,8 +293,8 @@ pub fn is_library(word: &str) -> bool {
     LIBRARIES.contains(&word)
 }
 
-/// Name with Greek letters written out, or with the names of letters as letters; `None` if it has
-/// neither.
+/// Returns a name with Greek letters written out, or with the names of letters as letters; `None`
+/// if it has neither.
 pub fn letter(word: &str) -> Option<String> {
     let written_out =
         LETTERS.iter().fold(word.to_owned(), |text, (letter, name)| text.replace(*letter, name));
@@ -306,17 +306,17 @@ pub fn letter(word: &str) -> Option<String> {
     if is_other { Some(written_out) } else { as_letter() }
 }
 
-/// The one of these words that is meant by another one.
+/// Returns the known word that was probably meant by another one.
 pub fn label<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     known.into_iter().find(|label| is_row_of(LABELS, label, word))
 }
 
-/// The solid that is meant by a word.
+/// Returns the solid that was probably meant by a word.
 pub fn solid(word: &str) -> Option<&'static str> {
     SOLIDS.iter().find(|(_, words)| words.contains(&word)).map(|(solid, _)| *solid)
 }
 
-/// Spelling here of a part of an object, whose name comes behind its kind.
+/// Returns the spelling here of a part of an object, whose name comes behind its kind.
 pub fn part((kind, object): (Owner, &str), word: &str) -> Option<String> {
     let in_space = PARTS_IN_SPACE.iter().filter(|_| matches!(kind, Owner::BodyInSpace | Owner::Frame));
     let own = PARTS.iter().filter(|(owner, ..)| *owner == kind).map(|(_, words, template)| (words, template));

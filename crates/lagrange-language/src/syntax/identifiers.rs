@@ -12,7 +12,8 @@ use super::parser::{Parsed, Parser, Reported};
 
 impl Parser<'_> {
     /// Reads a name that is being declared. One that cannot be a name is reported and left out of
-    /// the syntax tree, so every declared name there is an identifier of Rust and of the language.
+    /// the syntax tree. Every declared name there is therefore an identifier of Rust and of the
+    /// language.
     pub(super) fn free_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         if cursor.ident().is_none() {
             return Err(self.no_name(habits::name_help(cursor.peek()), cursor));
@@ -54,8 +55,8 @@ impl Parser<'_> {
 }
 
 /// True if a declaration can introduce this identifier wherever names stand. Keywords, functions
-/// and names with a meaning of their own it cannot, nor words that begin a statement or go on with
-/// one in some places only.
+/// and names with a predefined meaning cannot be declared. Nor can words that begin a statement, or
+/// continue one in some places only.
 pub fn can_be_declared(identifier: &str) -> bool {
     objection(identifier).is_none()
         && keywords::soft_statement(identifier).is_none()

@@ -1,4 +1,4 @@
-//! The words of the language, and which of them a declaration cannot use as names of its own.
+//! The words of the language, and those among them that a declaration cannot use as names.
 
 use super::ast::{Keyword, Soft, bodies, mobilizers, statements};
 use lagrange_expr::elementary;

@@ -1,4 +1,4 @@
-//! Statements that declare joints with coordinates of their own.
+//! Statements that declare joints with coordinates.
 
 use proc_macro2::Delimiter;
 

@@ -1,7 +1,7 @@
 //! Declarations as the user writes them: tokens to syntax tree.
 //!
-//! Knows how things are written, not what they mean: names are not resolved, functions not looked
-//! up, vectors not told from numbers. Reading goes on behind a mistake, at the next comma or
+//! Parses notation without its meaning: names are not resolved, functions not looked up, vectors
+//! not distinguished from numbers. Parsing continues behind a mistake, at the next comma or
 //! semicolon, so that all mistakes of a declaration are found at once.
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! Declarations as text: what is printed is read as the same statements.
+//! Declarations as text: printed text is parsed as the same statements.
 //!
 //! One statement stands on a line, and parentheses stand only where operators need them. Comments,
 //! documentation and the head of the declaration are left out.
@@ -14,9 +14,9 @@ use super::ast::{
     Reduction, ReductionKind, StatementKind,
 };
 
-/// The statements of a declaration, each on a line of its own.
+/// Writes the statements of a declaration, each on a separate line.
 ///
-/// What could not be read is a question mark, which has no meaning in the language.
+/// A question mark, which has no meaning in the language, stands for unreadable parts.
 pub fn statements(declaration: &Declaration) -> String {
     let mut printer = Printer { expressions: &declaration.expressions, out: String::new() };
     for statement in &declaration.statements {
@@ -26,7 +26,7 @@ pub fn statements(declaration: &Declaration) -> String {
     printer.out
 }
 
-/// An expression on its own.
+/// Writes a single expression.
 pub fn expression(expressions: &Expressions, id: AstId) -> String {
     let mut printer = Printer { expressions, out: String::new() };
     printer.expression(id);

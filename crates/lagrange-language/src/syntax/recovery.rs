@@ -1,4 +1,4 @@
-//! Statements that are not what they should be: what to report, and where to read on.
+//! Invalid statements: the mistake to report, and the place from which to continue.
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
@@ -27,8 +27,8 @@ impl Turn {
 
 impl Parser<'_> {
     /// Reads turn by turn up to the last one. This is the only loop over tokens that does not skip
-    /// them, and it comes to an end whatever the turns do: a token that none of them takes is
-    /// skipped, with a complaint unless the turn complained.
+    /// them, and it ends whatever the turns do. A token that none of them takes is skipped, with a
+    /// complaint unless the turn complained.
     pub(super) fn turns(
         &mut self,
         cursor: &mut Cursor,

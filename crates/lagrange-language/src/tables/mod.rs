@@ -1,8 +1,8 @@
 //! Files of tables: read, and taken apart into numbers.
 //!
-//! Nothing here touches a file system: who reads declarations says how files are read. A file has a
-//! point on each line, its numbers separated by commas, semicolons, tabs or blanks; the first line
-//! may name the columns, and what stands behind `#` is a comment.
+//! Nothing here touches a file system: the caller of the parser provides a reader of files. A file
+//! has a point on each line, its numbers separated by commas, semicolons, tabs or blanks. The first
+//! line may name the columns, and text behind `#` is a comment.
 
 mod messages;
 
@@ -16,8 +16,8 @@ use lagrange_expr::limits::MAX_FILE_BYTES;
 /// A file as it was read.
 #[derive(Clone, Debug)]
 pub struct FileText {
-    /// Path under which the compiler finds it, so that what is emitted is compiled again when it
-    /// changes; nothing if it need not.
+    /// Path under which the compiler finds it, so that emitted code is compiled again when it
+    /// changes; empty if it need not.
     pub path: String,
     /// Content.
     pub text: String,
@@ -29,7 +29,8 @@ const BYTE_ORDER_MARK: char = '\u{feff}';
 /// Returns the text of a file in UTF-8, of at most [`MAX_FILE_BYTES`].
 ///
 /// # Errors
-/// What the bytes are instead, in words that follow the name of the file.
+/// If there are too many bytes, or they are not UTF-8. The error is worded to follow the name of
+/// the file.
 pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(messages::file_too_large(MAX_FILE_BYTES));
@@ -46,11 +47,10 @@ pub fn decoded(bytes: Vec<u8>) -> Result<String, String> {
     })
 }
 
-/// Reads files: from the path that a declaration gives to the text, or to the reason why there is
-/// none.
+/// Reads files: from the path in a declaration to the text, or to the reason why there is none.
 pub type Reader<'a> = &'a dyn Fn(&str) -> Result<FileText, String>;
 
-/// The reader of those who read no files.
+/// Reads no files: every one is an error.
 ///
 /// # Errors
 /// Always.

@@ -1,7 +1,7 @@
 //! The motion of rigid bodies in space.
 //!
-//! With the rotation R from the body's own axes to the world, ω and α = ω̇ in world axes and ρ = R
-//! (own − centroid), the point Q of a body with the centre of mass S has
+//! The rotation R leads from the body's own axes to the world, ω and α = ω̇ are in world axes, and
+//! ρ = R (own − centroid). The point Q of a body with the centre of mass S then has
 //!
 //! ```text
 //! r_Q = r_S + ρ,    v_Q = v_S + ω × ρ,    a_Q = a_S + α × ρ + ω × (ω × ρ).
@@ -45,8 +45,8 @@ type Vector<S> = [S; 3];
 pub struct SpatialMotion<S> {
     /// The mass.
     pub mass: S,
-    /// The tensor of inertia about the centre of mass in the body's own axes, in rows; zero for a
-    /// body that never turns and states none.
+    /// The tensor of inertia about the centre of mass in the body's own axes, in rows. It is zero
+    /// for a body that never turns and declares none.
     pub inertia: [Vector<S>; 3],
     /// The centre of mass in own coordinates.
     pub centroid: Vector<S>,
@@ -67,13 +67,13 @@ pub struct SpatialMotion<S> {
 
 /// Places and directions.
 impl<S: Scalar> SpatialMotion<S> {
-    /// R a, a direction given in own axes as it lies in the world.
+    /// Computes R a: turns a direction from own axes into the world.
     #[must_use]
     pub fn vector(&self, own: Vector<S>) -> Vector<S> {
         self.rotation.map(|row| inner(row, own))
     }
 
-    /// Rᵀ v, the components in own axes of a vector of the world: what undoes
+    /// Computes Rᵀ v, the components in own axes of a vector of the world: the inverse of
     /// [`vector`](SpatialMotion::vector).
     #[must_use]
     pub fn to_body(self, vector: Vector<S>) -> Vector<S> {
@@ -82,7 +82,7 @@ impl<S: Scalar> SpatialMotion<S> {
         sum(sum(along_x, along_y), scaled(vector[2], z))
     }
 
-    /// The place of the point of these own coordinates.
+    /// Returns the place of the point of these own coordinates.
     #[must_use]
     pub fn point(&self, own: Vector<S>) -> Vector<S> {
         sum(self.center, self.arm(own))
@@ -96,13 +96,13 @@ impl<S: Scalar> SpatialMotion<S> {
 
 /// Velocities and accelerations of points.
 impl<S: Scalar> SpatialMotion<S> {
-    /// The velocity v_S + ω × ρ of the point of these own coordinates.
+    /// Returns the velocity v_S + ω × ρ of the point of these own coordinates.
     #[must_use]
     pub fn velocity_of(&self, own: Vector<S>) -> Vector<S> {
         sum(self.velocity, cross(self.angular_velocity, self.arm(own)))
     }
 
-    /// The acceleration a_S + α × ρ + ω × (ω × ρ) of the point of these own coordinates.
+    /// Returns the acceleration a_S + α × ρ + ω × (ω × ρ) of the point of these own coordinates.
     #[must_use]
     pub fn acceleration_of(&self, own: Vector<S>) -> Vector<S> {
         let (arm, spin) = (self.arm(own), self.angular_velocity);
@@ -114,26 +114,26 @@ impl<S: Scalar> SpatialMotion<S> {
 
 /// Momentum and energy.
 impl<S: Scalar> SpatialMotion<S> {
-    /// m v_S.
+    /// Computes m v_S.
     #[must_use]
     pub fn linear_momentum(&self) -> Vector<S> {
         scaled(self.mass, self.velocity)
     }
 
-    /// The angular momentum m r_S × v_S + R J Rᵀ ω about the origin of the world.
+    /// Returns the angular momentum m r_S × v_S + R J Rᵀ ω about the origin of the world.
     #[must_use]
     pub fn angular_momentum(&self) -> Vector<S> {
         self.angular_momentum_about([S::ZERO; 3])
     }
 
-    /// The angular momentum m (r_S − r_P) × v_S + R J Rᵀ ω about a place P at rest.
+    /// Returns the angular momentum m (r_S − r_P) × v_S + R J Rᵀ ω about a place P at rest.
     #[must_use]
     pub fn angular_momentum_about(&self, place: Vector<S>) -> Vector<S> {
         let orbital = cross(difference(self.center, place), self.linear_momentum());
         sum(orbital, self.vector(self.own_spin()[1]))
     }
 
-    /// ½ m v_S² + ½ ω·J ω.
+    /// Computes ½ m v_S² + ½ ω·J ω.
     #[must_use]
     pub fn kinetic_energy(&self) -> S {
         let [own, momentum] = self.own_spin();

@@ -4,10 +4,10 @@ use crate::constraint::minimum_norm::{equilibration, finite, power_to_one, round
 use crate::linalg::orthogonal::OrthogonalFactors;
 use crate::scalar::Scalar;
 
-/// The accelerations a of M a = f with a symmetric mass matrix M, in rows, that need not be
-/// definite, by orthogonal factors; NaN if it is singular or not everything is finite. Rows and
-/// columns are scaled alike before the rank is decided on. A common unit does not matter: of a
-/// matrix and forces multiplied by a power of two the accelerations are the same bit by bit.
+/// Computes the accelerations a of M a = f by orthogonal factors, with a symmetric mass matrix M,
+/// in rows, that need not be definite. They are NaN if it is singular or a value is not finite.
+/// Rows and columns are scaled alike before the rank is determined. A common unit does not matter:
+/// multiplying matrix and forces by one power of two leaves the accelerations identical bit by bit.
 ///
 /// ```
 /// use lagrange::constraint::indefinite_motion;

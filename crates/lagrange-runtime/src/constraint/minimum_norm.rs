@@ -1,13 +1,13 @@
 //! Multipliers where constraints depend on each other.
 //!
-//! Redundant constraints share a force in ways that the motion does not tell apart, and a mechanism
-//! may pass through configurations in which constraints lose their independence for an instant. Of
-//! all multipliers that give the same motion, those with the smallest sum of squares are taken.
-//! Independence is judged by orthogonal factors of the scaled equations, never by products of
-//! matrices with themselves, which would hide half of the digits. Sources: Golub, Van Loan, *Matrix
-//! Computations*, 4th ed., §5.4, §5.5; García de Jalón, Bayo, *Kinematic and Dynamic Simulation of
-//! Multibody Systems*; Ruiz, *A scaling algorithm to equilibrate both rows and columns norms in
-//! matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
+//! Redundant constraints share a force in ways that the motion does not distinguish. A mechanism
+//! may also pass through configurations in which constraints lose their independence for an
+//! instant. Of all multipliers that give the same motion, those with the smallest sum of squares
+//! are taken. Independence is judged by orthogonal factors of the scaled equations, never by
+//! products of matrices with themselves, which would hide half of the digits. Sources: Golub, Van
+//! Loan, *Matrix Computations*, 4th ed., §5.4, §5.5. García de Jalón, Bayo, *Kinematic and Dynamic
+//! Simulation of Multibody Systems*. Ruiz, *A scaling algorithm to equilibrate both rows and
+//! columns norms in matrices*, Rutherford Appleton Laboratory report RAL-TR-2001-034.
 
 use crate::linalg::orthogonal::{OrthogonalFactors, euclidean_norm};
 use crate::scalar::Scalar;
@@ -29,28 +29,27 @@ pub struct RedundantMotion<S, const N: usize, const D: usize> {
     pub rank: usize,
 }
 
-/// The part of a constraint's gradient below which what other constraints leave of it is taken for
-/// nothing: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
+/// Returns the part of a constraint's gradient below which its remainder beside other constraints
+/// is ignored: ε^(5/16), which is 1.3·10⁻⁵ for `f64`.
 ///
-/// Gradients are measured with the roots of the masses as units and scaled to length one. Where a
-/// part σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ²:
-/// worse than nothing long before σ is as small as rounding. Moreover, stages of a method lie
-/// beside the constraints by their own errors, where constraints that depend on each other on the
-/// motion differ by as much; a tolerance near rounding would take these differences for
-/// constraints.
+/// Gradients are measured with the roots of the masses as units and scaled to length one. If a part
+/// σ of one is left, positions are found to ε/σ, and velocities and accelerations to ε/σ². They
+/// become useless long before σ is as small as rounding. Moreover, stages of a method miss the
+/// constraints by their own errors. Constraints that depend on each other along the motion differ
+/// by as much there. A tolerance near rounding would take these differences for constraints.
 pub fn rank_tolerance<S: Scalar>() -> S {
     let root = S::epsilon().sqrt().sqrt();
     root * root.sqrt().sqrt()
 }
 
-/// The vector x with the smallest sum of squares among those for which that of `matrix` x − `right`
-/// is smallest. The matrix is symmetric and may be singular or indefinite.
+/// Returns the vector x with the smallest sum of squares among those that minimise that of `matrix`
+/// x − `right`. The matrix is symmetric and may be singular or indefinite.
 ///
-/// Rows and columns are scaled alike to decide on the rank: columns of which others leave less than
-/// 32 D roundings of the largest one depend on these. An entry of the matrix that is a rounding
-/// error by itself must therefore stand beside what it is the rounding error of: a Schur complement
-/// that has vanished altogether cannot be told from one that is small. NaN or infinity anywhere
-/// gives NaN everywhere.
+/// Rows and columns are scaled alike to determine the rank. A column depends on others if they
+/// leave less than 32 D roundings of the largest column. An entry of the matrix that is itself a
+/// rounding error must therefore stand beside the value of which it is the error. A Schur
+/// complement that has vanished altogether cannot be distinguished from a small one. NaN or
+/// infinity anywhere gives NaN everywhere.
 ///
 /// ```
 /// use lagrange::constraint::minimum_norm;
@@ -77,23 +76,24 @@ pub fn minimum_norm<S: Scalar, const D: usize>(matrix: [[S; D]; D], right: [S; D
     shortest(&factors, &inner, &scales)
 }
 
-/// Accelerations and multipliers of
+/// Computes accelerations and multipliers of
 ///
 /// ```text
 /// M a = f + Aᵀλ,    A a + b = 0
 /// ```
 ///
 /// from the symmetric mass matrix M and the matrix A of the constraints, both in rows, the forcing
-/// f and the drift b. The mass matrix may be singular as long as the constraints determine what it
-/// does not.
+/// f and the drift b. The mass matrix may be singular as long as the constraints determine the
+/// rest.
 ///
-/// Constraints depend on each other as [`rank_tolerance`] says. All is NaN if what is given is not
-/// finite, if the accelerations are not determined, or if the constraints contradict each other: if
-/// one that depends on others is missed by more than a hundred times that tolerance, beside the
-/// accelerations with and without constraints and the drifts.
+/// [`rank_tolerance`] decides which constraints depend on each other. All results are NaN if an
+/// argument is not finite, if the accelerations are not determined, or if the constraints
+/// contradict each other. They do if a dependent one is violated by more than a hundred times that
+/// tolerance. The violation is relative to the accelerations with and without constraints and the
+/// drifts.
 ///
 /// A table of weight 40 on four legs at (±1, ±1), loaded at (½, 0). Height and two tilts are three
-/// coordinates, and the height of each foot z + y a − x b is a constraint: the four depend on each
+/// coordinates, and the height of each foot z + y a − x b is a constraint. The four depend on each
 /// other, since one diagonal of legs can be pressed against the other without moving anything. Of
 /// all forces that carry the load, Σ λ = 40, Σ x λ = 20 and Σ y λ = 0, the shortest are 10 + 5 x.
 ///
@@ -126,12 +126,12 @@ pub fn redundant_motion<S: Scalar, const N: usize, const D: usize>(
     motion.unwrap_or(RedundantMotion { acceleration: [S::NAN; N], multipliers: [S::NAN; D], rank: 0 })
 }
 
-/// The smallest change δ of the coordinates, measured by the mass matrix, with A δ = −`residuals`
-/// for the constraints that are independent; the others are left alone, since what they still miss
-/// is of second order unless they contradict the first.
+/// Computes the smallest change δ of the coordinates, measured by the mass matrix, with A δ =
+/// −`residuals` for the independent constraints. The others are ignored, since their remaining
+/// residuals are of second order unless they contradict the first.
 ///
-/// NaN if what is given is not finite, if δ is not determined, or if a constraint without a
-/// gradient has a residual.
+/// NaN if an argument is not finite, if δ is not determined, or if a constraint without a gradient
+/// has a residual.
 pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
     mass: &[[S; N]; N],
     jacobian: &[[S; N]; D],
@@ -274,8 +274,8 @@ fn coordinate_scales<S: Scalar, const N: usize, const D: usize>(
     })
 }
 
-/// The shortest x for which the columns of the factors, in the amounts x / `scales`, add up to what
-/// has these components in the directions of the independent columns.
+/// Returns the shortest x for which the columns of the factors, in the amounts x / `scales`, add up
+/// to a vector. The vector has these components in the directions of the independent columns.
 fn shortest<S: Scalar, const ROWS: usize, const COLUMNS: usize>(
     factors: &OrthogonalFactors<S, ROWS, COLUMNS>,
     components: &[S; ROWS],

@@ -1,19 +1,19 @@
 //! Constraints at run time: residuals, and the way back onto them.
 //!
-//! Accelerations of a constrained system keep c̈ = 0, so that rounding and the errors of a method
-//! let c and ċ drift away from zero. After each accepted step a state is therefore put back, with
-//! the mass matrix as metric: to positions that satisfy c(t, q) = 0, by corrections each of which
-//! is as small as can be, and then to the nearest velocities that satisfy ċ(t, q, v) = 0. From
-//! nearby these positions are the nearest, too; from afar [`project`] goes on to those. This is *projection*;
-//! it is what [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does, and
-//! all methods of [`integrate`](crate::integrate) ask for it.
+//! Accelerations of a constrained system keep c̈ = 0, so rounding and the errors of a method let c
+//! and ċ drift away from zero. After each accepted step a state is therefore put back, with the
+//! mass matrix as metric. Positions are moved to satisfy c(t, q) = 0, by corrections each of which
+//! is as small as possible. Velocities then become the nearest that satisfy ċ(t, q, v) = 0. From
+//! nearby, these positions are also the nearest; from afar [`project`] continues to the nearest
+//! ones. This is *projection*. [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted
+//! types does it, and all methods of [`integrate`](crate::integrate) call it.
 //!
-//! Other ways are to leave what accelerations keep to themselves ([`Unprojected`]), and to let
-//! residuals decay by the accelerations, c̈ + 2 κ ċ + κ² c = 0 (`stabilise = κ;`, after Baumgarte).
-//! Projection is the recommended way: no rate has to be chosen, and what is left of constraints is
-//! rounding. A point mass on a rod of 1 m in Cartesian coordinates that swings from the level for
-//! 1000 s, by `RungeKutta4` in steps of 0.01 s and by `Verner98` at the tolerance 10⁻¹⁰, seen at
-//! every step:
+//! There are two alternatives. One is to leave the residuals to the accelerations alone
+//! ([`Unprojected`]). The other is to let residuals decay by the accelerations, c̈ + 2 κ ċ + κ² c =
+//! 0 (`stabilise = κ;`, after Baumgarte). Projection is the recommended way: no rate has to be
+//! chosen, and constraints hold to rounding. As an example, a point mass on a rod of 1 m in
+//! Cartesian coordinates swings from the level for 1000 s. The methods are `RungeKutta4` in steps
+//! of 0.01 s and `Verner98` at the tolerance 10⁻¹⁰, observed at every step:
 //!
 //! | | largest c | largest ċ | error of the energy | of the position | evaluations |
 //! |---|---|---|---|---|---|
@@ -30,19 +30,19 @@
 //! | κ = 100/s | 2·10⁻¹⁴ | 3·10⁻¹² | 3·10⁻¹¹ | 1·10⁻⁹ | 4 203 087 |
 //! | neither | 1·10⁻⁶ | 3·10⁻⁹ | 8·10⁻⁶ | 1·10⁻⁴ | 268 161 |
 //!
-//! A large rate makes the equations stiff: an adaptive method takes shorter steps for it, which is
-//! what makes its rows more accurate, and steps of fixed length do not resolve it.
+//! A large rate makes the equations stiff. An adaptive method takes shorter steps for it, which
+//! makes its rows more accurate, and steps of fixed length do not resolve it.
 //! (`tests/trajectories/projected.rs` prints the table.)
 //!
-//! A projection takes about as long as three evaluations of the accelerations. On the rod, a
-//! four-bar linkage and Andrews' squeezer it makes a step of `RungeKutta4` longer by factors of
-//! 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %
-//! (`cargo bench -p lagrange-benches --bench projection`).
+//! A projection takes about as long as three evaluations of the accelerations. The rod, a four-bar
+//! linkage and Andrews' squeezer were measured
+//! (`cargo bench -p lagrange-benches --bench projection`). A step of `RungeKutta4` takes longer by
+//! factors of 1.5, 1.9 and 1.7, one of `Verner98` by 2 %, 18 % and 17 %.
 //!
-//! Projection leaves the order of a method as it is, but not what makes it symplectic: energies and
-//! the momenta of symmetries are then kept as accurately as the method is, with a slow drift.
-//! `Variational` and `StormerVerlet` enforce constraints by themselves and are not projected; they
-//! are for long motions at moderate accuracy.
+//! Projection preserves the order of a method, but not its symplecticity. Energies and the momenta
+//! of symmetries are then conserved as accurately as the method is, with a slow drift.
+//! `Variational` and `StormerVerlet` enforce constraints themselves and are not projected; they are
+//! for long motions at moderate accuracy.
 //!
 //! Sources: Hairer, Wanner, *Solving Ordinary Differential Equations II*, 2nd ed., §VII.2; Hairer,
 //! Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., §IV.4, §VII.1; Eich-Soellner,
@@ -81,7 +81,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
     /// Names of the constraints in the order of their declaration.
     const CONSTRAINTS: &'static [&'static str];
 
-    /// The multipliers λ in M a = f + Aᵀλ.
+    /// Computes the multipliers λ in M a = f + Aᵀλ.
     fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 
     /// Returns the residuals of positions: c(t, q) of holonomic constraints; zero for the others.
@@ -95,9 +95,9 @@ pub trait ConstrainedSystem: MechanicalSystem {
         v: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// Returns the scales of the residuals: the maximum change if positions are displaced, or
-    /// velocities change, by `by`, Σⱼ |Aᵢⱼ| byⱼ for each constraint, where A contains the gradients
-    /// with respect to velocities. Tolerances are relative to them; see [`project`].
+    /// Returns the scale of each residual: its maximum change Σⱼ |Aᵢⱼ| byⱼ if positions are
+    /// displaced, or velocities change, by `by`. Here A contains the gradients with respect to
+    /// velocities. Tolerances are relative to them; see [`project`].
     fn residual_scales(
         &self,
         t: Self::Scalar,
@@ -105,10 +105,10 @@ pub trait ConstrainedSystem: MechanicalSystem {
         by: &Self::Velocities,
     ) -> Self::Multipliers;
 
-    /// The smallest [displacement](MechanicalSystem) of the positions, or change of the velocities,
-    /// measured by the mass matrix, that takes these residuals away to first order: δ with M δ =
-    /// Aᵀμ and A δ = −residuals. Not finite where there is none; of constraints that depend on each
-    /// other, [`redundant_correction`] takes those that do not.
+    /// Computes the smallest [displacement](MechanicalSystem) of the positions, or change of the
+    /// velocities, that removes these residuals to first order. It is measured by the mass matrix:
+    /// δ with M δ = Aᵀμ and A δ = −residuals. The result is not finite if there is none.
+    /// [`redundant_correction`] handles constraints that depend on each other.
     fn correction(
         &self,
         t: Self::Scalar,
@@ -117,7 +117,7 @@ pub trait ConstrainedSystem: MechanicalSystem {
         residuals: &Self::Multipliers,
     ) -> Self::Velocities;
 
-    /// M(t, q, v) times a displacement of the positions, or a change of the velocities.
+    /// Multiplies M(t, q, v) by a displacement of the positions, or a change of the velocities.
     fn mass_times(
         &self,
         t: Self::Scalar,

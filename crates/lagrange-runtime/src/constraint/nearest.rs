@@ -1,13 +1,13 @@
 //! From positions on the constraints to the nearest ones.
 //!
 //! The distance from q₀ is √(δᵀM δ) with the displacement δ = q − q₀, M being the mass matrix at q.
-//! Its slope along the constraints is minus the tangential part of q₀ − q, what is left of it
-//! without its part M-orthogonal to what the constraints allow: the *pull*. Conjugate gradients
-//! follow it, with each step brought back onto the constraints and directions carried along by
-//! projection. Steps end where the slope has nearly vanished rather than where the distance is
-//! least: differences of distances lose half of the digits. Sources: Absil, Mahony, Sepulchre, *Optimization
-//! Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical Optimization*, 2nd ed.,
-//! §§3.5, 5.2.
+//! Its slope along the constraints is minus the *pull*. The pull is the tangential part of q₀ − q,
+//! without its component M-orthogonal to the directions that the constraints allow. Conjugate
+//! gradients follow it, with each step brought back onto the constraints and directions carried
+//! along by projection. Steps end where the slope has nearly vanished rather than where the
+//! distance is least: differences of distances lose half of the digits. Sources: Absil, Mahony,
+//! Sepulchre, *Optimization Algorithms on Matrix Manifolds*, §8.3; Nocedal, Wright, *Numerical
+//! Optimization*, 2nd ed., §§3.5, 5.2.
 
 use super::ConstrainedSystem;
 use super::residuals::largest;
@@ -91,9 +91,9 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
         self.system.displacement(self.t, q, self.from)
     }
 
-    /// The step along a direction at whose end the distance hardly falls any more; if there is
-    /// none, because the way back onto the constraints leads elsewhere, the longest one found that
-    /// leads nearer.
+    /// Returns the step along a direction at whose end the distance hardly falls any more. If the
+    /// way back onto the constraints leads elsewhere, it is the longest known step that leads
+    /// nearer.
     fn step(
         &self,
         start: &PointOf<M>,
@@ -176,8 +176,8 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     }
 }
 
-/// The length at which the slope would vanish if it were linear between two that are known, or
-/// beyond them if it is not negative yet.
+/// Returns the length at which the slope would vanish if it were linear between two known ones. It
+/// lies beyond them if the slope is not negative yet.
 fn between<S: Scalar>((short, falls): (S, S), long: Option<(S, S)>) -> S {
     let Some((long, rises)) = long else {
         return S::from_f64(STRETCH) * short;

@@ -1,11 +1,11 @@
 //! The way back onto the constraints.
 //!
-//! Newton's method with the gradients of the constraints where it stands: each correction is the
-//! smallest change by mass that takes the residuals away to first order, so that what is left is
-//! quadratic in it. Where a correction overshoots, it is halved until the next one, by the same
-//! gradients, would be smaller. Constraints are linear in velocities: one correction does there.
-//! Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of the
-//! module above.
+//! Newton's method with the gradients of the constraints at the current point. Each correction is
+//! the smallest change by mass that removes the residuals to first order, so that the remainder is
+//! quadratic in it. A correction that overshoots is halved until the next one, by the same
+//! gradients, would be smaller. Constraints are linear in velocities, so one correction suffices
+//! there. Source: Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3; see also the sources of
+//! the module above.
 
 use super::ConstrainedSystem;
 use super::nearest::NearestSearch;
@@ -49,30 +49,29 @@ const ADMITTED: f64 = 1e-6;
 /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the mass
 /// matrix measures distances: first positions, then velocities.
 ///
-/// Near the constraints each correction squares the error; one or two do within a motion, and far
-/// away more are made, up to 200, and shortened where they overshoot. From where they end,
-/// positions go along the constraints as long as that brings them nearer to where they were. So the
-/// [displacement](MechanicalSystem) δ = q − q₀ ends normal to what the constraints allow, M δ = Aᵀμ
-/// with the mass matrix and the gradients at q: a local minimum of the distance √(δᵀM δ), and the
-/// only one near the constraints. Where constraints on velocities hold the system, too, it goes
-/// along them as it does in motions. Bodies whose orientations are unit quaternions end where M δ =
-/// Aᵀμ, too, with δ = 2 Im(q̄₀ ⊗ q) in their axes: near the least distance, but not at it if they
-/// are turned far and their moments of inertia differ.
+/// Near the constraints each correction squares the error. One or two suffice within a motion. Far
+/// away up to 200 are made, and shortened where they overshoot. From there, positions move along
+/// the constraints as long as that brings them nearer to the start. The
+/// [displacement](MechanicalSystem) δ = q − q₀ therefore ends normal to the allowed directions: M δ =
+/// Aᵀμ with the mass matrix and the gradients at q. This is a local minimum of the distance √(δᵀM
+/// δ), and the only one near the constraints. Where constraints on velocities hold the system, too,
+/// it moves along them as it does in motions. Bodies whose orientations are unit quaternions also
+/// end where M δ = Aᵀμ, with δ = 2 Im(q̄₀ ⊗ q) in their axes. That is near the least distance, but
+/// not at it if they are turned far and their moments of inertia differ.
 ///
-/// Constraints that depend on each other are satisfied together or not at all: what is left
-/// of a residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
+/// Constraints that depend on each other are satisfied together or not at all. The remainder of a
+/// residual must be a small part, √ε (1.5·10⁻⁸ for `f64`), of its scale.
 ///
-/// The scale of a residual is what it would be if every coordinate were off by its size: Σⱼ |Aᵢⱼ|
-/// sⱼ. The size sⱼ of a coordinate is its magnitude, but at least the largest magnitude of all
-/// coordinates, and that counts as 10⁻⁶ if it is less and as one if it is more: so a coordinate at
-/// zero has a size, too, and one that is far away does not lend it to the others. Sizes of
-/// velocities are made of velocities in the same way. Where velocities are not the rates of the
-/// positions, the sizes of these are taken over to displacements. Unit quaternions are brought to
-/// length one before anything else.
+/// The scale of a residual is its value if every coordinate were off by its size: Σⱼ |Aᵢⱼ| sⱼ. The
+/// size sⱼ of a coordinate is its magnitude, but at least the largest magnitude of all coordinates.
+/// The latter counts as 10⁻⁶ if below and as one if above. A coordinate at zero therefore has a
+/// size, too, and one that is far away does not lend its size to the others. Sizes of velocities
+/// follow from velocities in the same way. Where velocities are not the rates of the positions, the
+/// sizes of positions are converted to displacements. Unit quaternions are normalised first.
 ///
 /// # Errors
-/// If the constraints cannot be satisfied, from here or at all, with the constraint that was
-/// violated most in proportion to its scale; positions and velocities are then what they were.
+/// If the constraints cannot be satisfied, from here or at all. The error names the constraint with
+/// the largest violation in proportion to its scale. Positions and velocities are then unchanged.
 pub fn project<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -91,8 +90,8 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// The nearest velocities that satisfy the constraints at these positions, which are taken as they
-/// are.
+/// Returns the nearest velocities that satisfy the constraints at these positions, which stay
+/// unchanged.
 ///
 /// # Errors
 /// If there are none, with the constraint that is violated most in proportion to its scale, as in
@@ -109,13 +108,13 @@ pub fn consistent_velocity<M: ConstrainedSystem + ?Sized>(
     if is_found { Ok(found) } else { Err(of_velocities(system, t, (q, v)).violation) }
 }
 
-/// Brings a state of a motion back onto the constraints, as [`project`] but without looking at what
-/// is left: the corrections say that it is small. This is what
-/// [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types does.
+/// Brings a state of a motion back onto the constraints, as [`project`] does, but without checking
+/// the remainder: the corrections show that it is small.
+/// [`OdeSystem::correct`](crate::system::OdeSystem::correct) of emitted types calls it.
 ///
 /// # Errors
 /// [`StepFailure::Violated`] if corrections do not converge, [`StepFailure::Stuck`] if they would
-/// make another motion of it; the state is then what it was.
+/// lead to another motion; the state is then unchanged.
 #[inline]
 pub fn correct<M: ConstrainedSystem + ?Sized>(
     system: &M,
@@ -137,11 +136,11 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     Ok(())
 }
 
-/// Brings a state that was put in the place of another onto the constraints, as [`project`]. This
-/// is what [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types does.
+/// Brings a state that replaced another onto the constraints, as [`project`] does.
+/// [`OdeSystem::restore`](crate::system::OdeSystem::restore) of emitted types calls it.
 ///
 /// # Errors
-/// [`StepFailure::Violated`]; the state is then what it was.
+/// [`StepFailure::Violated`]; the state is then unchanged.
 pub fn restore<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -165,13 +164,13 @@ fn leaps<S: Scalar, Q: StateVector<S>, V: StateVector<S>>(before: &V, after: &V,
     change > S::from_f64(LEAP) * largest(before.as_ref()) && change > S::from_f64(SLOW) * size(q.as_ref())
 }
 
-/// Brings a state from which a motion is to start onto the constraints if it nearly satisfies them:
-/// if every residual is at most 10⁻⁶ of its scale, as [`project`] measures it. This is what
-/// [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types does.
+/// Brings the initial state of a motion onto the constraints if it nearly satisfies them. That is
+/// the case if every residual is at most 10⁻⁶ of its scale, as [`project`] measures it.
+/// [`OdeSystem::admit`](crate::system::OdeSystem::admit) of emitted types calls it.
 ///
 /// # Errors
 /// [`StepFailure::Violated`] with the constraint that is violated most in proportion to its scale;
-/// the state is then what it was.
+/// the state is then unchanged.
 pub fn admit<M: ConstrainedSystem + ?Sized>(
     system: &M,
     t: M::Scalar,
@@ -245,8 +244,8 @@ fn bring_positions<M: ConstrainedSystem + ?Sized>(
     newton(system, t, v, step, most).map(|found| *q = found).is_some()
 }
 
-/// True if a correction is out of proportion to what it is to remove, which is next to nothing:
-/// constraints are on the point of depending on each other, and what is left is better left alone.
+/// True if a correction is out of proportion to the residual, which is next to nothing. Constraints
+/// are then about to depend on each other, and the rest is better ignored.
 #[inline]
 fn is_magnified<S: Scalar>(length: S, size: S, part: impl FnOnce() -> S) -> bool {
     let part = part();

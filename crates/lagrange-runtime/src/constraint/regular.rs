@@ -3,9 +3,9 @@
 use crate::constraint::minimum_norm::rank_tolerance;
 use crate::scalar::Scalar;
 
-/// True if all values are finite and the growth of rounding errors, `condition`, is such that the
-/// straight way to them can be trusted: below the inverse square of [`rank_tolerance`], since
-/// pivots are squares of what is left of a gradient.
+/// True if all values are finite and the direct computation of them can be trusted. Its growth of
+/// rounding errors, `condition`, must be below the inverse square of [`rank_tolerance`], since
+/// pivots are squares of remainders of gradients.
 #[inline]
 pub fn are_regular<S: Scalar>(values: &[S], condition: S) -> bool {
     condition * rank_tolerance::<S>() * rank_tolerance::<S>() < S::ONE && are_finite(values)
@@ -17,7 +17,7 @@ pub fn are_finite<S: Scalar>(values: &[S]) -> bool {
     values.iter().all(|value| value.is_finite())
 }
 
-/// Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
+/// Returns Σⱼ |Aᵢⱼ| sⱼ for the rows of a matrix and shares s.
 #[inline]
 pub fn weighed<S: Scalar, const N: usize, const M: usize>(rows: &[[S; N]; M], shares: &[S; N]) -> [S; M] {
     rows.map(|row| row.iter().zip(shares).fold(S::ZERO, |sum, (entry, &share)| sum + entry.abs() * share))

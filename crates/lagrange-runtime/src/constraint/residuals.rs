@@ -37,8 +37,8 @@ pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
     Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Velocities)
 }
 
-/// The largest residual of positions as a part of the largest scale: near configurations in which
-/// constraints depend on each other their own scales may vanish.
+/// Returns the largest residual of positions as a part of the largest scale. Near configurations in
+/// which constraints depend on each other, their own scales may vanish.
 #[cold]
 pub(super) fn of_positions_together<M: ConstrainedSystem + ?Sized>(
     system: &M,

@@ -6,9 +6,9 @@ use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem, StateMatrix, Ve
 /// A system whose states methods leave as they find them: what its constraints demand of
 /// accelerations is all that holds it.
 ///
-/// For measurements of what projection does, and for systems that are stabilised otherwise. Starts
-/// are checked and put onto the constraints all the same; errors of the method then carry the
-/// motion away from them, and unit quaternions away from length one.
+/// For measurements of the effect of projection, and for systems with another stabilisation.
+/// Initial states are still checked and put onto the constraints. Errors of the method then carry
+/// the motion away from them, and unit quaternions away from length one.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Unprojected<M>(
     /// The system.

@@ -30,8 +30,8 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         Motions { batch: Batch::new(system, number, start), has_starts }
     }
 
-    /// Starts each motion from a state: a function of its index, counted from zero, and of [random
-    /// numbers](Random) of its own. It may be called several times for a motion, and by several
+    /// Starts each motion from a state: a function of its index, counted from zero, and of separate
+    /// [random numbers](Random). It may be called several times for a motion, and by several
     /// threads.
     pub fn start<Y: InitialState<M::State>>(
         mut self,
@@ -45,14 +45,14 @@ impl<'a, M: SharedSystem> Motions<'a, M> {
         self
     }
 
-    /// Gives each motion a system of its own: a copy of that of all, which is changed by its index.
-    /// Parameters drawn at random take numbers from [`Random::parameters`], which are others than
-    /// those of the starts, under the same seed, too.
+    /// Gives each motion a separate system: a copy of the common one, changed by its index.
+    /// Parameters drawn at random take numbers from [`Random::parameters`], which differ from those
+    /// of the starts, also under the same seed.
     ///
     /// Every parameter of the system, changed or not, then becomes a column of
-    /// [`Ends`](super::Ends) and of files under its name, unless something is
-    /// [observed](Ensemble::observe) under that. What else a motion had of its own, such as inputs,
-    /// or the fields of a system that is written by hand, is kept if it is observed.
+    /// [`Ends`](super::Ends) and of files. It has its name, unless an [observer](Ensemble::observe)
+    /// has that name. Other values of a motion, such as inputs, or fields of a handwritten system,
+    /// are kept if they are observed.
     pub fn parameters(mut self, change: impl Fn(usize, &mut M) + Send + Sync + 'a) -> Self
     where
         M: Clone,
@@ -102,10 +102,10 @@ impl Keep for KeepSamples {
 
 /// An ensemble that can be computed: which motions, by which method, and what to keep of them.
 ///
-/// Every motion is a [run of its own](crate::simulate::Simulation), with the same bits: methods,
-/// inputs, events, contacts and constraints are those of runs, and settings mean what they mean
-/// there. K is the method, D what drives the inputs, P what is kept of a motion, [`KeepEnds`] or
-/// [`KeepSamples`]. `.tolerance(…)` exists for the default method only.
+/// Every motion is a [separate run](crate::simulate::Simulation), with the same bits. Methods,
+/// inputs, events, contacts, constraints and settings are those of runs. K is the method, D drives
+/// the inputs, and P, [`KeepEnds`] or [`KeepSamples`], selects the results to keep. `.tolerance(…)`
+/// exists for the default method only.
 #[must_use = "nothing happens before `.run()`, `.reduce(…)` or `.save_parquet(…)`"]
 pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
     pub(super) batch: Batch<'a, M>,
@@ -115,7 +115,7 @@ pub struct Ensemble<'a, M: MechanicalSystem, K, D = Undriven, P = KeepEnds> {
 }
 
 impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
-    /// The error that is tolerated in a step, as [in a single
+    /// Sets the tolerated error of a step, as [in a single
     /// run](crate::simulate::Simulation::tolerance): 1e-9 by default for `f64`.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.relative = tolerance;
@@ -123,7 +123,7 @@ impl<M: SharedSystem, D, P> Ensemble<'_, M, Verner98<M::Scalar>, D, P> {
         self
     }
 
-    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// Sets the tolerated error of a step in the units of the state. Call it after
     /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
@@ -156,30 +156,31 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         Ensemble { batch, method, drive, kept }
     }
 
-    /// Keeps samples of every motion, at its start, at its end and so often between them: `.run()`
-    /// then hands out a trajectory for each, `.reduce(…)` sees it, and `.save_parquet(…)` writes a
-    /// row for each sample. After `.run()` all samples of all motions lie in memory.
+    /// Keeps samples of every motion, at its start, at its end and at this interval between them.
+    /// `.run()` then returns a trajectory for each motion, `.reduce(…)` receives it, and
+    /// `.save_parquet(…)` writes a row for each sample. After `.run()` all samples of all motions
+    /// are in memory.
     pub fn every(mut self, interval: M::Scalar) -> Ensemble<'a, M, K, D, KeepSamples> {
         self.batch.plan.settings.sampling = Sampling::Every(interval);
         let Ensemble { batch, method, drive, .. } = self;
         Ensemble { batch, method, drive, kept: PhantomData }
     }
 
-    /// The seed of the [random numbers](Random) of all motions; 0 by default.
+    /// Sets the seed of the [random numbers](Random) of all motions; 0 by default.
     pub fn seed(mut self, seed: u64) -> Self {
         self.batch.seed = seed;
         self
     }
 
-    /// Computes every motion as a run by itself, with the bits of a [single
+    /// Computes every motion as a separate run, with the bits of a [single
     /// run](crate::simulate::Simulation), instead of several [in lanes](Self::is_in_lanes).
     pub fn one_by_one(mut self) -> Self {
         self.batch.is_one_by_one = true;
         self
     }
 
-    /// Computes on so many threads, 4096 at most, instead of those of rayon's pool, which are as
-    /// many as the machine has. Results do not depend on it.
+    /// Computes on this many threads, 4096 at most, instead of those of rayon's pool, one for each
+    /// processor. Results do not depend on it.
     pub fn threads(mut self, threads: usize) -> Self {
         match threads {
             0 => self.batch.refuse_setting("an ensemble needs at least one thread"),
@@ -192,9 +193,9 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Calls back about twenty times a second, from whichever thread, and once at the end, as for a
     /// progress bar.
     ///
-    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble: motions
-    /// that have begun go on to their end, and [`Cancelled`](super::EnsembleError::Cancelled) comes
-    /// back. What was saved is kept.
+    /// The callback returns nothing, or `ControlFlow::Break(())` to cancel the ensemble. Motions
+    /// that have begun then continue to their end, and
+    /// [`Cancelled`](super::EnsembleError::Cancelled) is returned. Saved parts are kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
         self.batch.reporter = Some(Reporter::new(callback));
         self

@@ -19,11 +19,10 @@ use crate::system::{MechanicalSystem, StateVector};
 
 /// The final states of an ensemble's motions: one row each, in named columns.
 ///
-/// Columns are the coordinates and velocities, then what was observed, and then, if motions were
-/// given [parameters](crate::ensemble::Motions::parameters) of their own, all parameters. Of an
-/// emitted system those of the state are also methods, such as `ends.theta()`. The row of a motion
-/// that failed holds NaN but for its parameters: what is known of it is in
-/// [`failures`](Ends::failures).
+/// Columns are the coordinates and velocities, then the observed quantities, and then all
+/// parameters, if motions were given separate [parameters](crate::ensemble::Motions::parameters).
+/// For an emitted system those of the state are also methods, such as `ends.theta()`. The row of a
+/// failed motion holds NaN except for its parameters; [`failures`](Ends::failures) describes it.
 pub struct Ends<M: MechanicalSystem> {
     columns: M::Columns<Table<M::Scalar>>,
     failures: Vec<Failure<M>>,
@@ -37,35 +36,35 @@ impl<M: MechanicalSystem> Ends<M> {
         self.table().len()
     }
 
-    /// The motions whose ends these are: all, or those of a shard. The first row is that of the
-    /// first of them.
+    /// Returns the motions whose ends these are: all, or those of a shard. The first row is that of
+    /// the first of them.
     pub fn motions(&self) -> Range<usize> {
         self.motions.clone()
     }
 
-    /// The times at which motions ended: that which was asked for, unless an event stopped them.
+    /// Returns the times at which motions ended: the requested one, unless an event stopped them.
     pub fn times(&self) -> &[M::Scalar] {
         self.table().times()
     }
 
-    /// The names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in their order; time has none.
     pub fn names(&self) -> &[String] {
         self.table().names()
     }
 
-    /// The column of this name: a coordinate, a velocity such as `theta_dot`, what was observed, or
-    /// a parameter.
+    /// Returns the column of this name: a coordinate, a velocity such as `theta_dot`, an observed
+    /// quantity, or a parameter.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
     }
 
-    /// All columns.
+    /// Returns all columns.
     pub fn table(&self) -> &Table<M::Scalar> {
         self.columns.as_ref()
     }
 
-    /// The state at which the motion with this index ended; `None` if it failed or is not among
-    /// these.
+    /// Returns the state at which the motion with this index ended; `None` if it failed or is not
+    /// included.
     pub fn state(&self, index: usize) -> Option<M::State> {
         let row = index.checked_sub(self.motions.start).filter(|row| *row < self.len())?;
         if self.failures.binary_search_by_key(&index, |failure| failure.index).is_ok() {
@@ -78,7 +77,7 @@ impl<M: MechanicalSystem> Ends<M> {
         Some(state)
     }
 
-    /// The motions that failed, in their order.
+    /// Returns the motions that failed, in their order.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }
@@ -161,9 +160,8 @@ where
     /// Computes all motions and keeps their ends.
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback
-    /// cancels. A motion that fails is among the [`failures`](Ends::failures), and the others go
-    /// on.
+    /// If a setting is invalid, a closure panics, or the progress callback cancels. A motion that
+    /// fails is among the [`failures`](Ends::failures), and the others continue.
     pub fn run(self) -> Result<Ends<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }

@@ -65,7 +65,7 @@ impl Engine {
     /// Computes all chunks of the motions and hands their results over in their order.
     ///
     /// # Errors
-    /// Of several that of the first motion; that of handing over at once.
+    /// If several motions fail, the error of the first. If the consumer fails, its error at once.
     pub(super) fn chunks<R: Send>(
         &self,
         motions: Range<usize>,

@@ -12,7 +12,7 @@ use std::string::{String, ToString};
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EnsembleError {
-    /// Something that was asked for makes no sense, in words.
+    /// A setting is invalid, in words.
     Setting(String),
     /// A closure that was given panicked.
     Panicked {
@@ -40,7 +40,7 @@ pub enum EnsembleError {
         /// Error of the operating system or the format.
         source: io::Error,
     },
-    /// The folder holds a file that is called like a part and is none.
+    /// The folder holds a file that is named like a part and is not one.
     ForeignFile(PathBuf),
     /// A part is not what was written, or not in its place.
     Damaged {
@@ -58,7 +58,7 @@ pub enum EnsembleError {
     },
     /// Another process writes the same parts into the folder, or one was killed on another machine.
     Locked {
-        /// The file that says so.
+        /// The other file.
         path: PathBuf,
         /// Process that holds the lock, as it names itself.
         holder: String,
@@ -78,8 +78,8 @@ impl Display for EnsembleError {
             EnsembleError::File { path, source } => write!(f, "`{}`: {source}", path.display()),
             EnsembleError::ForeignFile(path) => write!(
                 f,
-                "`{}` has the name of a part of an ensemble, but another version wrote it or its end is damaged: \
-                save to another folder, or delete it to recompute it",
+                "`{}` is named like a part of an ensemble, but another version wrote it or its end is damaged: \
+                save to another folder, or delete it",
                 path.display()
             ),
             EnsembleError::Damaged { path, why } => {

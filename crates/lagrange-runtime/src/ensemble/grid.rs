@@ -40,8 +40,8 @@ pub(super) struct Quantity {
 }
 
 impl Grid {
-    /// A grid with the first quantity to the right and the second upwards: what each is called,
-    /// from where to where it goes, and how many cells there are in this direction.
+    /// Creates a grid with the first quantity to the right and the second upwards. Each has a name,
+    /// a range, and a number of cells in its direction.
     pub fn new(x: (&str, Range<f64>, usize), y: (&str, Range<f64>, usize)) -> Self {
         let quantity = |(name, range, cells): (&str, Range<f64>, usize)| {
             let name = name.to_string();
@@ -55,13 +55,13 @@ impl Grid {
         self.x.cells.saturating_mul(self.y.cells)
     }
 
-    /// True if there is none.
+    /// True if it has no cells.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Both quantities in the middle of the cell with this index: cells are counted from left to
-    /// right, in rows from the lowest.
+    /// Returns both quantities in the middle of the cell with this index. Cells are counted from
+    /// left to right, in rows from the lowest.
     pub fn at(&self, index: usize) -> [f64; 2] {
         let columns = self.x.cells.max(1);
         [self.x.middle(index % columns), self.y.middle(index / columns)]

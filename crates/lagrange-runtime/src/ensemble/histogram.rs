@@ -5,12 +5,13 @@ use std::collections::BTreeMap;
 
 use super::reduce::Reduce;
 
-/// Counts of numbers in at most so many bins of one width, which fit themselves to the numbers.
+/// Counts of numbers in at most a given number of bins of one width, which fit themselves to the
+/// numbers.
 ///
-/// The width is the least power of two, not below 2⁻⁴⁰ of the power of two below the largest
-/// magnitude, with which that many bins reach from the least number to the greatest; their edges
-/// are multiples of it. So the counts depend on the numbers alone and not on their order, and need
-/// no range beforehand. Numbers that are not finite are counted apart.
+/// The width is the least power of two with which that many bins reach from the least number to the
+/// greatest. It is not below 2⁻⁴⁰ of the power of two below the largest magnitude. Edges are
+/// multiples of the width. The counts therefore depend on the numbers alone and not on their order,
+/// and need no range in advance. Numbers that are not finite are counted separately.
 ///
 /// ```
 /// use lagrange::ensemble::Histogram;
@@ -37,7 +38,7 @@ const DEPTH: i32 = 40;
 const FINEST: i32 = -1000;
 
 impl Histogram {
-    /// Counts in at most so many bins, none as yet.
+    /// Creates an empty histogram with at most this many bins.
     ///
     /// # Panics
     /// If there is to be no bin, or more than 2²⁴.
@@ -62,8 +63,8 @@ impl Histogram {
         *self.counts.entry(here).or_default() += 1;
     }
 
-    /// The bins from that of the least number to that of the greatest, by their edges, with their
-    /// counts.
+    /// Returns the bins from that of the least number to that of the greatest, by their edges, with
+    /// their counts.
     pub fn bins(&self) -> impl Iterator<Item = (Range<f64>, u64)> + '_ {
         let ends = self.counts.first_key_value().zip(self.counts.last_key_value());
         let places = ends.map(|((first, _), (last, _))| *first..=*last);
@@ -83,9 +84,9 @@ impl Histogram {
         self.not_finite
     }
 
-    /// About the number below which this part of the finite numbers lies, from 0 to 1: its error is
-    /// below the width of a bin, within which numbers are taken to be spread evenly. `None` if
-    /// there are none, or for other parts.
+    /// Returns an approximate number below which this part, from 0 to 1, of the finite numbers
+    /// lies. Its error is below the width of a bin, within which numbers are assumed to be spread
+    /// evenly. `None` if there are no finite numbers, or for other parts.
     pub fn quantile(&self, part: f64) -> Option<f64> {
         if !(0.0..=1.0).contains(&part) {
             return None;

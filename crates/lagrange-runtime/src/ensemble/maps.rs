@@ -13,8 +13,9 @@ use crate::system::MechanicalSystem;
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
-/// A picture of values over the two quantities of a [`Grid`], with a colour for each: dark blue for
-/// the least, yellow for the largest, white where a value is not finite, as of motions that failed.
+/// A picture of values over the two quantities of a [`Grid`], with a colour for each. The least is
+/// dark blue, the largest yellow; values that are not finite, such as those of failed motions, are
+/// white.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Map {
     cells: Cells,
@@ -22,7 +23,8 @@ pub struct Map {
 }
 
 impl Map {
-    /// A picture of these values, one for each cell of the grid in the order of their indices.
+    /// Creates a picture of these values, one for each cell of the grid in the order of their
+    /// indices.
     ///
     /// # Errors
     /// If there are not as many values as cells, or the grid does not go from a number to a larger
@@ -61,10 +63,10 @@ impl Map {
     }
 
     /// Writes the picture: `svg` or `png`, by its extension. Every cell is a square of whole
-    /// pixels; up to 1000 of them are side by side, or one for each cell if these are more.
+    /// pixels. Up to 1000 pixels are in a row, or one for each cell if there are more cells.
     ///
     /// # Errors
-    /// If the extension is another, or what the operating system says.
+    /// If the extension is not supported, or the operating system cannot write the file.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         Figure::of_cells(Panel { cells: Some(self.cells.clone()), ..self.panel.clone() }).save(path.as_ref())
     }
@@ -74,13 +76,13 @@ impl<M: MechanicalSystem> Ends<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// A picture of a column, or of the times `t` at which motions ended, over the cells of the
-    /// grid from which they started. Names of columns and parameters have their units, if the
-    /// declaration says them.
+    /// Creates a picture of a column, or of the times `t` at which motions ended, over the cells of
+    /// the grid from which they started. Names of columns and parameters have their units, if the
+    /// declaration has them.
     ///
     /// # Errors
-    /// If there is no such column, these are not the motions of all cells, or the grid does not go
-    /// from a number to a larger one.
+    /// If there is no such column, these are not the motions of all cells, or a range of the grid
+    /// is not ascending.
     pub fn map(&self, grid: &Grid, column: &str) -> Result<Map, PlotError> {
         let values = if column == TIME { Some(self.times()) } else { self.column(column) };
         let values = values.ok_or_else(|| unknown(column, self.names()))?;

@@ -1,5 +1,5 @@
-//! Ensembles: many motions of one declaration, from starts and with parameters of their own, over
-//! threads and processes.
+//! Ensembles: many motions of one declaration, from separate starts and with separate parameters,
+//! over threads and processes.
 //!
 //! ```
 //! use lagrange::Ensembles;
@@ -45,9 +45,9 @@
 //! | look at one motion | [`motion`](Ensemble::motion) |
 //! | spread the work | [`threads`](Ensemble::threads), [`shard`](Ensemble::shard); reductions over processes by MPI: `examples/mpi` |
 //!
-//! Every motion is a run of [`simulate`](mod@crate::simulate) by itself, and has the bits of one:
-//! they depend neither on threads nor on shards, restarts or the other motions. The sum of all is
-//! put together in an order that does not depend on threads either.
+//! Every motion is a separate run of [`simulate`](mod@crate::simulate), with the same bits. They
+//! depend neither on threads nor on shards, restarts or the other motions. The sum of all is
+//! accumulated in an order that does not depend on threads either.
 //!
 //! This needs the feature `ensemble`.
 
@@ -108,7 +108,7 @@ pub use self::starts::Starts;
 
 /// Lets every mechanical system that threads may share move many times.
 pub trait Ensembles: SharedSystem + Sized {
-    /// Motions of this system: so many, or one from each start of a list.
+    /// Creates motions of this system: a number of them, or one from each start of a list.
     fn ensemble(&self, starts: impl Starts<Self>) -> Motions<'_, Self> {
         Motions::new(self, starts)
     }

@@ -45,28 +45,28 @@ impl Moments {
         self.count
     }
 
-    /// Their mean; NaN if there was none.
+    /// Returns their mean; NaN if there was none.
     pub fn mean(&self) -> f64 {
         if self.count == 0 { f64::NAN } else { self.mean }
     }
 
-    /// Their variance as an estimate of that of what they were drawn from: with one less than their
-    /// number below the sum. NaN of fewer than two.
+    /// Returns their variance as an estimate of that of their distribution: the sum is divided by
+    /// one less than their number. NaN of fewer than two.
     pub fn variance(&self) -> f64 {
         if self.count < 2 { f64::NAN } else { self.squares / (self.count - 1) as f64 }
     }
 
-    /// The root of the variance.
+    /// Returns the root of the variance.
     pub fn standard_deviation(&self) -> f64 {
         libm::sqrt(self.variance())
     }
 
-    /// The least of them; infinite if there was none.
+    /// Returns the least of them; infinity if there was none.
     pub fn min(&self) -> f64 {
         self.min
     }
 
-    /// The greatest of them; minus infinity if there was none.
+    /// Returns the greatest of them; minus infinity if there was none.
     pub fn max(&self) -> f64 {
         self.max
     }

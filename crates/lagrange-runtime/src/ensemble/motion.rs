@@ -31,17 +31,17 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
         Motion { index, system, end, trajectory }
     }
 
-    /// Its place in the ensemble, counted from zero.
+    /// Returns its place in the ensemble, counted from zero.
     pub fn index(&self) -> usize {
         self.index
     }
 
-    /// The system that moved, with the parameters of this motion.
+    /// Returns the system that moved, with the parameters of this motion.
     pub fn system(&self) -> &'m M {
         self.system
     }
 
-    /// The state where it ended, by the names of positions and velocities.
+    /// Returns the state where it ended, by the names of positions and velocities.
     pub fn end(&self) -> M::NamedState
     where
         M: NamedSystem,
@@ -49,14 +49,14 @@ impl<'m, M: MechanicalSystem> Motion<'m, M> {
         self.end.1.into()
     }
 
-    /// The time at which it ended: that which was asked for unless an event stopped it.
+    /// Returns the time at which it ended: the requested one unless an event stopped it.
     pub fn end_time(&self) -> M::Scalar {
         self.end.0
     }
 
-    /// All that was kept of it: samples if they were asked for, events, columns that were observed.
-    /// Of a motion that was computed [in lanes](super::Ensemble::is_in_lanes) it is made when it is
-    /// asked for, with the start and the end as samples at least.
+    /// Returns all data kept of it: samples, if requested, events, and observed columns. For a
+    /// motion that was computed [in lanes](super::Ensemble::is_in_lanes), the trajectory is built
+    /// on request, with at least the start and the end as samples.
     pub fn trajectory(&self) -> &'m Trajectory<M> {
         self.trajectory
     }
@@ -77,10 +77,9 @@ where
     D: Drive<M> + Sync,
     K: Method<D::Closed> + Clone + Sync,
 {
-    /// Runs one motion of the ensemble again, or for the first time, by itself, with every step
-    /// kept if samples were not asked for. It has the same bits, unless the ensemble goes [in
-    /// lanes](Self::is_in_lanes): its end then is the same to within what the tolerance leaves
-    /// open.
+    /// Runs one motion of the ensemble again, or for the first time, as a single run, with every
+    /// step kept unless samples were requested. It has the same bits, unless the ensemble runs [in
+    /// lanes](Self::is_in_lanes): its end is then the same to within the tolerance.
     ///
     /// ```
     /// # lagrange::system! {

@@ -5,8 +5,8 @@ use std::vec::Vec;
 use super::histogram::Histogram;
 use super::moments::Moments;
 
-/// Something, such as a reduction, that becomes words and is made of them again with the same bits,
-/// so that processes can send it each other.
+/// A value, such as a reduction, that can be converted to words and back with the same bits.
+/// Processes can thus exchange it.
 ///
 /// Tuples and arrays are packed one entry after the other, vectors behind their length.
 ///

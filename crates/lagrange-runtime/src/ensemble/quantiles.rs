@@ -8,14 +8,14 @@ use crate::simulate::Table;
 use crate::system::MechanicalSystem;
 
 impl<M: MechanicalSystem> Samples<M> {
-    /// Quantiles of a column over time: for each of these parts from 0 to 1 a list with an entry
-    /// for each of the [`times`](Self::times), below which this part of the motions lies. `None` if
-    /// there is no such column.
+    /// Returns quantiles of a column over time, for parts from 0 to 1. For each part there is a
+    /// list with an entry for each of the [`times`](Self::times): the value below which this part
+    /// of the motions lies. `None` if there is no such column.
     ///
     /// Between the values of two motions they are interpolated linearly (definition 7 of Hyndman
-    /// and Fan, *The American Statistician* 50 (1996) 361–365). Motions that failed are left out;
-    /// so are others from where they were stopped, and values that are not a number. Where nothing
-    /// is left there is no number either.
+    /// and Fan, *The American Statistician* 50 (1996) 361–365). Failed motions are omitted; so are
+    /// others from where they were stopped, and values that are NaN. Without any motion, quantiles
+    /// are NaN.
     ///
     /// ```
     /// use lagrange::Ensembles;
@@ -51,8 +51,8 @@ impl<M: MechanicalSystem> Samples<M> {
         Some(quantiles)
     }
 
-    /// The times of the samples of the motion that went farthest, which are those of all motions
-    /// that nothing stopped.
+    /// Returns the times of the samples of the motion that went farthest, which are those of all
+    /// motions that nothing stopped.
     pub fn times(&self) -> &[M::Scalar] {
         let farther = |kept: &'_ [M::Scalar], next: &'_ [M::Scalar]| span(next) > span(kept);
         let all = self.tables().map(Table::times);
@@ -72,8 +72,8 @@ fn span<S: Scalar>(times: &[S]) -> S {
 
 /// The value below which this part of sorted values lies.
 ///
-/// Of 10, 20, 40 half lies below 20; three quarters, which is half of the way from the second to
-/// the third, below 30.
+/// For 10, 20, 40, half lies below 20. Three quarters lie below 30, half of the way from the second
+/// to the third.
 fn quantile(sorted: &[f64], part: f64) -> f64 {
     let Some(last) = sorted.len().checked_sub(1) else { return f64::NAN };
     let place = part.clamp(0.0, 1.0) * last as f64;

@@ -15,8 +15,8 @@ use core::ops::Range;
 /// The random numbers of one motion for one purpose P: a sequence that its index and the seed of
 /// the ensemble determine, on every platform.
 ///
-/// Starts, parameters and noise have sequences of their own, under the same seed, too, so that what
-/// is drawn for one is independent of what is drawn for another:
+/// Starts, parameters and noise have separate sequences, even under the same seed. Numbers drawn
+/// for one are therefore independent of those drawn for another:
 ///
 /// | numbers of | are |
 /// |---|---|
@@ -24,11 +24,12 @@ use core::ops::Range;
 /// | [`parameters`](super::Motions::parameters) | [`Random::parameters`] |
 /// | inputs, controllers, measurements | [`Random::noise`] |
 ///
-/// A sequence is never changed within a version of this crate that is compatible: the generator is
-/// Philox4x32-10, keyed by the seed, with the index in the upper half of its counter and the
-/// purpose in the upper byte of the lower half; uniform numbers are the upper 53 bits of 64; normal
-/// ones are those of Box and Muller by the elementary functions of the crate `libm`, and not by
-/// those of the platform.
+/// Compatible versions of this crate never change a sequence:
+/// - The generator is Philox4x32-10, keyed by the seed. Its counter has the index in the upper half
+///   and the purpose in the upper byte of the lower half.
+/// - Uniform numbers are the upper 53 bits of 64.
+/// - Normal numbers are those of Box and Muller, by the elementary functions of the crate `libm`
+///   instead of the platform's.
 ///
 /// ```
 /// use lagrange::ensemble::Random;
@@ -108,23 +109,24 @@ const WEYL: [u32; 2] = [0x9E37_79B9, 0xBB67_AE85];
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 impl Random<OfStart> {
-    /// The numbers of the start of the motion `index` of an ensemble with this seed, from the first
-    /// on.
+    /// Returns the numbers of the start of the motion `index` of an ensemble with this seed, from
+    /// the first on.
     pub fn start(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
 }
 
 impl Random<OfParameters> {
-    /// The numbers of the parameters of the motion `index` of an ensemble with this seed, from the
-    /// first on.
+    /// Returns the numbers of the parameters of the motion `index` of an ensemble with this seed,
+    /// from the first on.
     pub fn parameters(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
 }
 
 impl Random<OfNoise> {
-    /// The numbers of noise in the motion `index` of an ensemble with this seed, from the first on.
+    /// Returns the numbers of noise in the motion `index` of an ensemble with this seed, from the
+    /// first on.
     pub fn noise(seed: u64, index: usize) -> Self {
         Random::of(seed, index)
     }
@@ -144,7 +146,7 @@ impl<P: Purpose> Random<P> {
         }
     }
 
-    /// The next 64 bits.
+    /// Returns the next 64 bits.
     pub fn bits(&mut self) -> u64 {
         if let Some(word) = self.word.take() {
             return word;
@@ -156,8 +158,8 @@ impl<P: Purpose> Random<P> {
         joined(a, b)
     }
 
-    /// A number from the range, its end excluded, each part of it as likely as any other of its
-    /// length.
+    /// Returns a number from the range, its end excluded, each part of it as likely as any other of
+    /// its length.
     ///
     /// # Panics
     /// If the range is empty, or an end of it is not finite.
@@ -171,8 +173,8 @@ impl<P: Purpose> Random<P> {
         (start + (end - start) * self.unit()).min(end.next_down())
     }
 
-    /// A number of the normal distribution with mean 0 and standard deviation 1; its magnitude is
-    /// below 8.6.
+    /// Returns a number of the normal distribution with mean 0 and standard deviation 1; its
+    /// magnitude is below 8.6.
     ///
     /// Source: Box, Muller, *A note on the generation of random normal deviates*, Ann. Math. Stat.
     /// 29 (1958).

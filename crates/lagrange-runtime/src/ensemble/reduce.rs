@@ -4,10 +4,10 @@ use std::vec::Vec;
 
 /// Something that sums up motions, and that can be put together from parts.
 ///
-/// An ensemble is summed up in blocks of 64 motions, each from a clone of what
-/// [`reduce`](crate::ensemble::Ensemble::reduce) was given. The blocks of a
+/// An ensemble is accumulated in blocks of 64 motions, each from a clone of the argument of
+/// [`reduce`](crate::ensemble::Ensemble::reduce). The blocks of a
 /// [part](crate::ensemble::Ensemble::motions_per_part) are merged from left to right, and so are
-/// parts, whichever thread or process computed them: the result has the same bits for any number of
+/// parts, whichever thread or process computed them. The result has the same bits for any number of
 /// either. It is that of one block if
 ///
 /// - merging with what was given changes nothing, and

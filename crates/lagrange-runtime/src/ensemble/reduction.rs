@@ -45,7 +45,7 @@ impl<M: MechanicalSystem, R> Reduced<M, R> {
         self.failed
     }
 
-    /// The first thousand of the motions that failed.
+    /// Returns the first thousand of the motions that failed.
     pub fn failures(&self) -> &[Failure<M>] {
         &self.failures
     }
@@ -90,11 +90,11 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// Computes all motions and keeps what they come down to, and nothing of themselves, so that
-    /// memory does not depend on their number.
+    /// Computes all motions and keeps only their reduction, so that memory does not depend on their
+    /// number.
     ///
-    /// `add` is asked for every motion that did not fail. What [`Reduce`] asks for makes the result
-    /// the same bits for any number of threads.
+    /// `add` is called for every motion that did not fail. By the requirements of [`Reduce`], the
+    /// result has the same bits for any number of threads.
     ///
     /// ```
     /// # lagrange::system! {
@@ -128,9 +128,9 @@ where
         Ok(all)
     }
 
-    /// Computes all motions as [`reduce`](Self::reduce) does, and hands over what each part comes
-    /// down to, one after the other: for sums over processes, whose bits do not depend on the
-    /// number of processes if parts are merged in their order.
+    /// Computes all motions as [`reduce`](Self::reduce) does, and passes on the reduction of each
+    /// part, one after the other. This serves sums over processes: if parts are merged in their
+    /// order, the bits do not depend on the number of processes.
     ///
     /// # Errors
     /// As of [`reduce`](Self::reduce).

@@ -14,8 +14,8 @@ use crate::system::{Action, ControlledSystem, Direction, EnergyFunction, OutputS
 
 impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// Adds a column: a value computed from time and state, at the end of each motion or for each
-    /// sample. The function is given the system of the motion; its parameters are columns by
-    /// themselves where motions have [their own](super::Motions::parameters).
+    /// sample. The function receives the system of the motion; its parameters are columns anyway if
+    /// motions have [their own](super::Motions::parameters).
     pub fn observe(
         mut self,
         name: &str,
@@ -54,7 +54,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero in the trajectory of a motion, and then goes on, stops, or goes on
+    /// Records each such zero in the trajectory of a motion. It then continues, stops, or continues
     /// from another state, as after an impact.
     pub fn event_with(
         mut self,
@@ -67,8 +67,8 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         self
     }
 
-    /// Sets the inputs by a controller that is asked at the start and then every `period`, as [in a
-    /// single run](crate::simulate::Simulation::sampled). Every motion has one of its own, which is
+    /// Sets the inputs by a controller that is called at the start and then every `period`, as [in
+    /// a single run](crate::simulate::Simulation::sampled). Every motion has a separate controller,
     /// made for its index.
     pub fn sampled<C>(mut self, period: M::Scalar, controller: impl Fn(usize) -> C + Send + Sync + 'a) -> Self
     where

@@ -37,8 +37,8 @@ impl<M: SharedSystem> Rows<M> {
         self.fail(index, result);
     }
 
-    /// Adds the end of a motion that was no run, with the columns that would be kept of it if there
-    /// are others than those of the state.
+    /// Adds the end of a motion that was not a run, with its observed columns if there are others
+    /// than those of the state.
     pub(super) fn push_arrival(
         &mut self,
         batch: &Batch<'_, M>,

@@ -31,17 +31,17 @@ impl<M: MechanicalSystem> Samples<M> {
         self.motions.clone()
     }
 
-    /// The motion with this index; `None` if it is not among these.
+    /// Returns the motion with this index; `None` if it is not among these.
     pub fn motion(&self, index: usize) -> Option<Result<&Trajectory<M>, &SimulationError<M>>> {
         self.results.get(index.checked_sub(self.motions.start)?).map(Result::as_ref)
     }
 
-    /// The motions that did not fail, by their index.
+    /// Returns the motions that did not fail, by their index.
     pub fn iter(&self) -> impl Iterator<Item = (usize, &Trajectory<M>)> {
         self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().ok()?)))
     }
 
-    /// The motions that failed, by their index.
+    /// Returns the motions that failed, by their index.
     pub fn failures(&self) -> impl Iterator<Item = (usize, &SimulationError<M>)> {
         self.motions().zip(&self.results).filter_map(|(index, result)| Some((index, result.as_ref().err()?)))
     }
@@ -57,9 +57,8 @@ where
     /// Computes all motions and keeps their samples.
     ///
     /// # Errors
-    /// If a setting makes no sense, a closure that was given panics, or the progress callback
-    /// cancels. A motion that fails is among the [`failures`](Samples::failures), and the others go
-    /// on.
+    /// If a setting is invalid, a closure panics, or the progress callback cancels. A motion that
+    /// fails is among the [`failures`](Samples::failures), and the others continue.
     pub fn run(self) -> Result<Samples<M>, EnsembleError> {
         self.run_in(&self.engine()?)
     }

@@ -8,8 +8,8 @@ use std::string::String;
 
 use super::error::EnsembleError;
 
-/// One of several shares of an ensemble, each computed by a process of its own: motions that follow
-/// each other, in whole parts of what is saved.
+/// One of several shares of an ensemble, each computed by a separate process. Its motions follow
+/// each other, in whole parts of the saved results.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {
     index: u64,
@@ -62,13 +62,13 @@ impl Shard {
     /// Everything.
     pub const WHOLE: Shard = Shard::of(0, 1);
 
-    /// The share `index`, counted from zero, of `count`. One beyond the count is an error of the
-    /// run.
+    /// Creates the share `index`, counted from zero, of `count`. One beyond the count is an error
+    /// of the run.
     pub const fn of(index: u64, count: u64) -> Self {
         Shard { index, count }
     }
 
-    /// The share that the launcher of this process gave it by its environment.
+    /// Returns the share that the launcher of this process set in its environment.
     ///
     /// | launcher | variables |
     /// |---|---|
@@ -81,9 +81,9 @@ impl Shard {
     /// Without any of them it is [everything](Shard::WHOLE).
     ///
     /// # Errors
-    /// If variables are incomplete, are no numbers, or lie beyond their count; or if there are none
-    /// of these, but one that looks like the place of a process that another launcher started, such
-    /// as `PBS_ARRAY_INDEX`: everything would be computed by each process.
+    /// If variables are incomplete, are not numbers, or exceed their count. Also if there are none
+    /// of these, but one that looks like the place of a process started by another launcher, such
+    /// as `PBS_ARRAY_INDEX`. Otherwise every process would compute everything.
     pub fn from_environment() -> Result<Self, EnsembleError> {
         let text = |text: OsString| text.to_string_lossy().into_owned();
         Shard::from_variables(&std::env::vars_os().map(|(name, value)| (text(name), text(value))).collect())
@@ -102,7 +102,7 @@ impl Shard {
         Ok(shard)
     }
 
-    /// Its place, counted from zero.
+    /// Returns its place, counted from zero.
     pub fn index(self) -> u64 {
         self.index
     }
@@ -161,9 +161,8 @@ fn from_none(variables: &BTreeMap<String, String>) -> Result<Shard, EnsembleErro
     match places.next() {
         None => Ok(Shard::WHOLE),
         Some((name, value)) => Err(EnsembleError::Setting(format!(
-            "the environment has {name}=`{value}`, which an unknown launcher seems to set for each of several \
-            processes: specify the shard of this process by {BY_HAND}, such as `3/8`, the fourth of eight, or \
-            `0/1` for everything"
+            "the environment has {name}=`{value}`, apparently from an unknown launcher of processes: specify \
+            the shard by {BY_HAND}, `3/8` for the fourth of eight, `0/1` for everything"
         ))),
     }
 }

@@ -1,8 +1,8 @@
 //! The earliest event in a piece, while others are looked for.
 //!
-//! To locate an event takes ten evaluations or more. A function that just before the earliest event
-//! has not passed zero yet comes later, or at the same time, and is not located: where many pass
-//! zero together only one is.
+//! Locating an event takes ten evaluations or more. A function that has not passed zero just before
+//! the earliest event comes later, or at the same time, and is not located. If many pass zero
+//! together, only one is located.
 
 use crate::scalar::Scalar;
 

@@ -1,10 +1,10 @@
-//! Looking for zeros within steps.
+//! Search for zeros within steps.
 
-use super::candidate::Candidate;
+mod earliest;
+
 use super::function::EventFunction;
 use super::instant::{accuracy, is_at_once, unresolved};
-use super::locate::{MOST_ROUNDS, Sample, locate};
-use super::piece::{Piece, Sight};
+use super::piece::Piece;
 use super::polynomial::{POINTS, points};
 use super::search::Search;
 use crate::integrate::EventSource::Given;
@@ -12,11 +12,10 @@ use crate::integrate::Stepper;
 use crate::scalar::Scalar;
 use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
 use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
+use earliest::First;
 
 /// The part of a step after which the state has left what it was replaced by.
 const SHORTLY: f64 = 1e-10;
-/// A step is halved so often in search of a hop that is shorter.
-const MOST_HALVINGS: u32 = 60;
 /// Number of events at the same time that counts as infinitely many.
 const MOST_REPETITIONS: u32 = 50;
 
@@ -49,27 +48,15 @@ pub struct Detector<S, const K: usize> {
     /// True if the last event came before its function had got away from zero by more than
     /// rounding.
     is_noise: bool,
-    /// True if one of the functions had an event since then, and whether one had it that led there:
-    /// the functions of others may have had it.
+    /// True if one of these functions had an event since the last restart.
     has_fired: bool,
+    /// True if one of these functions had the event that led to the last restart; functions of
+    /// other detectors may have had it.
     was_fired: bool,
 }
 
 /// The function that has an event, and its time.
 type Suspect<S> = (usize, S);
-
-/// The first event in a piece.
-enum First<S> {
-    /// There is none.
-    None,
-    /// That of this function at this time.
-    At(usize, S),
-    /// None of this function, which goes on through the zero that it had when the state was
-    /// replaced.
-    Passing(usize),
-    /// A shorter piece would tell.
-    Unclear,
-}
 
 impl<S: Scalar, const K: usize> Detector<S, K> {
     /// Starts at time `t`, where the functions have these values.
@@ -104,17 +91,18 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self.functions.map(|function| function.range)
     }
 
-    /// The next event in the stepper's last step, after those that were returned before.
+    /// Returns the next event in the stepper's last step, after those that were returned before.
     ///
-    /// To be called after each step until there is no more, and after [`Stepper::confirm`];
-    /// `values` gives all functions at a time and state. The time returned is at most 10⁻¹³ of the
-    /// step, or one unit in the last place of time, beyond the change of sign, and the value there
-    /// is zero or has the sign that it changes to.
+    /// Call it after each step until it returns `None`, and after [`Stepper::confirm`]; `values`
+    /// gives all functions at a time and state. The time returned is at most 10⁻¹³ of the step, or
+    /// one unit in the last place of time, beyond the change of sign. The value there is zero or
+    /// has the sign that it changes to.
     ///
     /// # Errors
-    /// If a function is NaN or infinite, or does not settle in 200 evaluations, if times are too
-    /// far apart to locate its zero, or if states were replaced many times at times that rounding
-    /// cannot tell apart.
+    /// If any of these holds:
+    /// - a function is NaN or infinite, or does not settle in 200 evaluations;
+    /// - times are too far apart to locate its zero;
+    /// - states were replaced many times at times that rounding cannot distinguish.
     pub fn next<M>(
         &mut self,
         system: &M,
@@ -145,9 +133,9 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
-    /// The next function that is exactly zero at the end of a run, where this is the state, and
-    /// that would have an event there if the run went on through it. To be asked after the last
-    /// step, when there are no other events left.
+    /// Returns the next function that is exactly zero at the end of a run, which has this state.
+    /// The function would have an event there if the run continued. Call it after the last step,
+    /// when there are no other events left.
     pub fn next_at_end<Y: Copy>(&mut self, time: S, state: &Y) -> Option<Occurrence<S, Y>> {
         let event = self.functions.iter_mut().position(EventFunction::ends_on_zero)?;
         Some(Occurrence { event, time, state: *state })
@@ -236,8 +224,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         }
     }
 
-    /// The next event, if it happens at the same time as one that was just returned, as far as
-    /// times are located: to be asked before the stepper is restarted, or the others are lost.
+    /// Returns the next event if its located time is that of one that was just returned. Call it
+    /// before the stepper is restarted, or the others are lost.
     ///
     /// # Errors
     /// As [`next`](Self::next).
@@ -260,77 +248,6 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok(next)
     }
 
-    /// The first event in a piece.
-    fn earliest(
-        &self,
-        piece: &Piece<S, K>,
-        accuracy: S,
-        values: &mut impl FnMut(S) -> [S; K],
-    ) -> Result<First<S>, StepFailure<S>> {
-        let is_shortest = self.search.is_shortest();
-        if piece.values.iter().any(|values| check(*values).is_err()) {
-            return Ok(First::Unclear);
-        }
-        // What had no time to leave zero since the last event was not meant to go on through it.
-        let passable = (self.repetitions <= 1).then_some(self.started);
-        let mut first: Option<Candidate<S, K>> = None;
-        for (event, function) in self.functions.iter().enumerate() {
-            let time = match piece.sight(event, function, passable, is_shortest) {
-                Sight::Nothing => continue,
-                Sight::AtOnce => self.reached,
-                Sight::Between { from, to, sign }
-                    if first
-                        .as_ref()
-                        .is_some_and(|first| first.is_before(event, (from, to), sign.sign())) =>
-                {
-                    continue;
-                }
-                Sight::Between { from, to, sign } => {
-                    match self.bracket((from, to), (function, sign.sign()), |t| values(t)[event]) {
-                        Some((before, after)) => {
-                            locate(before, after, accuracy, |t| values(t)[event]).ok_or(
-                                StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
-                            )?
-                        }
-                        None if is_shortest => continue,
-                        None => return Ok(First::Unclear),
-                    }
-                }
-                Sight::Unclear => return Ok(First::Unclear),
-                Sight::Passing => return Ok(First::Passing(event)),
-            };
-            let distance = |time: S| (time - self.reached).abs();
-            if first.as_ref().is_none_or(|first| distance(time) < distance(first.time)) {
-                first = Some(Candidate::new((event, time), self.reached, accuracy, &mut *values));
-            }
-        }
-        Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
-    }
-
-    /// Places at which the function has this sign and the other one, between these times or, if it
-    /// is only taken to have the first, from the start on; `None` if it does not have the other one
-    /// at the end.
-    fn bracket(
-        &self,
-        (from, to): (S, S),
-        (function, sign): (&EventFunction<S>, S),
-        mut value: impl FnMut(S) -> S,
-    ) -> Option<(Sample<S>, Sample<S>)> {
-        let after = (to, value(to));
-        let is_change = after.1 * sign < S::ZERO;
-        if !is_change {
-            return None;
-        }
-        let before = if from == self.reached { function.here } else { value(from) };
-        if before * sign > S::ZERO {
-            return Some(((from, before), after));
-        }
-        if function.is_armed() && function.sign * sign > S::ZERO {
-            return self.hop((after, sign), value);
-        }
-        Some(((from, sign), after))
-    }
-
     /// Remembers the signs of these values, found right after the state was replaced. Switches wait
     /// for a value that is not rounding.
     fn learn_shortly(&mut self, values: [S; K]) -> Result<(), StepFailure<S>> {
@@ -343,28 +260,6 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             }
         }
         Ok(())
-    }
-
-    /// Between the start and `t`, where a function that counted as of this sign at the start has
-    /// the other one: the latest place at which it was found to have it and the place after it,
-    /// halving the time from the start. If it never had, it passed zero at the start.
-    fn hop(
-        &self,
-        ((mut t, mut found), sign): (Sample<S>, S),
-        mut value: impl FnMut(S) -> S,
-    ) -> Option<(Sample<S>, Sample<S>)> {
-        for _ in 0..MOST_HALVINGS {
-            let middle = self.started + S::from_f64(0.5) * (t - self.started);
-            if middle == self.started || middle == t {
-                break;
-            }
-            let at = value(middle);
-            if at * sign > S::ZERO {
-                return Some(((middle, at), (t, found)));
-            }
-            (t, found) = (middle, at);
-        }
-        found.is_finite().then_some(((t, sign), (t, found)))
     }
 
     /// Goes on from time `t`, where the method was restarted from another state in which the
@@ -386,8 +281,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         self.search = Search::new(t, t);
     }
 
-    /// Goes on from the place that was reached, where the functions jumped to these values: a zero
-    /// that one of them passed by that is an event there.
+    /// Continues from the place that was reached, where the functions jumped to these values. Zeros
+    /// that they passed in doing so are events there.
     pub(crate) fn jump(&mut self, values: [S; K]) {
         self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
     }

@@ -45,8 +45,8 @@ pub(super) enum Claim {
     Found,
     /// The function belongs to a mode, which begins with it.
     Switch,
-    /// A zero happened and the state was replaced, but the function is where it was: at zero, on
-    /// the side that it came from unless it goes on to the other one.
+    /// A zero occurred and the state was replaced, but the function is where it was. It is at zero,
+    /// on the side from which it came unless it continues to the other one.
     Turned,
 }
 
@@ -108,8 +108,8 @@ impl<S: Scalar> EventFunction<S> {
         }
     }
 
-    /// Goes on to an event of another function at which this one has this value: a sign that makes
-    /// an event of it here, too, is left to be found.
+    /// Continues to an event of another function at which this one has this value. A sign that
+    /// makes an event of it here, too, remains to be found.
     pub(super) fn pass(&mut self, value: S) {
         self.here = value;
         if !self.is_armed() && value != S::ZERO && !self.direction.counts(self.sign, value) {

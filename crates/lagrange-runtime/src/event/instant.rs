@@ -1,4 +1,4 @@
-//! Times in a step that cannot be told apart.
+//! Times in a step that cannot be distinguished.
 
 use super::locate::ACCURACY;
 use crate::scalar::Scalar;
@@ -37,8 +37,8 @@ fn instant<S: Scalar>(time: S, from: S, to: S) -> S {
     accuracy(from, to) + accuracy(from, to) + rounding
 }
 
-/// Returns the rounding of time if it is too long to locate the event of a function in a step,
-/// which had magnitudes up to `range` before.
+/// Returns the rounding of time if it is too coarse to locate the event of a function in a step.
+/// The function had magnitudes up to `range` before.
 ///
 /// A function that jumps does so between two times; the change that counts is that before.
 pub(super) fn unresolved<S: Scalar>(

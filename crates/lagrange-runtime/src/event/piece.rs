@@ -1,4 +1,4 @@
-//! A piece of a step: values of functions in it, and the first event that they tell.
+//! A piece of a step: values of functions in it, and the first event that they show.
 
 use super::function::{Claim, EventFunction};
 use super::polynomial::{POINTS, Polynomial, SignChange};
@@ -77,9 +77,9 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         }
     }
 
-    /// True if a function that was at zero when it was started goes on in the direction in which it
-    /// passed zero, and was not turned round: at once, and then with no more than a part of its
-    /// rate gained since.
+    /// True if a function that was at zero at its start continues in the direction in which it
+    /// passed zero, and was not turned round. It must do so at once, and then have gained no more
+    /// than a part of its rate since.
     fn passes(&self, polynomial: &Polynomial<S>, function: &EventFunction<S>, started: S) -> bool {
         let [from, to] = [self.times[0], self.times[POINTS - 1]];
         let rise = polynomial.rise(-function.sign);
@@ -88,8 +88,8 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         rise > S::ZERO && risen >= S::from_f64(STEADY) * rise * since
     }
 
-    /// An event just before the end of the piece, where a function of this sign may have changed it
-    /// by less than can be told from rounding.
+    /// Finds an event just before the end of the piece, where the change of this sign may be lost
+    /// in rounding.
     fn at_its_end(&self, values: &[S; POINTS], sign: S, function: &EventFunction<S>) -> Sight<S> {
         if function.claim == Claim::Switch {
             return Sight::Nothing;

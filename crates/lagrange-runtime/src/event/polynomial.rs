@@ -1,12 +1,12 @@
 //! The behaviour of a function along a piece of a step, as described by a polynomial through some
 //! of its values.
 //!
-//! Values at Chebyshev points give a polynomial of degree eight; the last of its Chebyshev
-//! coefficients tell how far it can be trusted. Its Bernstein coefficients enclose it, so that a
-//! part of the piece in which it does not change its sign is recognised as such, and parts in which
-//! it may are halved until it changes its sign once or is too small to tell. Sources: Trefethen, *Approximation
-//! Theory and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a
-//! centennial retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
+//! Values at Chebyshev points give a polynomial of degree eight. The last of its Chebyshev
+//! coefficients show how far it can be trusted. Its Bernstein coefficients enclose it, so a part of
+//! the piece in which its sign does not change is recognised as such. Other parts are halved until
+//! the sign changes once or they are too small to decide. Sources: Trefethen, *Approximation Theory
+//! and Approximation Practice*, §3, §8; Farouki, "The Bernstein polynomial basis: a centennial
+//! retrospective", *Computer Aided Geometric Design* 29 (2012) 379–419, §5.
 
 use crate::scalar::Scalar;
 use crate::tolerance::BERNSTEIN_COEFFICIENT;

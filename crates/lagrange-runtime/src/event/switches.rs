@@ -3,15 +3,16 @@
 //!
 //! They are where a condition of `if` in a declaration changes, and the kinks of `abs`, `sign`,
 //! `min` and `max`. A step across one would lose the order of any method, and a push that is
-//! shorter than a step would be missed. So a run fixes the side of every switch: the equations are
-//! then smooth, and go on smoothly beyond the surface. Where a step has led beyond, the place is
-//! located like an event and the motion goes on from there on the other side. Source: Hairer,
-//! Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed., §II.6.
+//! shorter than a step would be missed. A run therefore fixes the side of every switch: the
+//! equations are then smooth, and continue smoothly beyond the surface. Where a step has led
+//! beyond, the place is located like an event and the motion continues from there on the other
+//! side. Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, 2nd ed.,
+//! §II.6.
 //!
-//! With x = −10⁻⁹ at the end of a step that was computed for x > 0, the force −sign(x) was −1 all
-//! the step long; the step is cut at x = 0, and the next one has the force 1. If that leads back at
-//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface, where a function of
-//! time and state says nothing about the force:
+//! At the end of a step that was computed for x > 0, let x = −10⁻⁹. The force −sign(x) was −1 all
+//! the step long. The step is cut at x = 0, and the next one has the force 1. If that leads back at
+//! once, as −sign(ẋ) does with ẋ = 0, the state would slide along the surface. A function of time
+//! and state does not determine the force there:
 //! [`StepFailure::Slides`](crate::integrate::StepFailure::Slides).
 
 use core::array::from_fn;
@@ -20,8 +21,8 @@ use crate::system::{Action, OdeSystem, Reacted, Response};
 
 use crate::scalar::{Number, Scalar};
 
-/// The sides of its switches on which a system is computed: fixed, as during a run, or free, which
-/// is as its state says.
+/// The sides of its switches on which a system is computed: fixed, as during a run, or free, as its
+/// state determines.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Debug)]
 pub struct Switches {
     /// A bit for each switch whose side is fixed.
@@ -34,7 +35,7 @@ impl Switches {
     /// All of them free.
     pub const FREE: Switches = Switches { fixed: 0, positive: 0 };
 
-    /// The side of each switch, 1 or −1: where it is fixed, and else the sign of its value.
+    /// Returns the side of each switch, 1 or −1: the fixed one, or the sign of its value.
     #[inline]
     pub fn signs<S: Scalar, const K: usize>(self, values: impl FnOnce() -> [S; K]) -> [S; K] {
         if (0..K).all(|k| self.is_fixed(k)) {
@@ -65,25 +66,25 @@ pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The index of the first of them among the declared events.
     const FIRST: usize;
 
-    /// The sides on which it is computed.
+    /// Returns the sides on which it is computed.
     fn switches(&self) -> Switches;
 
     /// Returns the system on other sides.
     #[must_use]
     fn with_switches(&self, switches: Switches) -> Self;
 
-    /// The functions that vanish on the switches.
+    /// Computes the functions that vanish on the switches.
     fn switch_values(&self, t: Self::Scalar, y: &Self::State) -> [Self::Scalar; K];
 
-    /// When each switch is passed, from its negative to its positive side, where that is known
-    /// beforehand.
+    /// Returns the time at which each switch is passed, from its negative to its positive side, if
+    /// it is known in advance.
     fn switch_times(&self) -> [Option<Self::Scalar>; K] {
         [None; K]
     }
 }
 
-/// The system on the sides on which a motion from this state starts. What is not finite there stays
-/// free.
+/// Returns the system on the sides on which a motion from this state starts. What is not finite
+/// there stays free.
 pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -97,7 +98,7 @@ pub fn choose_sides<M: SwitchedSystem<K>, const K: usize>(
     Some(system.with_switches(values.into_iter().enumerate().fold(Switches::FREE, fix)))
 }
 
-/// The system with its switches free.
+/// Returns the system with its switches free.
 pub fn free_sides<M: SwitchedSystem<K>, const K: usize>(system: &M) -> M {
     system.with_switches(Switches::FREE)
 }
@@ -143,8 +144,7 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     Ok(Response { system, ..Response::new(Action::Continue) })
 }
 
-/// The system on the sides on which it goes on from `t` towards `end`, if `t` is a time at which a
-/// switch is passed.
+/// Returns the system on the sides from `t` towards `end`, if a switch is passed at the time `t`.
 pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, end: M::Scalar) -> Option<M> {
     let times = system.switch_times();
     let passed = (0..K).filter(|&k| times[k] == Some(t));
@@ -153,8 +153,8 @@ pub fn beyond<M: SwitchedSystem<K>, const K: usize>(system: &M, t: M::Scalar, en
     (after != before).then(|| system.with_switches(after))
 }
 
-/// The next time after `t` and before `end`, which may lie before it, at which a switch is passed,
-/// as far as that is known beforehand.
+/// Returns the next time after `t` and before `end`, which may lie before it, at which a switch is
+/// known to be passed.
 pub fn next_switch_time<M: SwitchedSystem<K>, const K: usize>(
     system: &M,
     t: M::Scalar,

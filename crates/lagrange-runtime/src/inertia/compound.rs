@@ -29,17 +29,18 @@ pub struct MassGeometry<S> {
 }
 
 impl<S: Scalar> MassGeometry<S> {
-    /// A body of this mass and centre of mass, with its moment of inertia about that.
+    /// Creates a body of this mass and centre of mass, with its moment of inertia about the latter.
     pub fn new(mass: S, center: [S; 2], inertia: S) -> MassGeometry<S> {
         MassGeometry { mass, center, inertia }
     }
 
-    /// A homogeneous polygon, from its corners in either orientation; NaN where [`polygon`] is.
+    /// Creates a homogeneous polygon from its corners in either orientation; NaN where [`polygon`]
+    /// is.
     pub fn polygon(mass: S, corners: &[[S; 2]]) -> MassGeometry<S> {
         MassGeometry { mass, center: polygon_center(corners), inertia: polygon(mass, corners) }
     }
 
-    /// Both together: by Steiner's theorem J₁ + J₂ + m₁ m₂/(m₁ + m₂) d², d being the distance of
+    /// Combines both: by Steiner's theorem J₁ + J₂ + m₁ m₂/(m₁ + m₂) d², where d is the distance of
     /// their centres of mass.
     ///
     /// The centre of mass is not finite if the masses add up to zero.
@@ -78,7 +79,7 @@ impl<S: Scalar> MassGeometry<S> {
         MassGeometry { center: [cosine * x - sine * y, sine * x + cosine * y], ..self }
     }
 
-    /// The moment of inertia about a point: J + m r², by Steiner's theorem.
+    /// Returns the moment of inertia about a point: J + m r², by Steiner's theorem.
     pub fn about(self, point: [S; 2]) -> S {
         let distance = (self.center[0] - point[0]).hypot(self.center[1] - point[1]);
         steiner(self.inertia, self.mass, distance)

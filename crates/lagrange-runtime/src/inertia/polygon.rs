@@ -1,16 +1,17 @@
 //! Polygons from their corners, as fans of triangles about the first one.
 //!
-//! A triangle (0, u, w) has twice the area D = u × w, its centroid at (u + w)/3 and D (u·u + u·w +
-//! w·w)/12 as its second moment of area about the origin. Summed over the edges of a polygon, areas
-//! with their signs, this holds about any origin.
+//! A triangle (0, u, w) has twice the area D = u × w and its centroid at (u + w)/3. Its second
+//! moment of area about the origin is D (u·u + u·w + w·w)/12. Summed over the edges of a polygon,
+//! with signed areas, this holds about any origin.
 
 use crate::scalar::Scalar;
 
-/// A polygon about its centre of mass, from its corners in either orientation.
+/// Returns the moment of inertia of a polygon about its centre of mass, from its corners in either
+/// orientation.
 ///
-/// With the corners u, w at the ends of an edge seen from the centre of mass, D = u × w: m Σ D (u·u +
-/// u·w + w·w) / 6 Σ D, the sums over all edges. Edges must not cross each other. NaN for fewer than
-/// three corners and for corners that enclose no area.
+/// D = u × w for the corners u, w at the ends of an edge seen from the centre of mass. The moment
+/// is m Σ D (u·u + u·w + w·w) / 6 Σ D, with the sums over all edges. Edges must not cross each
+/// other. NaN for fewer than three corners and for corners that enclose no area.
 ///
 /// ```
 /// use lagrange::inertia::{polygon, rectangle};
@@ -24,8 +25,8 @@ pub fn polygon<S: Scalar>(mass: S, corners: &[[S; 2]]) -> S {
     mass * total(moment) / (S::from_f64(6.0) * double_area(corners, center))
 }
 
-/// The centre of mass of a polygon, from its corners in either orientation: from the first one on,
-/// Σ D (u + w) / 3 Σ D.
+/// Returns the centre of mass of a polygon, from its corners in either orientation. Seen from the
+/// first one, it is Σ D (u + w) / 3 Σ D.
 ///
 /// Edges must not cross each other. NaN for fewer than three corners and for corners that enclose
 /// no area.

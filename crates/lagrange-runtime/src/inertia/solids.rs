@@ -16,8 +16,8 @@ fn squares<S: Scalar, const N: usize>(lengths: [S; N], numerator: f64, denominat
     sum * number(numerator) / number(denominator)
 }
 
-/// The moment of inertia about an axis at `distance` from the centre of mass: J + m r², the theorem
-/// of Steiner or Huygens.
+/// Returns the moment of inertia about an axis at `distance` from the centre of mass: J + m r², the
+/// theorem of Steiner or Huygens.
 ///
 /// `inertia` is the one about the parallel axis through the centre of mass, which is the smallest
 /// of all.
@@ -32,77 +32,81 @@ pub fn steiner<S: Scalar>(inertia: S, mass: S, distance: S) -> S {
     inertia + mass * distance * distance
 }
 
-/// A mass without extent: zero.
+/// Returns the moment of inertia of a mass without extent: zero.
 pub fn point_mass<S: Scalar>(mass: S) -> S {
     mass * S::ZERO
 }
 
-/// A thin rod of length l, or a thin plate seen edge-on: m l²/12, about its middle.
+/// Returns the moment of inertia of a thin rod of length l, or a thin plate seen edge-on: m l²/12,
+/// about its middle.
 pub fn slender_rod<S: Scalar>(mass: S, length: S) -> S {
     mass * squares([length], 1.0, 12.0)
 }
 
-/// Another name for [`slender_rod`].
+/// Same as [`slender_rod`].
 pub fn rod<S: Scalar>(mass: S, length: S) -> S {
     slender_rod(mass, length)
 }
 
-/// A thin rod of length l about one of its *ends*: m l²/3.
+/// Returns the moment of inertia of a thin rod of length l about one of its *ends*: m l²/3.
 pub fn slender_rod_end<S: Scalar>(mass: S, length: S) -> S {
     mass * squares([length], 1.0, 3.0)
 }
 
-/// A cylinder of radius r about its axis: m r²/2.
+/// Returns the moment of inertia of a cylinder of radius r about its axis: m r²/2.
 pub fn solid_cylinder<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 1.0, 2.0)
 }
 
-/// A disk: another name for [`solid_cylinder`], since the height does not matter.
+/// Returns the moment of inertia of a disk: that of [`solid_cylinder`], since the height does not
+/// matter.
 pub fn disk<S: Scalar>(mass: S, radius: S) -> S {
     solid_cylinder(mass, radius)
 }
 
-/// A tube of inner radius r and outer radius R about its axis: m (r² + R²)/2.
+/// Returns the moment of inertia of a tube of inner radius r and outer radius R about its axis: m
+/// (r² + R²)/2.
 ///
 /// NaN if the inner radius is the larger.
 pub fn hollow_cylinder<S: Scalar>(mass: S, inner: S, outer: S) -> S {
     if inner.abs() <= outer.abs() { mass * squares([inner, outer], 1.0, 2.0) } else { S::NAN }
 }
 
-/// A thin ring or tube of radius r about its axis: m r².
+/// Returns the moment of inertia of a thin ring or tube of radius r about its axis: m r².
 pub fn thin_ring<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 1.0, 1.0)
 }
 
-/// A rectangle with sides a and b: m (a² + b²)/12.
+/// Returns the moment of inertia of a rectangle with sides a and b: m (a² + b²)/12.
 pub fn rectangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 12.0)
 }
 
-/// A cuboid that shows its edges a and b: another name for [`rectangle`], since the depth does not
-/// matter.
+/// Returns the moment of inertia of a cuboid that shows its edges a and b: that of [`rectangle`],
+/// since the depth does not matter.
 pub fn cuboid<S: Scalar>(mass: S, a: S, b: S) -> S {
     rectangle(mass, a, b)
 }
 
-/// Half a disk or cylinder of radius r: m (r²/2 − s²) = (1/2 − 16/(9 π²)) m r² = 0.3198734513 m r².
+/// Returns the moment of inertia of half a disk or cylinder of radius r: m (r²/2 − s²) = (1/2 −
+/// 16/(9 π²)) m r² = 0.3198734513 m r².
 ///
-/// About the centre of the circle it is m r²/2, as for the whole disk; s = 4 r/(3 π) is the
-/// distance from there to the centre of mass, [`semicircular_disk_center`].
+/// About the centre of the circle it is m r²/2, as for the whole disk. The distance from there to
+/// the centre of mass is s = 4 r/(3 π), by [`semicircular_disk_center`].
 pub fn semicircular_disk<S: Scalar>(mass: S, radius: S) -> S {
     let [_, distance] = semicircular_disk_center(radius);
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
 }
 
-/// The centre of mass of half a disk: (0, 4 r/(3 π)).
+/// Returns the centre of mass of half a disk: (0, 4 r/(3 π)).
 ///
 /// Y is positive on the side of the disk, and the middle of its straight edge is the origin.
 pub fn semicircular_disk_center<S: Scalar>(radius: S) -> [S; 2] {
     [S::ZERO, number::<S>(4.0) * radius / (number::<S>(3.0) * pi())]
 }
 
-/// A sector of a disk with radius r and opening angle α in rad: m (r²/2 − s²) with s as in
-/// [`circular_sector_center`].
+/// Returns the moment of inertia of a sector of a disk with radius r and opening angle α in rad. It
+/// is m (r²/2 − s²) with s as in [`circular_sector_center`].
 ///
 /// NaN unless 0 < α ≤ 2π.
 pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
@@ -110,8 +114,8 @@ pub fn circular_sector<S: Scalar>(mass: S, radius: S, angle: S) -> S {
     mass * (squares([radius], 1.0, 2.0) - distance * distance)
 }
 
-/// The centre of mass of a sector of a disk with radius r and opening angle α in rad: (s, 0), s = 4
-/// r sin(α/2)/(3 α).
+/// Returns the centre of mass of a sector of a disk with radius r and opening angle α in rad. It is
+/// (s, 0) with s = 4 r sin(α/2)/(3 α).
 ///
 /// The apex is the origin, and the X axis halves the angle. NaN unless 0 < α ≤ 2π.
 pub fn circular_sector_center<S: Scalar>(radius: S, angle: S) -> [S; 2] {
@@ -124,18 +128,19 @@ pub fn circular_sector_center<S: Scalar>(radius: S, angle: S) -> [S; 2] {
     [number::<S>(4.0) * radius * chord / (number::<S>(3.0) * angle), S::ZERO]
 }
 
-/// A triangle with a right angle between legs a and b: m (a² + b²)/18.
+/// Returns the moment of inertia of a triangle with a right angle between legs a and b: m (a² +
+/// b²)/18.
 pub fn right_triangle<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 18.0)
 }
 
-/// The centre of mass of a right triangle: (a/3, b/3), with the right angle in the origin and the
-/// legs along X and Y.
+/// Returns the centre of mass of a right triangle: (a/3, b/3), with the right angle in the origin
+/// and the legs along X and Y.
 pub fn right_triangle_center<S: Scalar>(a: S, b: S) -> [S; 2] {
     [a / number(3.0), b / number(3.0)]
 }
 
-/// A triangle with sides a, b, c: m (a² + b² + c²)/36.
+/// Returns the moment of inertia of a triangle with sides a, b, c: m (a² + b² + c²)/36.
 ///
 /// NaN if there is no such triangle.
 pub fn triangle<S: Scalar>(mass: S, a: S, b: S, c: S) -> S {
@@ -143,11 +148,11 @@ pub fn triangle<S: Scalar>(mass: S, a: S, b: S, c: S) -> S {
     if x.is_finite() && y.is_finite() { mass * squares([a, b, c], 1.0, 36.0) } else { S::NAN }
 }
 
-/// The centre of mass of a triangle with sides a, b, c.
+/// Returns the centre of mass of a triangle with sides a, b, c.
 ///
 /// Side a goes from the origin along X, b on from there and c back; Y is positive inside. The third
 /// corner is (p, q) with p = (a² − b² + c²)/(2 a), and q = √((a+b+c)(−a+b+c)(a−b+c)(a+b−c))/(2 a)
-/// by Heron's formula; the centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
+/// by Heron's formula. The centre of mass is ((a + p)/3, q/3). NaN if there is no such triangle, or
 /// a is zero or any side negative.
 pub fn triangle_center<S: Scalar>(a: S, b: S, c: S) -> [S; 2] {
     let factors = [a + b + c, b + c - a, a - b + c, a + b - c];
@@ -160,12 +165,13 @@ pub fn triangle_center<S: Scalar>(a: S, b: S, c: S) -> [S; 2] {
     [(a + p) / number(3.0), q / number(3.0)]
 }
 
-/// An ellipse with semi-axes a and b: m (a² + b²)/4.
+/// Returns the moment of inertia of an ellipse with semi-axes a and b: m (a² + b²)/4.
 pub fn ellipse<S: Scalar>(mass: S, a: S, b: S) -> S {
     mass * squares([a, b], 1.0, 4.0)
 }
 
-/// A regular polygon of n corners on a circle of radius r: m r² (2 + cos(2π/n))/6.
+/// Returns the moment of inertia of a regular polygon of n corners on a circle of radius r: m r² (2 +
+/// cos(2π/n))/6.
 ///
 /// NaN for fewer than three corners.
 pub fn regular_polygon<S: Scalar>(mass: S, corners: u32, radius: S) -> S {
@@ -176,12 +182,13 @@ pub fn regular_polygon<S: Scalar>(mass: S, corners: u32, radius: S) -> S {
     mass * squares([radius], 1.0, 6.0) * (number::<S>(2.0) + cosine)
 }
 
-/// A ball of radius r: 2/5 m r².
+/// Returns the moment of inertia of a ball of radius r: 2/5 m r².
 pub fn solid_sphere<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 2.0, 5.0)
 }
 
-/// A ball of radius R without the ball of radius r in its middle: 2/5 m (R⁵ − r⁵)/(R³ − r³).
+/// Returns the moment of inertia of a ball of radius R without the ball of radius r in its middle:
+/// 2/5 m (R⁵ − r⁵)/(R³ − r³).
 ///
 /// R − r is cancelled, so that thin shells are accurate, too. NaN unless 0 ≤ r ≤ R and 0 < R.
 pub fn hollow_sphere<S: Scalar>(mass: S, inner: S, outer: S) -> S {
@@ -193,7 +200,7 @@ pub fn hollow_sphere<S: Scalar>(mass: S, inner: S, outer: S) -> S {
     mass * squares([outer], 2.0, 5.0) * homogeneous(4) / homogeneous(2)
 }
 
-/// A thin spherical shell of radius r: 2/3 m r².
+/// Returns the moment of inertia of a thin spherical shell of radius r: 2/3 m r².
 pub fn thin_sphere<S: Scalar>(mass: S, radius: S) -> S {
     mass * squares([radius], 2.0, 3.0)
 }

@@ -1,10 +1,10 @@
 //! Time in equal steps without accumulation of rounding errors.
 //!
-//! A time and its remainder are the exact sum of all steps but for the rounding of the remainder,
-//! which is at most half the distance between neighbouring times. So the state of a step belongs to
-//! the time where it ended, as well as times are spaced. Steps that are shorter than that distance
-//! may leave the time where it was: [`Clock::is_stopped`] finds such steps, and methods refuse
-//! them.
+//! A time and its remainder are the exact sum of all steps except for the rounding of the
+//! remainder. That is at most half the distance between neighbouring times. The state of a step
+//! therefore belongs to the time of its end, to within the spacing of times. Steps that are shorter
+//! than that distance may leave the time unchanged: [`Clock::is_stopped`] finds such steps, and
+//! methods refuse them.
 
 use super::lane_wise::{is_equal, take};
 use crate::scalar::{Number, Scalar, spacing_at_one};
@@ -46,9 +46,9 @@ impl<S: Number> Clock<S> {
     /// Goes on by one step, or to `limit` if that is not farther, as well as times are spaced;
     /// returns how far that is.
     ///
-    /// With less than a rounding of the limit to go behind it a step ends there. Otherwise its end
-    /// might be rounded to the limit before all of the way is gone, or a step be left that is
-    /// nothing but rounding.
+    /// If less than a rounding of the limit would remain behind it, a step ends there. Otherwise
+    /// its end might be rounded to the limit too early, or a step might remain that is nothing but
+    /// rounding.
     #[inline(always)]
     pub(super) fn advance(&mut self, limit: S) -> S {
         let (left, length) = ((limit - self.time) - self.remainder, self.step.abs());

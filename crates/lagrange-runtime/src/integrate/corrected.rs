@@ -1,4 +1,4 @@
-//! States that methods may go on from, on the constraints of their system.
+//! States from which methods may continue, on the constraints of their system.
 
 use crate::integrate::compensated::Compensated;
 use crate::scalar::{Number, Scalar};

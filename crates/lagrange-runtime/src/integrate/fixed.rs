@@ -13,20 +13,21 @@ pub(super) use self::lanes::FixedLanes;
 
 /// A formula that advances the state by a step of given length.
 ///
-/// What it advances may be other variables than the state, such as coordinates and momenta: they
-/// are summed with compensation, so that what the formula conserves is conserved to rounding.
+/// The variables that it advances may differ from the state, such as coordinates and momenta. They
+/// are summed with compensation, so that conserved quantities of the formula are conserved to
+/// rounding.
 pub trait Formula<M: OdeSystem + ?Sized> {
-    /// True if steps end on the constraints of the system by themselves, so that states need no
+    /// True if steps end on the constraints of the system anyway, so that states need no
     /// correction.
     const KEEPS_CONSTRAINTS: bool = false;
 
-    /// The variables of the state `y`, from which the integration starts or goes on: nothing that
-    /// was found before holds any more.
+    /// Returns the variables of the state `y`, from which the integration starts or continues.
+    /// Earlier results are no longer valid.
     fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
         *y
     }
 
-    /// The state of these variables.
+    /// Returns the state of these variables.
     ///
     /// # Errors
     /// If it could not be found.
@@ -54,8 +55,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         work: &mut Work,
     ) -> Result<M::State, StepFailure<M::Scalar>>;
 
-    /// The state at time `t` to which the last increment led was brought onto constraints, `from`
-    /// there `to` here: so are the variables.
+    /// Follows a state at time `t` that was brought onto constraints, `from` the end of the last
+    /// increment `to` here.
     fn follow(
         &mut self,
         _system: &M,
@@ -66,13 +67,12 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         *variables = *to;
     }
 
-    /// The step of the last increment was taken and ended at time `t`, which may differ from the
-    /// sum of its start and its length by rounding. What was found at its end may be kept for the
-    /// next one.
+    /// Accepts the step of the last increment. It ended at time `t`, which may differ from the sum
+    /// of its start and its length by rounding. Results at its end may be kept for the next step.
     fn accept(&mut self, _t: M::Scalar) {}
 
-    /// About the longest step that is stable from here on, where that is known of the method and
-    /// something is fast.
+    /// Returns about the longest step that is stable from here on, if the method knows it and a
+    /// component is fast.
     fn longest_stable(
         &self,
         _system: &M,
@@ -83,7 +83,8 @@ pub trait Formula<M: OdeSystem + ?Sized> {
         None
     }
 
-    /// The state between `from` and `to`, the ends of the last accepted step with their times.
+    /// Returns the state between `from` and `to`, the ends of the last accepted step with their
+    /// times.
     fn interpolate(
         &mut self,
         system: &M,
@@ -94,9 +95,9 @@ pub trait Formula<M: OdeSystem + ?Sized> {
     ) -> M::State;
 }
 
-/// Writes what [`Method`](super::Method) needs of a method whose steps have the length of its field
-/// `step`: its name, its order, its formula and an expression that makes one, and `lanes` if it can
-/// take several motions side by side.
+/// Implements [`Method`](super::Method) for a method whose steps have the length of its field
+/// `step`. The arguments are its name, its order, its formula and an expression that creates one,
+/// and `lanes` if it can take several motions at once.
 macro_rules! fixed_steps {
     ($name:expr, $order:expr, $Formula:ty = $formula:expr $(, $lanes:ident)?) => {
         type Stepper = $crate::integrate::FixedStepper<M, $Formula>;
@@ -162,8 +163,8 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
     /// Starts at `y` at time `t`, with steps of the length `h` towards `end`.
     ///
     /// # Errors
-    /// If `h` is not positive and finite or is lost in the rounding of time, or something else is
-    /// not finite, or if the state violates constraints.
+    /// If `h` is not positive and finite or is lost in the rounding of time. Also if another
+    /// argument is not finite, or the state violates constraints.
     pub fn start(
         mut formula: F,
         h: M::Scalar,

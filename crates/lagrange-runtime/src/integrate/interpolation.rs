@@ -1,4 +1,4 @@
-//! States within a step, from what is known at its ends.
+//! States within a step, from states and rates at its ends.
 //!
 //! The polynomials are written in changes over the step, so that short steps lose no digits.
 //! Source: Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*, §II.6.
@@ -46,8 +46,8 @@ pub(super) struct Motion<Q> {
 /// Interpolates the change of coordinates, and the velocities, by quintic Hermite polynomials. The
 /// errors are O(h⁶) and O(h⁵).
 ///
-/// The velocity is the cubic that has the right values and rates at the ends, and κ s² (1 − s)²,
-/// which makes its integral the change of the coordinates.
+/// The velocity is the cubic with the right values and rates at the ends, plus κ s² (1 − s)². The
+/// latter makes its integral the change of the coordinates.
 #[inline(always)]
 pub(super) fn quintic<S: Number, Q: StateVector<S>>(Place { h, s }: Place<S>, motion: &Motion<Q>) -> (Q, Q) {
     let number = S::from_f64;

@@ -1,13 +1,13 @@
 //! Integration methods as seen by their callers.
 //!
-//! A [`Method`] holds settings and can be kept and compared; it starts a [`Stepper`], which holds
+//! A [`Method`] holds settings and can be kept and compared. It starts a [`Stepper`], which holds
 //! all that changes from step to step and needs no heap.
 //!
-//! Some methods also take several motions side by side, as a [`LanesMethod`]: every lane has its
-//! own time and its own step, and no motion sees its neighbours, so that what comes of a lane has
-//! the same bits whatever is in the others. A lane does what is done in every step of an ordinary
-//! motion. Where anything else shows, such as NaN, steps that are lost in rounding, or more of them
-//! than are allowed, it gives the motion up, which is then to be told by a run of its own.
+//! Some methods also take several motions at once, as a [`LanesMethod`]. Every lane has its own
+//! time and its own step. No motion sees its neighbours, so the result of a lane has the same bits
+//! whatever the others contain. A lane does the work of every step of an ordinary motion. In all
+//! other cases, such as NaN, steps that are lost in rounding, or too many steps, it gives the
+//! motion up. A single run then reports the cause.
 
 use crate::scalar::Scalar;
 use crate::system::{Equations, OdeSystem, SettingError, SideBySide, StateVector, StepFailure};
@@ -20,7 +20,7 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Returns the name of the method for tables.
     fn name(&self) -> &'static str;
 
-    /// The power of the step with which the global error falls.
+    /// Returns the power of the step with which the global error falls.
     fn order(&self) -> u32;
 
     /// Checks the settings.
@@ -34,8 +34,8 @@ pub trait Method<M: OdeSystem + ?Sized> {
     /// Starts at the state `y` at time `t`, with steps towards `end`, which may lie before `t`.
     ///
     /// # Errors
-    /// If a setting makes no sense, or `t`, `y`, `end` or, where the method asks for it, the rate
-    /// at the start is not finite.
+    /// If a setting is invalid, or `t`, `y`, `end` or, where the method needs it, the rate at the
+    /// start is not finite.
     fn start(
         &self,
         system: &M,
@@ -56,10 +56,10 @@ pub trait Method<M: OdeSystem + ?Sized> {
         Err(SettingError::Invalid("this method has a fixed step size: reduce it instead"))
     }
 
-    /// Lets a visitor do what it does with methods that can take several motions side by side.
+    /// Calls a visitor if the method can take several motions in lanes.
     ///
     /// # Errors
-    /// The visitor comes back if this is none.
+    /// Returns the visitor if this method cannot.
     fn in_lanes<V: LanesMethodVisitor<M::Scalar>>(&self, visitor: V) -> Result<V::Output, V>
     where
         Self: Sized,
@@ -70,34 +70,36 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
 /// An integration in progress.
 pub trait Stepper<M: OdeSystem + ?Sized> {
-    /// The time that was reached.
+    /// Returns the time that was reached.
     fn time(&self) -> M::Scalar;
 
-    /// The state that was reached; always finite.
+    /// Returns the state that was reached; always finite.
     fn state(&self) -> &M::State;
 
     /// Takes one step towards `limit` and not beyond; a step that would end just short of it ends
     /// there.
     ///
-    /// What was found at the end of the last step may be used again: after `system` was changed, as
-    /// by another input, go on with [`restart`](Stepper::restart) from the state that was reached.
+    /// Values found at the end of the last step may be used again. After a change of `system`, such
+    /// as another input, continue with [`restart`](Stepper::restart) from the state that was
+    /// reached.
     ///
     /// # Errors
-    /// If no step can be taken. Time and state are then what they were before.
+    /// If no step can be taken. Time and state are then unchanged.
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>>;
 
-    /// The time at which the last step began; the present time if none was taken since the start.
+    /// Returns the time at which the last step began; the present time if none was taken since the
+    /// start.
     fn last_time(&self) -> M::Scalar;
 
-    /// The state at a time within the last step. At both ends it is what the method itself found
-    /// there.
+    /// Returns the state at a time within the last step. At both ends it is what the method itself
+    /// found there.
     ///
-    /// The error is of the order of the method's own; a method that needs further evaluations for
-    /// this makes them when first asked after a step.
+    /// The error is of the order of the method. A method that needs further evaluations makes them
+    /// at the first call after a step.
     fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State;
 
     /// True if [`interpolate`](Stepper::interpolate) is as accurate within the last step as the
-    /// step itself, as far as the method can tell. If not, the step is taken back: time and state
+    /// step itself, to the knowledge of the method. If not, the step is taken back: time and state
     /// are those before it, and the next attempt is shorter.
     ///
     /// To be asked once after a step, before anything within it is, and before the step is made use
@@ -114,7 +116,7 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// counts.
     ///
     /// # Errors
-    /// If the state or, where the method asks for it, its rate is not finite.
+    /// If the state or, where the method needs it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
     /// Returns the work so far.
@@ -142,7 +144,7 @@ pub struct Work {
 /// Most lanes that a [`LanesStepper`] may have.
 pub const MOST_LANES: usize = 16;
 
-/// A method of integration that takes several motions side by side.
+/// A method of integration that takes several motions in lanes.
 pub trait LanesMethod<T: Scalar>: Copy {
     /// Motions in progress.
     type Stepper<S: SideBySide<Element = T>, E: Equations<S>>: LanesStepper<S, E>;
@@ -175,13 +177,14 @@ pub trait LanesMethod<T: Scalar>: Copy {
         F: Equations<O>;
 
     /// True if a motion of this system, which is under [suspicion](LanesStepper::suspicion) for
-    /// this step, may go on in its lane.
+    /// this step, may continue in its lane.
     fn bears<M: OdeSystem<Scalar = T>>(&self, _system: &M, _step: &SuspectStep<T, M::State>) -> bool {
         false
     }
 }
 
-/// A step that may have been too long for its method, and where to look for what is too fast.
+/// A step that may have been too long for its method, and the direction in which to look for fast
+/// components.
 #[derive(Clone, Copy, Debug)]
 pub struct SuspectStep<S, Y> {
     /// The time at which it began.
@@ -197,7 +200,7 @@ pub struct SuspectStep<S, Y> {
 }
 
 impl<S: SideBySide, Y: AsRef<[S]>> SuspectStep<S, Y> {
-    /// That in one lane.
+    /// Returns the step in one lane.
     pub fn lane<Z: StateVector<S::Element>>(&self, lane: usize) -> SuspectStep<S::Element, Z> {
         let of = |lanes: &Y| {
             let mut state = Z::ZERO;
@@ -227,25 +230,25 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn step(&mut self, equations: &E);
 
     /// Prepares for [`interpolate`](LanesStepper::interpolate) in these lanes, all of which have
-    /// just taken a step. Where states within it are less accurate than its end, as far as the
-    /// method can tell, the step is taken back, as by [`Stepper::confirm`].
+    /// just taken a step. If states within it are less accurate than its end, to the knowledge of
+    /// the method, the step is taken back, as by [`Stepper::confirm`].
     fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, asked: S::Mask);
 
-    /// The states at times within the last steps, in lanes that were prepared, or at their ends;
-    /// anything elsewhere.
+    /// Returns the states at times within the last steps, in lanes that were prepared, or at their
+    /// ends. Other times give any value.
     fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State;
 
-    /// The times that were reached: the end exactly where a motion has ended, NaN where it was
-    /// given up.
+    /// Returns the times that were reached: the end exactly where a motion has ended, NaN where it
+    /// was given up.
     fn time(&self) -> S;
 
-    /// The states that were reached.
+    /// Returns the states that were reached.
     fn state(&self) -> &E::State;
 
     /// Returns the lanes whose last step suggested that the method does not suit the motion.
     fn suspicion(&self) -> S::Mask;
 
-    /// The steps that are under suspicion, in the lanes where they are.
+    /// Returns the suspect steps, in the lanes that have one.
     fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
         None
     }
@@ -258,7 +261,7 @@ pub trait LanesStepper<S: SideBySide, E: Equations<S>>: Copy {
     fn work(&self, lane: usize) -> Work;
 }
 
-/// Something to do with a method if it can take motions side by side.
+/// A visitor of methods that can take motions in lanes.
 pub trait LanesMethodVisitor<T: Scalar> {
     /// The result.
     type Output;

@@ -2,8 +2,8 @@
 //!
 //! One file per family of methods, each citing its source. A [`Method`] holds settings and starts a
 //! [`Stepper`], which needs no heap. Steps end with a [`StepFailure`] instead of passing on NaN or
-//! infinity, and states and times are summed with compensation, so that rounding errors do not grow
-//! with the number of steps where the method itself lets them not.
+//! infinity. States and times are summed with compensation, so that rounding errors do not grow
+//! with the number of steps unless the method itself lets them.
 
 mod attempt;
 mod canonical;

@@ -1,8 +1,8 @@
 //! Iteration of the equations of an implicit step down to rounding.
 //!
-//! What a symplectic method conserves is lost to where its equations are left unsolved, so that
-//! iterations go on until corrections stop falling, not until they fall below a tolerance. Unknowns
-//! may differ in units and scale: each is judged by its own corrections. Source: Hairer, Lubich,
+//! A symplectic method loses its invariants to the residuals of its equations. Iterations therefore
+//! continue until corrections stop falling, not until they fall below a tolerance. Unknowns may
+//! differ in units and scale: each is judged by its own corrections. Source: Hairer, Lubich,
 //! Wanner, *Geometric Numerical Integration*, §VIII.6.2.
 
 use crate::integrate::method::Work;

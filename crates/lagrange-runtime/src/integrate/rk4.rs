@@ -24,11 +24,11 @@ use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, StateVector, StepFailure};
 
-/// The state after one step of length `h` from `y` at time `t`, by the classical Runge–Kutta
-/// method.
+/// Computes the state after one step of length `h` from `y` at time `t`, by the classical
+/// Runge–Kutta method.
 ///
 /// Evaluates the right-hand side four times; the error of a step is O(h⁵). A negative `h` steps
-/// backwards in time. Nothing is checked: what is not finite is returned as it is.
+/// backwards in time. Nothing is checked: values that are not finite are returned.
 #[inline]
 pub fn rk4_step<M>(system: &M, t: M::Scalar, y: &M::State, h: M::Scalar) -> M::State
 where
@@ -162,8 +162,8 @@ fn longest_bearable<M: OdeSystem + ?Sized>(
     M::Scalar::from_f64(STABLE) / largest_eigenvalue(|y| system.rhs(*t, y), y, *change, direction)
 }
 
-/// True if a step with these stages may be too long for a fast component: k₃ − k₂ is (h/2)² J² k₁
-/// with the Jacobian J, up to higher powers of h.
+/// True if a step with these stages may be too long for a fast component. Up to higher powers of h,
+/// k₃ − k₂ is (h/2)² J² k₁ with the Jacobian J.
 #[inline(always)]
 fn hints_at_instability<S: Number, Y: StateVector<S>>(stages: &RungeKuttaStages<Y>) -> S::Mask {
     let hint = S::from_f64(STABLE * STABLE / 4.0) * l1_norm(&stages.k1);

@@ -1,11 +1,11 @@
 //! The stability limit of explicit steps.
 //!
 //! An explicit method grows without bound along an eigenvector of the Jacobian whose eigenvalue λ
-//! has h |λ| beyond a limit of the method. How much rates differ between two stages hints at it for
-//! nothing, but mistakes differences of scale between the components for stiffness; only after a
-//! hint is the largest eigenvalue computed, by power iteration with differences of rates, from
-//! whose last powers the two eigenvalues of an oscillation are found together. Source: Hairer,
-//! Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
+//! has h |λ| beyond a limit of the method. The difference of rates between two stages hints at it
+//! without extra evaluations, but mistakes differences of scale between the components for
+//! stiffness. Only after a hint is the largest eigenvalue computed, by power iteration with
+//! differences of rates. Its last powers give the two eigenvalues of an oscillation together.
+//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2; Golub, Van Loan, *Matrix
 //! Computations*, §7.3.
 
 use crate::linalg::vector::{combined, l1_norm, scaled};
@@ -58,11 +58,12 @@ impl Watch {
     }
 }
 
-/// The magnitude of the largest eigenvalue of ∂`rates`/∂y at `y`, unless the motion grows along it
-/// as that of an upright pendulum does, which is no matter of the method; NaN if it cannot be told.
+/// Computes the magnitude of the largest eigenvalue of ∂`rates`/∂y at `y`. It is ignored if the
+/// motion grows along it, as that of an upright pendulum does, independent of the method. NaN if it
+/// cannot be determined.
 ///
-/// The iteration starts in `direction` with differences that are a small part of `change`, the
-/// change of a step, so that they are felt as far as the step is and no farther.
+/// The iteration starts in `direction`. Its differences are a small part of `change`, the change of
+/// a step, so that they reach as far as the step and no farther.
 #[cold]
 pub(super) fn largest_eigenvalue<S: Scalar, Y: StateVector<S>>(
     mut rates: impl FnMut(&Y) -> Y,
@@ -119,12 +120,12 @@ struct Dominant<S> {
 /// The dominant eigenvalue, given successive powers of the Jacobian on a vector and what it makes
 /// of the last of these.
 ///
-/// A conjugate pair turns vectors in a plane and stretches them more here and less there, according
-/// to the units of the components. But any component z of the powers follows zₖ₊₂ = 2a zₖ₊₁ − b zₖ
-/// where a ± √(a² − b) are the two dominant eigenvalues, and four values determine a and b; the
-/// largest component is taken. The determinant z₁² − z₀z₂ is the same in every phase of an
-/// oscillation and vanishes if there is a single eigenvalue, z₃/z₂. Source: Wilkinson, *The
-/// Algebraic Eigenvalue Problem*, ch. 9, §§ 12–14.
+/// A conjugate pair turns vectors in a plane and stretches them differently there, according to the
+/// units of the components. However, any component z of the powers follows zₖ₊₂ = 2a zₖ₊₁ − b zₖ,
+/// where a ± √(a² − b) are the two dominant eigenvalues. Four values determine a and b; the largest
+/// component is used. The determinant z₁² − z₀z₂ is the same in every phase of an oscillation and
+/// vanishes if there is a single eigenvalue, z₃/z₂. Source: Wilkinson, *The Algebraic Eigenvalue
+/// Problem*, ch. 9, §§ 12–14.
 fn dominant<S: Scalar, Y: StateVector<S>>(
     [first, second, third]: &[Power<S, Y>; 3],
     last: &Y,

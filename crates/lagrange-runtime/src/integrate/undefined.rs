@@ -1,9 +1,10 @@
 //! Diagnosis of values that are not finite, which methods only detect.
 //!
-//! Methods check what they go on from and leave the rest to the loops that drive them: they know
-//! the system, whose [`undefined`](OdeSystem::undefined) gives names. What is finite where a run
-//! stopped is looked at ahead of there, along the direction of the motion at distances that double
-//! from rounding on: a root of 1 − t is finite up to t = 1, and NaN right behind.
+//! Methods check the values from which they continue and leave the rest to the loops that drive
+//! them. These know the system, whose [`undefined`](OdeSystem::undefined) gives names. Values that
+//! are finite where a run stopped are evaluated ahead of there, along the direction of the motion.
+//! The distances double from rounding on: a root of 1 − t is finite up to t = 1, and NaN right
+//! behind.
 
 use crate::linalg::pivoted::Matrix;
 use crate::linalg::ranked::RankedFactors;
@@ -15,7 +16,7 @@ use crate::system::{Component, MechanicalSystem, OdeSystem, StepFailure, Undefin
 /// part of the way.
 const NEAR: f64 = 1e-9;
 
-/// The cause by name, of a run that stopped at this time and state on its way to `end`.
+/// Finds the cause, by name, of the end of a run at this time and state on its way to `end`.
 #[cold]
 pub fn explained<M: OdeSystem + ?Sized>(
     cause: StepFailure<M::Scalar>,
@@ -68,11 +69,11 @@ fn ahead<M: OdeSystem + ?Sized>(
     None
 }
 
-/// The first of the components of the state and of its rates at a time that is not finite, where
-/// rates are blamed on [parameters](MechanicalSystem::parameter) and inputs that are not, or else
-/// on a singular mass matrix, if there is one that determines accelerations.
+/// Returns the first component of the state and of its rates at a time that is not finite. Rates
+/// are attributed to [parameters](MechanicalSystem::parameter) and inputs that are not finite, or
+/// else to a singular mass matrix if one determines accelerations.
 ///
-/// What emitted types answer to [`OdeSystem::undefined`].
+/// Emitted types answer to [`OdeSystem::undefined`] by this function.
 #[cold]
 pub fn undefined<M: MechanicalSystem>(
     system: &M,

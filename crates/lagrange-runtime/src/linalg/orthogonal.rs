@@ -1,8 +1,8 @@
 //! Orthogonal factors of matrices that may lack full rank.
 //!
-//! Householder reflections bring the columns of a matrix to triangular form, each time that column
-//! first of which most is left. The rank is the number of columns of which more than rounding is
-//! left. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
+//! Householder reflections bring the columns of a matrix to triangular form, each time the column
+//! with the largest remainder first. The rank is the number of columns whose remainder is more than
+//! rounding. Source: Golub, Van Loan, *Matrix Computations*, 4th ed., §5.2, §5.4.
 
 use core::ops::Range;
 
@@ -12,8 +12,8 @@ use crate::scalar::Scalar;
 /// taken.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OrthogonalFactors<S, const ROWS: usize, const COLUMNS: usize> {
-    /// For the column taken k-th, R above row k and, if k is below the rank, the reflection u with
-    /// I − u uᵀ from there on.
+    /// Column taken k-th: R above row k and, if k is below the rank, the reflection u with I − u uᵀ
+    /// from there on.
     columns: [[S; ROWS]; COLUMNS],
     /// The diagonal of R.
     diagonal: [S; COLUMNS],
@@ -129,7 +129,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     }
 }
 
-/// A column is taken before others of which as much is left but for this part, so that rounding
+/// Part by which the remainder of a column must be larger to be taken before others. Rounding then
 /// does not choose between equals: the rank must not flicker near where it changes.
 const PRECEDENCE: f64 = 0.125;
 
@@ -153,8 +153,8 @@ fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<
     let k = rows.start;
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
     let diagonal = if column[k] > S::ZERO { -length } else { length };
-    // With this u the half of its square is length (length + |x|), which makes I − u uᵀ a
-    // reflection once u is divided by its root.
+    // With this u, half of its square is length (length + |x|). Divided by its root, u makes I − u
+    // uᵀ a reflection.
     let root = (length * (length + column[k].abs())).sqrt();
     column[k] = column[k] - diagonal;
     for entry in &mut column[rows.clone()] {

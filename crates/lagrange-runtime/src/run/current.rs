@@ -2,14 +2,15 @@
 
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
-/// A system that was given, or what contacts, friction, switches or inputs have made of it since.
+/// The original system, or its present form after contacts, friction, switches or inputs changed
+/// it.
 pub struct Current<'a, M> {
     given: &'a M,
     switched: Option<M>,
 }
 
 impl<'a, M: OdeSystem> Current<'a, M> {
-    /// The system as it was given.
+    /// Wraps the original system.
     pub fn new(given: &'a M) -> Self {
         Current { given, switched: None }
     }
@@ -18,7 +19,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     /// has had its way with it.
     ///
     /// # Errors
-    /// If no motion starts there; the system is then what it was.
+    /// If no motion starts there; the system is then unchanged.
     pub fn begin(
         &mut self,
         (t, y): (M::Scalar, &M::State),
@@ -32,13 +33,13 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Ok(())
     }
 
-    /// The system.
+    /// Returns the system.
     #[inline]
     pub fn system(&self) -> &M {
         self.switched.as_ref().unwrap_or(self.given)
     }
 
-    /// The system if it is another one than that which was given.
+    /// Returns the system if it differs from the original one.
     pub fn switched(&self) -> Option<&M> {
         self.switched.as_ref()
     }

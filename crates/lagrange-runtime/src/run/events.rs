@@ -5,7 +5,7 @@ use crate::integrate::Stepper;
 use crate::scalar::Number;
 use crate::system::{Action, OdeSystem, Reacted, Response, StepFailure};
 
-/// Whose event it is.
+/// The owner of an event.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Origin {
     /// The declaration's.
@@ -14,31 +14,31 @@ pub enum Origin {
     Given(usize),
 }
 
-/// Whose event comes next, and when.
+/// The owner of the next event, and its time.
 pub type Next<M> = Result<Option<(Origin, <M as OdeSystem>::Scalar)>, StepFailure<<M as OdeSystem>::Scalar>>;
 
 /// An event with the state reached.
 pub type Found<M> = Occurrence<<M as OdeSystem>::Scalar, <M as OdeSystem>::State>;
 
-/// Functions of time and state whose zeros are looked for, with what comes of them.
+/// Functions of time and state that are searched for zeros, with the responses to these.
 pub trait Events<M: OdeSystem> {
     /// True if there is nothing to look for.
     fn is_empty(&self) -> bool;
 
-    /// The next event in the last step of a run to `end`: of those at the same time, the one given
-    /// first.
+    /// Finds the next event in the last step of a run to `end`: of those at the same time, the one
+    /// given first.
     ///
     /// # Errors
     /// As [`Detector::next`](crate::event::Detector::next).
     fn look(&mut self, system: &M, stepper: &mut impl Stepper<M>, end: M::Scalar) -> Next<M>;
 
-    /// The event that was found; the next look finds the one after it.
+    /// Takes the event that was found; the next search finds the one after it.
     fn take(&mut self, origin: Origin) -> Option<Found<M>>;
 
     /// Returns the response to an event.
     ///
     /// # Errors
-    /// If the motion cannot go on.
+    /// If the motion cannot continue.
     fn react(&mut self, system: &M, origin: Origin, event: &Found<M>) -> Reacted<M>;
 
     /// Goes on from another state.

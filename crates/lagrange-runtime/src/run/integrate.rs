@@ -8,12 +8,12 @@ use crate::system::OdeSystem;
 
 /// Integrates from `y0` at `t0` to `t_end`, which may lie before `t0`, and returns the state there.
 ///
-/// `observe` is called with time and state at the start and after every step; where an event of the
-/// declaration replaced the state, before and after it. This is the loop for microcontrollers and
-/// inner loops: no heap, nothing kept.
+/// `observe` is called with time and state at the start and after every step. Where an event of the
+/// declaration replaced the state, it is called before and after. This is the loop for
+/// microcontrollers and inner loops: no heap, nothing kept.
 ///
 /// # Errors
-/// What the method met, with the last good state; `observe` never sees one that is not finite.
+/// If the method fails, with the last good state; `observe` never sees one that is not finite.
 ///
 /// # Example
 ///

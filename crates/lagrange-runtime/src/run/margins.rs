@@ -1,9 +1,9 @@
 //! Switches are looked for a little beyond their surfaces.
 //!
-//! Otherwise rounding on a surface would pass it again and again. What rounding makes of a
-//! switching function is told by its own size: by the largest value that it was seen to have, and
-//! by what it changes by if each entry of the state is rounded. Other entries of the state say
-//! nothing about it, unless constraints hold them together.
+//! Otherwise rounding on a surface would pass it again and again. The rounding error of a switching
+//! function follows from two values. One is the largest that it had so far, the other its change if
+//! each entry of the state is rounded. Other entries of the state have no effect on it, unless
+//! constraints hold them together.
 
 use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem};

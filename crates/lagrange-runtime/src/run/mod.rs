@@ -1,8 +1,8 @@
 //! Runs: a method's steps from a start to an end, and what happens in them.
 //!
 //! [`Run`] is the one loop: [`integrate()`] and [`integrate_with_events`] drive it without heap and
-//! keep nothing, the front door `simulate` keeps what is asked for. It is gone through turn by
-//! turn, so that others may act between the turns.
+//! keep nothing, `simulate` keeps what was requested. It is driven turn by turn, so that others may
+//! act between the turns.
 
 mod current;
 mod declared;

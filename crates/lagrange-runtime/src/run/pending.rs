@@ -13,12 +13,12 @@ pub struct Pending<S, Y, const K: usize> {
 }
 
 impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
-    /// Nothing ahead yet.
+    /// Creates a queue without events.
     pub fn new(detector: Detector<S, K>) -> Self {
         Pending { detector, next: None }
     }
 
-    /// When the next event in the last step of a run to `end` happens.
+    /// Returns the time of the next event in the last step of a run to `end`.
     ///
     /// # Errors
     /// As [`Detector::next`].
@@ -52,12 +52,12 @@ impl<S: Scalar, Y: Copy, const K: usize> Pending<S, Y, K> {
         self.detector.fire_together(values, |k| is_fired[k]);
     }
 
-    /// When the event that was found happens.
+    /// Returns the time of the event that was found.
     pub fn time(&self) -> Option<S> {
         self.next.as_ref().map(|next| next.time)
     }
 
-    /// The event that was found.
+    /// Takes the event that was found.
     pub fn take(&mut self) -> Option<Occurrence<S, Y>> {
         self.next.take()
     }

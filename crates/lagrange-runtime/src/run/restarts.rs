@@ -1,11 +1,11 @@
 //! Times at which a step ends and a new one starts.
 //!
-//! A right-hand side that jumps, or whose derivatives do, at a time known beforehand is integrated
-//! up to that time and from there on. The methods themselves know nothing of it: each step is
-//! limited, and the method restarted from the state that it reached. A system with sides fixed goes
-//! on from that very time, on another side. Otherwise steps end two roundings of time before the
-//! jump and start two after it, so that every evaluation lies on one side of it, wherever its
-//! definition puts the instant itself.
+//! A right-hand side that jumps at a known time, or whose derivatives do, is integrated up to that
+//! time and from there on. The methods themselves know nothing of it: each step is limited, and the
+//! method restarted from the state that it reached. A system with fixed sides continues from that
+//! very time, on another side. Otherwise steps end two roundings of time before the jump and start
+//! two after it. Every evaluation then lies on one side of it, wherever its definition puts the
+//! instant itself.
 
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
@@ -38,8 +38,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         Restarts { end, is_backwards: end < start, given, due: None }
     }
 
-    /// Restarts the method where that is due, before a step; the system that goes on from there, if
-    /// it is another one.
+    /// Restarts the method where that is due, before a step. Returns the system for the
+    /// continuation, if it differs.
     ///
     /// # Errors
     /// As [`Stepper::restart`].
@@ -55,9 +55,9 @@ impl<'a, S: Scalar> Restarts<'a, S> {
 
     /// Takes one step towards the end, to the next restart at most; `instant` is one more.
     ///
-    /// What lies within the last step can be asked for until the next one is taken.
-    /// `is_of_interest` tells of a step between two times whether it will be: such a step is
-    /// repeated, shorter, until what lies within it is as accurate as its end.
+    /// States within the last step are available until the next one is taken. `is_of_interest` is
+    /// true if states between two times will be requested. Such a step is repeated, shorter, until
+    /// these states are as accurate as its end.
     ///
     /// # Errors
     /// As [`Stepper::step`].
@@ -82,7 +82,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// The time that was reached: that of the restart if the last step ended there.
+    /// Returns the time that was reached: that of the restart if the last step ended there.
     pub fn time<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
@@ -90,7 +90,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.due_at(stepper.time()).map_or(stepper.time(), |restart| restart.at)
     }
 
-    /// The time from which the motion goes on: after the restart if the last step ended there.
+    /// Returns the time from which the motion continues: after the restart if the last step ended
+    /// there.
     pub fn beyond<M>(&self, stepper: &impl Stepper<M>) -> S
     where
         M: OdeSystem<Scalar = S>,
@@ -133,8 +134,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         }
     }
 
-    /// A restart at `at` on the way from `t`, with so many roundings of time on both sides of it,
-    /// if there is room for steps, too.
+    /// Returns a restart at `at` on the way from `t`, with this many roundings of time on both
+    /// sides. `None` without room for steps, too.
     fn between(&self, t: S, at: S, roundings: Roundings) -> Option<Restart<S>> {
         let rounding = roundings.part::<S>() * t.abs().max(at.abs());
         let gap = if self.is_backwards { -rounding } else { rounding };

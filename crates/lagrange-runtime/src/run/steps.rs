@@ -1,9 +1,9 @@
 //! A run in progress, turn by turn.
 //!
-//! One turn is a step of the method and what happens in it: restarts at times known beforehand,
-//! events one by one in the order of time, and how the motion goes on after one that replaces its
-//! state or its system. What is seen of it goes to a [`Sink`], so that loops that keep nothing and
-//! the front door, which keeps what is asked for, are the same.
+//! One turn is a step of the method and all that happens in it. There are restarts at known times
+//! and events one by one in the order of time. An event may replace the state or the system, from
+//! which the motion continues. A [`Sink`] receives everything visible. Loops that keep nothing, and
+//! simulations, which keep what was requested, are therefore the same.
 
 use super::current::Current;
 use super::events::{Events, Found, Origin};
@@ -15,41 +15,41 @@ use crate::system::{EventKind, OdeSystem, StepFailure};
 
 /// An observer of a run.
 pub trait Sink<M: OdeSystem> {
-    /// True if states before the end of a step to `to` will be asked for.
+    /// True if states before the end of a step to `to` will be requested.
     fn looks_before(&self, _to: M::Scalar) -> bool {
         false
     }
 
-    /// An event happened.
+    /// Receives an event.
     fn happen(&mut self, _origin: Origin, _event: &Found<M>, _kind: EventKind<M::Scalar>) {}
 
-    /// The motion has got to the end of the last step, which counts as this time; whether it is to
-    /// go on.
+    /// Receives the end of the last step, which counts as this time. True if the motion is to
+    /// continue.
     fn reach_end(&mut self, system: &M, stepper: &mut impl Stepper<M>, time: M::Scalar) -> bool;
 
-    /// The motion has got to an event at this time and state in the last step; whether it is to go
-    /// on.
+    /// Receives an event at this time and state in the last step. True if the motion is to
+    /// continue.
     fn reach(&mut self, system: &M, stepper: &mut impl Stepper<M>, reached: (M::Scalar, &M::State)) -> bool;
 
-    /// The system is another one from here on.
+    /// Receives another system, valid from here on.
     fn switch(&mut self, _system: &M) {}
 
-    /// The motion goes on from this state at the time that was reached, after an event that was
-    /// told, unless it `is_silent`.
+    /// Receives the state from which the motion continues at the time that was reached, after a
+    /// reported event unless it `is_silent`.
     fn replace(&mut self, system: &M, from: (M::Scalar, &M::State), is_silent: bool);
 
-    /// The motion goes on with other inputs from this time and state.
+    /// Receives other inputs, from this time and state on.
     fn exchange(&mut self, _system: &M, _from: (M::Scalar, &M::State)) {}
 }
 
 /// The result of a turn.
 #[derive(Clone, Copy, Debug)]
 pub enum Turn<S, Y> {
-    /// The motion goes on, unless it has reached its end.
+    /// The motion continues, unless it has reached its end.
     GoesOn,
     /// An event stopped it at this time and state.
     Stopped(S, Y),
-    /// The sink did not want it to go on.
+    /// The sink stopped it.
     Cancelled,
 }
 
@@ -72,7 +72,7 @@ pub struct Run<'r, 's, M: OdeSystem, T, E> {
 }
 
 impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
-    /// A run that has been started, with `restarts` in the order in which it meets them.
+    /// Starts a run, with `restarts` in the order in which it meets them.
     pub fn new(
         current: &'r mut Current<'s, M>,
         stepper: T,
@@ -88,27 +88,28 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.time() == self.end
     }
 
-    /// The system as it is at present.
+    /// Returns the present system.
     pub fn system(&self) -> &M {
         self.current.system()
     }
 
-    /// The time at which the last step ended.
+    /// Returns the time at which the last step ended.
     pub fn step_end(&self) -> M::Scalar {
         self.stepper.time()
     }
 
-    /// The time that was reached: that of the restart if the last step ended there.
+    /// Returns the time that was reached: that of the restart if the last step ended there.
     pub fn time(&self) -> M::Scalar {
         self.restarts.time(&self.stepper)
     }
 
-    /// The time from which the motion goes on: after the restart if the last step ended there.
+    /// Returns the time from which the motion continues: after the restart if the last step ended
+    /// there.
     pub fn beyond(&self) -> M::Scalar {
         self.restarts.beyond(&self.stepper)
     }
 
-    /// The state that was reached.
+    /// Returns the state that was reached.
     pub fn state(&self) -> &M::State {
         self.stepper.state()
     }
@@ -118,11 +119,11 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         self.stepper.work()
     }
 
-    /// Takes a step, to `instant` at most, and goes through its events up to one after which the
-    /// motion does not just go on.
+    /// Takes a step, to `instant` at most, and handles its events up to one that changes or ends
+    /// the motion.
     ///
     /// # Errors
-    /// What the method met, the search for events or an event, with the last good state.
+    /// If the method, the search for events or an event fails, with the last good state.
     #[inline]
     pub fn next(&mut self, sink: &mut impl Sink<M>, instant: Option<M::Scalar>) -> Turned<M> {
         if let Err(cause) = self.step(sink, instant) {
@@ -143,7 +144,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     /// Goes on with this system from the time and state that were reached, as with other inputs.
     ///
     /// # Errors
-    /// If the method cannot go on from there.
+    /// If the method cannot continue from there.
     pub fn exchange(&mut self, sink: &mut impl Sink<M>, system: M) -> Result<(), StepFailure<M::Scalar>> {
         let (time, state) = (self.time(), *self.stepper.state());
         // Several surfaces may have been passed by the jump.

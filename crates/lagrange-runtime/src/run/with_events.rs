@@ -9,11 +9,11 @@ use crate::integrate::{Method, Outcome, Stepper};
 use crate::system::{Action, Direction, OdeSystem, Reacted, Response};
 
 /// Integrates from `y0` at `t0` towards `t_end` and calls `act` at each zero of the E functions
-/// `values` that has the given direction; returns time and state at the end, which is earlier than
-/// `t_end` if an action was to stop.
+/// `values` that has the given direction. Returns time and state at the end, which is before
+/// `t_end` if an action stopped the run.
 ///
 /// # Errors
-/// What the method met or the search for events, with the last good state.
+/// If the method or the search for events fails, with the last good state.
 ///
 /// # Example
 ///

@@ -1,23 +1,23 @@
-//! Several numbers that go through the same formulas side by side.
+//! Several numbers in lanes that take the same formulas.
 //!
-//! Every operation is a loop over the lanes that is always inlined, so that it becomes vector
-//! instructions of whatever target the caller is compiled for: a function with features that its
-//! crate does not have may call formulas, too.
+//! Every operation is a loop over the lanes that is always inlined. It becomes vector instructions
+//! of the target for which the caller is compiled. A function with target features that its crate
+//! lacks may therefore call formulas, too.
 
 use core::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 use super::{Elementary, Mask, Number, Scalar};
 
-/// N numbers of the type T side by side, one in each lane.
+/// N numbers of the type T, one in each lane.
 ///
-/// What comes of a lane has the same bits whatever is in the others and however many there are.
-/// Sums, products and square roots are those of T; [`multiply_add`](Number::multiply_add) rounds
-/// once if FUSED and twice otherwise, whatever the target is, so that one that is no instruction is
-/// a slow call. [`powi`](Number::powi) is made of products, as it is for one number;
+/// The result of a lane has the same bits whatever the other lanes contain and however many there
+/// are. Sums, products and square roots are those of T. [`multiply_add`](Number::multiply_add)
+/// rounds once if FUSED and twice otherwise, on every target: without the instruction it is a slow
+/// call. [`powi`](Number::powi) consists of products, as it does for one number;
 /// [`powf`](Number::powf) is that of T, lane by lane.
 ///
-/// Other elementary functions are computed for all lanes together, from the same source whatever
-/// FUSED is, with errors in units in the last place of at most
+/// Other elementary functions are computed for all lanes together, from the same source for either
+/// value of FUSED. Errors, in units in the last place, are at most
 ///
 /// | `f64` | |
 /// |---|---|

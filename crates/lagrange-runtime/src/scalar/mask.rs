@@ -1,10 +1,9 @@
-//! Truth values that belong to numbers side by side.
+//! Truth values of numbers in lanes.
 
 use core::fmt::Debug;
 use core::ops::{BitAnd, BitOr, Not};
 
-/// The result of comparing [numbers](super::Number): a `bool`, or one truth value per number side
-/// by side.
+/// The result of comparing [numbers](super::Number): a `bool`, or one truth value per lane.
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self> + 'static
 {

@@ -1,5 +1,5 @@
-//! Powers to three digits, which is more than lengths of steps need: without a branch and without a
-//! table, so that they are computed for several steps at a time.
+//! Powers to three digits, more than lengths of steps need. They have neither a branch nor a table,
+//! so they are computed for several steps at a time.
 //!
 //! Exponents are read from and written to the bits of a number, and polynomials through Chebyshev
 //! nodes do the rest.

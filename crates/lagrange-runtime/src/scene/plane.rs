@@ -14,8 +14,8 @@ pub struct Line<'a, S> {
     pub angle: S,
 }
 
-/// An outline in its own coordinates, the same in which [`lagrange::inertia`](mod@crate::inertia)
-/// says where centres of mass are.
+/// An outline in its own coordinates, in which [`lagrange::inertia`](mod@crate::inertia) also gives
+/// centres of mass.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Outline<'a, S> {
     /// A point mass at the origin.
@@ -38,8 +38,8 @@ pub enum Outline<'a, S> {
     CircularSector(S, S),
     /// A triangle with the right angle in the origin and legs of these lengths along X and Y.
     RightTriangle(S, S),
-    /// A triangle of these three sides; the first goes from the origin along X, the second on from
-    /// there, the third back; Y is positive inside.
+    /// A triangle with these three sides. The first goes from the origin along X, the second
+    /// continues from there, and the third returns; Y is positive inside.
     Triangle(S, S, S),
     /// An ellipse about the origin: semi-axes along X and along Y.
     Ellipse(S, S),

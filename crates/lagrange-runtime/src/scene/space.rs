@@ -1,4 +1,4 @@
-//! The plane and space: what places, rotations and moments are made of.
+//! The plane and space: the types of places, rotations and moments.
 
 use core::convert::Infallible;
 use core::fmt::Debug;

@@ -41,8 +41,8 @@ pub enum Solid<S> {
 pub struct SpatialJoint<'a, S> {
     /// Its kind.
     pub kind: SpatialJointKind,
-    /// The direction of its axis, of length one: the first axis of a universal joint, the normal of
-    /// a planar one, z of the joint's frame if it has no axis.
+    /// The direction of its axis, of length one. It is the first axis of a universal joint and the
+    /// normal of a planar one. Without an axis, it is z of the joint's frame.
     pub axis: [S; 3],
     /// Names of the carrying and the placed body, or of the two that are pinned; `None` for the
     /// ground.
@@ -56,7 +56,7 @@ pub enum SpatialJointKind {
     Revolute,
     /// It moves along its axis.
     Prismatic,
-    /// It turns about its axis and moves along it by itself.
+    /// It turns about its axis and moves along it independently.
     Cylindrical,
     /// It turns about its axis and moves along it in proportion.
     Screw,

@@ -17,9 +17,9 @@ use crate::tolerance::DEFAULT_TOLERANCE;
 
 /// A run that can be started: what to integrate, how, and what to keep of it.
 ///
-/// K is the method, D what drives the inputs, E tells whether the run has an end: [`Ended`] or
+/// K is the method, D drives the inputs, and E tells if the run has an end: [`Ended`] or
 /// [`Unended`]. `.tolerance(…)` and `.absolute_tolerance(…)` exist for the default method only;
-/// other methods come with settings of their own:
+/// other methods have their own settings:
 ///
 /// ```compile_fail,E0599
 /// # lagrange::system! {
@@ -124,8 +124,8 @@ pub(crate) fn default_method<S: Scalar>() -> Verner98<S> {
 }
 
 impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
-    /// The error that is tolerated in a step: relative to a component of the state where that is
-    /// larger than one, absolute where it is smaller. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
+    /// Sets the tolerated error of a step. It is relative for components of the state that are
+    /// larger than one, and absolute for smaller ones. 1e-9 by default for `f64`, 1.2e-6 for `f32`.
     ///
     /// The error at the end is the sum of these errors as the motion carries them on.
     pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
@@ -134,7 +134,7 @@ impl<M: MechanicalSystem, D, E> Simulation<'_, M, Verner98<M::Scalar>, D, E> {
         self
     }
 
-    /// The error that is tolerated in a step in the units of the state, to be given after
+    /// Sets the tolerated error of a step in the units of the state. Call it after
     /// [`tolerance`](Self::tolerance), which then is relative only.
     pub fn absolute_tolerance(mut self, tolerance: M::Scalar) -> Self {
         self.method.absolute = tolerance;
@@ -229,9 +229,9 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Records each zero of a function of time and state that is passed in this direction, under
     /// this name in [`Trajectory::events`](super::Trajectory::events).
     ///
-    /// Zeros are found as [`crate::event`] says: within a step, to 10⁻¹³ of it. Functions are given
-    /// the system as it is then: with the contacts closed and the friction sticking that are so.
-    /// Events that the declaration states are recorded without being asked for.
+    /// Zeros are found as in [`crate::event`]: within a step, to 10⁻¹³ of it. Functions receive the
+    /// system of that time, with its closed contacts and sticking friction. Events of the
+    /// declaration are always recorded.
     pub fn event(
         self,
         name: &str,
@@ -251,8 +251,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self.event_with(name, direction, value, |_, _| Action::Stop)
     }
 
-    /// Records each such zero and then goes on, stops, or goes on from another state, as after an
-    /// impact.
+    /// Records each such zero. The run then continues, stops, or continues from another state, as
+    /// after an impact.
     pub fn event_with(
         mut self,
         name: &str,
@@ -264,28 +264,28 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         self
     }
 
-    /// Gives up with an error after this many steps, rejected ones included. The default method has
-    /// a limit of its own, a hundred million; others have none.
+    /// Gives up with an error after this many steps, rejected ones included. The default method is
+    /// limited to a hundred million steps; others have no limit.
     pub fn max_steps(mut self, limit: u64) -> Self {
         self.plan.settings.max_steps = Some(limit);
         self
     }
 
     /// Takes no step longer than this, so that nothing that lasts about a quarter of it is stepped
-    /// over. By default steps of the adaptive method are no longer than a twentieth of the run, and
-    /// a two-hundredth while the system is at rest. For methods whose steps have a length of their
-    /// own it is an error.
+    /// over. By default, steps of the adaptive method are no longer than a twentieth of the run,
+    /// and a two-hundredth while the system is at rest. For methods with a fixed step length it is
+    /// an error.
     pub fn longest_step(mut self, longest: M::Scalar) -> Self {
         self.plan.settings.longest_step = Some(longest);
         self
     }
 
     /// Ends a step at each of these times and starts another one there, for a force that jumps or
-    /// has a kink at times known beforehand. Times that are not between start and end do nothing;
-    /// further ones may be added by asking again.
+    /// has a kink at known times. Times that are not between start and end have no effect; further
+    /// calls add times.
     ///
-    /// No evaluation is made at such a time itself, so that it does not matter on which side of it
-    /// a jump is defined to be.
+    /// Nothing is evaluated at such a time itself. The side of the time to which a jump belongs
+    /// therefore has no effect.
     pub fn restart_at(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
         self.plan.settings.restarts.extend(times);
         self

@@ -77,13 +77,13 @@ pub trait ClosedLoop<M: MechanicalSystem>:
         Velocities = M::Velocities,
     > + Sized
 {
-    /// The plant in its present modes, with the inputs that it has by itself.
+    /// Returns the plant in its present modes, with its own inputs.
     fn plant(&self) -> &M;
 
     /// Returns the loop around another plant.
     fn with_plant(&self, plant: M) -> Self;
 
-    /// The plant.
+    /// Returns the plant.
     fn into_plant(self) -> M;
 
     /// Asks the plant with the inputs that it has at this time and state.

@@ -16,7 +16,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// stays until the new one is whole.
     ///
     /// # Errors
-    /// What the operating system says, with the path.
+    /// If the operating system cannot write the file, with its path.
     pub fn save_csv(&self, path: impl AsRef<Path>) -> io::Result<()> {
         let path = path.as_ref();
         save(
@@ -32,11 +32,11 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// `=`, `+`, `-`, `@` or a control character, have an apostrophe before them, which makes them
     /// text there.
     ///
-    /// Every `f64` or `f32` is written with as many digits as it takes to read back the same bits,
-    /// and other numbers in their `Debug` form.
+    /// Every `f64` or `f32` is written with enough digits to read back the same bits, and other
+    /// numbers in their `Debug` form.
     ///
     /// # Errors
-    /// What the writer says.
+    /// If the writer fails.
     pub fn write_csv(&self, writer: impl Write) -> io::Result<()> {
         self.table().write_csv(writer, labelled::<M>)
     }

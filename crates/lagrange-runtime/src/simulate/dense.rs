@@ -1,7 +1,7 @@
 //! States between the samples.
 //!
 //! Each step is kept as its states at the Chebyshev points of the second kind, found by the
-//! method's own interpolation, and evaluated by the barycentric formula
+//! method's own interpolation. It is evaluated by the barycentric formula
 //!
 //! ```text
 //! p(s) = Σ wⱼ yⱼ/(s − sⱼ) / Σ wⱼ/(s − sⱼ),   sⱼ = (1 − cos(π j/d))/2,   wⱼ = ±1, halved at both ends.
@@ -10,8 +10,8 @@
 //! with both sums times the distance of s from the nearest of these points, so that nothing
 //! overflows however small that is.
 //!
-//! A polynomial of degree d comes back but for rounding, and d is chosen not to be below the degree
-//! of what methods interpolate with. Source: Berrut, Trefethen, *Barycentric Lagrange
+//! A polynomial of degree d is reproduced except for rounding, and d is chosen not to be below the
+//! degree of the methods' interpolants. Source: Berrut, Trefethen, *Barycentric Lagrange
 //! Interpolation*, SIAM Review 46 (2004), §5.
 
 use std::vec::Vec;

@@ -1,4 +1,4 @@
-//! Why a run stopped early, and what it had found until then.
+//! The cause of a run that stopped early, and its data until then.
 
 use std::boxed::Box;
 use std::error::Error;
@@ -11,7 +11,7 @@ use crate::system::{EventName, EventSource, MechanicalSystem, SettingError, Step
 
 /// A run stopped before its end.
 ///
-/// What was found until then is kept; its last sample is the last good state.
+/// The data until then are kept; the last sample is the last good state.
 pub struct SimulationError<M: MechanicalSystem> {
     /// Why.
     pub cause: StepFailure<M::Scalar>,
@@ -34,12 +34,12 @@ impl<M: MechanicalSystem> SimulationError<M> {
         SimulationError { cause, name, trajectory: Box::new(trajectory) }
     }
 
-    /// The time of the last good state.
+    /// Returns the time of the last good state.
     pub fn time(&self) -> M::Scalar {
         self.trajectory.end_time()
     }
 
-    /// The last good state.
+    /// Returns the last good state.
     pub fn state(&self) -> M::State {
         self.trajectory.last()
     }

@@ -1,4 +1,4 @@
-//! The front door: from a system and a start to a trajectory with named columns.
+//! Simulations: from a system and a start to a trajectory with named columns.
 //!
 //! ```
 //! use lagrange::Simulate;

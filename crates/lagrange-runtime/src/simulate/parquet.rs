@@ -35,7 +35,7 @@ where
     /// an older file stays until the new one is whole.
     ///
     /// # Errors
-    /// What the operating system says, with the path, or what the writer says.
+    /// If the operating system or the writer fails, with the path.
     pub fn save_parquet(&self, path: impl AsRef<Path>) -> Result<(), ParquetError> {
         let path = path.as_ref();
         save(path, |error| cannot_write(path, &error).into(), |file| self.write_parquet(file))
@@ -46,7 +46,7 @@ where
     /// has it under `lagrange.unit.` and its name among the file's key–value metadata.
     ///
     /// # Errors
-    /// What the writer says.
+    /// If the writer fails.
     pub fn write_parquet(&self, writer: impl Write + Send) -> Result<(), ParquetError> {
         let table = self.table();
         let mut file = SerializedFileWriter::new(

@@ -33,20 +33,20 @@ impl<M: MechanicalSystem> Trajectory<M>
 where
     M::Scalar: Into<f64>,
 {
-    /// Plots coordinates and velocities against time: a panel for each up to four coordinates, else
-    /// one for all coordinates and one for all velocities, also where there are not as many of the
-    /// one as of the other. First-order states share a panel of their own.
+    /// Plots coordinates and velocities against time. Up to four coordinates have a panel each.
+    /// Otherwise there is one panel for all coordinates and one for all velocities, also if their
+    /// numbers differ. First-order states have a separate panel.
     ///
     /// Here and in all plots, symbols are written as in formulas: θ̇₁ for `theta1_dot`, ẍ for
     /// `x_ddot`, x₂ for `x[2]`. Words, and names that would look like others, stay as they are.
-    /// Units that a declaration says stand behind names, as in x in m: at the axis, and in the
-    /// legend where curves have several.
+    /// Units of a declaration stand behind names, as in x in m: at the axis, and in the legend if
+    /// curves have several.
     ///
-    /// The extension of the file says what it is, here and in all plots: `svg` for drawings and
+    /// The extension of the file selects its format, here and in all plots: `svg` for drawings and
     /// `png` for pixels.
     ///
     /// # Errors
-    /// If the extension is another, or what the operating system says.
+    /// If the extension is not supported, or the operating system cannot write the file.
     pub fn plot_states(&self, path: impl AsRef<Path>) -> Result<(), PlotError> {
         const {
             assert!(
@@ -120,8 +120,8 @@ where
             .save(path.as_ref())
     }
 
-    /// Plots how far the energy is from its initial value E₀, relative to that unless it is too
-    /// small for it: against time, and on a logarithmic axis if the distance grows by orders of
+    /// Plots the deviation of the energy from its initial value E₀ against time, relative to E₀
+    /// unless that is too small. The axis is logarithmic if the deviation grows by orders of
     /// magnitude.
     ///
     /// # Errors

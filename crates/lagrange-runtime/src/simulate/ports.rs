@@ -23,10 +23,10 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
     /// Contacts, friction, events and whatever is observed know the inputs that it gives. Every
     /// input becomes a column.
     ///
-    /// Jumps and kinks of a law are not looked for. Where they matter write them into the
-    /// declaration, as `min(u, 20)` for a force that saturates: the compiler then knows where the
-    /// motion is not smooth, and runs find it. For implicit methods its derivatives are found by
-    /// difference quotients.
+    /// Jumps and kinks of a law are not located. Where they matter, write them into the
+    /// declaration, such as `min(u, 20)` for a force that saturates. The compiler then knows where
+    /// the motion is not smooth, and runs locate these points. For implicit methods its derivatives
+    /// are found by difference quotients.
     ///
     /// ```
     /// use lagrange::Simulate;
@@ -62,12 +62,12 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// holds them in between (a zero-order hold).
     ///
     /// A step ends at each of these instants, so that no step sees two values of an input. The
-    /// controller may have a memory, such as the integral of a deviation: it is asked at the start
-    /// and then exactly once at each instant, in their order, with the state that the motion has
-    /// there; not at the end of a run. It is given the system with its present inputs, and takes
-    /// from there those that it does not compute. Of several controllers those that act at the same
-    /// instant do so in the order in which they were given. Every input becomes a column, which at
-    /// an instant holds the new value.
+    /// controller may have a memory, such as the integral of a deviation. It is called at the start
+    /// and then exactly once at each instant, in their order, with the state there. It is not
+    /// called at the end of a run. It receives the system with its present inputs, and takes from
+    /// there those that it does not compute. Several controllers at the same instant act in the
+    /// order of their declaration. Every input becomes a column, which at an instant holds the new
+    /// value.
     ///
     /// ```
     /// use lagrange::Simulate;

@@ -20,7 +20,7 @@ pub struct Progress<S> {
 }
 
 impl<S: Scalar + Into<f64>> Progress<S> {
-    /// The part of the time that is done, from 0 to 1.
+    /// Returns the completed part of the time, from 0 to 1.
     pub fn fraction(&self) -> f64 {
         if self.time == self.end {
             return 1.0;
@@ -31,7 +31,7 @@ impl<S: Scalar + Into<f64>> Progress<S> {
 
 /// The return value of a progress callback: nothing, or true to continue.
 pub trait Verdict {
-    /// True if to go on.
+    /// True to continue.
     fn go_on(self) -> bool;
 }
 
@@ -47,8 +47,8 @@ impl Verdict for ControlFlow<()> {
     }
 }
 
-/// A callback, called when another part of the time is done, and more and more seldom if it is not:
-/// a run that gets nowhere can be cancelled, too.
+/// A callback, called when another part of the time is done, and more and more rarely if it is not.
+/// A run without progress can therefore be cancelled, too.
 pub(super) struct Reporter<'a, S> {
     callback: Box<dyn FnMut(Progress<S>) -> bool + 'a>,
     /// Parts of the time whose end was reported.

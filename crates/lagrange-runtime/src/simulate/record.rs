@@ -48,7 +48,7 @@ enum Samples<S> {
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     /// Starts with the initial state as the first sample, and with functions of the columns after
-    /// those of the state; the system may be another one there than that which was given.
+    /// those of the state. The system may differ there from the original one.
     pub(super) fn new(
         current: &Current<'_, C>,
         settings: &RunSettings<M::Scalar>,

@@ -14,10 +14,10 @@ use crate::simulate::trajectory::{Ending, Trajectory};
 use crate::system::{MechanicalSystem, OdeSystem, StepFailure};
 
 impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
-    /// Integrates.
+    /// Integrates the motion.
     ///
     /// # Errors
-    /// What the method met, or a setting that makes no sense, with the trajectory so far.
+    /// If the method fails or a setting is invalid, with the trajectory so far.
     pub fn run(self) -> Result<Trajectory<M>, SimulationError<M>>
     where
         D: Drive<M>,

@@ -89,8 +89,8 @@ impl<S: Scalar> Grid<S> {
         if self.interval > S::ZERO { time > other } else { time < other }
     }
 
-    /// True if a time is the end or beyond it, but for rounding: closer than a part of the
-    /// interval, or its neighbour among the numbers.
+    /// True if a time is the end or beyond it, except for rounding. It may be closer than a part of
+    /// the interval, or the neighbouring number.
     fn is_end(&self, time: S) -> bool {
         let left = self.end - time;
         let middle = time + left / S::from_f64(2.0);

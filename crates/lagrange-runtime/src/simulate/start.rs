@@ -9,7 +9,7 @@
     note = "numbers are written with a decimal point: `1.0`, not `1`"
 )]
 pub trait InitialState<Y> {
-    /// The state as an array.
+    /// Returns the state as an array.
     fn into_state(self) -> Y;
 }
 

@@ -67,22 +67,22 @@ impl<S: Copy> Table<S> {
         self.times.is_empty()
     }
 
-    /// The times of the samples, in the order of the run.
+    /// Returns the times of the samples, in the order of the run.
     pub fn times(&self) -> &[S] {
         &self.times
     }
 
-    /// The names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in their order; time has none.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The columns in the order of their names.
+    /// Returns the columns in the order of their names.
     pub fn columns(&self) -> impl ExactSizeIterator<Item = &[S]> {
         self.columns.iter().map(Vec::as_slice)
     }
 
-    /// The column of this name.
+    /// Returns the column of this name.
     pub fn column(&self, name: &str) -> Option<&[S]> {
         let index = self.names.iter().position(|known| known == name)?;
         self.columns.get(index).map(Vec::as_slice)

@@ -19,8 +19,8 @@ use crate::system::{MechanicalSystem, StateVector, normalised};
 /// Columns are the coordinates and velocities and then what observers added. There is at least one
 /// sample, the initial state, and the last sample is where the run ended.
 ///
-/// Of an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
-/// and `trajectory.theta_dot()`; where one would be called like a method of this type,
+/// For an emitted system, the columns of the state are also methods, such as `trajectory.theta()`
+/// and `trajectory.theta_dot()`. If a column has the name of another method of this type,
 /// [`column`](Trajectory::column) finds it.
 pub struct Trajectory<M: MechanicalSystem> {
     pub(super) columns: M::Columns<Table<M::Scalar>>,
@@ -47,7 +47,7 @@ pub enum Ending {
     Stopped,
     /// The progress callback cancelled it.
     Cancelled,
-    /// It failed; only the trajectory within an error says so.
+    /// It failed; only the trajectory within an error has this end.
     Failed,
 }
 
@@ -58,35 +58,35 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.table().len()
     }
 
-    /// The times of the samples, in the order of the run: falling if it ran backwards.
+    /// Returns the times of the samples, in the order of the run: falling if it ran backwards.
     pub fn times(&self) -> &[M::Scalar] {
         self.table().times()
     }
 
-    /// The names of the columns, in their order; time has none.
+    /// Returns the names of the columns, in their order; time has none.
     pub fn names(&self) -> &[String] {
         self.table().names()
     }
 
-    /// The column of this name: a coordinate, a velocity such as `theta_dot`, or what an observer
-    /// added.
+    /// Returns the column of this name: a coordinate, a velocity such as `theta_dot`, or an
+    /// observed quantity.
     pub fn column(&self, name: &str) -> Option<&[M::Scalar]> {
         self.table().column(name)
     }
 
-    /// The unit of the column of this name, such as `rad/s`, and `s` of `t`; `1` of plain numbers.
-    /// `None` if it is not known: the declaration says no units, or an observer added the column
-    /// under a name of its own.
+    /// Returns the unit of the column of this name, such as `rad/s`; `s` for `t` and `1` for plain
+    /// numbers. `None` if it is not known: the declaration has no units, or an observer added the
+    /// column under a new name.
     pub fn unit(&self, name: &str) -> Option<&'static str> {
         unit::<M>(name)
     }
 
-    /// All columns.
+    /// Returns all columns.
     pub fn table(&self) -> &Table<M::Scalar> {
         self.columns.as_ref()
     }
 
-    /// The state of a sample, counted from zero.
+    /// Returns the state of a sample, counted from zero.
     pub fn state(&self, index: usize) -> Option<M::State> {
         let mut state = M::State::ZERO;
         for (component, column) in state.as_mut().iter_mut().zip(self.table().columns()) {
@@ -95,7 +95,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
         Some(state)
     }
 
-    /// The states of the samples.
+    /// Returns the states of the samples.
     pub fn states(&self) -> impl Iterator<Item = M::State> + '_ {
         (0..self.len()).filter_map(|index| self.state(index))
     }
@@ -105,41 +105,41 @@ impl<M: MechanicalSystem> Trajectory<M> {
         self.times().iter().copied().zip(self.states())
     }
 
-    /// The state where the run started.
+    /// Returns the state where the run started.
     pub fn first(&self) -> M::State {
         self.first.1
     }
 
-    /// The time at which the run started.
+    /// Returns the time at which the run started.
     pub fn start_time(&self) -> M::Scalar {
         self.first.0
     }
 
-    /// The state where the run ended.
+    /// Returns the state where the run ended.
     pub fn last(&self) -> M::State {
         self.last.1
     }
 
-    /// The system as it was where the run ended, if contacts or friction switched it on the way or
-    /// controllers set its inputs; `None` if it still was the one that was given. A law of inputs
-    /// is not part of it, and is asked for again. A run that is to be continued starts from it and
-    /// from [`last`](Trajectory::last).
+    /// Returns the system at the end of the run, if contacts or friction switched it on the way or
+    /// controllers set its inputs. `None` if it is still the original one. A law of inputs is not
+    /// part of it, and must be given again. To continue a run, start from it and from
+    /// [`last`](Trajectory::last).
     pub fn system_at_end(&self) -> Option<&M> {
         self.system.as_deref()
     }
 
-    /// A system with the inputs of this sample, counted from zero; `None` if the run set none.
-    /// Where a law sets them they are others between samples.
+    /// Returns a system with the inputs of this sample, counted from zero; `None` if the run set
+    /// none. Where a law sets them they are others between samples.
     pub fn with_inputs_at(&self, index: usize, system: &M) -> Option<M> {
         self.inputs.and_then(|inputs| inputs.at(self.table(), index, system))
     }
 
-    /// The time at which the run ended.
+    /// Returns the time at which the run ended.
     pub fn end_time(&self) -> M::Scalar {
         self.last.0
     }
 
-    /// The state at any time of a run that was asked to be
+    /// Returns the state at any time of a run that was
     /// [`dense`](crate::simulate::Simulation::dense); at the time of an impact, the state after it.
     ///
     /// The error is that of the method's own interpolation, plus a few roundings. Unit quaternions

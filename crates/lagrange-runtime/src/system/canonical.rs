@@ -36,9 +36,9 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
     /// True if constraints hold it, and the corrections below are known.
     const IS_HELD: bool = false;
 
-    /// The change δ of coordinates by constraint forces at `q` that takes the residuals at the
-    /// coordinates `to` of the time `later` away to first order: M δ = A(t, q)ᵀμ and A(t, q) δ =
-    /// −c(later, to).
+    /// Computes the change δ of coordinates that removes the residuals at the coordinates `to` and
+    /// the time `later` to first order. Constraint forces at `q` cause it: M δ = A(t, q)ᵀμ and A(t,
+    /// q) δ = −c(later, to).
     #[inline]
     fn position_correction(
         &self,
@@ -50,8 +50,8 @@ pub trait LeapfrogSystem: MechanicalSystem<Velocities = <Self as MechanicalSyste
         Self::Coordinates::ZERO
     }
 
-    /// The change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ and A δ =
-    /// −ċ(t, q, v).
+    /// Computes the change δ of velocities by constraint forces that leaves no residual: M δ = Aᵀμ
+    /// and A δ = −ċ(t, q, v).
     #[inline]
     fn velocity_correction(
         &self,
@@ -77,10 +77,10 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
             `GaussLegendre` with `.plain()`"
 )]
 pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSystem>::Coordinates> {
-    /// The momenta p = ∂L/∂v.
+    /// Computes the momenta p = ∂L/∂v.
     fn momenta(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Coordinates) -> Self::Coordinates;
 
-    /// The rates ∂L/∂q + Q of the momenta.
+    /// Computes the rates ∂L/∂q + Q of the momenta.
     fn momentum_rates(
         &self,
         t: Self::Scalar,
@@ -88,7 +88,7 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         v: &Self::Coordinates,
     ) -> Self::Coordinates;
 
-    /// The mass matrix ∂p/∂v, in rows.
+    /// Computes the mass matrix ∂p/∂v, in rows.
     fn mass_matrix(
         &self,
         t: Self::Scalar,
@@ -96,9 +96,9 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         v: &Self::Coordinates,
     ) -> VelocityMatrix<Self>;
 
-    /// The rates of the momenta without the forces Aᵀλ of constraints. A method that finds these
-    /// forces itself does not mind combinations of the rows of A, so that the rates with them will
-    /// do.
+    /// Computes the rates of the momenta without the forces Aᵀλ of constraints. For a method that
+    /// finds these forces itself, combinations of the rows of A have no effect, so the rates with
+    /// them will do.
     #[inline]
     fn free_momentum_rates(
         &self,
@@ -109,12 +109,12 @@ pub trait CanonicalSystem: MechanicalSystem<Velocities = <Self as MechanicalSyst
         self.momentum_rates(t, q, v)
     }
 
-    /// True if [`constraint_values`](Self::constraint_values) says all that holds the system.
-    /// Methods that enforce constraints by themselves do so then; elsewhere states are corrected
-    /// after steps.
+    /// True if [`constraint_values`](Self::constraint_values) lists everything that holds the
+    /// system. Methods that enforce constraints themselves then do so; for other systems states are
+    /// corrected after steps.
     const SAYS_CONSTRAINTS: bool = false;
 
-    /// The constraints that act, always in the same order.
+    /// Returns the acting constraints, always in the same order.
     #[inline]
     fn constraint_values(
         &self,

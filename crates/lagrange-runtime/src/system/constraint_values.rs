@@ -5,9 +5,9 @@ use crate::scalar::Scalar;
 
 /// Residuals and gradients of the constraints that act at a time and state.
 ///
-/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A; one on velocities holds
-/// itself and its gradient with respect to them. As many may act as there are coordinates: more
-/// cannot be independent, and everything is not a number then.
+/// A constraint on positions holds c, its rate ċ and the row ∂c/∂q of A. One on velocities holds
+/// itself and its gradient with respect to them. At most as many may act as there are coordinates:
+/// more cannot be independent, and all results are then NaN.
 ///
 /// ```
 /// use lagrange::constraint::ConstraintValues;
@@ -41,13 +41,13 @@ impl<S: Scalar, Q: StateVector<S>> ConstraintValues<S, Q> {
         count: 0,
     };
 
-    /// One more constraint on positions: its residual, the rate of it and its gradient.
+    /// Adds a constraint on positions: its residual, its rate and its gradient.
     #[inline]
     pub fn push_holonomic(&mut self, position: S, velocity: S, row: &Q) {
         self.push(1, position, velocity, row);
     }
 
-    /// One more constraint on velocities alone: its residual and its gradient with respect to
+    /// Adds a constraint on velocities alone: its residual and its gradient with respect to
     /// velocities.
     #[inline]
     pub fn push_nonholonomic(&mut self, velocity: S, row: &Q) {

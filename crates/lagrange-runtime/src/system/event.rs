@@ -1,4 +1,4 @@
-//! Events that belong to a system: what it declares, and what it answers when one happens.
+//! Events that belong to a system: its declared events, and its responses to them.
 
 use crate::scalar::Scalar;
 
@@ -9,27 +9,27 @@ pub struct DeclaredEvent {
     pub name: &'static str,
     /// Direction of the zeros that count.
     pub direction: Direction,
-    /// True if it belongs to a contact or to dry friction. Its function then is positive, but for
-    /// rounding, while the present mode lasts, and falling through zero is what ends the mode: a
-    /// body that touches at the start and is pushed below the ground has hit it.
+    /// True if it belongs to a contact or to dry friction. Its function is then positive, except
+    /// for rounding, while the present mode lasts, and falls through zero where it ends. A body
+    /// that touches at the start and is pushed below the ground has hit it.
     pub is_switch: bool,
-    /// True if it belongs to a surface on which the equations are not smooth, and then its name
-    /// says to which. It is no event for those who watch a motion.
+    /// True if it belongs to a surface on which the equations are not smooth, which its name then
+    /// identifies. Observers of a motion do not see it as an event.
     pub is_side: bool,
 }
 
 impl DeclaredEvent {
-    /// An event whose zeros in this direction count.
+    /// Creates an event whose zeros in this direction count.
     pub const fn new(name: &'static str, direction: Direction) -> Self {
         DeclaredEvent { name, direction, is_switch: false, is_side: false }
     }
 
-    /// The event by which a contact or dry friction switches its mode.
+    /// Creates the event by which a contact or dry friction switches its mode.
     pub const fn switch(name: &'static str) -> Self {
         DeclaredEvent { name, direction: Direction::Falling, is_switch: true, is_side: false }
     }
 
-    /// The event by which a [switch](crate::event::Switches) changes its side.
+    /// Creates the event by which a [switch](crate::event::Switches) changes its side.
     pub const fn side(name: &'static str) -> Self {
         DeclaredEvent { is_side: true, ..DeclaredEvent::switch(name) }
     }
@@ -72,7 +72,7 @@ impl Direction {
 pub struct Response<M, S, Y> {
     /// Action.
     pub action: Action<Y>,
-    /// The system that goes on, if it is not the same: with other contacts closed, other friction
+    /// The system that continues, if it differs: with other contacts closed, other friction
     /// sticking.
     pub system: Option<M>,
     /// Kind of event.
@@ -80,7 +80,7 @@ pub struct Response<M, S, Y> {
 }
 
 impl<M, S, Y> Response<M, S, Y> {
-    /// Nothing but this action.
+    /// Creates a response of this action alone.
     pub fn new(action: Action<Y>) -> Self {
         Response { action, system: None, kind: EventKind::Zero }
     }
@@ -103,7 +103,7 @@ pub struct Impact<S> {
     /// The impulse in the contact, in N s for SI units; never negative.
     pub impulse: S,
     /// The kinetic energy that was lost, in all contacts that were hit at once and by friction;
-    /// with moving surfaces, as seen from them. Never negative but for rounding.
+    /// with moving surfaces, as seen from them. Never negative except for rounding.
     pub energy_loss: S,
 }
 

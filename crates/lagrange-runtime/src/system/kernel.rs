@@ -15,10 +15,10 @@ use super::{MechanicalSystem, NamedSystem};
 /// void lagrange_normalise(REAL *q);
 /// ```
 ///
-/// They compute the accelerations at time t, positions q, velocities v and parameters p, the rates
-/// of the positions, and positions with quaternions of length one. Parameters are those of
-/// [`parameters`](Self::parameters). Conditions of `if` and the kinks of `abs`, `sign`, `min` and
-/// `max` are decided as the state says; what is NaN stays NaN.
+/// They compute the accelerations at time t, positions q, velocities v and parameters p. They also
+/// compute the rates of the positions, and positions with quaternions of length one. Parameters are
+/// those of [`parameters`](Self::parameters). The state decides conditions of `if` and the kinks of
+/// `abs`, `sign`, `min` and `max`; NaN stays NaN.
 ///
 /// ```
 /// use lagrange::system::KernelSystem;
@@ -57,6 +57,6 @@ pub trait KernelSystem: MechanicalSystem + NamedSystem {
     /// Units that are known are in [`MechanicalSystem::UNITS`].
     const PARAMETERS: &'static [&'static str];
 
-    /// The parameters, then the inputs, as they are.
+    /// Returns the present parameters, then the present inputs.
     fn parameters(&self) -> Self::Parameters;
 }

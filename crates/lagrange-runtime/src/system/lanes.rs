@@ -1,9 +1,9 @@
-//! Systems whose equations can be evaluated for several motions side by side.
+//! Systems whose equations can be evaluated for several motions in lanes.
 
 use super::{OdeSystem, StateVector};
 use crate::scalar::{Lanes, Number, Scalar};
 
-/// Numbers side by side, one in each lane.
+/// Numbers in lanes.
 pub trait SideBySide: Number {
     /// The number in a lane.
     type Element: Number;
@@ -12,7 +12,7 @@ pub trait SideBySide: Number {
     /// Number of lanes.
     const LANES: usize;
 
-    /// The number in this lane, counted from zero.
+    /// Returns the number in this lane, counted from zero.
     fn lane(self, lane: usize) -> Self::Element;
 
     /// Puts a number into this lane and leaves the others.
@@ -77,7 +77,7 @@ pub trait Equations<S: Number>: Copy {
     /// The state `[q…, v…]`.
     type State: StateVector<S>;
 
-    /// The right-hand side ẏ = f(t, y), as that of [`OdeSystem`](super::OdeSystem::rhs).
+    /// Computes the right-hand side ẏ = f(t, y), as [`OdeSystem`](super::OdeSystem::rhs) does.
     fn rhs(&self, t: S, y: &Self::State) -> Self::State;
 }
 
@@ -93,14 +93,14 @@ pub trait LanesSystem: OdeSystem {
     /// The equations in numbers of the type S.
     type Lanes<S: Number>: Equations<S>;
 
-    /// The equations with the parameters of this system in every lane.
+    /// Returns the equations with the parameters of this system in every lane.
     fn lanes<S: Number>(&self, splat: impl Fn(Self::Scalar) -> S) -> Self::Lanes<S>;
 
     /// Puts the parameters of this system into one lane.
     fn set_lane<S: SideBySide<Element = Self::Scalar>>(&self, lanes: &mut Self::Lanes<S>, lane: usize);
 }
 
-/// Something to do with a system if its equations can be evaluated side by side.
+/// A visitor of systems whose equations can be evaluated in lanes.
 pub trait LanesVisitor<M> {
     /// The result.
     type Output;

@@ -8,31 +8,31 @@ use super::{OdeSystem, StateVector};
 /// Its state is y = `[q…, v…]` and its right-hand side ẏ = `[N(q) v…, a…]`. There is a velocity for
 /// each freedom. Mostly velocities are the rates of generalised coordinates, q̇ = v, and
 /// accelerations a(t, q, v) solve d/dt ∂L/∂v − ∂L/∂q = Q. There may be more positions than
-/// velocities: the four components of a unit quaternion have the three components of an angular
-/// velocity ω, with q̇ = ½ q ⊗ (0, ω) if these are along the axes of the body. N(q) is
+/// velocities. The four components of a unit quaternion go with the three components of an angular
+/// velocity ω. If these are along the axes of the body, q̇ = ½ q ⊗ (0, ω). N(q) is
 /// [`position_rates`](Self::position_rates).
 ///
-/// What changes positions by a small step, as [projections](crate::constraint) do, is a
-/// displacement δ, a vector like v: positions q are displaced to q + N(q) δ, and
-/// [normalised](Self::normalise). Gradients of constraints, gaps and energies are with respect to
-/// displacements, and the mass matrix measures them. Methods that need q̇ = v, all symplectic ones,
-/// refuse other systems at compile time; [`Verner98`](crate::integrate::Verner98),
-/// [`Radau5`](crate::integrate::Radau5), [`RungeKutta4`](crate::integrate::RungeKutta4) and
+/// A small step of positions, such as that of a [projection](crate::constraint), is a displacement
+/// δ, a vector like v. Positions q are displaced to q + N(q) δ, and [normalised](Self::normalise).
+/// Gradients of constraints, gaps and energies are with respect to displacements, and the mass
+/// matrix measures them. Methods that need q̇ = v, all symplectic ones, refuse other systems at
+/// compile time; [`Verner98`](crate::integrate::Verner98), [`Radau5`](crate::integrate::Radau5),
+/// [`RungeKutta4`](crate::integrate::RungeKutta4) and
 /// [`PlainGaussLegendre`](crate::integrate::PlainGaussLegendre) take all.
 ///
 /// Source: Featherstone, *Rigid Body Dynamics Algorithms*, §3.2, §4.5.
 ///
 /// # First-order states
 ///
-/// The last positions may be first-order states z, as the current of a motor or the integral of a
-/// controller, whose rates ż(t, q, v, z) are any functions and which no velocity displaces. The
-/// state is then y = `[q…, z…, v…]`, of which q and z are one vector
+/// The last positions may be first-order states z, such as the current of a motor or the integral
+/// of a controller. Their rates ż(t, q, v, z) are any functions, and no velocity displaces them.
+/// The state is then y = `[q…, z…, v…]`, of which q and z are one vector
 /// [`Coordinates`](Self::Coordinates) everywhere, and [`position_rates`](Self::position_rates)
-/// returns their rates behind those of q. Displacements leave them as they are, which
-/// [`position_change`](Self::position_change) says,
-/// [`FIRST_ORDER_STATES`](Self::FIRST_ORDER_STATES) says how many they are, and velocities have
-/// names, [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as
-/// take quaternions.
+/// returns their rates behind those of q. Displacements leave them unchanged, as
+/// [`position_change`](Self::position_change) states.
+/// [`FIRST_ORDER_STATES`](Self::FIRST_ORDER_STATES) is their number, and velocities have names,
+/// [`VELOCITIES`](Self::VELOCITIES). The same methods of integration take such systems as take
+/// quaternions.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -174,39 +174,39 @@ pub trait MechanicalSystem: OdeSystem {
     /// positions, q̇ = v: they are then called as these, followed by `_dot`.
     const VELOCITIES: &'static [&'static str] = &[];
 
-    /// Names of the coordinates that velocities with names of their own are the rates of, one for
-    /// each of [`VELOCITIES`](Self::VELOCITIES); empty for those that are the rate of none.
+    /// Names of the coordinates whose rates are velocities with separate names, one for each of
+    /// [`VELOCITIES`](Self::VELOCITIES). The name is empty for a velocity that is not the rate of a
+    /// coordinate.
     const RATES_OF: &'static [&'static str] = &[];
 
     /// Number of [first-order states](MechanicalSystem#first-order-states), which are the last of
-    /// the positions. Plots show them by themselves.
+    /// the positions. Plots show them separately.
     const FIRST_ORDER_STATES: usize = 0;
 
     /// Units of columns and parameters, `(name, unit)` such as `("theta_dot", "rad/s")`: of the
     /// state, of accelerations, momenta, inputs and outputs. The name of an array stands for its
     /// elements, and a column that is observed under one of the names has its unit. Names without
-    /// one have an unknown unit, and plain numbers have `1`. Axes of plots and files say them;
+    /// one have an unknown unit, and plain numbers have `1`. Axes of plots and files show them;
     /// nothing is computed with them. Where there are any, times are in `s` and the energy is in
     /// `J`.
     const UNITS: &'static [(&'static str, &'static str)] = &[];
 
-    /// A number that tells what the declaration says from what others say: equations, defaults,
-    /// constants, events, tables with their numbers, and the level of accuracy. Comments, layout
-    /// and pictures do not change it, and code of functions of one's own crate cannot. Zero for
-    /// systems that are written by hand. Files of ensembles keep it, so that those of a declaration
-    /// that was changed are not mixed.
+    /// A number that distinguishes declarations: their equations, defaults, constants, events,
+    /// tables with their numbers, and the level of accuracy. Comments, layout and pictures do not
+    /// change it, and code of functions of the user's crate cannot. Zero for handwritten systems.
+    /// Files of ensembles keep it, so that those of different declarations are not mixed.
     const FINGERPRINT: u64 = 0;
 
-    /// The accelerations at time `t`, positions `q` and velocities `v`; not finite where the mass
-    /// matrix is singular in some states only. Masses of emitted types must not be zero: what all
-    /// terms of an equation share is divided out, and a pendulum without mass would move as one
-    /// with it.
+    /// Computes the accelerations at time `t`, positions `q` and velocities `v`. They are not
+    /// finite where the mass matrix is singular in some states only. Masses of emitted types must
+    /// not be zero. Common factors of all terms of an equation are divided out, so a pendulum
+    /// without mass would move as one with it.
     fn acceleration(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Velocities;
 
-    /// The rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where they are
-    /// rates.
+    /// Computes the rates of the positions, q̇ = N(q) v: the velocities themselves, `*v`, where
+    /// they are rates.
     ///
-    /// Linear and homogeneous in `v` but for [first-order
+    /// Linear and homogeneous in `v` except for [first-order
     /// states](MechanicalSystem#first-order-states).
     fn position_rates(
         &self,
@@ -215,9 +215,9 @@ pub trait MechanicalSystem: OdeSystem {
         v: &Self::Velocities,
     ) -> Self::Coordinates;
 
-    /// The change N(q) δ of positions that belongs to a displacement δ: what
-    /// [`position_rates`](Self::position_rates) makes of it, and zero for [first-order
-    /// states](MechanicalSystem#first-order-states), of which a system that has some must say it.
+    /// Computes the change N(q) δ of positions for a displacement δ. It consists of the
+    /// [`position_rates`](Self::position_rates) for δ, and of zero for [first-order
+    /// states](MechanicalSystem#first-order-states). A system with such states must define it.
     #[inline]
     fn position_change(
         &self,
@@ -236,13 +236,13 @@ pub trait MechanicalSystem: OdeSystem {
     #[inline]
     fn normalise(_q: &mut Self::Coordinates) {}
 
-    /// The displacement δ that leads from positions to others nearby: what
-    /// [`position_change`](Self::position_change) at `from` makes of it is `to − from` to first
-    /// order. From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), with the sign of p for which the
-    /// real part is not negative, if velocities are along the axes of the body.
+    /// Returns the displacement δ that leads from positions to others nearby. The result of
+    /// [`position_change`](Self::position_change) for it at `from` is `to − from` to first order.
+    /// From a unit quaternion q to p it is 2 Im(q̄ ⊗ p), if velocities are along the axes of the
+    /// body. The sign of p is that for which the real part is not negative.
     ///
-    /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must say it, which the
-    /// compiler sees to.
+    /// By default `to − from`; systems with [`VELOCITIES`](Self::VELOCITIES) must define it, which
+    /// the compiler enforces.
     #[inline]
     fn displacement(
         &self,
@@ -264,11 +264,11 @@ pub trait MechanicalSystem: OdeSystem {
         displacement
     }
 
-    /// Lets a visitor do what it does with systems whose equations can be evaluated side by side,
-    /// those that are [`LanesSystem`](super::LanesSystem)s.
+    /// Calls a visitor if the equations of the system can be evaluated in lanes, for
+    /// [`LanesSystem`](super::LanesSystem)s.
     ///
     /// # Errors
-    /// The visitor comes back if this is none.
+    /// Returns the visitor if they cannot.
     #[inline]
     fn with_lanes<V: LanesVisitor<Self>>(visitor: V) -> Result<V::Output, V>
     where
@@ -277,9 +277,9 @@ pub trait MechanicalSystem: OdeSystem {
         Err(visitor)
     }
 
-    /// The parameter with this place among those that are declared, counted from zero, by its name:
-    /// what is blamed where rates are not finite, and what ensembles keep of each motion. There is
-    /// none by default, which emitted types with parameters replace.
+    /// Returns the parameter with this place among the declared ones, counted from zero, with its
+    /// name. Failures name it where rates are not finite, and ensembles keep it for each motion. By
+    /// default there is none; emitted types with parameters define it.
     ///
     /// ```
     /// use lagrange::system::MechanicalSystem;
@@ -328,7 +328,8 @@ pub trait Columns {
     /// The number type.
     type Scalar;
 
-    /// The values of the state's entry `index`, positions first; as many as there are states.
+    /// Returns the values of the state's entry `index`, positions first; there is one for each
+    /// state.
     ///
     /// # Panics
     /// If the state has no such entry.
@@ -355,11 +356,11 @@ impl<C> AsRef<C> for Unnamed<C> {
 
 /// A mechanical system that knows its energy function h(q, v, t) = v · ∂L/∂v − L.
 ///
-/// It changes by dh/dt = v · Q − ∂L/∂t, so that it is constant if L does not depend on time and the
-/// forces Q do no work. It is the total energy T + V if T is homogeneous of degree two in v and V
-/// does not depend on v; under moving constraints the two differ. Source: Goldstein, Poole, Safko, *Classical
-/// Mechanics*, 3rd ed., §2.7.
+/// It changes by dh/dt = v · Q − ∂L/∂t. It is therefore constant if L does not depend on time and
+/// the forces Q do no work. It is the total energy T + V if T is homogeneous of degree two in v and
+/// V does not depend on v. Under moving constraints the two differ. Source: Goldstein, Poole,
+/// Safko, *Classical Mechanics*, 3rd ed., §2.7.
 pub trait EnergyFunction: MechanicalSystem {
-    /// The energy function at time `t`, positions `q` and velocities `v`.
+    /// Computes the energy function at time `t`, positions `q` and velocities `v`.
     fn energy(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Scalar;
 }

@@ -59,13 +59,13 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::NoFirstStep { relative, absolute } => write!(
             f,
             "no first step meets the tolerances, {relative:?} relative and {absolute:?} absolute: the state is \
-            too small or its rates are too large; increase the absolute tolerance"
+            too small or its rates too large; increase the absolute tolerance"
         ),
         StepFailure::StepUnderflow { step } => {
             write!(
                 f,
-                "a step of {step:?} is below the rounding error of the time; the motion may be singular here, or \
-                too fast for times so far from zero"
+                "a step of {step:?} is below the rounding error of the time; the motion may be singular, or \
+                too fast this far from time zero"
             )
         }
         StepFailure::StepLost { step, time } => write!(
@@ -85,9 +85,8 @@ pub(crate) fn explain<S: Debug>(
         ),
         StepFailure::StepTooLong { step, limit } => write!(
             f,
-            "a step of {step:?} is too long for this method: steps longer than about {limit:?} are unstable here, by \
-            the largest eigenvalue of the linearised equations; use shorter steps, or an implicit method, `Radau5` if the \
-            fast motion is damped"
+            "a step of {step:?} is too long for this method, unstable above about {limit:?}: use shorter steps, or an \
+            implicit method (`Radau5` for damped motion)"
         ),
         StepFailure::NotConverged { iterations } => write!(
             f,
@@ -99,21 +98,21 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::EventNotFinite { .. } => write!(f, "the function of {event} is NaN or infinite"),
         StepFailure::EventsAccumulate { events, .. } => write!(
             f,
-            "events accumulate: the last {events} of {event} cannot be distinguished in time; stop there, or declare a body that \
-             comes to rest with `impact(…)`, which closes the contact"
+            "events accumulate: the last {events} of {event} cannot be distinguished in time; stop there, or use `impact(…)`, \
+             which closes contacts of resting bodies"
         ),
         StepFailure::Slides { surface } => write!(
             f,
-            "the state stays where the sign of {surface} changes: on both sides the equations lead back there, so \
-            the motion is undefined; declare dry friction by `friction name = slip velocity, limit;`"
+            "the state stays where the sign of {surface} changes: on both sides the equations lead back there; \
+            declare dry friction by `friction name = slip velocity, limit;`"
         ),
         StepFailure::EventNotLocated { bisections, .. } => {
             write!(f, "the zero of {event} could not be located in {bisections} bisections")
         }
         StepFailure::EventUnresolved { time, spacing, .. } => write!(
             f,
-            "the zero of {event} could not be located: times near {time:?} are {spacing:?} apart, which is too \
-            coarse for a motion this fast; measure time from nearer to the start"
+            "the zero of {event} could not be located: times near {time:?} are {spacing:?} apart, too coarse for this \
+            motion; measure time from near the start"
         ),
     }
 }

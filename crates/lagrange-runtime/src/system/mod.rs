@@ -100,14 +100,14 @@ pub trait OdeSystem {
     /// The state y; for a mechanical system `[q…, v…]`, positions first.
     type State: StateVector<Self::Scalar>;
 
-    /// The right-hand side f(t, y): the time derivative of the state `y` at time `t`.
+    /// Computes the right-hand side f(t, y): the time derivative of the state `y` at time `t`.
     ///
-    /// Where f is undefined, the result is not finite.
+    /// The result is not finite where f is undefined.
     fn rhs(&self, t: Self::Scalar, y: &Self::State) -> Self::State;
 
-    /// The first of the components of the state `y` and of its `rates` at time `t` that is not
-    /// finite, or what makes it so, by name: runs ask when they cannot go on. Systems written by
-    /// hand know no names but of their components' places.
+    /// Returns the first component of the state `y` and of its `rates` at time `t` that is not
+    /// finite, or its cause, by name. Runs ask when they cannot continue. Handwritten systems name
+    /// components by their places only.
     #[inline]
     fn undefined(
         &self,
@@ -118,26 +118,25 @@ pub trait OdeSystem {
         Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index)
     }
 
-    /// ∂f/∂y in rows, entry i, j being ∂fᵢ/∂yⱼ, if it is known: emitted types know it if the
-    /// declaration says `emit { jacobian }`. Implicit methods iterate by Newton's method. Where it
-    /// is not known, difference quotients take its place; methods of equal steps try fixed points
-    /// first.
+    /// Computes ∂f/∂y in rows, with ∂fᵢ/∂yⱼ as entry i, j, if it is known. Emitted types know it if
+    /// the declaration has `emit { jacobian }`. Implicit methods iterate by Newton's method. Where
+    /// it is not known, difference quotients take its place; methods of equal steps try fixed
+    /// points first.
     #[inline]
     fn jacobian(&self, _t: Self::Scalar, _y: &Self::State) -> Option<StateMatrix<Self>> {
         None
     }
 
-    /// The first time after `t` on the way to `end` at which the right-hand side jumps or is not
-    /// smooth, if that is known beforehand: runs end a step there and start another one, none of
-    /// whose evaluations is made at that very time. `end` may lie before `t`; only a time between
-    /// the two counts.
+    /// Returns the first time after `t` on the way to `end` at which the right-hand side is known
+    /// to jump or not to be smooth. Runs end a step there and start another one; neither evaluates
+    /// at that very time. `end` may lie before `t`; only a time between the two counts.
     #[inline]
     fn next_restart(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self::Scalar> {
         None
     }
 
-    /// The system as it goes on towards `end` from a time that [`next_restart`](Self::next_restart)
-    /// named; `None` if it is the same.
+    /// Returns the system from a time that [`next_restart`](Self::next_restart) returned towards
+    /// `end`; `None` if it is the same.
     #[inline]
     fn beyond(&self, _t: Self::Scalar, _end: Self::Scalar) -> Option<Self>
     where
@@ -155,28 +154,26 @@ pub trait OdeSystem {
     /// before they hand out a state within one.
     ///
     /// # Errors
-    /// If that is not possible; the state is then what it was.
+    /// If that is not possible; the state is then unchanged.
     #[inline]
     fn correct(&self, _t: Self::Scalar, _y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         Ok(())
     }
 
-    /// Brings a state from which a motion starts, or goes on after it was replaced, onto the
-    /// constraints if it nearly satisfies them; methods ask for this before their first step from
-    /// there.
+    /// Brings a state onto the constraints if it nearly satisfies them. Motions start, or continue
+    /// after a replacement, from this state: methods call this before their first step from there.
     ///
     /// # Errors
-    /// If it does not satisfy them; the state is then what it was.
+    /// If it does not satisfy them; the state is then unchanged.
     #[inline]
     fn admit(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
     }
 
-    /// Brings a state that an event put in the place of another onto the constraints, from however
-    /// far.
+    /// Brings a state that an event set onto the constraints, from any distance.
     ///
     /// # Errors
-    /// If that is not possible; the state is then what it was.
+    /// If that is not possible; the state is then unchanged.
     #[inline]
     fn restore(&self, t: Self::Scalar, y: &mut Self::State) -> Result<(), StepFailure<Self::Scalar>> {
         self.correct(t, y)
@@ -186,16 +183,16 @@ pub trait OdeSystem {
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];
 
-    /// The values of the functions of all declared events, to be written to as many `values`.
+    /// Computes the functions of all declared events and writes them to as many `values`.
     #[inline]
     fn event_values(&self, _t: Self::Scalar, _y: &Self::State, _values: &mut [Self::Scalar]) {}
 
-    /// Responds to the declared event of this index at the state `y` and the time `t`, after the
-    /// time `elapsed` since the start of the run. Durations that are negligible relative to
-    /// `elapsed` need not be resolved, independent of the origin of time.
+    /// Responds to the declared event of this index at the state `y` and the time `t`. The run
+    /// started `elapsed` before. Durations that are negligible relative to `elapsed` need not be
+    /// resolved, independent of the origin of time.
     ///
     /// # Errors
-    /// If the motion cannot go on.
+    /// If the motion cannot continue.
     #[inline]
     fn react(
         &self,
@@ -210,9 +207,9 @@ pub trait OdeSystem {
         Ok(Response::new(Action::Continue))
     }
 
-    /// The system as a motion from this state starts: contacts closed and friction sticking where
-    /// that fits the state, and on the sides of its [switches](crate::event::Switches) on which the
-    /// state is. `None` if it is the same.
+    /// Returns the system for a motion that starts from this state. Contacts are closed and
+    /// friction sticks if that fits the state, and its [switches](crate::event::Switches) are on
+    /// the sides of the state. `None` if it is the same.
     ///
     /// # Errors
     /// If no motion can start there.
@@ -224,8 +221,8 @@ pub trait OdeSystem {
         Ok(None)
     }
 
-    /// Returns the system on the sides of its [switches](crate::event::Switches) that this state is
-    /// on, as after a jump of inputs; `None` if it has none.
+    /// Returns the system on the sides of its [switches](crate::event::Switches) for this state, as
+    /// after a jump of inputs; `None` without switches.
     #[inline]
     fn on_sides(&self, _t: Self::Scalar, _y: &Self::State) -> Option<Self>
     where
@@ -235,7 +232,7 @@ pub trait OdeSystem {
     }
 
     /// Returns the system with its [switches](crate::event::Switches) free, as observers see it;
-    /// `None` if it has none.
+    /// `None` without switches.
     #[inline]
     fn freed(&self) -> Option<Self>
     where

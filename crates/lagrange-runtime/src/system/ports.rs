@@ -42,7 +42,7 @@ pub trait ControlledSystem: NamedSystem + Sized {
     /// The names of the inputs in the order of the declaration.
     const INPUTS: &'static [&'static str];
 
-    /// The inputs as they are.
+    /// Returns the present inputs.
     fn inputs(&self) -> Self::Inputs;
 
     /// Returns the system with other inputs.
@@ -67,7 +67,7 @@ pub trait OutputSystem: MechanicalSystem {
     /// `all.1`, ….
     const OUTPUTS: &'static [&'static str];
 
-    /// All components at time `t`, positions `q` and velocities `v`.
+    /// Computes all components at time `t`, positions `q` and velocities `v`.
     fn outputs(
         &self,
         t: <Self as OdeSystem>::Scalar,

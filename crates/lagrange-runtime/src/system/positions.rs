@@ -4,7 +4,7 @@ use super::{MechanicalSystem, StateVector, StepFailure};
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 
-/// Positions and velocities of a state.
+/// Splits a state into positions and velocities.
 #[inline]
 pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Velocities) {
     let (mut q, mut v) = (M::Coordinates::ZERO, M::Velocities::ZERO);
@@ -14,7 +14,7 @@ pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::
     (q, v)
 }
 
-/// The state made of positions and velocities, or the rates of a state made of those of both.
+/// Joins positions and velocities to a state, or the rates of both to those of a state.
 #[inline]
 pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities) -> M::State {
     let mut y = M::State::ZERO;
@@ -27,13 +27,13 @@ pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities)
 /// Error message for a quaternion that cannot be normalised.
 const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 
-/// Brings unit quaternions among the positions of a state back to length one, and leaves the rest
-/// as it is, as all of it where velocities are the rates of the positions. This is what
-/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions does where
+/// Normalises unit quaternions among the positions of a state, and leaves the rest unchanged. Where
+/// velocities are the rates of the positions, that is everything.
+/// [`OdeSystem::correct`](super::OdeSystem::correct) of systems with unit quaternions calls it if
 /// nothing else holds the state.
 ///
 /// # Errors
-/// [`StepFailure::Stuck`] if one is zero; the state is then what it was.
+/// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
 #[inline]
 pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
     if M::VELOCITIES.is_empty() {

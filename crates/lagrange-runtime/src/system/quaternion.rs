@@ -1,10 +1,10 @@
 //! Unit quaternions among the positions of a system: the scalar part at an index, the vector part
 //! behind it.
 //!
-//! What emitted types make [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
-//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) of. A quaternion q
-//! turns the axes of a body into the world, and its rate is q̇ = ½ q ⊗ (0, ω) with the angular
-//! velocity ω along the axes of the body.
+//! Emitted types define [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
+//! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) by these functions. A
+//! quaternion q turns the axes of a body into the world. Its rate is q̇ = ½ q ⊗ (0, ω) with the
+//! angular velocity ω along the axes of the body.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §4.5.
 
@@ -36,9 +36,9 @@ pub fn normalise<S: Scalar>(positions: &mut [S], first: usize) {
     quaternion.iter_mut().for_each(|entry| *entry = *entry / length);
 }
 
-/// The small turn, as a vector along the axes of the body, that leads from one quaternion to
-/// another: 2 Im(q̄ ⊗ p), with the sign of p for which the scalar part is not negative, since p and
-/// −p are the same orientation.
+/// Computes the small turn, as a vector along the axes of the body, that leads from one quaternion
+/// to another: 2 Im(q̄ ⊗ p). The sign of p is that for which the scalar part is not negative, since
+/// p and −p are the same orientation.
 ///
 /// ```
 /// // A turn by 0.002 about z, seen from one that looks the other way.

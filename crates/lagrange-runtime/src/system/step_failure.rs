@@ -11,8 +11,8 @@ use super::violation::Violation;
 pub enum StepFailure<S> {
     /// No step was tried, because a setting makes no sense.
     Setting(SettingError<S>),
-    /// A time, the state or its rate is NaN or infinite. Which it is, methods do not know; runs say
-    /// it by name where it can be told, as [`Undefined`](StepFailure::Undefined).
+    /// A time, the state or its rate is NaN or infinite. Methods do not know which; runs name it
+    /// where possible, as [`Undefined`](StepFailure::Undefined).
     NotFinite,
     /// This is NaN or infinite, or makes what follows from it so.
     Undefined(Undefined<S>),
@@ -24,7 +24,7 @@ pub enum StepFailure<S> {
         /// The error that is tolerated in the units of the state.
         absolute: S,
     },
-    /// The step that the tolerance asks for is lost in the rounding of time.
+    /// The step required by the tolerance is lost in the rounding of time.
     StepUnderflow {
         /// That step.
         step: S,
@@ -83,14 +83,14 @@ pub enum StepFailure<S> {
     FrictionLimit {
         /// The name of the friction.
         friction: &'static str,
-        /// The limit, or what it grows by with a unit of a contact force.
+        /// The limit, or its change with a unit of a contact force.
         value: S,
     },
-    /// No motion goes on from here, in words: no contact forces or friction fit the state, or a
+    /// No motion continues from here, in words: no contact forces or friction fit the state, or a
     /// method of another crate failed.
     Stuck(&'static str),
-    /// The number of events at the same time is so large that it counts as infinite, as for the
-    /// bounces of a ball that comes to rest.
+    /// The number of events at the same time is so large that it counts as infinite, as when a
+    /// bouncing ball comes to rest.
     EventsAccumulate {
         /// Number of events.
         events: u32,
@@ -127,7 +127,7 @@ pub enum StepFailure<S> {
 pub enum EventSource {
     /// The declaration of the system, where it has this name.
     Declared(&'static str),
-    /// The run, to which it was given beside others, counted from zero. The front door knows it by
+    /// The run, to which it was given beside others, counted from zero. A simulation knows it by
     /// name.
     Given(usize),
 }
@@ -139,7 +139,7 @@ impl<S> From<SettingError<S>> for StepFailure<S> {
 }
 
 impl<S> StepFailure<S> {
-    /// The event that it is about, if it is about one.
+    /// Returns the event that caused the failure, if one did.
     pub fn event(&self) -> Option<EventSource> {
         match *self {
             StepFailure::EventNotFinite { event }

@@ -17,11 +17,11 @@ pub trait TaylorSystem: OdeSystem {
     /// Storage for the series of products, to be used again for each expansion.
     type Series: Clone + core::fmt::Debug;
 
-    /// Empty storage.
+    /// Creates empty storage.
     fn series() -> Self::Series;
 
     /// Computes the coefficients of the orders 1, 2, … of the motion through the state `y` at time
-    /// `t`: as many as `coefficients` has room for, at most [`MAX_ORDER`].
+    /// `t`. It fills `coefficients`, up to [`MAX_ORDER`].
     fn expand(
         &self,
         t: Self::Scalar,
@@ -31,7 +31,7 @@ pub trait TaylorSystem: OdeSystem {
     );
 }
 
-/// Factors of products of series, order by order, four products side by side in each group.
+/// Factors of products of series, order by order, four products in each group.
 #[derive(Clone, Debug)]
 pub struct Products<S, const GROUPS: usize>([[[[S; 4]; MAX_ORDER]; 2]; GROUPS]);
 
@@ -39,8 +39,8 @@ impl<S: Number, const GROUPS: usize> Products<S, GROUPS> {
     /// Without factors.
     pub const EMPTY: Self = Products([[[[S::ZERO; 4]; MAX_ORDER]; 2]; GROUPS]);
 
-    /// Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ of the factors of four products, of which the newest, with j = k − 1,
-    /// are given: a sum that waited for what was just stored would take twice as long.
+    /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for the factors of four products. The newest factors, with j =
+    /// k − 1, are arguments: a sum that waited until they are stored would take twice as long.
     #[inline(always)]
     pub fn sums(&self, group: usize, k: usize, [newest_a, newest_b]: &[[S; 4]; 2]) -> [S; 4] {
         let [a, b] = &self.0[group];
@@ -88,7 +88,7 @@ fn accumulated<S: Number>(sum: [S; 4], a: &[S; 4], b: &[S; 4]) -> [S; 4] {
 pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
 impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
-    /// Inverts a matrix, given row by row; what comes of a singular one is NaN.
+    /// Inverts a matrix, given row by row; the inverse of a singular one is NaN.
     pub fn new<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
         let factors = Factors::new(Matrix::<S, [S; N]>::of(|i, j| entries[i * N + j]));
         let column = |j: usize| {
@@ -99,7 +99,7 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         SeriesSolver(core::array::from_fn(column))
     }
 
-    /// (a, λ) = −M⁻¹ r
+    /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
         let mut accelerations = [S::ZERO; N];

@@ -36,8 +36,7 @@ pub enum Undefined<S> {
         /// Value.
         value: S,
     },
-    /// A component of the state: of the initial one, or of one that an event put in the place of
-    /// another.
+    /// A component of the state: of the initial one, or of one that an event set.
     State {
         /// Component.
         component: Component,
@@ -46,7 +45,7 @@ pub enum Undefined<S> {
     },
     /// The rate of a component of the state, where the state itself is finite.
     Rate {
-        /// Whose rate it is.
+        /// The component of which it is the rate.
         component: Component,
         /// Value.
         value: S,
@@ -79,15 +78,15 @@ pub enum Component {
     Coordinate(&'static str),
     /// The rate of the position of this name, where that is a velocity.
     Velocity(&'static str),
-    /// The velocity of this name, which it has by itself.
+    /// The velocity with a separate name.
     NamedVelocity(&'static str),
     /// The component at this index of a state without names.
     Index(usize),
 }
 
 impl Component {
-    /// The component at this index of a state of the system M, or of a longer one that begins with
-    /// that.
+    /// Returns the component at this index of a state of the system M, or of a longer one that
+    /// begins with that.
     #[must_use]
     pub fn of<M: MechanicalSystem + ?Sized>(index: usize) -> Self {
         let velocity = |place| Component::of_velocity::<M>(place);
@@ -108,7 +107,8 @@ impl Component {
 }
 
 impl<S: Scalar> Undefined<S> {
-    /// The first component of a state that is not finite, or else of its rates at this time.
+    /// Returns the first component of a state that is not finite, or otherwise of its rates at this
+    /// time.
     pub fn of_state(time: S, y: &[S], rates: &[S], component: impl Fn(usize) -> Component) -> Option<Self> {
         let not_finite = |values: &[S]| values.iter().position(|value| !value.is_finite());
         let state = not_finite(y).map(|k| Undefined::State { component: component(k), value: y[k] });
@@ -199,8 +199,8 @@ impl<S: Debug> Display for Undefined<S> {
                 }
                 write!(
                     f,
-                    " is {value:?} at time {time:?}, although the state is finite: a formula is undefined or singular there, such as \
-                     a root of a negative number, a negative power of zero, or a function of the crate beyond the condition that guards it"
+                    " is {value:?} at time {time:?} for a finite state; look for roots of negative numbers, negative powers of zero, or \
+                     functions beyond their guards"
                 )
             }
             Undefined::Unknown { name, time } => write!(

@@ -9,19 +9,19 @@ use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 type InnerNumber<W> = <<W as Wrapper>::Inner as OdeSystem>::Scalar;
 type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 
-/// A system that contains another one and has equations of its own: with a control, with losses, or
+/// A system that contains another one and has its own equations: with a control, with losses, or
 /// with more unknowns.
 ///
-/// Constraints, projection, events, contacts, friction and switches are those of the inner system;
-/// a type that contains a system and implements [`OdeSystem`] by itself has none of them unless it
-/// forwards each. Whoever implements this trait has `OdeSystem` by it, and, if the state is that of
-/// the inner system, [`MechanicalSystem`] and [`EnergyFunction`] where the inner system has them.
-/// Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy is that of the
-/// inner system. Traits that say more of the equations, such as
+/// Constraints, projection, events, contacts, friction and switches are those of the inner system.
+/// A type that contains a system and implements [`OdeSystem`] itself has none of them unless it
+/// forwards each. Implementing this trait provides `OdeSystem`. If the state is that of the inner
+/// system, it also provides [`MechanicalSystem`] and [`EnergyFunction`], provided that the inner
+/// system has them. Accelerations are then those of [`outer_rhs`](Wrapper::outer_rhs), the energy
+/// is that of the inner system. Traits that describe the equations further, such as
 /// [`CanonicalSystem`](super::CanonicalSystem), are not forwarded.
 ///
-/// The state begins with that of the inner system; what comes behind it is added, and stays as it
-/// is where the inner system puts its state onto constraints or replaces it at events.
+/// The state begins with that of the inner system, followed by additional components. These remain
+/// unchanged when the inner system puts its state onto constraints or replaces it at events.
 ///
 /// ```
 /// use lagrange::Simulate;
@@ -79,7 +79,7 @@ pub trait Wrapper: Sized {
     /// True if states are brought back onto the constraints of the inner system after steps.
     const IS_PROJECTED: bool = true;
 
-    /// The system inside, in its present modes.
+    /// Returns the system inside, in its present modes.
     fn inner(&self) -> &Self::Inner;
 
     /// Returns the wrapper around the inner system in other modes: with other contacts closed,
@@ -87,24 +87,24 @@ pub trait Wrapper: Sized {
     #[must_use]
     fn around(&self, inner: Self::Inner) -> Self;
 
-    /// Asks the inner system as it is at this time and state. By default that is what
-    /// [`inner`](Wrapper::inner) returns; a wrapper that gives it inputs, which
-    /// [`outer_rhs`](Wrapper::outer_rhs) then does by asking here, gives it those of this time and
-    /// state. Events, contacts, friction, switches and the energy are computed by it. What
-    /// [`around`](Wrapper::around) is given may come from here, with these inputs.
+    /// Queries the inner system at this time and state. By default it is the result of
+    /// [`inner`](Wrapper::inner). A wrapper that sets inputs sets those of this time and state, and
+    /// [`outer_rhs`](Wrapper::outer_rhs) calls this method. Events, contacts, friction, switches
+    /// and the energy are computed by it. The argument of [`around`](Wrapper::around) may come from
+    /// here, with these inputs.
     #[inline]
     fn present<R>(&self, _t: InnerNumber<Self>, _y: &Self::State, ask: impl FnOnce(&Self::Inner) -> R) -> R {
         ask(self.inner())
     }
 
-    /// The right-hand side f(t, y) of ẏ = f(t, y).
+    /// Computes the right-hand side f(t, y) of ẏ = f(t, y).
     ///
-    /// Where constraints hold the inner system, accelerations must keep to them; the inner system
-    /// does that under other inputs and parameters, too.
+    /// If constraints hold the inner system, accelerations must keep to them; the inner system does
+    /// that under other inputs and parameters, too.
     fn outer_rhs(&self, t: InnerNumber<Self>, y: &Self::State) -> Self::State;
 
-    /// ∂f/∂y in rows, if it is known. That of the inner system is another one where the equations
-    /// differ.
+    /// Computes ∂f/∂y in rows, if it is known. If the equations differ from those of the inner
+    /// system, so does the Jacobian.
     #[inline]
     fn outer_jacobian(
         &self,

@@ -74,8 +74,8 @@ impl Cuda {
                 .arg(&mut statuses);
             call.arg(&work.end).arg(&work.step).arg(&work.relative).arg(&work.absolute);
             call.arg(&work.motions).arg(&BUDGET).arg(&work.most);
-            // SAFETY: these are the arguments of all kernels in `methods.c`, memory with an entry
-            // in each column for every motion, and threads beyond the last motion return at once.
+            // SAFETY: these are the arguments of all kernels in `methods.c`. Memory has an entry in
+            // each column for every motion, and threads beyond the last motion return at once.
             unsafe { call.launch(threads) }?;
             stream.memcpy_dtoh(&statuses, &mut work.statuses)?;
             stream.synchronize()?;

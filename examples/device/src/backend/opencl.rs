@@ -64,7 +64,7 @@ impl OpenCl {
         let (times, controls) = (self.filled(&work.times)?, self.filled(&work.controls)?);
         let (taken, statuses) = (self.filled(&work.taken)?, self.filled(&work.statuses)?);
         while Status::any_running(&work.statuses) {
-            // SAFETY: these are the arguments of all kernels in `methods.c`, buffers with an entry
+            // SAFETY: these are the arguments of all kernels in `methods.c`. Buffers have an entry
             // in each column for every motion, and threads beyond the last motion return at once.
             let event = unsafe {
                 ExecuteKernel::new(kernel)
@@ -94,8 +94,8 @@ impl OpenCl {
 
     /// Memory of the device with these values.
     fn filled<T: Copy>(&self, values: &[T]) -> Result<Buffer<T>, ClError> {
-        // SAFETY: the memory is the device's own, and as long as what is written to it before
-        // anything reads it; the call returns when `values` are no longer needed.
+        // SAFETY: the memory is the device's own, and as long as the data written to it before
+        // anything reads it. The call returns when `values` are no longer needed.
         unsafe {
             let mut buffer = Buffer::create(&self.context, CL_MEM_READ_WRITE, values.len(), null_mut())?;
             self.queue.enqueue_write_buffer(&mut buffer, CL_BLOCKING, 0, values, &[])?;

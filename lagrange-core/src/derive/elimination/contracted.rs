@@ -2,11 +2,11 @@
 //! cancel as is found.
 //!
 //! It is for kinetic energies that are no sum of squares of velocities, under the level of accuracy
-//! `strict`: without it the accelerations of a written-out double pendulum have relative errors up
+//! `strict`. Without it the accelerations of a written-out double pendulum have relative errors up
 //! to 1e-4 in `tests/extremes`, with it 1e-16. Eliminating x with the pivot D leaves W − a b / D of
-//! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead: of a
-//! double pendulum m₂ l₂² remains in the denominator and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) of the
-//! entry, where (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur
+//! an entry W. If W D − a b has fewer terms when multiplied out, it is divided by D instead. For a
+//! double pendulum, m₂ l₂² remains in the denominator, and m₁ l₁² + m₂ l₁² sin²(θ₁ − θ₂) in the
+//! entry. The form (m₁ + m₂) l₁² − m₂ l₁² cos²(θ₁ − θ₂) would lose digits. These are the Schur
 //! complements of Golub and Van Loan, *Matrix Computations*, 4th ed., §3.2.
 
 use super::solution::Solution;
@@ -26,8 +26,8 @@ const LARGEST_OPENED: usize = 300;
 /// bounds the time and nothing else.
 const MAX_ROUNDS: usize = 8;
 
-/// The form over the generalised velocities with its coefficients contracted: with those that stand
-/// there one acceleration of a spherical pendulum loses half of its digits near the pole.
+/// Returns the form over the generalised velocities with its coefficients contracted. Without that,
+/// one acceleration of a spherical pendulum loses half of its digits near the pole.
 pub(in crate::derive) fn contracted(
     graph: &mut Graph,
     pushed: QuadraticForm,
@@ -122,8 +122,8 @@ impl<'g> LinearSystem<'g> {
         remaining.iter().copied().min_by_key(|&i| cost(i))
     }
 
-    /// Eliminates an acceleration from all other equations (Gauss and Jordan), those that are done
-    /// included: in these as well, what cancels is found as long as it is written down.
+    /// Eliminates an acceleration from all other equations (Gauss and Jordan), including the
+    /// finished ones. In these as well, cancellation is found while the terms are written down.
     fn eliminate(&mut self, p: usize) {
         self.rows[p].is_done = true;
         let (pivot, linear) = (self.rows[p].entries[p], self.rows[p].linear);
@@ -170,8 +170,9 @@ fn schur(algebra: &mut Algebra<'_>, value: ExprId, pivot: ExprId, a: ExprId, b: 
     shortest(algebra, rest)
 }
 
-/// An expression with those sums opened in which something cancels then, or can be contracted: one
-/// after the other if that is enough, otherwise all that are no differences, and one that is.
+/// Returns an expression with those sums opened in which terms then cancel, or can be contracted.
+/// They are opened one after the other if that is enough. Otherwise all are opened that are not
+/// differences, and one that is.
 fn shortest(algebra: &mut Algebra<'_>, sum: ExprId) -> ExprId {
     let mut best = algebra.total(vec![(sum, Number::ONE)]);
     for _ in 0..MAX_ROUNDS {

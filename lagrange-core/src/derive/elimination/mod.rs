@@ -6,9 +6,9 @@
 //!
 //! # Two masses in numbers
 //!
-//! Two carts, the second at y from the first, T = ½ ẋ² + ½ (ẋ + ẏ)², V = 3 x + 5 y. The form,
-//! unknowns being accelerations, is ½ (2 x² + 2 x y + y²) + 3 x + 5 y: the mass matrix [2, 1; 1, 1]
-//! and minus the forcing.
+//! Two carts, the second at y from the first, T = ½ ẋ² + ½ (ẋ + ẏ)², V = 3 x + 5 y. With
+//! accelerations as unknowns, the form is ½ (2 x² + 2 x y + y²) + 3 x + 5 y. It holds the mass
+//! matrix [2, 1; 1, 1] and minus the forcing.
 //!
 //! | step | pivot | factor | bias | what follows | what is left |
 //! |---|---|---|---|---|---|
@@ -16,13 +16,13 @@
 //! | y | 1/2 | | 7/2 | y = −7 | |
 //!
 //! Substituted back, x = −3/2 + 7/2 = 2. These are the factors L and D of M = L D Lᵀ. They serve
-//! again for other linear parts ([`record::Elimination::solve_again`]): (1, 0) in the place of (3,
-//! 5) gives (−1, 1), minus the first column of M⁻¹.
+//! again for other linear parts ([`record::Elimination::solve_again`]): (1, 0) instead of (3, 5)
+//! gives (−1, 1), minus the first column of M⁻¹.
 //!
 //! # A mass on a slope in numbers
 //!
 //! A unit mass in the plane under g = 10 on the slope 4 y = 3 x. The constraint adds −λ (4 y − 3 x)
-//! to the form, one more unknown without a square: ½ (x² + y²) + 10 y + 3 λ x − 4 λ y.
+//! to the form, one more unknown without a square. It is then ½ (x² + y²) + 10 y + 3 λ x − 4 λ y.
 //!
 //! | step | pivot | bias | what is left |
 //! |---|---|---|---|

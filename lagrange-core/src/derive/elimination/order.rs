@@ -23,11 +23,11 @@ enum Multipliers {
 /// would dominate the time of expansion.
 const LARGEST_TRIAL: usize = 40;
 
-/// Eliminates all unknowns from a form that has been pushed down: a left-looking LDLᵀ factorisation
-/// of the mass matrix, bordered by the constraints, since every coefficient is summed only when its
-/// row is taken. Multipliers go as soon as their squares, −A M⁻¹ Aᵀ, are complete, which keeps
-/// chains of constrained bodies linear, or after all velocities, whichever counts cheaper. `None`
-/// if the matrix is structurally singular.
+/// Eliminates all unknowns from a form that has been pushed down. It is a left-looking LDLᵀ
+/// factorisation of the mass matrix, bordered by the constraints, since every coefficient is summed
+/// only when its row is taken. Multipliers are eliminated as soon as their squares, −A M⁻¹ Aᵀ, are
+/// complete, which keeps chains of constrained bodies linear, or after all velocities. The cheaper
+/// way is kept. `None` if the matrix is structurally singular.
 pub(in crate::derive) fn eliminate_dense(
     graph: &mut Graph,
     form: QuadraticForm,
@@ -92,8 +92,8 @@ pub(in crate::derive) fn eliminate_recursive(
     rotations: Rotations,
 ) -> Option<Elimination> {
     let (multipliers, velocities) = separated(graph, unknowns);
-    // What stands in no product couples nothing, and no velocity need wait for it: first of all the
-    // potential, which is often made of all bodies.
+    // Variables without products couple nothing, and no velocity need wait for them. The first is
+    // the potential, which often depends on all bodies.
     let (heads, first): (Vec<_>, Vec<_>) = form.variables().into_iter().partition(|&id| form.is_coupled(id));
     let mut sweep = Sweep::new(graph, [&heads, &first], &velocities, Multiples::Merged, rotations);
     let mut waiting = Waiting { partners: Queue::new(&form, &multipliers), ..Waiting::default() };

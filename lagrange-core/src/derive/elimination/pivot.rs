@@ -112,9 +112,9 @@ pub(in crate::derive) fn eliminate(
     Some(Eliminated { velocity, free: graph.negate(free), factors, pivot: row.own, bias: row.linear })
 }
 
-/// Eliminates two velocities without squares, whose product is their only term: of a form like ẋ·ẏ,
-/// which is no kinetic energy but may stand in a Lagrangian. Each acceleration follows from the row
-/// of the other.
+/// Eliminates two velocities without squares, whose product is their only term. A form like ẋ·ẏ is
+/// no kinetic energy, but may stand in a Lagrangian. Each acceleration follows from the row of the
+/// other.
 pub(in crate::derive) fn eliminate_pair(
     graph: &mut Graph,
     form: &mut QuadraticForm,

@@ -1,8 +1,8 @@
 //! Unknowns that wait to be eliminated from a quadratic form, in the order in which they go.
 //!
-//! Which one goes next depends on how many others it shares terms with, and an elimination changes
-//! that for its neighbours only. So only they are looked at again, and what an elimination costs
-//! does not grow with the number of those that wait.
+//! The next one depends on the number of others with which it shares terms, and an elimination
+//! changes that for its neighbours only. Only these are evaluated again, so the cost of an
+//! elimination does not grow with the number of those that wait.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -53,9 +53,9 @@ impl Elimination {
         !self.redundant.is_empty()
     }
 
-    /// The stationary point of the form with another linear part, given by its coefficients at the
-    /// unknowns: without constraints M⁻¹ times their opposites, by the factors that are already
-    /// there.
+    /// Returns the stationary point of the form with another linear part, given by its coefficients
+    /// at the unknowns. Without constraints it is M⁻¹ times their opposites, by the existing
+    /// factors.
     pub(in crate::derive) fn solve_again(
         &self,
         graph: &mut Graph,
@@ -104,8 +104,8 @@ impl Elimination {
         unknowns.iter().map(|v| known.get(v).copied().unwrap_or(*v)).collect()
     }
 
-    /// Keeps a step, and what it says about how independent constraints are: all that velocities
-    /// add to the square of a multiplier has one sign, and other multipliers take away from it.
+    /// Keeps a step, and its evidence of the independence of constraints. All that velocities add
+    /// to the square of a multiplier has one sign, and other multipliers reduce it.
     pub(in crate::derive) fn push(&mut self, graph: &mut Graph, step: Eliminated) {
         if is_multiplier(graph, step.velocity) {
             let gained = self.gained.remove(&step.velocity).unwrap_or_default();

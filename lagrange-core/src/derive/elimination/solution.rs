@@ -71,10 +71,10 @@ pub(in crate::derive) fn solve_dense(
     Some(solution(eliminate_dense(graph, form, unknowns)?, graph, unknowns))
 }
 
-/// Solves a form body by body; `None` if a pivot is missing. Where bodies are turned by joints,
-/// velocities are eliminated in the axes of their bodies, or later, when rotations and what carries
-/// the body have been substituted as far as that goes, whichever counts cheaper: on parallel axes
-/// the latter.
+/// Solves a form body by body; `None` if a pivot is missing. Where joints turn bodies, velocities
+/// are eliminated in the axes of their bodies. Alternatively they are eliminated later, when
+/// rotations and the carrier of the body have been substituted as far as possible. The cheaper way
+/// is kept: on parallel axes the latter.
 pub(in crate::derive) fn solve_recursive(
     graph: &mut Graph,
     form: QuadraticForm,

@@ -1,4 +1,4 @@
-//! Composition: how velocities are made of each other.
+//! Composition: how velocities consist of each other.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -12,9 +12,9 @@ use lagrange_expr::number::Number;
 /// Two carriers that the unknown moves along a unit vector t, as the end of a rod.
 ///
 /// Written in the frame of t, y = tangential·t + normal·(−t₁, t₀), only the tangential component is
-/// free: D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients of the squares
-/// along the normal. No component is a small difference of large ones, as the Cartesian ones may
-/// be.
+/// free. It follows from D·tangential = −Σ wᵢ aᵢ eᵢ · normal − load, where eᵢ are the coefficients
+/// of the squares along the normal. No component is a small difference of large ones, as the
+/// Cartesian ones may be.
 pub(super) struct Frame {
     pub(super) carriers: [(ExprId, AffineExpansion); 2],
     /// Σ wᵢ aᵢ eᵢ / D

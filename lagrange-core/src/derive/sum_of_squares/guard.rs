@@ -1,7 +1,7 @@
 //! Rotations of squares that may both lose the unknown in some configurations.
 //!
-//! Of three squares two may not depend on the unknown somewhere, as the horizontal velocities of a
-//! point that moves straight up. A rotation of these two divides by their pivot, which is zero
+//! Two of three squares may not depend on the unknown somewhere, such as the horizontal velocities
+//! of a point that moves straight up. A rotation of these two divides by their pivot, which is zero
 //! there, though the pivot of all three is not. Where it is zero nothing has to be rotated: the one
 //! square stays as it is, without the unknown, and the other is left.
 

@@ -1,19 +1,19 @@
 //! Elimination that keeps the form a sum of squares.
 //!
-//! The mass matrix is never formed, nor are its Schur complements: what is left of an elimination
-//! is again a sum of squares, found by [`rotation`]. That keeps the digits which differences of
-//! large entries lose, and on chains and trees of points it is also the shortest way: between two
+//! The mass matrix is never formed, nor are its Schur complements. The remainder of an elimination
+//! is again a sum of squares, found by [`rotation`]. That keeps the digits that differences of
+//! large entries lose. On chains and trees of points it is also the shortest way: between two
 //! points a single number stands for a subtree.
 //!
 //! # The double pendulum in numbers
 //!
-//! Unit lengths and masses and g = 10, the upper rod horizontal (θ₁ = 90°) with θ̇₁ = 1, the lower
-//! one hanging from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
-//! accelerations of the points, measured from an offset: y is ÿ + 10, so that gravity is nowhere
-//! else. Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be made minimal.
+//! Take unit lengths and masses and g = 10. The upper rod is horizontal (θ₁ = 90°) with θ̇₁ = 1,
+//! the lower one hangs from its end (θ₂ = 0) with θ̇₂ = 2. Write (x₁, y₁) and (x₂, y₂) for the
+//! accelerations of the points, measured from an offset: y is ÿ + 10, so gravity is nowhere else.
+//! Then x₁ = −1, y₁ = θ̈₁ + 10, and ½ (x₁² + y₁² + x₂² + y₂²) is to be minimised.
 //!
-//! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0):
-//! x₂ = 1 θ̈₂ + x₁, y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
+//! **θ̈₂ first.** It moves the second point along t = (cos θ₂, sin θ₂) = (1, 0). Then x₂ = 1 θ̈₂ +
+//! x₁ and y₂ = 0 θ̈₂ + y₁ + 4, with the centripetal θ̇₂² = 4 as *drift*.
 //!
 //! | | |
 //! |---|---|
@@ -22,9 +22,9 @@
 //! | minor t₁ y₂ − t₂ x₂, without θ̈₂ | y₁ + 4 |
 //! | left by Lagrange's identity | ½ · (1 · 1 / 1) · (y₁ + 4)² |
 //!
-//! What is left of the two squares of the second point is one, of the acceleration along the lower
-//! rod, and that is all that the upper rod feels of it. **θ̈₁ next.** In ½ (x₁² + y₁² + (y₁ + 4)²)
-//! the arms of θ̈₁ are 0, 1, 1:
+//! The remainder of the two squares of the second point is a single square, that of the
+//! acceleration along the lower rod. The upper rod feels nothing else of it. **θ̈₁ next.** In ½
+//! (x₁² + y₁² + (y₁ + 4)²) the arms of θ̈₁ are 0, 1, 1:
 //!
 //! | | |
 //! |---|---|
@@ -68,12 +68,11 @@ mod back;
 mod composition;
 mod frame;
 mod guard;
+mod loads;
 mod rotation;
 mod square;
 
-use std::collections::BTreeSet;
-
-use super::algebra::{Algebra, LinearForm};
+use super::algebra::Algebra;
 use super::elimination::solution::Solution;
 use super::least_constraint::SplitLagrangian;
 use super::quadratic_form::QuadraticForm;
@@ -85,6 +84,7 @@ use lagrange_algebra::simplify;
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
+use loads::push_loads;
 use rotation::{Pull, eliminate};
 use square::{Carried, Carriers, Square};
 
@@ -141,26 +141,6 @@ fn carrier_ids(expansions: &OrderedMap<ExprId, AffineExpansion>, squares: &[Squa
     ids.sort_unstable();
     ids.dedup();
     ids
-}
-
-/// Writes loads along other variables as loads along the variables of squares and generalised
-/// velocities.
-fn push_loads(
-    graph: &mut Graph,
-    sweep: &Sweep,
-    squares: &OrderedMap<ExprId, Vec<(ExprId, Number)>>,
-    mut loads: QuadraticForm,
-) -> QuadraticForm {
-    let mut pending = loads.variables().into_iter().collect::<BTreeSet<_>>();
-    // Wholes come after their parts.
-    while let Some(id) = pending.pop_last() {
-        let parts = sweep.parts(id);
-        if !squares.contains(&id) && !parts.is_empty() {
-            loads.push(graph, id, parts);
-            pending.extend(parts.iter().map(|(part, _)| *part));
-        }
-    }
-    loads
 }
 
 struct SquareElimination<'g> {
@@ -297,16 +277,6 @@ impl<'g> SquareElimination<'g> {
         simplify::quotient(self.algebra.graph, total, pivot)
     }
 
-    /// The part of a load that what is left has to bear.
-    fn pass_on(&mut self, factors: &LinearForm, load: ExprId) {
-        let graph = &mut *self.algebra.graph;
-        for &(id, factor) in factors {
-            let value = graph.multiply(factor, load);
-            let value = graph.negate(value);
-            self.loads.add_linear(graph, id, value);
-        }
-    }
-
     /// The way to the variable to eliminate for a velocity, which is one through which alone it
     /// enters.
     fn ways_up(&mut self, velocity: ExprId) -> Vec<Way> {
@@ -323,23 +293,8 @@ impl<'g> SquareElimination<'g> {
         ways
     }
 
-    /// Writes a load along a part as loads along the whole and its other parts.
-    fn move_load(&mut self, part: ExprId, whole: ExprId, inverse: &Number) {
-        let graph = &mut *self.algebra.graph;
-        let load = self.loads.take(graph, part).linear;
-        let load = graph.scale(inverse.clone(), load);
-        self.loads.add_linear(graph, whole, load);
-        for &(other, slope) in self.composition.parts(whole) {
-            if other != part {
-                let value = graph.multiply(slope, load);
-                let value = graph.negate(value);
-                self.loads.add_linear(graph, other, value);
-            }
-        }
-    }
-
-    /// Measures the unknown in units of what the slopes of its carriers have in common, such as the
-    /// length of a rod, so that it no longer occurs in them.
+    /// Measures the unknown in units of the common factor of the slopes of its carriers, such as
+    /// the length of a rod. The factor then no longer occurs in them.
     fn rescale(
         &mut self,
         expansions: &mut OrderedMap<ExprId, AffineExpansion>,
@@ -379,21 +334,6 @@ impl<'g> SquareElimination<'g> {
                 expansion.drift = graph.multiply(common, rest);
             }
         }
-    }
-
-    /// The load along the unknown; what loads along its carriers mean for other variables is moved
-    /// there.
-    fn applied_load(&mut self, expansions: &OrderedMap<ExprId, AffineExpansion>) -> ExprId {
-        let mut along = Vec::new();
-        for (&id, expansion) in expansions.iter() {
-            let load = self.loads.take(self.algebra.graph, id).linear;
-            along.push((load, expansion.slope, Number::ONE));
-            for &(part, slope) in &expansion.rest {
-                let value = self.algebra.graph.multiply(slope, load);
-                self.loads.add_linear(self.algebra.graph, part, value);
-            }
-        }
-        self.algebra.products(&along)
     }
 
     /// Adds squares, those of the same form as one.

@@ -1,30 +1,30 @@
 //! Elimination of one unknown from a sum of squares.
 //!
-//! A sum of squares Σ ½ wᵢ rᵢ² with rᵢ = aᵢ x + pᵢ is minimal over x where D x = −Σ wᵢ aᵢ pᵢ, D = Σ
-//! wᵢ aᵢ², and what is left is again a sum of squares, by Lagrange's identity
+//! Let rᵢ = aᵢ x + pᵢ. A sum of squares Σ ½ wᵢ rᵢ² is minimal over x where D x = −Σ wᵢ aᵢ pᵢ, with
+//! D = Σ wᵢ aᵢ². By Lagrange's identity, the remainder is again a sum of squares
 //!
 //! ```text
 //! Σ wᵢ pᵢ² − (Σ wᵢ aᵢ pᵢ)² / D = Σ_{i<j} (wᵢ wⱼ / D) (aᵢ pⱼ − aⱼ pᵢ)².
 //! ```
 //!
-//! In numbers: of ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)² the pivot is D = 1 + 2 = 3, the minimum is at
-//! x = −(3 + 12)/3 = −5, and what is left is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3, as −5 in the
-//! squares themselves gives: ½ · 4 + ½ · 2 · 1.
+//! In numbers, take ½ · 1 · (x + 3)² + ½ · 2 · (x + 6)². The pivot is D = 1 + 2 = 3, and the
+//! minimum is at x = −(3 + 12)/3 = −5. The remainder is ½ · (1 · 2/3) · (1 · 6 − 1 · 3)² = 3.
+//! Inserting −5 in the squares gives the same: ½ · 4 + ½ · 2 · 1.
 //!
 //! Two at a time, that is a Givens rotation without square roots (Gentleman, "Least squares
 //! computations by Givens transformations without square roots", J. Inst. Math. Appl. 12 (1973),
 //! 329–336): one square keeps x and the other loses it. No difference of squares occurs, as in a
 //! Schur complement, and the condition of the mass matrix enters by its square root.
 //!
-//! Where x enters through variables y_k = t_k x + y′_k, as the angle of a rod does through the
-//! velocity of its end, rᵢ = Σ Jᵢₖ y_k, then
+//! Often x enters through variables y_k = t_k x + y′_k, as the angle of a rod does through the
+//! velocity of its end. With rᵢ = Σ Jᵢₖ y_k, then
 //!
 //! ```text
 //! aᵢ pⱼ − aⱼ pᵢ = Σ_{k<l} (Jᵢₖ Jⱼₗ − Jᵢₗ Jⱼₖ) (t_k y′_l − t_l y′_k),
 //! ```
 //!
-//! so that what is left depends on the y′ only by way of the *minors* t_k y′_l − t_l y′_k. A rod
-//! between two points has a single one: the acceleration of its end across it.
+//! so that the remainder depends on the y′ only by the *minors* t_k y′_l − t_l y′_k. A rod between
+//! two points has a single one: the acceleration of its end across it.
 
 use std::collections::BTreeMap;
 
@@ -36,8 +36,8 @@ use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
 /// Squares times variables up to which they are rotated one after the other. Every rotation may
-/// fill in all variables, so that many squares of many variables cost far more than the mass matrix
-/// that they add up to.
+/// fill in all variables. Many squares of many variables therefore cost far more than the mass
+/// matrix that they add up to.
 const LARGEST_ROTATION: usize = 1000;
 
 /// Dependence of the unknown on the rest: pivot · x = −Σ numerator · y′ − Σ others − load.

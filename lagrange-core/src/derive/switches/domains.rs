@@ -1,9 +1,10 @@
-//! Domains of what is written on fixed sides of switches.
+//! Domains of expressions on fixed sides of switches.
 //!
 //! A step looks at states beyond a surface before the surface is located in it. |x|^(3/2) written
 //! as (s x)^(3/2) would have no value there, nor would the first branch of
-//! `if x > 0 { sqrt(x) } else { 0 }`. So an argument that a function restricts is brought back into
-//! the domain beyond the surfaces that it depends on or is chosen by, and nowhere else:
+//! `if x > 0 { sqrt(x) } else { 0 }`. An argument that a function restricts is therefore brought
+//! back into its domain. This is done beyond the surfaces that it depends on or is chosen by, and
+//! nowhere else:
 //!
 //! | argument | beyond one of its surfaces |
 //! |---|---|

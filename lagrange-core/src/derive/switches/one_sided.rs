@@ -6,8 +6,8 @@ use lagrange_algebra::calculus::rebuild;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node, Relation};
 
-/// Maps what the roots are made of, themselves included, to expressions with the sides of the
-/// switches as symbols. What is not on one of the switches stays as it is.
+/// Maps the parts of the roots, including themselves, to expressions with the sides of the switches
+/// as symbols. Parts without switches stay unchanged.
 pub fn one_sided(graph: &mut Graph, switches: &[Switch], roots: &[ExprId]) -> HashMap<ExprId, ExprId> {
     let ids = graph.reachable(roots);
     let sides = sides(graph, switches, &ids);

@@ -48,7 +48,7 @@ messages! {
     nonlinear_limit(name) =
         "the limit of the friction `{name}` is not linear in the forces on which it depends";
     NONLINEAR_LIMIT_HELP =
-        "write a sum of forces times coefficients, such as `mu * normal`, without `abs`: the force of a contact never pulls; where a constraint may pull, use a contact instead";
+        "write a sum of forces times coefficients, such as `mu * normal`, without `abs`; where a constraint may pull, use a contact, which never does";
     negative_limit(value) = "the friction limit {value} is negative";
     NEGATIVE_LIMIT_HELP = "a limit is the magnitude of the force, which always opposes the slip velocity";
     square_of_friction(first, second, contact) =

@@ -9,7 +9,7 @@ messages! {
     vector_needed(what, dimension, found) =
         "{what} must be a vector of {dimension} components, but this is {found}";
     TENSOR_HELP =
-        "about the centre of mass no principal moment exceeds the sum of the other two; products are the entries of the matrix, xy = -∫ x y dm";
+        "about the centre of mass, no principal moment exceeds the sum of the others; products are matrix entries, xy = -∫ x y dm";
     no_such_solid(usage) = "`{usage}` cannot have these dimensions";
     not_fixed(what) = "{what} must not change during the motion";
     GRAVITY_NOT_UNIFORM = "`gravity` must not depend on coordinates: it is the same everywhere";
@@ -29,7 +29,7 @@ messages! {
 
     SHAPE_IS_HERE = "the shape is given here";
     OTHER_INERTIA_HELP =
-        "remove `inertia` to use that of the shape, about the centre of mass; if the mass is unevenly distributed, `#[allow(deprecated)]` on the struct silences this warning";
+        "remove `inertia` to use that of the shape; if the mass is unevenly distributed, `#[allow(deprecated)]` on the struct silences this warning";
 
     PLANE_VECTOR_HELP = "write its two components: `(x, y)`";
     body_stands_still(name) =

@@ -1,8 +1,8 @@
-//! Attributes of the head, and what they mean for everything else that is emitted.
+//! Attributes of the head, and their effect on everything else that is emitted.
 //!
 //! The struct keeps them. Conditions hold for every item. Lint levels hold for the warnings about
-//! the declaration, too; what is expected of these is expected of them alone, since the struct
-//! never fulfils it.
+//! the declaration, too. An `#[expect]` of these warnings applies to them alone, since the struct
+//! itself never causes them.
 
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::quote;
@@ -102,8 +102,8 @@ pub(in crate::emit) fn expectations(attributes: &TokenStream, lints: &[&str]) ->
     if expected.is_empty() { expected } else { quote!(#conditions #expected) }
 }
 
-/// The attributes that the struct keeps: what is expected of warnings about the declaration is only
-/// allowed there, and traits that were reported not to be derivable are left out.
+/// Returns the attributes that the struct keeps. Lints about the declaration that are expected are
+/// only allowed there, and traits that were reported as not derivable are omitted.
 pub fn attributes_of_struct(declaration: &Declaration, diagnostics: &[Diagnostic]) -> TokenStream {
     let underivable = declaration.underivable();
     let warns_of_unused = diagnostics.iter().any(|one| matches!(one.severity, Severity::Unused(_)));

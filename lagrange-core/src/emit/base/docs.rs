@@ -43,8 +43,8 @@ const NO_SQUARES: &str = "the kinetic energy is no sum of squares";
 const TOO_LONG: &str =
     "M q̈ = f, too long to be written out; `mass_matrix` and `forcing` compute the two sides.";
 
-/// M q̈ = f as text, one line for each coordinate after the definitions of abbreviations that keep
-/// them short; `None` if even that would be too long to read.
+/// Returns M q̈ = f as text, one line for each coordinate. Definitions of abbreviations that keep
+/// the lines short come first. `None` if even that would be too long to read.
 fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String>> {
     if model.speeds.len() > MAX_COORDINATES {
         return None;
@@ -65,8 +65,8 @@ fn equations_text(model: &mut Model, equations: &Equations) -> Option<Vec<String
     Some(lines.iter().flat_map(|line| wrapped(line)).collect())
 }
 
-/// M q̈ = f in LaTeX, one line for each coordinate after the definitions of abbreviations that keep
-/// them short; nothing if M is large and was not asked for.
+/// Returns M q̈ = f in LaTeX, one line for each coordinate. Definitions of abbreviations that keep
+/// the lines short come first. The result is empty if M is large and was not requested.
 pub fn equations_latex(model: &mut Model, equations: &Equations) -> String {
     if equations.mass_matrix.is_empty() {
         return String::new();
@@ -200,7 +200,7 @@ fn readable(graph: &mut Graph, expressions: &[ExprId]) -> Vec<ExprId> {
     expressions.iter().map(|id| presented.get(id).copied().unwrap_or(*id)).collect()
 }
 
-/// Documentation of the emitted struct about its equations and what was found out about the
+/// Writes the documentation of the emitted struct about its equations and the properties of the
 /// system, in lines of Markdown.
 pub fn documentation(model: &mut Model, equations: &Equations) -> Vec<String> {
     let program = lower(&model.graph, &equations.accelerations, &Labels::default());

@@ -1,4 +1,4 @@
-//! Fields of emitted structs: numbers, and arrays of them for what is declared as an array.
+//! Fields of emitted structs: numbers, and arrays of them for declared arrays.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;

@@ -1,10 +1,10 @@
-//! Numbers that tell declarations apart.
+//! Numbers that distinguish declarations.
 
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use lagrange_language::syntax::print;
 
-/// Returns a number that tells what a declaration says from what others say: its statements with
-/// the numbers of tables, and its accuracy.
+/// Returns a number that distinguishes declarations by their statements with the numbers of tables,
+/// and by their accuracy.
 ///
 /// Comments, documentation, pictures and the layout of the source are no part of it.
 pub fn fingerprint(declaration: &Declaration) -> u64 {

@@ -1,4 +1,4 @@
-//! Shape of the type for numbers side by side: its name and its type parameter.
+//! Shape of the type for numbers in lanes: its name and its type parameter.
 
 use proc_macro2::Ident;
 use quote::format_ident;

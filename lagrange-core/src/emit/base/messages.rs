@@ -6,8 +6,8 @@ use lagrange_algebra::series::NoSeries;
 
 pub(in crate::emit) fn expensive(size: usize, checking: f64, optimising: f64, bytes: f64) -> String {
     format!(
-        "the methods of this system take {size} operations: checking them takes the compiler roughly {checking:.0} s \
-         and {:.1} GB, optimising them up to {optimising:.0} s more",
+        "the methods take {size} operations: the compiler needs roughly {checking:.0} s \
+         and {:.1} GB to check them, up to {optimising:.0} s more to optimise them",
         bytes / 1e9
     )
 }
@@ -43,7 +43,7 @@ pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "dry friction also counts as
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(
         "the equations of motion have jumps or kinks on {all} surfaces, of which runs can locate {room}: steps across the others \
-         lose the order of their method"
+         lose their order"
     )
 }
 

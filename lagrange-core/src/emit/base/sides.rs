@@ -4,8 +4,8 @@ use crate::derive::{Switch, one_sided};
 use lagrange_algebra::program::Labels;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// Expressions with the sides of switches as symbols; names go over to what takes the place of what
-/// has them.
+/// Returns expressions with the sides of switches as symbols; names move to the replacements of
+/// their owners.
 pub fn on_sides(
     graph: &mut Graph,
     labels: &mut Labels,

@@ -109,10 +109,11 @@ fn events(kind: &StatementKind) -> Vec<&Name> {
     }
 }
 
-/// Reports a model from which more would follow than can be emitted, before anything is derived
-/// from it: methods hold about as many operations as energies have expressions, Jacobians an entry
-/// for each row and column, and mass matrices one for every two velocities that move the same part.
-/// `None` if there is no point in deriving.
+/// Reports a model that requires more code than can be emitted, before anything is derived from it.
+/// `None` if there is no point in deriving. Estimates are:
+/// - for methods, about as many operations as energies have expressions;
+/// - for Jacobians, an entry for each row and column;
+/// - for mass matrices, an entry for every two velocities that move the same part.
 pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &mut Report) -> Option<()> {
     let excess = model.constraints.len().saturating_sub(model.speeds.len());
     if excess > MAX_DEPENDENT_CONSTRAINTS {

@@ -1,5 +1,5 @@
-//! Shape of the state of an emitted system: how many positions and velocities it has, and what they
-//! are called.
+//! Shape of the state of an emitted system: the number of its positions and velocities, and their
+//! names.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

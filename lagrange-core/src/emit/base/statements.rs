@@ -4,7 +4,8 @@ use crate::model::Product;
 use lagrange_language::syntax::ast::{Declaration, StatementKind};
 use lagrange_language::syntax::print;
 
-/// The statements, one on each line, without demands that only those who declare bodies can make.
+/// Writes the statements, one on each line, without requests that only systems with bodies can
+/// fulfil.
 pub fn statements(declaration: &Declaration) -> String {
     let mut declaration = declaration.clone();
     let is_of_bodies = |name: &str| Product::ALL.iter().any(|p| p.is_of_bodies() && p.name() == name);

@@ -1,4 +1,4 @@
-//! Units of what is emitted, in documentation.
+//! Units of emitted members, in documentation.
 
 use proc_macro2::TokenStream;
 use quote::quote;

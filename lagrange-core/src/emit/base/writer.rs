@@ -111,8 +111,8 @@ impl<'a> MethodWriter<'a> {
         });
     }
 
-    /// A body that computes `roots` on the sides of the switches that the system is on, and makes
-    /// its result of them, unless those before it are too large already.
+    /// Returns a body that computes `roots` on the present sides of the switches, and makes its
+    /// result of them. `None` if those before it are too large already.
     pub(in crate::emit) fn lowered(
         &mut self,
         roots: &[ExprId],

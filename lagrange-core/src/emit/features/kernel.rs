@@ -1,9 +1,9 @@
 //! The equations of motion as C, for graphics processors: constants with the text, and the trait by
 //! which a driver finds what belongs to it.
 //!
-//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else.
-//! Conditions, kinks and jumps are decided as the state says, since nobody there looks for the
-//! places where they change.
+//! A text is whole: whoever compiles it, for OpenCL, CUDA or a processor, needs nothing else. The
+//! state decides conditions, kinks and jumps, since nobody there looks for the places where they
+//! change.
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

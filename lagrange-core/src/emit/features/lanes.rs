@@ -1,8 +1,8 @@
-//! The type for numbers side by side: right-hand side, and parameters of as many motions.
+//! The type for numbers in lanes: right-hand side, and the parameters of several motions.
 //!
-//! Where equations have switches it is on the side that each motion is on at that state, as the
-//! system is while its switches are free. Runs fix sides and stop at each surface, which motions
-//! side by side do at different times: such a system does not offer its type to ensembles.
+//! If equations have switches, each motion is on the side of its state, as the system is while its
+//! switches are free. Runs fix sides and stop at each surface, which parallel motions reach at
+//! different times. Such a system therefore does not offer its type to ensembles.
 
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};

@@ -1,4 +1,4 @@
-//! Members of systems whose velocities are not all rates of positions, or have names of their own.
+//! Members of systems whose velocities are not all rates of positions, or have separate names.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

@@ -1,10 +1,10 @@
 //! The prepared type: a system beside the values of all that its methods compute of parameters
 //! alone.
 //!
-//! It wraps the system (`lagrange::system::Wrapper`), so that it has the system's events,
-//! normalisation and energy from there, and has methods of its own for what equations of motion are
-//! made of. Its fields are private and it hands out the system behind a shared reference: outside
-//! the module of the declaration parameters cannot be changed after they were prepared.
+//! It wraps the system (`lagrange::system::Wrapper`), from which it has events, normalisation and
+//! energy. It has separate methods for the parts of the equations of motion. Its fields are private
+//! and it returns the system by a shared reference. Code outside the module of the declaration
+//! therefore cannot change parameters after they were prepared.
 
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};

@@ -1,5 +1,5 @@
-//! Reduced types: what is said of them, and how they and their states convert to the whole system
-//! and back.
+//! Reduced types: their documentation, and the conversion of them and their states to the whole
+//! system and back.
 
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
@@ -23,7 +23,8 @@ use lagrange_language::syntax::ast::Declaration;
 /// Values with longer texts are not written out in documentation.
 const LONGEST_VALUE: usize = 60;
 
-/// The declarations of reduced types, documented, in the order of their `reduce` statements.
+/// Returns the declarations of reduced types, documented, in the order of their `reduce`
+/// statements.
 pub fn reduced_declarations(declaration: &Declaration, reduced: &[Reduced]) -> Vec<Declaration> {
     let pairs = declaration.reductions().zip(reduced);
     let documented = pairs.map(|((syntax, docs), reduced)| {
@@ -203,8 +204,8 @@ fn pinned<'v>(
     is_pinned(full.position_of(&full.velocities[velocity])?).map(|_| None)
 }
 
-/// A body that computes values and puts them into a state of the whole system; `fields` gets the
-/// state, the values that are not zero, and zero.
+/// Returns a body that computes values and puts them into a state of the whole system. `fields`
+/// gets the state, the values that are not zero, and zero.
 fn with_values(
     part: &Shape<'_>,
     reduced: &Reduced,

@@ -12,8 +12,8 @@ use lagrange_expr::expr::{ExprId, Graph};
 /// Matrices with no more entries than this are written in rows, zeros included, since they are
 /// easier to read that way.
 const LARGEST_IN_ROWS: usize = 10_000;
-/// Share of entries that differ from zero, one in so many, up to which a larger matrix is listed;
-/// of a fuller one rows are shorter than entries with their indices.
+/// A larger matrix is listed if at most one in this many entries differs from zero. In a fuller
+/// one, rows are shorter than entries with their indices.
 const FEWEST_ZEROS: usize = 4;
 
 /// The entries of a matrix that are not zero, with their rows and columns.

@@ -1,7 +1,7 @@
 //! Taylor series of the motion: the coefficients of all orders at a state, in a loop over the
 //! orders.
 //!
-//! Products of series are computed in groups of four, which vector registers hold side by side.
+//! Products of series are computed in groups of four, which fit vector registers.
 
 use proc_macro2::TokenStream;
 use quote::quote;

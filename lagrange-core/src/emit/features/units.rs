@@ -9,9 +9,9 @@ use crate::emit::base::units::PLAIN;
 use lagrange_expr::units::momentum_name;
 use lagrange_language::syntax::ast::{Name, acceleration_name};
 
-/// `MechanicalSystem::UNITS`, if any unit is known: of the state, of accelerations, of parameters
-/// and inputs, of outputs, which are given, and of momenta where there are any. These come last, so
-/// that under a name that is declared, too, the declared unit is found.
+/// Returns `MechanicalSystem::UNITS`, if any unit is known. It has the units of the state, of
+/// accelerations, of parameters and inputs, of the given outputs, and of momenta if there are any.
+/// Momenta come last, so that a declared unit is found for a name that is declared, too.
 pub(in crate::emit) fn units_constant(
     shape: &Shape<'_>,
     outputs: Vec<(String, &str)>,
@@ -28,8 +28,8 @@ pub(in crate::emit) fn units_constant(
     (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
 }
 
-/// Documentation of the units of parameters and inputs, as `` `m` in kg, `l` in m ``, if any are
-/// known that are not those of plain numbers.
+/// Returns documentation of the units of parameters and inputs, as `` `m` in kg, `l` in m ``. It
+/// exists if any known ones are not those of plain numbers.
 pub(in crate::emit) fn units_of_parameters(shape: &Shape<'_>) -> Option<TokenStream> {
     let fields = shape.number_fields();
     let units = fields.iter().flat_map(|field| units_of(shape, field)).filter(|(_, unit)| *unit != PLAIN);

@@ -1,9 +1,9 @@
 //! Programs as the body of a C function, for devices that rustc does not compile for.
 //!
-//! The text is C99, OpenCL C 1.2 and CUDA C++ at once: what these call by different names is a
-//! macro of the [`prelude`], of which there is one for all. A value is a statement, and its
-//! variable is numbered, since every language has words of its own that a name may not be; what the
-//! declaration calls it stands in a comment.
+//! The text is C99, OpenCL C 1.2 and CUDA C++ at once. Where their names differ, it uses a macro of
+//! the [`prelude`], of which there is one for all. A value is a statement with a numbered variable,
+//! since every language has its own reserved words. The name in the declaration stands in a
+//! comment.
 
 use super::body::Unrepresentable;
 use super::literal::Constant;
@@ -45,7 +45,8 @@ pub fn prelude(precision: Precision) -> String {
     format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{text}")
 }
 
-/// The statements of a function that computes a program, each on a line of its own, indented once.
+/// Writes the statements of a function that computes a program, each on a separate line, indented
+/// once.
 ///
 /// `place` is the expression under which C finds a symbol, and the results are stored to the
 /// elements of `results`.

@@ -1,8 +1,8 @@
 //! Products of several masses and their quotients, multiplied and divided in turn.
 //!
-//! m₁ m₂/D is a mass as each of the three is, but m₁ m₂ leaves the range of floating-point numbers
-//! where the masses are so small or so large that their exponents add up to more than there is. So
-//! (m₁/D) m₂ is computed where [grades](crate::calculus::Grades) are known.
+//! m₁ m₂/D is a mass, as each of the three is. However, m₁ m₂ leaves the range of floating-point
+//! numbers if the exponents of very small or very large masses add up to too much. If
+//! [grades](crate::calculus::Grades) are known, (m₁/D) m₂ is therefore computed.
 
 use super::lowering::{Lowering, Signed};
 use super::power::lower_power;

@@ -1,10 +1,9 @@
 //! Lowering of expressions to a program.
 //!
-//! A walk over ascending ids, children before parents, that gives each expression a value. What
-//! makes good code is decided per sum ([`sum`]) and per product ([`product`]); which expressions
-//! get no value of their own because their only user takes them apart, and which reciprocals are
-//! worth sharing, is found beforehand ([`sharing`]). The cost is proportional to what the outputs
-//! are made of.
+//! The walk over ascending ids, children before parents, gives each expression a value. The form of
+//! the code is decided per sum ([`sum`]) and per product ([`product`]). Before the walk,
+//! [`sharing`] finds the expressions that get no separate value because their only user takes them
+//! apart, and the reciprocals worth sharing. The cost is proportional to the size of the outputs.
 
 mod interleaved;
 mod lowering;
@@ -27,7 +26,7 @@ use product::lower_product;
 use sharing::Sharing;
 use sum::lower_sum;
 
-/// The program that computes `outputs`, its values named after the labels of their expressions.
+/// Lowers `outputs` to a program, whose values are named after the labels of their expressions.
 pub fn lower(graph: &Graph, outputs: &[ExprId], labels: &Labels) -> Program {
     let reachable = graph.reachable(outputs);
     let sharing = Sharing::of(graph, &reachable, outputs, labels);

@@ -1,4 +1,4 @@
-//! Expressions that get a value of their own, and reciprocals that are shared.
+//! Expressions that get a separate value, and reciprocals that are shared.
 
 use crate::program::Labels;
 use lagrange_expr::collections::{HashMap, OrderedMap};

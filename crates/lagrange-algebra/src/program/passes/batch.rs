@@ -4,12 +4,12 @@ use crate::program::{Builder, Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::Function;
 
-/// Values that are computed together at most: with 8 to 32 chains take the same time, with 4
-/// longer, and more would only keep sines and cosines waiting in memory.
+/// Most angles that are computed together. With 8 to 32, chains take the same time, with 4 longer.
+/// More would only keep sines and cosines waiting in memory.
 const MAX_ANGLES: usize = 32;
 
-/// One operation computes the sines and cosines whose arguments depend on no other sine or cosine,
-/// another those whose arguments depend on these, and so on.
+/// Batches sines and cosines: one operation computes those whose arguments depend on no other sine
+/// or cosine. Another one computes those whose arguments depend on these, and so on.
 ///
 /// The values are those of the passes for other levels up to an ulp: another function computes
 /// them.

@@ -5,8 +5,8 @@ use crate::program::{Op, Program, ValueId};
 
 /// Fuses `a * b + c` and its relatives. Products with a name stay: somebody wants to read them.
 ///
-/// Where both operands of a sum are such products the right one is fused, since the left one is
-/// what has been added up so far.
+/// If both operands of a sum are such products, the right one is fused, since the left one is the
+/// sum so far.
 pub fn fuse_multiply_adds(program: &Program) -> Program {
     let uses = program.uses();
     let fusible = |id: ValueId| uses[id] == 1 && program.hint(id).is_none();

@@ -23,7 +23,7 @@ pub struct Pass {
     pub run: fn(&Program) -> Program,
 }
 
-/// The passes for a level of accuracy in the order in which they run.
+/// Returns the passes for a level of accuracy in the order in which they run.
 pub fn passes(accuracy: Accuracy) -> [Pass; 3] {
     let pair = match accuracy {
         Accuracy::Fast => Pass { name: "batch sines and cosines", run: batch_sines_and_cosines },

@@ -4,8 +4,8 @@ use crate::program::{Builder, Program, ValueId};
 use lagrange_expr::collections::HashMap;
 
 /// Orders values depth-first from the outputs, which is also the order in which they are printed.
-/// What waits for the longest chain of others comes first: then short work stands where it is
-/// needed, and calls of functions, which compilers do not move, are spread over the chain that runs
+/// The operand with the longest dependency chain comes first. Short work then stands where it is
+/// needed, and calls of functions, which compilers do not move, are spread over the long chain
 /// beside them.
 pub fn schedule(program: &Program) -> Program {
     let heights = heights(program);

@@ -2,7 +2,7 @@
 //!
 //! Even powers of a magnitude are polynomials: |x|² = x², (√x²)⁴ = x⁴, hypot(x, y)² = x² + y².
 //! Written with the magnitude they would have the wrong second derivative where it vanishes,
-//! because the sign of zero is zero. What is left, f(|x|) in general, is differentiated by
+//! because the sign of zero is zero. The general remainder f(|x|) is differentiated by
 //! [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
 use crate::collections::HashMap;
@@ -87,9 +87,8 @@ impl Graph {
         self.product(parts)
     }
 
-    /// A sum whose first coefficient is positive and whose coefficients, if they are integers, have
-    /// no common divisor: −2 x + 4 y = −2 (x − 2 y). Other coefficients are left as they were
-    /// written, but for the sign.
+    /// Returns a sum whose first coefficient is positive. Its coefficients, if they are integers,
+    /// have no common divisor: −2 x + 4 y = −2 (x − 2 y). Other coefficients keep their magnitudes.
     fn primitive(&mut self, id: ExprId) -> (Number, ExprId) {
         let Node::Sum { constant, terms } = self.node(id).clone() else { return (Number::ONE, id) };
         let Some((_, first)) = terms.first() else { return (Number::ONE, id) };

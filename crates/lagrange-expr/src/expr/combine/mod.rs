@@ -1,10 +1,11 @@
 //! The constructors of sums and products.
 //!
 //! Both combine a list of operands with numeric weights: coefficients in a sum, exponents in a
-//! product. Equal operands are collected. A nested operand of the same kind is opened only if that
-//! makes something vanish, `(x + y) - x = y` or `(x·y)/x = y`: otherwise it is worth more as a
-//! shared part.
+//! product. Equal operands are collected. A nested operand of the same kind is opened only if a
+//! term then vanishes: `(x + y) - x = y` or `(x·y)/x = y`. Otherwise it is more useful as a shared
+//! part.
 
+mod arithmetic;
 mod branch;
 mod magnitude;
 
@@ -16,12 +17,12 @@ use crate::number::Number;
 const LONGEST_PRODUCT: usize = 16;
 
 impl Graph {
-    /// `constant + Σ coefficient · term`
+    /// Returns `constant + Σ coefficient · term`.
     ///
     /// Numbers are folded, equal terms collected, cancelling nested sums opened. A sum whose
     /// coefficients all have the same magnitude is written as that magnitude times a sum with
-    /// coefficients ±1, and the first coefficient of a sum is positive, so that `a - b`, `b - a`
-    /// and `2·a - 2·b` share one node.
+    /// coefficients ±1. The first coefficient of a sum is positive, so `a - b`, `b - a` and
+    /// `2·a - 2·b` share one node.
     pub fn sum(&mut self, constant: Number, terms: impl IntoIterator<Item = Weighted>) -> ExprId {
         let mut constant = constant;
         let mut collected = Vec::new();
@@ -108,7 +109,7 @@ impl Graph {
         self.intern(Node::Sum { constant: Number::ZERO, terms: Box::new([(term, coefficient)]) })
     }
 
-    /// `Π base ^ exponent`
+    /// Returns `Π base ^ exponent`.
     ///
     /// Numbers are folded, equal bases collected, cancelling nested products opened. Powers of
     /// powers are combined where both sides have the same domain: `(x³)^⅓` stays and `x^½ · x^½`

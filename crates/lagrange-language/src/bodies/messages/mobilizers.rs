@@ -1,4 +1,4 @@
-//! Diagnostics for joints with coordinates of their own, in the plane and in space.
+//! Diagnostics for joints with coordinates, in the plane and in space.
 
 use lagrange_expr::diagnostics::messages;
 

@@ -1,7 +1,7 @@
 //! Accelerations of frames in their own axes, joint by joint.
 //!
-//! With A a = α × a + ω × (ω × a), the relative acceleration of a point that is fixed in a frame at
-//! a, and S(θ) the turn of a joint:
+//! Let A a = α × a + ω × (ω × a) be the relative acceleration of a point that is fixed in a frame
+//! at a. With S(θ), the turn of a joint:
 //!
 //! | step | angular acceleration | acceleration of the origin |
 //! |---|---|---|

@@ -1,21 +1,22 @@
-//! Base parameters: inertia that a joint cannot tell from its carrier's, moved to the carrier.
+//! Base parameters: inertia that a joint cannot distinguish from its carrier's, moved to the
+//! carrier.
 //!
-//! Seen from a joint that turns about z, a body with its mass on the axis and the same moment of
-//! inertia J about x and y moves as if it belonged to the carrier: m, the first moment along the
-//! axis and J may be counted there. Of a joint that slides the whole tensor may, since it never
-//! turns against its carrier; of a ball joint only the mass. Equations of motion stay the same,
-//! with fewer parameters that are not zero; energies do not, and are written with what the user
-//! declared. What is known is computed in numbers, what is not is written in terms of parameters
-//! ([`super::quantities`]); orientations must be made of numbers.
+//! Consider a joint that turns about z. It places a body with its mass on the axis and the same
+//! moment of inertia J about x and y. The body moves as if it belonged to the carrier: m, the first
+//! moment along the axis and J may be counted there. For a sliding joint the whole tensor may,
+//! since it never turns against its carrier; for a ball joint only the mass. Equations of motion
+//! stay the same, with fewer parameters that are not zero. Energies do not, and are written with
+//! the declared parameters. Known values are computed as numbers, unknown ones are written in terms
+//! of parameters ([`super::quantities`]); orientations must consist of numbers.
 //!
 //! Source: Khalil, Dombre, *Modeling, Identification and Control of Robots*, §9.4.
 //!
 //! # In numbers
 //!
-//! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre:
-//! all that is left of it is the moment 6 about its axis. Its carrier gets the mass 2 at the joint
-//! and the moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes that is the first moment
-//! (0, 0, 2) and the moments 3 + 2, 3 + 2 and 0.
+//! A disk, m = 2, with the moments 3, 3 and 6 about its centre, turns about z through that centre.
+//! It keeps only the moment 6 about its axis. Its carrier gets the mass 2 at the joint and the
+//! moments 3 about x and y. At p = (0, 0, 1) in the carrier's axes, these are the first moment (0,
+//! 0, 2). The moments are 5, 5 and 0, where 5 = 3 + 2.
 
 use super::quantities::{Quantity, difference, inner, product, sum};
 use crate::bodies::terms::TermWriter;
@@ -161,8 +162,8 @@ impl InertialParameters {
         InertialParameters { mass: self.mass, moment, tensor: symmetric(|row, column| tensor[row][column]) }
     }
 
-    /// About the origin of a frame with the same axes in which the origin here is at a place p: h′ =
-    /// h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
+    /// Returns the parameters about the origin of a frame with the same axes, in which the origin
+    /// here is at a place p. They are h′ = h + m p, and J + (h + h′)·p 1 − h′ pᵀ − p hᵀ.
     fn seen_from(self, terms: &mut TermWriter<'_>, place: [Quantity; 3]) -> InertialParameters {
         let InertialParameters { mass, moment: h, tensor } = self;
         let moment = each(|axis| {

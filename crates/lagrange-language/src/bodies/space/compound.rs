@@ -1,7 +1,7 @@
-//! Bodies in space that are made of parts, holes among them.
+//! Bodies in space of several parts, including holes.
 //!
 //! M = Σ ±mᵢ, M r_S = Σ ±mᵢ rᵢ, J = Σ ±(Rᵢ Jᵢ Rᵢᵀ + mᵢ (dᵢ² 1 − dᵢ dᵢᵀ)) with dᵢ = rᵢ − r_S
-//! (Steiner, Huygens), holes with the lower sign.
+//! (Steiner, Huygens). The lower sign is for holes.
 
 use super::inertia::{fixed_triple, oblige, outline_of, shape_of, tensor_of_solid};
 use super::links::MassProperties;

@@ -10,8 +10,8 @@ use crate::syntax::ast::StatementKind;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 
-/// True if the bodies of a declaration move in space: vectors in what is said of them have three
-/// components, or something leads out of the plane.
+/// True if the bodies of a declaration move in space. Their vectors then have three components, or
+/// something leads out of the plane.
 pub(in crate::bodies) fn is_spatial(declaration: &Declaration) -> bool {
     let mut lets = HashMap::default();
     for statement in &declaration.statements {

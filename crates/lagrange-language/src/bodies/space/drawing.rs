@@ -90,8 +90,8 @@ pub(in crate::bodies) fn draw_pin(
     translation.drawing.push(Drawn { kind, values: vec![at, axis], needs: Vec::new() });
 }
 
-/// A load on a link as it was written: on the body that it is, or in which it is fixed if it is a
-/// frame, with the centre of that body.
+/// Returns the body of a load on a link, with its centre. It is the link itself or, for a frame,
+/// the body in which it is fixed.
 pub(super) fn loaded_body(translation: &mut Translation<'_>, link: usize) -> Option<(String, AstId)> {
     let space = translation.space.as_ref()?;
     let Link { name, inertia, placed, .. } = space.links[space.loaded_link(link)?].clone();

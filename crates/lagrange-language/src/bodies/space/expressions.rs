@@ -1,8 +1,8 @@
 //! Bodies and frames of a scene in space in expressions: their parts, points, vectors, rates and
 //! momenta.
 //!
-//! Vectors are in world axes; `v in name` are the components in the axes of a body or frame, which
-//! are found without a way around the world where v belongs to that body itself.
+//! Vectors are in world axes. `v in name` gives the components in the axes of a body or frame. If v
+//! belongs to that body itself, they are found without a detour through the world.
 
 use super::frames::Pose;
 use super::links::{Link, MassProperties};

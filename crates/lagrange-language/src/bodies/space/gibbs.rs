@@ -1,10 +1,10 @@
 //! The Gibbs function of bodies that joints carry: their equations of motion in accelerations, as
 //! recursive Newton–Euler has them.
 //!
-//! A body with the mass m, the first moment h and the tensor J about its origin adds S = ½ m a² +
+//! A body has the mass m, the first moment h and the tensor J about its origin. It adds S = ½ m a² +
 //! a·A h + ½ α·J α + α·(ω × J ω), with the accelerations of [`super::accelerations`] in its own
-//! axes: ∂S/∂a = m a + A h is the force on it and ∂S/∂α = J α + h × a + ω × J ω the moment about
-//! its origin. Since the ground accelerates by −g, weights are in it. With
+//! axes. Then ∂S/∂a = m a + A h is the force on it, and ∂S/∂α = J α + h × a + ω × J ω the moment
+//! about its origin. Since the ground accelerates by −g, weights are in it. With
 //! [`super::base_parameters`] most entries of h and J are zero.
 //!
 //! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical
@@ -163,9 +163,9 @@ fn gibbs_of_frame(
     }
 }
 
-/// ½ α·J α + α·(ω × J ω) by components. With x, y, z in cyclic order the moments add ½ J_zz α_z² +
-/// (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² −
-/// ω_y²) α_z, but for terms without accelerations.
+/// ½ α·J α + α·(ω × J ω) by components. Take x, y, z in cyclic order and omit terms without
+/// accelerations. The moments add ½ J_zz α_z² + (J_yy − J_xx) ω_x ω_y α_z, and the products J_xy
+/// (α_y − ω_z ω_x) (α_x + ω_y ω_z) + J_xy (ω_x² − ω_y²) α_z.
 fn rotational_parts(
     terms: &mut TermWriter<'_>,
     tensor: Tensor,

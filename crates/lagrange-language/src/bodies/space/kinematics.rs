@@ -1,10 +1,10 @@
 //! Poses and motions of bodies and frames in world axes, as returned by emitted code.
 //!
 //! Motions are those of the recursion in own axes, turned into the world. Twists are written joint
-//! by joint from the way to a frame: a turn by θ about the axis e through the point o adds θ̇ e to
-//! ω and θ̇ e × (r − o) to the velocity of the origin r, a move by s along e adds ṡ e to the
-//! velocity. What stands beside the rates is so the geometric Jacobian, without a way around the
-//! recursion.
+//! by joint along the path to a frame. A turn by θ about the axis e through the point o adds θ̇ e
+//! to ω. It also adds θ̇ e × (r − o) to the velocity of the origin r. A move by s along e adds ṡ e
+//! to the velocity. The coefficients of the rates are thus the geometric Jacobian, independent of
+//! the recursion.
 //!
 //! Source: Siciliano, Sciavicco, Villani, Oriolo, *Robotics: Modelling, Planning and Control*,
 //! §3.1.

@@ -2,8 +2,8 @@
 //! with them.
 //!
 //! A joint is a frame that is fixed in its carrier, and one to three elementary motions after it
-//! ([`super::poses`]). An axis that is none of the coordinate axes is made one by turning the
-//! frame, and what follows the motion back.
+//! ([`super::poses`]). Turning the frame makes any other axis a coordinate axis; the frame is
+//! turned back behind the motion.
 
 use super::bodies::settle;
 use super::drawing::draw_mobilizer;

@@ -1,9 +1,9 @@
 //! Forces and moments on the coordinates of joints: those of motors, and damping.
 //!
-//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about the axis e, that
-//! of a moment u e on what it places and of −u e on what carries it is the same; where it moves by
-//! q along e, that of forces ±u e at the origin of what it places. A screw does both at once, so
-//! that neither is known.
+//! A load u on a coordinate q has the power u q̇. Where a joint turns by q about e, the power is
+//! that of the moments ±u e on the placed body and its carrier. Where it moves by q along e, it is
+//! that of the forces ±u e at the origin of the placed body. A screw does both at once, so neither
+//! is known.
 
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::links::{Link, Path};

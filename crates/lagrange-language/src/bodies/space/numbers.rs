@@ -1,8 +1,8 @@
-//! Orientations and directions that are made of numbers, computed while statements are translated.
+//! Orientations and directions in numbers, computed while statements are translated.
 //!
-//! Quarter turns must stay exact: an entry of 6e-17 where a rotation has a zero makes a dense
-//! matrix of it, and robot descriptions round π/2 to as many digits as their tool prints. Rows and
-//! columns whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
+//! Quarter turns must stay exact. An entry of 6e-17 instead of a zero makes a rotation a dense
+//! matrix. Robot descriptions round π/2 to as many digits as their tool prints. Rows and columns
+//! whose entries are all within [`SNAPPED`] of 0, 1 and −1 are these numbers.
 
 use super::vectors::{Matrix, Triple};
 use crate::bodies::constants::number;

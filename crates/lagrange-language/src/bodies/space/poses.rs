@@ -1,11 +1,11 @@
 //! Poses of frames and how they move, one elementary step after another.
 //!
-//! Angular velocity ω and the velocity v of the origin are kept in the frame's *own* axes, since
-//! there what a joint adds has one component and inertia does not change; the axes and the origin
-//! of the frame are kept in the world. From a frame to one that is fixed in it at p, turned by R:
-//! ω′ = Rᵀ ω, v′ = Rᵀ (v + ω × p). A turn by θ about its z-axis: x′ = c x + s y, y′ = c y − s x for
-//! the components of ω and v and for the axes in the world alike, and θ̇ is added to the
-//! z-component of ω. A move by s along z adds s ω × e_z + ṡ e_z to v.
+//! Angular velocity ω and the velocity v of the origin are kept in the frame's *own* axes. There
+//! the contribution of a joint has one component, and inertia does not change. The axes and the
+//! origin of the frame are kept in the world. From a frame to one that is fixed in it at p, turned
+//! by R: ω′ = Rᵀ ω, v′ = Rᵀ (v + ω × p). A turn by θ about its z-axis: x′ = c x + s y, y′ = c y − s
+//! x. This holds for the components of ω and v and for the axes in the world alike. Then θ̇ is
+//! added to the z-component of ω. A move by s along z adds s ω × e_z + ṡ e_z to v.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §2.8 and 4.4; Khalil, Dombre, *Modeling,
 //! Identification and Control of Robots*, §9.6.
@@ -13,7 +13,8 @@
 //! # In numbers
 //!
 //! A frame that turns with ω = (0, 0, 2) carries at p = (3, 0, 0) one that is turned by a quarter
-//! about z: v + ω × p = (0, 6, 0), whose components along x′ = y and y′ = −x are (6, 0, 0).
+//! about z. Its velocity is v + ω × p = (0, 6, 0), whose components along x′ = y and y′ = −x are
+//! (6, 0, 0).
 
 use super::frames::{FrameStep, JointAxis, Pose, TurningAxes};
 use super::links::Link;

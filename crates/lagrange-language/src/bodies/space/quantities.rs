@@ -1,8 +1,8 @@
-//! Quantities that are partly numbers and partly terms: what is known now is computed, and what is
-//! not is written.
+//! Quantities that are partly numbers and partly terms: known values are computed, others are
+//! written.
 //!
-//! Inertial parameters are regrouped by sums and by products with lengths and direction cosines, so
-//! that of numbers and parameters that meet in one sum the numbers stay numbers. Products of two
+//! Inertial parameters are regrouped by sums and by products with lengths and direction cosines.
+//! Where numbers and parameters meet in one sum, the numbers stay numbers. Products of two
 //! quantities with terms are written as a whole: nothing is multiplied out.
 
 use super::numbers::{value_of_numbers, written_number};

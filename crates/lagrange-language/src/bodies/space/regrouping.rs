@@ -1,9 +1,9 @@
-//! Inertial parameters on their way inwards: what is left of them in the frame behind each step.
+//! Inertial parameters on their way inwards: their remainder in the frame behind each step.
 //!
-//! Links are met from the leaves to the ground. Each keeps, behind every step that moves, what that
-//! step can tell from its carrier ([`super::base_parameters`]), and the carrier receives the rest.
-//! What is written of parameters gets a name at every link, so that text stays as long as the scene
-//! is large.
+//! Links are visited from the leaves to the ground. Behind every step that moves, each link keeps
+//! the part that the step can distinguish from its carrier ([`super::base_parameters`]), and the
+//! carrier receives the rest. Expressions of parameters get a name at every link, so that the
+//! length of the text is proportional to the scene.
 
 use super::base_parameters::{InertialParameters, JointStep};
 use super::frames::{FrameStep, JointAxis};
@@ -130,8 +130,9 @@ fn regrouping_steps(
     })
 }
 
-/// All parameters in the last frame of a path; of what turns in any direction the mass in the frame
-/// before, whose axes do not turn with it: there it is the same in all directions.
+/// Returns all parameters in the last frame of a path. The mass of a part that turns in any
+/// direction is in the frame before, whose axes do not turn with it. There it is the same in all
+/// directions.
 fn unsplit(path: &Path, mut all: InertialParameters) -> Vec<InertialParameters> {
     let mut kept = vec![InertialParameters::NONE; path.steps.len().max(1)];
     if let [.., before, _] = &mut kept[..]

@@ -45,7 +45,7 @@ pub enum SceneStatement {
     Mobilizer(Box<Mobilizer>),
 }
 
-/// Words that begin statements about rigid bodies, but for those of [`Mobilizer`].
+/// Words that begin statements about rigid bodies, except those of [`Mobilizer`].
 pub const KEYWORDS: [Keyword; 11] = [
     Keyword::new("gravity", "write `gravity = (0, -g);`"),
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
@@ -141,10 +141,9 @@ pub struct Body {
     pub sequence: Option<Name>,
     /// `shape: solid(e);`
     pub shape: Option<Shape>,
-    /// `compound { … }`; empty if there is none.
+    /// `compound { … }`; empty without one.
     pub parts: Vec<Part>,
-    /// `visual { … }`, what pictures show in the place of shape or compound; empty if there is
-    /// none.
+    /// `visual { … }`, the shape in pictures instead of shape or compound; empty without one.
     pub visuals: Vec<Part>,
 }
 
@@ -191,7 +190,7 @@ pub struct Part {
     pub is_hole: bool,
     /// Shape of the part.
     pub shape: Shape,
-    /// Its mass; for a hole the mass that is missing. What is only seen has none.
+    /// Its mass; for a hole the missing mass. Parts of `visual` have none.
     pub mass: Option<AstId>,
     /// Origin of its own coordinates in those of the body.
     pub at: Option<AstId>,
@@ -216,7 +215,7 @@ impl Part {
 pub struct Line {
     /// Its name.
     pub name: Name,
-    /// The body that carries it; at rest if there is none.
+    /// The body that carries it; at rest without one.
     pub on: Option<Name>,
     /// A point of it.
     pub through: Option<AstId>,
@@ -265,7 +264,7 @@ impl ConnectorKind {
         ConnectorKind::TorsionDamper,
     ];
 
-    /// The word that declares one.
+    /// Returns the word that declares one.
     pub fn name(self) -> &'static str {
         match self {
             ConnectorKind::Spring => "spring",
@@ -275,7 +274,7 @@ impl ConnectorKind {
         }
     }
 
-    /// The kind that a word declares.
+    /// Returns the kind that a word declares.
     pub fn named(word: &str) -> Option<ConnectorKind> {
         ConnectorKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
@@ -286,11 +285,11 @@ impl ConnectorKind {
 pub struct Joint {
     /// Its name, if it has one.
     pub name: Option<Name>,
-    /// Kind of the joint, with what it holds together.
+    /// Kind of the joint, with the bodies that it connects.
     pub kind: JointKind,
 }
 
-/// Kind of a joint, with what it holds together.
+/// Kind of a joint, with the bodies that it connects.
 #[derive(Clone, Debug)]
 pub enum JointKind {
     /// `pin p to q;`: two points stay together.

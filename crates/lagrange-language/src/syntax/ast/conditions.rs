@@ -10,7 +10,7 @@ pub struct IndexCondition {
 }
 
 impl IndexCondition {
-    /// Its expressions, in source order.
+    /// Returns its expressions, in source order.
     pub fn expressions(&self) -> Vec<AstId> {
         let tests = self.alternatives.iter().flatten();
         let expressions = tests.flat_map(|test| match &test.kind {
@@ -89,7 +89,7 @@ impl Comparison {
         }
     }
 
-    /// Its sign.
+    /// Returns its sign.
     pub fn sign(self) -> &'static str {
         Comparison::ALL.iter().find(|(_, comparison)| *comparison == self).map_or("", |(sign, _)| sign)
     }

@@ -34,7 +34,7 @@ impl Event {
     }
 }
 
-/// Direction in which a function passes zero as time goes on.
+/// Direction in which a function passes zero in the course of time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
     /// Upwards, from negative to positive.
@@ -50,7 +50,7 @@ pub enum Direction {
 pub enum Action {
     /// `stop`: the motion ends.
     Stop,
-    /// `record`: it goes on.
+    /// `record`: the run continues.
     Record,
     /// `impact(e)`: bodies touch; the coefficient of restitution.
     Impact(AstId),

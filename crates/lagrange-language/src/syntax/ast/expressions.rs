@@ -79,7 +79,7 @@ pub enum Expression {
 }
 
 impl Expression {
-    /// The expressions that it is made of, in source order.
+    /// Returns its operands, in source order.
     pub fn operands(&self) -> Vec<AstId> {
         match self {
             Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
@@ -93,7 +93,8 @@ impl Expression {
         }
     }
 
-    /// The expression with other operands, in the order of [`operands`](Expression::operands).
+    /// Returns the expression with other operands, in the order of
+    /// [`operands`](Expression::operands).
     pub fn with_operands(self, parts: &[AstId]) -> Expression {
         match self {
             Expression::Tuple(_) => Expression::Tuple(parts.to_vec()),
@@ -205,8 +206,7 @@ impl Expressions {
         (id.0 as usize) < self.written
     }
 
-    /// Adds expressions that say once more what others say, with numbers that were computed of
-    /// those of others: these have no units.
+    /// Adds expressions that repeat others with numbers computed from theirs: these have no units.
     pub fn computed<T>(
         of: &mut T,
         expressions: impl Fn(&mut T) -> &mut Expressions,
@@ -218,22 +218,23 @@ impl Expressions {
         expressions.computed = first..expressions.nodes.len();
     }
 
-    /// True of what was added as such.
+    /// True for expressions that were added as such.
     pub fn is_computed(&self, id: AstId) -> bool {
         self.computed.contains(&(id.0 as usize))
     }
 
-    /// The expression behind an id.
+    /// Returns the expression behind an id.
     pub fn get(&self, id: AstId) -> &Expression {
         &self.nodes[id.0 as usize].0
     }
 
-    /// Place of an expression.
+    /// Returns the place of an expression.
     pub fn origin(&self, id: AstId) -> Origin {
         self.nodes[id.0 as usize].1
     }
 
-    /// An expression and all that it is made of, each once, operands before what is made of them.
+    /// Returns an expression and all its parts, each once, operands before the expressions that
+    /// contain them.
     pub fn parts(&self, root: AstId) -> Vec<AstId> {
         let mut pending = vec![root];
         let mut found = BTreeSet::new();
@@ -246,7 +247,7 @@ impl Expressions {
         found.into_iter().collect()
     }
 
-    /// `x` of an expression `dot(x)`.
+    /// Returns `x` of an expression `dot(x)`.
     pub fn rate_of_name(&self, id: AstId) -> Option<&str> {
         let Expression::Call(function, arguments) = self.get(id) else { return None };
         match (function.text.as_str(), arguments.as_slice()) {
@@ -258,7 +259,7 @@ impl Expressions {
         }
     }
 
-    /// Every expression with its id, children before parents.
+    /// Returns every expression with its id, children before parents.
     pub fn iter(&self) -> impl Iterator<Item = (AstId, &Expression)> {
         self.nodes.iter().enumerate().map(|(index, (expression, _))| (AstId(index as u32), expression))
     }

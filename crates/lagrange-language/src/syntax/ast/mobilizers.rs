@@ -1,4 +1,4 @@
-//! Joints with coordinates of their own, as written.
+//! Joints with coordinates, as written.
 
 use ElementaryMotion::{Advance, Orientation, Slide, Turn};
 use JointLine::{Frame, Own};
@@ -29,8 +29,9 @@ pub enum JointLine {
     Frame(usize),
 }
 
-/// Makes the kinds of joints and their properties from rows: kind, word, coordinates as they are
-/// written, motions, tokens that must follow the word, and form of the statement.
+/// Makes the kinds of joints and their properties from rows. A row has the kind, the word, the
+/// coordinates as written, the motions, the tokens required after the word, and the form of the
+/// statement.
 macro_rules! joints {
     ($(
         #[doc = $doc:literal]
@@ -42,7 +43,7 @@ macro_rules! joints {
             $(#[doc = $doc] $kind,)*
         }
 
-        /// Words that begin statements about joints with coordinates of their own.
+        /// Words that begin statements about joints with coordinates.
         pub const KEYWORDS: [Keyword; MobilizerKind::ALL.len()] =
             [$(Keyword::new($word, $form).before(Soft::$soft)),*];
 
@@ -50,14 +51,15 @@ macro_rules! joints {
             /// Every kind.
             pub const ALL: [MobilizerKind; [$($word),*].len()] = [$(MobilizerKind::$kind),*];
 
-            /// The coordinates as they are written.
+            /// Returns the coordinates as they are written.
             pub fn written_coordinates(self) -> &'static str {
                 match self {
                     $(MobilizerKind::$kind => $coordinates,)*
                 }
             }
 
-            /// The motions of the body behind the joint, each in the frame behind those before it.
+            /// Returns the motions of the body behind the joint, each in the frame behind those
+            /// before it.
             pub fn motions(self) -> &'static [ElementaryMotion] {
                 match self {
                     $(MobilizerKind::$kind => &[$($motion),*],)*
@@ -113,7 +115,7 @@ pub struct Mobilizer {
     pub kind: MobilizerKind,
     /// The coordinates that it makes.
     pub coordinates: Vec<Name>,
-    /// Names of their rates, if these have names of their own.
+    /// Names of their rates, if these have separate names.
     pub speeds: Vec<Name>,
     /// The orientation that it makes.
     pub quaternion: Option<Quaternion>,
@@ -135,7 +137,7 @@ pub struct Mobilizer {
 }
 
 impl Mobilizer {
-    /// A joint of which nothing else is known yet.
+    /// Creates a joint of which nothing else is known yet.
     pub fn between(kind: MobilizerKind, inboard: Name, outboard: Name) -> Mobilizer {
         Mobilizer {
             kind,
@@ -152,7 +154,7 @@ impl Mobilizer {
         }
     }
 
-    /// A body that is free, with three coordinates and an orientation.
+    /// Creates a free body, with three coordinates and an orientation.
     pub fn free(body: Name) -> Mobilizer {
         let named = |suffix: &str| Name::new(format!("{}_{suffix}", body.text), body.span);
         let (coordinates, speeds) =
@@ -184,28 +186,28 @@ impl Mobilizer {
 }
 
 impl MobilizerKind {
-    /// The statement that declares one.
+    /// Returns the statement that declares one.
     pub fn keyword(self) -> &'static Keyword {
         &KEYWORDS[self as usize]
     }
 
-    /// The word that declares one.
+    /// Returns the word that declares one.
     pub fn name(self) -> &'static str {
         self.keyword().word
     }
 
-    /// The kind that a word declares.
+    /// Returns the kind that a word declares.
     pub fn named(word: &str) -> Option<MobilizerKind> {
         MobilizerKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
 
-    /// Number of names in front of `=`.
+    /// Returns the number of names in front of `=`.
     pub fn name_count(self) -> usize {
         let is_named = |motion: &&ElementaryMotion| self != MobilizerKind::Free && **motion != Advance;
         self.motions().iter().filter(is_named).count()
     }
 
-    /// Labels in the description of a joint.
+    /// Returns the labels in the description of a joint.
     pub fn labels(self) -> Vec<&'static str> {
         let motions = self.motions();
         let has_axis = motions.iter().any(|motion| matches!(motion, Turn(Own) | Slide(Own)));

@@ -14,7 +14,7 @@ pub struct Quaternion {
 }
 
 impl Quaternion {
-    /// A quaternion of this name.
+    /// Creates a quaternion of this name.
     pub fn named(name: Name) -> Quaternion {
         let component = |suffix: &str| Name::new(format!("{}_{suffix}", name.text), name.span);
         Quaternion {

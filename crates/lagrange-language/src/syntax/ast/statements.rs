@@ -1,7 +1,7 @@
-//! Statements, one variant each, with what each says of itself.
+//! Statements, one variant each, with the properties of each.
 //!
-//! Whoever walks over statements asks for their names and expressions here, and so learns of a
-//! variant as soon as it is listed.
+//! Every walk over statements asks for their names and expressions here, and so learns of a variant
+//! as soon as it is listed.
 
 mod loops;
 mod names;
@@ -68,9 +68,8 @@ pub struct Statement {
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 /// ```
 ///
-/// Where a statement has `NAME`, `NAME { "[" sum "]" }` is possible, too, but for names of
-/// functions, of their parameters and of types; behind the name of an array a value may be a
-/// `list`.
+/// `NAME { "[" sum "]" }` is possible wherever a statement has `NAME`, except for names of
+/// functions, their parameters and types. Behind the name of an array, a value may be a `list`.
 ///
 /// ```text
 /// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
@@ -82,8 +81,8 @@ pub struct Statement {
 /// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
 /// ```
 ///
-/// What `sum` is stands in the documentation of [`syntax`](crate::syntax), what `scene` is in that
-/// of [`SceneStatement`].
+/// The documentation of [`syntax`](crate::syntax) defines `sum`, that of [`SceneStatement`] defines
+/// `scene`.
 #[derive(Clone, Debug)]
 pub enum StatementKind {
     /// `param a, b = 1.0;`
@@ -142,7 +141,7 @@ pub enum StatementKind {
     ForceAlong {
         /// A scalar or a vector.
         force: AstId,
-        /// Velocities along which it does work, as many as it has components.
+        /// Velocities along which it does work, one for each component.
         velocity: AstId,
     },
     /// `torque m on angle;`
@@ -172,7 +171,7 @@ pub enum StatementKind {
     Scene(SceneStatement),
 }
 
-/// Words that begin statements, but for those of [`SceneStatement`].
+/// Words that begin statements, except those of [`SceneStatement`].
 pub const KEYWORDS: [Keyword; 26] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
@@ -268,7 +267,7 @@ impl StatementKind {
         }
     }
 
-    /// All expressions in a statement, to be read or replaced.
+    /// Returns all expressions in a statement, to be read or replaced.
     pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         match self {
             StatementKind::Parameters(list)
@@ -313,13 +312,13 @@ impl StatementKind {
         }
     }
 
-    /// All expressions in a statement.
+    /// Returns all expressions in a statement.
     pub fn expressions(&self) -> Vec<AstId> {
         // Of a copy, so that they are listed in one place.
         self.clone().expressions_mut().into_iter().map(|id| *id).collect()
     }
 
-    /// The name that calls mention, if it declares a function.
+    /// Returns the name that calls mention, if it declares a function.
     pub fn declared_function(&self) -> Option<&Name> {
         match self {
             StatementKind::Function(function) => Some(&function.name),
@@ -329,7 +328,7 @@ impl StatementKind {
         }
     }
 
-    /// Names with the expressions that they stand for, be it as a default.
+    /// Returns names with the expressions that define them, also as defaults.
     pub fn definitions(&self) -> Vec<(&Name, AstId)> {
         match self {
             StatementKind::Parameters(list)
@@ -343,8 +342,8 @@ impl StatementKind {
         }
     }
 
-    /// The names that a statement declares, each with the expression for its value or where its
-    /// value starts.
+    /// Returns the names that a statement declares, each with the expression for its value or for
+    /// the start of its value.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
         match self {
             StatementKind::Parameters(list)
@@ -358,12 +357,12 @@ impl StatementKind {
         }
     }
 
-    /// The names that expressions behind the statement may mention.
+    /// Returns the names that expressions behind the statement may mention.
     pub fn declared_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Expressions, Reach::Both])
     }
 
-    /// The names of members of the emitted type.
+    /// Returns the names of members of the emitted type.
     pub fn member_names(&self) -> Vec<&Name> {
         self.names_within(&[Reach::Members, Reach::Both])
     }
@@ -400,7 +399,7 @@ pub struct ReductionItem {
     pub coordinate: Name,
     /// Kind of change.
     pub kind: ReductionKind,
-    /// The value behind `=`, if there is one; 0 is meant if there is none.
+    /// The value behind `=`; without one it is 0.
     pub value: Option<AstId>,
 }
 

@@ -1,4 +1,4 @@
-//! Indices and what is counted by them.
+//! Indices and the arrays, loops and sums that use them.
 
 use proc_macro2::{Delimiter, Group, TokenTree};
 

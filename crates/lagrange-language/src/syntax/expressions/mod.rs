@@ -1,7 +1,7 @@
 //! Expressions: chains of operators between operands.
 //!
 //! Operators wait on a stack until the operator behind their right operand binds no tighter
-//! (operator precedence parsing), so that chains of any length are read without recursion.
+//! (operator precedence parsing). Chains of any length are thus read without recursion.
 
 mod arrays;
 mod conditionals;

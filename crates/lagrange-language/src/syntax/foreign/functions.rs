@@ -73,7 +73,8 @@ fn closes_at_its_end(text: &str) -> bool {
     is_call && closing.is_some_and(|(at, _)| open + at + 1 == text.len())
 }
 
-/// Spelling here of a call of a function that does not exist, or not with that many arguments.
+/// Returns the spelling here of a call of a function that does not exist, or not with that many
+/// arguments.
 pub fn function(name: &str, arguments: &[String]) -> Option<String> {
     if let Some(rate) = derivative(name, arguments) {
         return Some(rate.written());

@@ -95,7 +95,7 @@ pub struct Rate<'a> {
 }
 
 impl Rate<'_> {
-    /// Spelling here.
+    /// Returns the spelling here.
     pub fn written(self) -> String {
         let function = if self.order == 1 { "dot" } else { "ddot" };
         format!("{function}({})", self.of)
@@ -128,7 +128,7 @@ pub fn is_word_for_rate(name: &str) -> bool {
     WORDS.contains(&name)
 }
 
-/// Returns the rate that a name stands for elsewhere, if what it is the rate of passes the test.
+/// Returns the rate that a name stands for elsewhere, if its variable passes the test.
 pub fn rate<'a>(name: &'a str, moves: impl Fn(&str) -> bool) -> Option<Rate<'a>> {
     let dotted = DOTTED.iter().filter(|(letter, ..)| *letter == name).map(|&(_, of, order)| (of, order));
     let before = BEFORE.iter().filter_map(|&(mark, order)| Some((name.strip_prefix(mark)?, order)));

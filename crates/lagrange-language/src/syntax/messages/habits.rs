@@ -1,4 +1,4 @@
-//! Diagnostics for habits from other languages and from paper, with what is written here.
+//! Diagnostics for habits from other languages and from paper, with the spelling here.
 
 use proc_macro2::{Delimiter, TokenTree};
 

@@ -1,6 +1,6 @@
 //! Expressions as text.
 //!
-//! What is still to be written waits on a stack, so that chains of any length are printed without
+//! Remaining expressions wait on a stack, so that chains of any length are printed without
 //! recursion.
 
 use super::Printer;

@@ -1,9 +1,8 @@
-//! Ensembles side by side: several motions in the lanes of vector instructions.
+//! Ensembles in lanes: several motions in the lanes of vector instructions.
 //!
-//! A chunk of motions goes in lanes if its system hands out its equations for that, the method can,
-//! and no more than ends and samples was asked for. What is out of the ordinary, lanes leave to a
-//! run of its own: motions that fail, with their cause, and those of systems that wait for a time
-//! at which they jump.
+//! A chunk of motions runs in lanes if its system provides its equations for that, the method can,
+//! and only ends and samples were requested. Lanes leave all exceptions to single runs: motions
+//! that fail, with their cause, and those of systems with a known time of a jump.
 
 mod dispatch;
 mod refill;
@@ -52,22 +51,24 @@ where
     K: Method<D::Closed> + Clone + Sync,
     P: Keep,
 {
-    /// True if motions are computed side by side, several at a time with each instruction of the
+    /// True if motions are computed in lanes, several at a time with each instruction of the
     /// processor.
     ///
-    /// They are if the declaration says `emit { lanes }` and has neither constraints nor events,
-    /// contacts or friction, if the method is [`Verner98`](crate::integrate::Verner98),
-    /// [`RungeKutta4`](crate::integrate::RungeKutta4),
-    /// [`StormerVerlet`](crate::integrate::StormerVerlet),
-    /// [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
-    /// [`BlanesMoan4`](crate::integrate::BlanesMoan4), and if nothing is asked for but ends,
-    /// samples and columns: no laws, controllers, events or restarts. A motion that fails, or jumps
-    /// at a time known beforehand, is a run by itself in any case.
+    /// They are if all of this holds:
+    /// - the declaration has `emit { lanes }`, and neither constraints nor events, contacts or
+    ///   friction;
+    /// - the method is [`Verner98`](crate::integrate::Verner98),
+    ///   [`RungeKutta4`](crate::integrate::RungeKutta4),
+    ///   [`StormerVerlet`](crate::integrate::StormerVerlet),
+    ///   [`SymplecticEuler`](crate::integrate::SymplecticEuler) or
+    ///   [`BlanesMoan4`](crate::integrate::BlanesMoan4);
+    /// - only ends, samples and columns are requested: no laws, controllers, events or restarts.
     ///
-    /// What comes of a motion then depends neither on the others nor on threads or shards, but on
-    /// whether the processor fuses products and sums; and it is that of a single run only to within
-    /// what the tolerance leaves open. [`one_by_one`](Self::one_by_one) gives the bits of single
-    /// runs.
+    /// A motion that fails, or jumps at a time known in advance, is a single run in any case.
+    ///
+    /// The bits of a motion then depend neither on other motions nor on threads or shards, but on
+    /// whether the processor fuses products and sums. They agree with those of a single run to
+    /// within the tolerance only. [`one_by_one`](Self::one_by_one) gives the bits of single runs.
     pub fn is_in_lanes(&self) -> bool {
         let is_plain = !self.batch.needs_runs() && !M::IS_CONSTRAINED && M::EVENTS.is_empty();
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()

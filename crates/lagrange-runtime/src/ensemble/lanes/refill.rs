@@ -1,7 +1,7 @@
 //! A few motions at a time, one in each lane; a lane whose motion has ended takes the next one.
 //!
-//! Motions are started one by one, each in a lane of its own: what methods do there once costs
-//! little, and a copy of it for all lanes would be a third of what is compiled.
+//! Motions are started one by one, each in its own lane. What methods do there once costs little,
+//! and a copy of it for all lanes would be a third of the compiled code.
 
 use std::vec::Vec;
 

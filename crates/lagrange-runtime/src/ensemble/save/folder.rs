@@ -114,7 +114,7 @@ impl Folder {
     /// it.
     ///
     /// # Errors
-    /// Those of `write`, and what the operating system says.
+    /// If `write` fails, or the operating system cannot write the file.
     pub(super) fn write<T>(
         &self,
         index: usize,

@@ -1,8 +1,8 @@
 //! Files that keep other processes off.
 //!
-//! The operating system keeps a lock on such a file while its process lives, in whichever container
-//! or namespace that is, and the file says whose it is. Between machines file systems do not always
-//! keep locks, so that what another machine left is never taken over.
+//! The operating system keeps a lock on such a file while its process lives, in any container or
+//! namespace. The file names its owner. File systems do not always keep locks between machines, so
+//! a lock of another machine is never taken over.
 
 use std::format;
 use std::fs::{self, File, OpenOptions, TryLockError};
@@ -121,8 +121,8 @@ fn say(file: &mut File, path: &Path) -> io::Result<()> {
     written
 }
 
-/// True if the process that calls itself like this is gone, since this one could take its lock: it
-/// never said who it is, or it ran on this machine, which keeps locks.
+/// True if the process of this name is gone, given that this one could take its lock. Either it is
+/// unnamed, or it ran on this machine, which keeps locks.
 fn is_gone(holder: &str) -> bool {
     let boot = |text: &str| Some(text.split_once(BOOT)?.1.split_once(';')?.0.to_string());
     let this = this();
@@ -131,8 +131,8 @@ fn is_gone(holder: &str) -> bool {
 
 const BOOT: &str = " (boot ";
 
-/// Returns the name of this process in lock files: its number and machine and, where known, the
-/// boot time of the machine, its PID namespace and its start time there.
+/// Returns the name of this process in lock files. It has its number and machine and, where known,
+/// the boot time of the machine, its PID namespace and its start time there.
 fn this() -> String {
     let read = |path| fs::read_to_string(path).unwrap_or_default().trim().to_string();
     let [name, boot] = ["/proc/sys/kernel/hostname", "/proc/sys/kernel/random/boot_id"].map(read);

@@ -50,45 +50,47 @@ where
     K: Method<D::Closed> + Clone + Debug + Sync,
     P: Keep,
 {
-    /// Computes all motions and saves their ends, or their samples if [`every`](Self::every) asks
-    /// for them, to Parquet files in a folder, `part-000000.parquet` and so on, in the order of
+    /// Computes all motions and saves their ends, or their samples after [`every`](Self::every), to
+    /// Parquet files in a folder. The files are `part-000000.parquet` and so on, in the order of
     /// motions.
     ///
     /// A file has a row for each motion, or for each of its samples. Columns are
     ///
     /// - `index`, the place of the motion, counted from zero;
-    /// - all parameters, if motions were given [parameters](super::Motions::parameters) of their
-    ///   own;
+    /// - all parameters, if motions have separate [parameters](super::Motions::parameters);
     /// - `t`, the time, of an end that at which the motion ended;
     /// - positions, velocities and what was [observed](Self::observe);
-    /// - `cause`, text where the motion failed and null elsewhere. The end of a motion that failed
-    ///   is NaN but for its parameters; of samples there are those until it failed, the last of
-    ///   which has the cause.
+    /// - `cause`, text where the motion failed and null elsewhere. The end of a failed motion is
+    ///   NaN except for its parameters. Its samples are those until it failed, the last of which
+    ///   has the cause.
     ///
     /// Columns whose unit is known have it under `lagrange.unit.` and their name among the
     /// key–value metadata, as [trajectories](crate::simulate::Trajectory::write_parquet) do.
     ///
-    /// Rows are written in groups of 131 072 or some more, so that what lies in memory are as many
-    /// and what threads have computed ahead, at most a part. A file is written under another name
-    /// and renamed when it is whole. Files that are there are not computed again: an ensemble that
-    /// was cancelled or killed goes on where it was, and the files in the end have the same bytes.
+    /// Rows are written in groups of at least 131 072. Memory holds one group and the motions that
+    /// threads have computed ahead, at most a part. A file is written under another name and
+    /// renamed when it is complete. Existing files are not computed again: an ensemble that was
+    /// cancelled or killed continues where it was, and the final files have the same bytes.
     ///
-    /// Files say which ensemble they are of: the declaration of the system by its
-    /// [fingerprint](crate::system::MechanicalSystem::FINGERPRINT), what was asked for, the method
-    /// and its settings, the seed, and the bits of start, rates, parameters and first steps of the
-    /// first, the middle and the last motion, by which closures and functions of your crate are
-    /// told apart. They say, too, which part they are, and have a checksum of all their bytes.
-    /// Parts that are found are checked for that; [`verify`](fn@verify) does it without computing
-    /// anything.
+    /// Files identify their ensemble:
+    /// - the declaration of the system by its
+    ///   [fingerprint](crate::system::MechanicalSystem::FINGERPRINT), the requested results, the
+    ///   method and its settings, and the seed;
+    /// - the bits of start, rates, parameters and first steps of the first, the middle and the last
+    ///   motion. They distinguish closures and functions of your crate.
+    ///
+    /// They also identify their part, and have a checksum of all their bytes. Existing parts are
+    /// checked for all of this; [`verify`](fn@verify) does so without computing anything.
     ///
     /// While a shard is written a file `shard-0-of-1.lock` keeps other processes off; what a
     /// process of this machine left that is gone is taken over. A folder in which nothing is
     /// missing is only read. Files with other names are passed over.
     ///
     /// # Errors
-    /// As of [`run`](Self::run); if a file cannot be written, as on a full disk; if the folder
-    /// holds parts that are damaged, of another ensemble, or none; if another process writes the
-    /// same. What is finished is kept.
+    /// As for [`run`](Self::run). Also in these cases, in which finished parts are kept:
+    /// - a file cannot be written, as on a full disk;
+    /// - the folder holds a damaged or foreign part, or a file that is no part;
+    /// - another process writes the same parts.
     pub fn save_parquet(self, folder: impl AsRef<Path>) -> Result<Saved, EnsembleError> {
         self.check()?;
         let parts = self.batch.parts();

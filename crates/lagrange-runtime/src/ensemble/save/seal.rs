@@ -1,7 +1,7 @@
 //! Checksums of whole files.
 //!
-//! The metadata at the end of a file hold the XXH64 of all its bytes, with zeros in the place of
-//! the checksum. Other readers of Parquet pass it over.
+//! The metadata at the end of a file hold the XXH64 of all its bytes, with zeros instead of the
+//! checksum. Other readers of Parquet pass it over.
 
 use core::hash::Hasher;
 use std::format;

@@ -21,8 +21,10 @@ pub struct Verified {
 /// written.
 ///
 /// # Errors
-/// If a part is damaged, under the name of another, of another ensemble than the first or no part;
-/// if there are none, or a file cannot be read.
+/// If there are no parts, a file is no part or cannot be read, or a part:
+/// - is damaged,
+/// - has the name of another one,
+/// - or belongs to another ensemble than the first.
 pub fn verify(folder: impl AsRef<Path>) -> Result<Verified, EnsembleError> {
     let (mut first, mut parts) = (None::<Label>, 0);
     for (path, index) in Folder::open(folder.as_ref()).parts()? {

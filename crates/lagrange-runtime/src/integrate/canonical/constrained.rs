@@ -1,6 +1,6 @@
 //! Velocities that belong to momenta under constraints.
 //!
-//! What is left of the momenta is in the space of constraint forces:
+//! The remainder of the momenta is in the space of constraint forces:
 //!
 //! ```text
 //! P(q, v) = p + Aᵀμ,    ċ(t, q, v) = A v + c_t = 0,
@@ -25,8 +25,8 @@ use crate::system::{
 
 type Values<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// The velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there; the length
-/// `h` of the step that led here tells which velocities are small.
+/// Computes the velocities and Aᵀμ for the momenta `p`, from a guess and the mass matrix there. The
+/// length `h` of the step to here determines which velocities are small.
 pub(in crate::integrate) fn constrained_velocities<M: CanonicalSystem + ?Sized>(
     system: &M,
     t: M::Scalar,

@@ -1,15 +1,15 @@
 //! The common parts of implicit methods in coordinates and momenta.
 //!
-//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations hold the change of
-//! P(Q, V) = ∂L/∂v and that of the rates R(Q, V) = ∂L/∂q + Q of momenta, of which Newton's method
-//! needs derivatives. Differentiating d/dt P = R along the motion gives
+//! They keep momenta p = ∂L/∂v and find velocities from them. Their equations contain the changes
+//! of P(Q, V) = ∂L/∂v and of the rates R(Q, V) = ∂L/∂q + Q of momenta. Newton's method needs
+//! derivatives of these. Differentiating d/dt P = R along the motion gives
 //!
 //! ```text
 //! ∂P/∂v = M,    ∂R/∂v − ∂P/∂q = M ∂a/∂v + dM/dt,    ∂R/∂q = M ∂a/∂q + d/dt ∂P/∂q,
 //! ```
 //!
-//! so that the Jacobian of the system and the mass matrix do. The last term is left out: it changes
-//! the number of iterations alone, and no more than the change of the derivatives within a step
+//! so the Jacobian of the system and the mass matrix suffice. The last term is omitted. It affects
+//! only the number of iterations, and no more than the change of the derivatives within a step
 //! does.
 
 mod constrained;
@@ -95,8 +95,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
         Ok(join::<M>(&q, &v))
     }
 
-    /// The force Aᵀμ that constraints add to the momenta at the end of a step, so that they admit
-    /// the velocities, from a guess of these.
+    /// Computes the force Aᵀμ that constraints add to the momenta at the end of a step, from a
+    /// guess. It makes the velocities admissible.
     pub(super) fn hold(
         &mut self,
         system: &M,
@@ -169,8 +169,8 @@ impl<M: CanonicalSystem + ?Sized> Reached<M> {
     }
 }
 
-/// The magnitude of slopes and of those that would move `from` by itself or by one within a step of
-/// the length `h`: in floating point it makes no difference to change them by their rounding.
+/// Returns the magnitude of slopes, and of those that would move `from` by itself or by one within
+/// a step of the length `h`. In floating point, changing them by their rounding has no effect.
 pub(super) fn magnitude<S: Scalar, Y: StateVector<S>>(mut slopes: Y, from: &Y, h: S) -> Y {
     for (slope, from) in slopes.as_mut().iter_mut().zip(from.as_ref()) {
         *slope = slope.abs() + (S::ONE + from.abs()) / h.abs();

@@ -4,8 +4,8 @@ use crate::linalg::pivoted::Matrix;
 use crate::scalar::Scalar;
 use crate::system::StateVector;
 
-/// The matrix constant − λ linear − μ quadratic. A method puts its coefficients in the place of λ
-/// and of μ, which is of second order in them; the length of the step is in the matrices.
+/// The matrix constant − λ linear − μ quadratic. A method replaces λ and μ, which is of second
+/// order in them, by its coefficients. The length of the step is in the matrices.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::integrate) struct Pencil<S: Scalar, Y: StateVector<S>> {
     pub(in crate::integrate) constant: Matrix<S, Y>,

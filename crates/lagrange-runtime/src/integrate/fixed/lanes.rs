@@ -1,4 +1,4 @@
-//! Steps of equal length for several motions side by side.
+//! Steps of equal length for several motions in lanes.
 
 use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;

@@ -1,6 +1,6 @@
 //! Gauss methods in coordinates and momenta.
 //!
-//! Hamilton's equations with velocities in the place of momenta: the stages hold velocities Vᵢ that
+//! Hamilton's equations with velocities instead of momenta: the stages hold velocities Vᵢ that
 //! satisfy
 //!
 //! ```text
@@ -8,7 +8,7 @@
 //! ```
 //!
 //! so that no mass matrix has to be inverted within a stage. To first order, a change of the
-//! velocities changes what is left of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
+//! velocities changes the residual of the second equation by −(M − hA(∂R/∂v − ∂P/∂q) − h²A² ∂R/∂q).
 
 use crate::integrate::canonical::{Derivatives, Reached, Step, factors, magnitude};
 use crate::integrate::fixed::Formula;

@@ -1,7 +1,7 @@
 //! States within a step of a Gauss method.
 //!
-//! The polynomial through the stages is accurate to the order K + 1 of h only, so that for two and
-//! three stages states and rates at the ends serve better. Source: Hairer, Nørsett, Wanner, *Solving
+//! The polynomial through the stages is accurate to the order K + 1 of h only. For two and three
+//! stages, states and rates at the ends therefore serve better. Source: Hairer, Nørsett, Wanner, *Solving
 //! Ordinary Differential Equations I*, §II.6.
 
 use crate::integrate::interpolation::{Motion, Place, cubic, quintic};
@@ -88,9 +88,9 @@ fn fifth_order<M: OdeSystem + ?Sized>(
     integrated([from.1, to.1], &[f0, first, second, f1], Place { h, s: (t - from.0) / h })
 }
 
-/// Coordinates by the quintic through states and accelerations at the ends; velocities from those
-/// and from the accelerations at two places between, to which the quintic leads. The error is
-/// O(h⁶).
+/// Coordinates follow the quintic through states and accelerations at the ends. Velocities follow
+/// from those and from the accelerations at two places between, to which the quintic leads. The
+/// error is O(h⁶).
 fn sixth_order<M: CanonicalSystem + ?Sized>(
     system: &M,
     from: At<'_, M>,

@@ -29,21 +29,21 @@ pub type GaussLegendre6<S> = GaussLegendre<S, 3>;
 
 /// The Gauss method with K = 1, 2 or 3 stages, of order 2K, in equal steps, for any Lagrangian.
 ///
-/// It advances coordinates and momenta p = ∂L/∂v, in which it is symplectic whatever the mass
-/// matrix depends on: the energy of a conservative system oscillates and does not drift. Momenta of
-/// cyclic coordinates are conserved to rounding, and so are quantities that are quadratic in (q,
-/// p), such as angular momenta in Cartesian coordinates. The method is symmetric in time and stable
-/// for any stiffness; vibrations faster than the step neither grow nor decay.
+/// It advances coordinates and momenta p = ∂L/∂v, in which it is symplectic for any dependence of
+/// the mass matrix. The energy of a conservative system therefore oscillates and does not drift.
+/// Momenta of cyclic coordinates are conserved to rounding, and so are quantities that are
+/// quadratic in (q, p), such as angular momenta in Cartesian coordinates. The method is symmetric
+/// in time and stable for any stiffness; vibrations faster than the step neither grow nor decay.
 ///
 /// An iteration evaluates momenta and their rates K times. With the Jacobian that
-/// `emit { jacobian }` provides, a step takes it once and four to seven iterations by Newton's
-/// method, for any stiffness; without, fixed-point iterations, hardly more in short steps, and
-/// difference quotients where those do not converge. On a double pendulum a step costs as much as
-/// 15 (K = 1) to 30 (K = 3) evaluations of the right-hand side.
+/// `emit { jacobian }` provides, a step evaluates it once and takes four to seven Newton
+/// iterations, for any stiffness. Without it, the step uses fixed-point iterations, hardly more of
+/// them if it is short, and difference quotients where those do not converge. On a double pendulum
+/// a step costs as much as 15 (K = 1) to 30 (K = 3) evaluations of the right-hand side.
 ///
 /// States within a step have the order of the method for K = 1 (a straight line) and K = 2 (a
-/// cubic), and the order five in velocities for K = 3; the polynomials rely on steps that resolve
-/// the motion, while states at ends of steps do not.
+/// cubic). For K = 3, they have order five in velocities. The polynomials require steps that
+/// resolve the motion; states at ends of steps do not.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct GaussLegendre<S, const K: usize> {
     /// Length of a step.
@@ -67,10 +67,10 @@ impl<S, const K: usize> GaussLegendre<S, K> {
 /// The Gauss method with K = 1, 2 or 3 stages, of order 2K, in equal steps, for any system of
 /// differential equations.
 ///
-/// It advances the state itself: what it conserves are quantities quadratic in the state. It is
-/// symplectic only where the mass matrix is constant and forces do not depend on velocities;
-/// elsewhere take [`GaussLegendre`]. Symmetric in time, stable for any stiffness (A-stable),
-/// without damping of its own.
+/// It advances the state itself, and conserves quantities quadratic in the state. It is symplectic
+/// only if the mass matrix is constant and forces do not depend on velocities; otherwise use
+/// [`GaussLegendre`]. Symmetric in time, stable for any stiffness (A-stable), without numerical
+/// damping.
 ///
 /// An iteration evaluates the right-hand side K times. Iterations and states within a step are as
 /// for [`GaussLegendre`], the latter with an error O(h⁵) for K = 3.

@@ -1,7 +1,7 @@
 //! Gauss methods in the state itself.
 //!
 //! The stages hold slopes Fᵢ = f(t + cᵢ h, y + h Σ aᵢⱼ Fⱼ). Where the system is stiff, the solution
-//! of these equations is more accurate than f at its rounded argument; the step therefore adds up
+//! of these equations is more accurate than f at its rounded argument. The step therefore adds up
 //! the solution.
 
 use crate::integrate::canonical::{Pencil, magnitude};

@@ -33,7 +33,7 @@ pub(super) struct EigenMode<N, const K: usize> {
 
 /// Numbers of stages for which coefficients are known.
 pub trait Coefficients {
-    /// The coefficients.
+    /// Returns the coefficients.
     fn coefficients() -> Self;
 }
 

@@ -3,8 +3,8 @@
 //! The polynomial of the stages has the order three, less than the step. Where the rate of a
 //! component is another one, as q̇ = v, both follow from a quintic polynomial. It takes positions,
 //! velocities and accelerations at the ends. Other components are cubic. The slopes at the ends are
-//! those of the polynomial of the stages, in this step and the one before. They equal the rates but
-//! for what Newton's method leaves, which a stiff system would magnify.
+//! those of the polynomial of the stages, in this step and the one before. They equal the rates
+//! except for the residual of Newton's method, which a stiff system would magnify.
 
 use super::linear::LeadingPositions;
 use super::newton::{StageChanges, numbers, weighted};

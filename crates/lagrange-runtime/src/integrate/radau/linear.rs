@@ -1,8 +1,8 @@
 //! The linear equations (μ − J) x = r of a Newton iteration, for real and complex μ.
 //!
-//! Where the rates of the first components are others, as q̇ = v, their equations μ q − v = r give
-//! q = (r + v) / μ. The factors are those of the other equations alone, at an eighth of the cost
-//! for a mechanical system. For q̇ = v, v̇ = A q + B v, these are
+//! If the rates of the first components are other components, as q̇ = v, their equations μ q − v =
+//! r give q = (r + v) / μ. The factors are those of the other equations alone, at an eighth of the
+//! cost for a mechanical system. For q̇ = v, v̇ = A q + B v, these are
 //!
 //! ```text
 //! (μ − B − A/μ) δv = r_v + A r_q / μ,    δq = (r_q + δv) / μ.

@@ -35,8 +35,8 @@ pub use self::stepper::RadauStepper;
 /// relaxation oscillations. The error is about `absolute + relative · |y|` in the root mean square
 /// over the components of the state.
 ///
-/// It asks for the Jacobian of the system, which `emit { jacobian }` provides; without, difference
-/// quotients take its place, for as many evaluations as there are components. Motions that are fast
+/// It uses the Jacobian of the system, which `emit { jacobian }` provides. Without it, difference
+/// quotients replace the Jacobian, with one evaluation for each component. Motions that are fast
 /// and not damped take short steps, as with any accurate method.
 ///
 /// ```
@@ -68,8 +68,8 @@ pub struct Radau5<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer. The default is a twentieth of the way to the end in view at the start,
-    /// and a two-hundredth while the state stays where it is.
+    /// No step is longer. The default is a twentieth of the way from the start to the current end.
+    /// While the state stays where it is, it is a two-hundredth.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -79,8 +79,8 @@ pub struct Radau5<S> {
 const COARSE: f64 = 1e-4;
 
 impl<S: Scalar> Radau5<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Radau5 {
             relative: tolerance,

@@ -1,4 +1,4 @@
-//! The method for several motions side by side.
+//! The method for several motions in lanes.
 
 use super::{RungeKutta4, RungeKuttaStages, hints_at_instability, longest_bearable};
 use crate::integrate::fixed::FixedLanes;
@@ -9,7 +9,7 @@ use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
-/// Integrations by [`RungeKutta4`] side by side; Y is the state.
+/// Integrations by [`RungeKutta4`] in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub struct RungeKuttaLanes<S: Number, Y> {
     motions: FixedLanes<S, Y>,
@@ -17,7 +17,7 @@ pub struct RungeKuttaLanes<S: Number, Y> {
     start: Y,
 }
 
-/// The last steps by [`RungeKutta4`] side by side.
+/// The last steps by [`RungeKutta4`] in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct RungeKuttaLastStep<S, Y> {
     /// Start time of the steps.

@@ -216,7 +216,7 @@ fn the_longest_step_of_stiff_oscillations_is_named() {
     );
     let what = error.expect_err("unstable").to_string();
     assert!(
-        what.starts_with("a step of 0.01 is too long for this method: steps longer than about 0.00278"),
+        what.starts_with("a step of 0.01 is too long for this method, unstable above about 0.00278"),
         "{what}"
     );
 }

@@ -1,8 +1,9 @@
 //! A fourth-order composition with small errors.
 //!
-//! Among the symmetric compositions that are of order four where the kinetic energy is quadratic in
-//! the velocities, its coefficients were chosen for the smallest error at equal cost: some hundred
-//! times less than that of the three-stage composition of Yoshida and of Forest and Ruth.
+//! It is one of the symmetric compositions of order four for kinetic energies that are quadratic in
+//! the velocities. Its coefficients were chosen for the smallest error at equal cost. The error is
+//! some hundred times less than that of the three-stage composition of Yoshida and of Forest and
+//! Ruth.
 //!
 //! Source: Blanes, Moan, *Practical symplectic partitioned Runge–Kutta and Runge–Kutta–Nyström
 //! methods*, Journal of Computational and Applied Mathematics 142 (2002), 313–330, table 3, the

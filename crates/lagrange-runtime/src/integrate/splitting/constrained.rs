@@ -1,17 +1,17 @@
 //! A step under constraints on positions.
 //!
-//! The impulse of the constraints at the start makes positions at the end satisfy them, and that at
-//! the end the velocities there (SHAKE and RATTLE):
+//! The impulse of the constraints at the start makes positions at the end satisfy them. The impulse
+//! at the end does so for the velocities there (SHAKE and RATTLE):
 //!
 //! ```text
 //! u = v + β₀ h a(t, q) + M⁻¹A(q)ᵀμ,    q₁ = q + h u,    c(t₁, q₁) = 0,
 //! v₁ = u + β₁ h a(t₁, q₁) + M⁻¹A(q₁)ᵀν,    ċ(t₁, q₁, v₁) = 0.
 //! ```
 //!
-//! Accelerations with constraint forces in them differ by combinations of the rows of A, which the
-//! impulses make up for, so that it does not matter at which velocities they are taken. With half
-//! kicks this is RATTLE, symplectic and symmetric of order two; with one kick it is the symplectic
-//! Euler method of order one.
+//! Accelerations that include constraint forces differ by combinations of the rows of A, which the
+//! impulses compensate. The velocities at which they are evaluated therefore do not matter. With
+//! half kicks this is RATTLE, symplectic and symmetric of order two; with one kick it is the
+//! symplectic Euler method of order one.
 //!
 //! Sources: Ryckaert, Ciccotti, Berendsen, Journal of Computational Physics 23 (1977), 327–341;
 //! Andersen, Journal of Computational Physics 52 (1983), 24–34; Hairer, Lubich, Wanner, *Geometric

@@ -1,6 +1,6 @@
-//! Compositions of kicks and drifts for several motions side by side.
+//! Compositions of kicks and drifts for several motions in lanes.
 //!
-//! Equations side by side are rates of whole states, [v…, a…]; steps use the accelerations in them.
+//! Equations in lanes are rates of whole states, [v…, a…]; steps use the accelerations in them.
 //! Coordinates and velocities are the halves of a state, since only systems with q̇ = v are
 //! separable.
 
@@ -17,7 +17,7 @@ use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
-/// Integrations by a composition side by side; Y is the state.
+/// Integrations by a composition in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub struct SplittingLanes<S: Number, Y, const DRIFTS: usize> {
     motions: FixedLanes<S, Y>,
@@ -216,7 +216,7 @@ where
     }
 }
 
-/// Lets methods whose compositions these are take several motions side by side.
+/// Lets methods with these compositions take several motions in lanes.
 macro_rules! side_by_side {
     ($($method:ident: $composition:expr, $drifts:literal;)*) => {
         $(impl<T: Scalar> LanesMethod<T> for $method<T> {

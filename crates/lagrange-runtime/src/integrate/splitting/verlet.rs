@@ -13,9 +13,9 @@ use crate::system::LeapfrogSystem;
 /// Order two; symplectic and symmetric. One acceleration a step. The energy oscillates by O(h²)
 /// without drift; steps longer than 2/ω, with the fastest frequency ω, are unstable.
 ///
-/// Constraints on positions are satisfied to rounding at the end of each step, and by velocities
-/// there (RATTLE), with iterations in between that take one correction each; momenta of symmetries
-/// that the constraints share are kept.
+/// At the end of each step, positions satisfy constraints to rounding, and so do velocities
+/// (RATTLE). The iterations in between take one correction each. Momenta of symmetries that the
+/// constraints share are conserved.
 ///
 /// ```
 /// use lagrange::integrate::{StormerVerlet, integrate};

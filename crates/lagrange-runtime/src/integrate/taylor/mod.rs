@@ -1,9 +1,9 @@
 //! Taylor series with steps as long as a tolerance allows.
 //!
 //! Each step expands the motion about its state and follows the polynomial. Its length follows from
-//! the size of the last coefficients. The expansion at its end, which the next step starts from,
-//! gives the exact rate there; where the slope of the polynomial differs from it by more than is
-//! tolerated, the step is taken back and halved.
+//! the size of the last coefficients. The expansion at its end, from which the next step starts,
+//! gives the exact rate there. If the slope of the polynomial differs from it by more than the
+//! tolerance, the step is taken back and halved.
 //!
 //! Sources: Jorba and Zou, "A software package for the numerical integration of ODEs by means of
 //! high-order Taylor methods", *Experimental Mathematics* 14 (2005) 99–117. They look at two
@@ -34,9 +34,9 @@ pub struct Taylor<S> {
     /// Order of the series, from 4 to [`MAX_ORDER`](crate::system::MAX_ORDER); chosen by the
     /// tolerance if not given.
     pub order: Option<usize>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
-    /// was in view there, and a two-hundredth while the state stays where it is: series do not show
-    /// what is still to come then.
+    /// No step is longer. The default is a twentieth of the way from the start to the end known
+    /// there. While the state stays where it is, it is a two-hundredth, since the series does not
+    /// show later changes.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -50,8 +50,8 @@ const LOWEST_CHOSEN: f64 = 8.0;
 const LOWEST: usize = 4;
 
 impl<S: Scalar> Taylor<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Taylor {
             relative: tolerance,

@@ -14,7 +14,7 @@ use crate::tolerance::LEAST_TOLERANCE;
 /// The last terms of a series may be this part of what is tolerated: what follows them adds up, and
 /// so do steps.
 const SAFETY: f64 = 0.01;
-/// The rate at the end of a step may differ from the slope of its polynomial by this many
+/// Largest difference between the rate at the end of a step and the slope of its polynomial, in
 /// tolerances over the length of the step.
 const LARGEST_DEFECT: f64 = 1.0;
 /// Orders that the length of a step follows from: coefficients may vanish in turn.
@@ -151,8 +151,9 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         self.work.evaluations += 1;
     }
 
-    /// The length of a step whose last terms are small enough: the largest h with |cₖ| hᵏ ≤
-    /// tolerance for the last four orders k, where each is taken to the order of the whole series.
+    /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
+    /// hᵏ ≤ tolerance for the last four orders k, each extrapolated to the order of the whole
+    /// series.
     fn length(&self) -> M::Scalar {
         let order = M::Scalar::from_f64(self.order as f64);
         let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());

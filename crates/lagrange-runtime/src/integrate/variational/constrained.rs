@@ -8,12 +8,12 @@
 //! 5/24 g₀ + 1/3 gₘ − 1/24 g₁ = 0,    1/6 g₀ + 2/3 gₘ + 1/6 g₁ = 0
 //! ```
 //!
-//! determine the multipliers at the start and in the middle: the parabola ends every half step on
-//! positions that are admitted, and what a constraint on velocities adds up to is nothing. The
-//! multipliers at the end make the momenta there admissible, A v₁ + c_t = 0. So constraints hold at
-//! the ends of all steps, and the step is symmetric in time; with constraints on positions alone it
-//! is symplectic on what they leave, with constraints on velocities a discrete Lagrange–d'Alembert
-//! principle.
+//! determine the multipliers at the start and in the middle. The parabola ends every half step on
+//! admissible positions, and the contributions of a constraint on velocities add up to nothing. The
+//! multipliers at the end make the momenta there admissible, A v₁ + c_t = 0. Constraints therefore
+//! hold at the ends of all steps, and the step is symmetric in time. With constraints on positions
+//! alone it is symplectic on the admissible states; with constraints on velocities it is a discrete
+//! Lagrange–d'Alembert principle.
 //!
 //! Sources: Jay, *Symplectic partitioned Runge–Kutta methods for constrained Hamiltonian systems*,
 //! SIAM Journal on Numerical Analysis 33 (1996), 368–387; Hairer, Lubich, Wanner, *Geometric

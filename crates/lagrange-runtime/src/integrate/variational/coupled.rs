@@ -17,8 +17,8 @@ type Square<M> = <<M as MechanicalSystem>::Coordinates as StateVector<<M as OdeS
 /// The constraints at a place.
 pub(super) type AtPlace<M> = ConstraintValues<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>;
 
-/// Weights of the velocities at the start, in the middle and at the end of a step in the change of
-/// coordinates in its first half, and in the whole.
+/// Weights of the velocities at the start, in the middle and at the end of a step. They give the
+/// change of coordinates in its first half, and in the whole.
 pub(super) const PARTS: [[f64; 3]; 2] =
     [[5.0 / 24.0, 1.0 / 3.0, -1.0 / 24.0], [1.0 / 6.0, 2.0 / 3.0, 1.0 / 6.0]];
 
@@ -160,8 +160,8 @@ fn moved<M: CanonicalSystem + ?Sized>(
     moved
 }
 
-/// Returns the changes of the constraints, in the first half and in the whole of a step of length
-/// one, due to velocities at both ends.
+/// Returns the changes of the constraints due to velocities at both ends. They are for the first
+/// half and the whole of a step of length one.
 fn demands<M: CanonicalSystem + ?Sized>(places: &[AtPlace<M>; 3], ends: &[M::Coordinates; 2]) -> M::State {
     let (mut demands, count) = (M::State::ZERO, places[0].count());
     for (part, (parabola, parts)) in PARABOLA.iter().zip(PARTS).enumerate() {

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! which are solved for v₀ and v₁. The method is the Lobatto IIIA–IIIB pair with three stages. Its
-//! relative of degree one with the midpoint in the place of Simpson's rule is the implicit midpoint
+//! relative of degree one with the midpoint instead of Simpson's rule is the implicit midpoint
 //! rule.
 //!
 //! Sources: Marsden, West, *Discrete mechanics and variational integrators*, Acta Numerica 10
@@ -42,26 +42,26 @@ use crate::system::{CanonicalSystem, ScalarOf, StateVector, StepFailure, Vector,
 
 /// A variational integrator of order four in equal steps, for any Lagrangian and any force.
 ///
-/// It follows from a discrete Lagrangian and so keeps what a Lagrangian keeps: the step is
-/// symplectic in coordinates and momenta for any mass matrix, and by the discrete theorem of
-/// Noether every momentum map of a symmetry that is linear in the coordinates is conserved. Momenta
-/// of cyclic coordinates are kept to rounding, since momenta are carried on and not computed from
-/// velocities. The energy of a conservative system oscillates and does not drift. Symmetric in
-/// time.
+/// It follows from a discrete Lagrangian and therefore keeps the invariants of a Lagrangian. The
+/// step is symplectic in coordinates and momenta for any mass matrix. By the discrete theorem of
+/// Noether, every momentum map of a symmetry that is linear in the coordinates is conserved.
+/// Momenta of cyclic coordinates are conserved to rounding, since momenta are carried on and not
+/// computed from velocities. The energy of a conservative system oscillates and does not drift.
+/// Symmetric in time.
 ///
-/// Constraints hold at the ends of all steps to rounding, positions and velocities alike, without
-/// projection: constraint forces are part of the principle. Holonomic ones, moving or not, leave
-/// the method symplectic on what they admit, and momenta of symmetries that they share are kept;
-/// nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, symmetric in time and of
-/// order four as well. A mass matrix may be singular where constraints make up for it, and of
-/// constraints that say the same one counts. A step then iterates over multipliers, too, some two
-/// iterations more.
+/// Constraints hold at the ends of all steps to rounding, for positions and velocities alike,
+/// without projection: constraint forces are part of the principle. With holonomic ones, moving or
+/// not, the method is symplectic on the states that they admit, and momenta of symmetries that they
+/// share are conserved. Nonholonomic ones enter by the discrete Lagrange–d'Alembert principle, also
+/// symmetric in time and of order four. A mass matrix may be singular if constraints compensate for
+/// it, and equivalent constraints count as one. A step then iterates over multipliers, too, about
+/// two iterations more.
 ///
-/// An iteration evaluates momenta and their rates three times; a step takes four to seven with the
-/// Jacobian that `emit { jacobian }` provides, and hardly more without if it is short. On a double
-/// pendulum it costs as much as 23 to 30 evaluations of the right-hand side. Steps must resolve
-/// vibrations, h ω < √8, with a Jacobian, too; for stiff springs take
-/// [`GaussLegendre`](crate::integrate::GaussLegendre).
+/// An iteration evaluates momenta and their rates three times. A step takes four to seven
+/// iterations with the Jacobian that `emit { jacobian }` provides, and hardly more without it if
+/// the step is short. On a double pendulum it costs as much as 23 to 30 evaluations of the
+/// right-hand side. Steps must resolve vibrations, h ω < √8, also with a Jacobian. For stiff
+/// springs use [`GaussLegendre`](crate::integrate::GaussLegendre).
 ///
 /// States within a step are cubics through states and rates at its ends, with an error O(h⁴).
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -166,7 +166,7 @@ pub(super) const STAGE_25: Stage<14> = Stage {
         (20, 0.1304821777615737),
     ],
 };
-/// Weights of the stages by which the state at the part s of a step leaves the chord, as
+/// Weights of the stages by which the state at the part s of a step leaves the chord. They are
 /// polynomials p of 2 s − 1, constant term first: s (1 − s) p.
 pub(super) const BEND: [(usize, [f64; 8]); 19] = [
     (

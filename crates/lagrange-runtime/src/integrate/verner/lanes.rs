@@ -1,8 +1,8 @@
-//! The pair for several motions side by side.
+//! The pair for several motions in lanes.
 //!
-//! A step is that of `stepper` for a system without constraints, but that rates are not kept from
-//! one attempt to the next, since neighbours may have come farther, and that lengths of steps are
-//! found to three digits. A motion that looks stiff is given up: one of its own tells.
+//! A step is that of `stepper` for a system without constraints, with two differences. Rates are
+//! not kept from one attempt to the next, since neighbours may have come farther, and lengths of
+//! steps are found to three digits. A motion that looks stiff is given up: a single run reports it.
 
 use super::Verner98;
 use super::control::POWER;
@@ -27,7 +27,7 @@ use crate::tolerance::SAME_STATE;
 /// Rates that the choice of a first step needs.
 const FIRST_STAGES: u64 = 2;
 
-/// Integrations by [`Verner98`] side by side; Y is the state.
+/// Integrations by [`Verner98`] in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
 pub struct VernerLanes<S, Y> {
     settings: Settings<S>,

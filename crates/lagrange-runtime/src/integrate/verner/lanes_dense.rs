@@ -1,4 +1,4 @@
-//! The states within steps side by side.
+//! The states within steps in lanes.
 
 use super::dense::{FixedPart, Span, interpolated};
 use super::interpolant::{
@@ -29,7 +29,7 @@ const ROWS: [TableauRow; RATES - END - 1] = [
 /// The parts of steps at which defects are looked at.
 const PARTS: [FixedPart; CHECKED.len()] = [FixedPart::new(CHECKED[0]), FixedPart::new(CHECKED[1])];
 
-/// The last steps by [`Verner98`](super::Verner98) side by side.
+/// The last steps by [`Verner98`](super::Verner98) in lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct VernerLastStep<S, Y> {
     /// Start of the steps.
@@ -67,8 +67,8 @@ impl<S: SideBySide<Element: Scalar>, Y: StateVector<S>> VernerLastStep<S, Y> {
         Span { t: self.clock.time(), y: *self.state.value(), h }
     }
 
-    /// Finds the rates that the interpolant needs, given those of the stages, and by how much the
-    /// interpolant is less accurate than it may be, for which one is just enough.
+    /// Finds the rates that the interpolant needs, given those of the stages. Also finds by how
+    /// much it is less accurate than it may be, where one is just enough.
     #[inline(always)]
     pub(super) fn complete<E: Equations<S, State = Y>>(
         &mut self,

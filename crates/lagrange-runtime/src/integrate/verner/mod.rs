@@ -1,9 +1,9 @@
 //! An explicit Runge–Kutta pair of order nine with steps as long as a tolerance allows.
 //!
 //! Sixteen stages give the state to order nine and an estimate of its error of order eight. Within
-//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps in
-//! which it is asked for. Not symplectic, but at tolerances near rounding the drift of the energy
-//! is rounding.
+//! a step, nine more give the state anywhere to order nine; they are evaluated only for steps whose
+//! states are requested. Not symplectic, but at tolerances near rounding the drift of the energy is
+//! rounding.
 //!
 //! Sources: Verner, "Numerically optimal Runge–Kutta pairs with interpolants", *Numerical
 //! Algorithms* 53 (2010) 383–396, in the version of 2024; step control and first step: Hairer,
@@ -35,8 +35,8 @@ use self::tolerance::check_settings;
 /// stiff.
 ///
 /// An accepted step has an estimated error of at most `absolute + relative · |y|`, in the root mean
-/// square over the components of the state; the error at the end is the sum of these as the motion
-/// carries them on. What is less than 16 roundings of the state is always tolerated.
+/// square over the components of the state. The motion propagates and accumulates these errors to
+/// the end. Errors below 16 roundings of the state are always tolerated.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Verner98<S> {
     /// Error of a step as a part of the state.
@@ -45,10 +45,10 @@ pub struct Verner98<S> {
     pub absolute: S,
     /// Length of the first step to try; estimated if not given.
     pub first_step: Option<S>,
-    /// No step is longer. If it is not given, a twentieth of the way from the start to the end that
-    /// was in view there, and a two-hundredth while the state stays where it is: what is still to
-    /// come then does not show in the errors. Forces that act for a shorter time than about a
-    /// quarter of a step may be stepped over.
+    /// No step is longer. The default is a twentieth of the way from the start to the end known
+    /// there. While the state stays where it is, it is a two-hundredth, since errors do not show
+    /// later changes. Forces that act for a shorter time than about a quarter of a step may be
+    /// stepped over.
     pub longest_step: Option<S>,
     /// No more steps are tried, rejected ones included.
     pub max_steps: u64,
@@ -57,8 +57,8 @@ pub struct Verner98<S> {
 }
 
 impl<S: Scalar> Verner98<S> {
-    /// With this tolerance relative to the state where that is larger than one, and absolute where
-    /// it is smaller.
+    /// Creates the method with this tolerance, relative for a state larger than one, and absolute
+    /// for a smaller one.
     pub fn tolerance(tolerance: S) -> Self {
         Verner98 {
             relative: tolerance,

@@ -57,8 +57,8 @@ impl<const N: usize> Stage<N> {
     }
 }
 
-/// A stage whose number of weights is no part of its type: all stages of numbers side by side go
-/// through the same instructions, of which there are many enough without a copy for each stage.
+/// A stage whose number of weights is not part of its type. All stages of numbers in lanes use the
+/// same instructions, of which there are many enough without a copy for each stage.
 pub(super) struct TableauRow {
     node: f64,
     weights: &'static [(usize, f64)],

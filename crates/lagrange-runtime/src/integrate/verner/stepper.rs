@@ -26,12 +26,12 @@ const NEAR: f64 = 0.7;
 const FAST: f64 = 100.0;
 /// and that motion goes on if it changes the state by at least this part of it in a step.
 const SLOWEST: f64 = 1e-9;
-/// The parts of a step after which the defect of the interpolant is looked at: the middle of the
-/// widest gap between stages, and near the end, where it is large if the motion is smooth.
+/// The parts of a step at which the defect of the interpolant is evaluated. They are the middle of
+/// the widest gap between stages, and near the end, where it is large if the motion is smooth.
 pub(super) const CHECKED: [f64; 2] = [0.34, 0.94];
-/// The interpolant is refused if its defect times the step is larger than this times what is
-/// tolerated. On smooth motions the defect at the places above is a third to a half of the
-/// estimated error of the step, and the error within the step less than that.
+/// The interpolant is refused if its defect times the step is larger than this times the tolerance.
+/// On smooth motions the defect at the places above is a third to a half of the estimated error of
+/// the step. The error within the step is less than that.
 pub(super) const LARGEST_DEFECT: f64 = 2.0;
 /// Index of the rate at the end of a step, which starts the next one.
 pub(super) const END: usize = 16;
@@ -208,8 +208,8 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         }
     }
 
-    /// Refuses to go on if steps of the length `h` are at the limit of stability; `ends` are two
-    /// states that differ in the direction that grows fastest.
+    /// Refuses to continue if steps of the length `h` are at the limit of stability. The two states
+    /// `ends` differ in the direction that grows fastest.
     fn refuse_stiff(
         &mut self,
         system: &M,

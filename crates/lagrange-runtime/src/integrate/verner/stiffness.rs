@@ -1,8 +1,8 @@
 //! Detection of steps limited by stability.
 //!
-//! Two stages lie at the end of a step. How much their rates differ for how much their states do
-//! hints at the largest eigenvalue of the Jacobian, which is computed before a system is refused.
-//! Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
+//! Two stages lie at the end of a step. The ratio of the differences of their rates and of their
+//! states hints at the largest eigenvalue of the Jacobian. It is computed before a system is
+//! refused. Source: Hairer, Wanner, *Solving Ordinary Differential Equations II*, §IV.2.
 
 use crate::linalg::vector::{l1_distance, l1_norm};
 use crate::scalar::{Number, Scalar};
@@ -37,8 +37,8 @@ impl Stiffness {
         self.at_limit > 0 || steps.is_multiple_of(INTERVAL)
     }
 
-    /// Looks at two stages at the end of an accepted step of length `h` with `ahead` to go; whether
-    /// it is likely that the limit of stability makes it long.
+    /// Evaluates two stages at the end of an accepted step of length `h` with `ahead` to go. True
+    /// if stability probably limits its length.
     pub(super) fn watch<S: Scalar, Y: StateVector<S>>(
         &mut self,
         lengths: (S, S),
@@ -69,9 +69,8 @@ pub(super) fn are_many<S: Number>((h, ahead): (S, S)) -> S::Mask {
     S::from_f64(BEARABLE).less((ahead / h).abs())
 }
 
-/// True if a step whose ends are these is at the limit of stability with many others ahead; states
-/// that differ by less than the part
-/// `rounding` of them do not tell.
+/// True if a step with these ends is at the limit of stability with many others ahead. States that
+/// differ by less than the part `rounding` of them do not count.
 #[inline(always)]
 pub(super) fn is_at_limit<S: Number, Y: StateVector<S>>(
     (h, ahead): (S, S),

@@ -1,4 +1,4 @@
-//! Errors and rates measured by what is tolerated.
+//! Errors and rates measured by the tolerance.
 
 use super::{AT_REST, LONGEST, LONGEST_AT_REST, Verner98};
 use crate::integrate::corrected::is_finite;

@@ -6,9 +6,9 @@ use crate::syntax::ast::bodies::SceneStatement;
 use crate::syntax::ast::mobilizers::MobilizerKind;
 
 impl StatementKind {
-    /// All names outside of expressions, to be read or replaced: those that the statement declares,
-    /// but for what is made of them, and those that it mentions. Those within loops are not among
-    /// them.
+    /// Returns all names outside of expressions, to be read or replaced. They are the names that
+    /// the statement declares, without derived ones, and those that it mentions. Names within loops
+    /// are excluded.
     pub fn names_mut(&mut self) -> Vec<&mut Name> {
         match self {
             StatementKind::Parameters(list)
@@ -50,8 +50,8 @@ impl StatementKind {
         }
     }
 
-    /// The names that a statement declares but for those of types, each as a name that stands in
-    /// the text and what follows that: a quaternion `hip` declares `hip` with `_qw` behind it.
+    /// Returns the names that a statement declares, except those of types. Each is a name in the
+    /// text and a suffix: a quaternion `hip` declares `hip` with `_qw` behind it.
     pub fn written_names(&self) -> Vec<(&Name, String)> {
         match self {
             StatementKind::Quaternion(quaternion) => made_of(&quaternion.name, quaternion.names()),

@@ -1,5 +1,5 @@
-//! Bodies whose orientations are unit quaternions, (1, 0, 0, 0) if body and world have the same
-//! axes, with angular velocities in the axes of the body.
+//! Bodies whose orientations are unit quaternions, with angular velocities in the axes of the body.
+//! The quaternion is (1, 0, 0, 0) if body and world have the same axes.
 //!
 //! Quaternions have the scalar first. q turns components along the axes of the body into those in
 //! the world: x ↦ q ⊗ (0, x) ⊗ q̄.
