@@ -12,17 +12,11 @@ use crate::prose::{long_sentences, long_sentences_of, wrapped};
 const OPENINGS: [&str; 12] =
     ["As", "By", "How", "Of", "So", "Such", "The same", "Those", "What", "Where", "Whether", "Which"];
 
-/// Phrases that no page contains.
-const PHRASES: [&str; 8] = [
-    "be it",
-    "in the place of",
-    "is none",
-    "lest",
-    "so that no",
-    "that is said",
-    "that which",
-    "those which",
-];
+/// Phrases that neither pages nor comments contain.
+const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", "that which", "those which"];
+
+/// Phrases that pages do not contain either.
+const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
 
 /// Pages that keep to plain English.
 const PAGES: [&str; 17] = [
@@ -119,18 +113,21 @@ pub(crate) fn openings(crates: &[Crate]) -> Vec<String> {
     found.collect()
 }
 
-/// Finds the phrases to be avoided in pages.
-pub(crate) fn phrases(root: &Path) -> Vec<String> {
-    let complaints = |page: &str| {
-        let text = page_text(root, page);
+/// Finds the phrases to be avoided in pages and comments.
+pub(crate) fn phrases(root: &Path, crates: &[Crate]) -> Vec<String> {
+    let texts = texts(root, crates).into_iter();
+    let found = texts.flat_map(|(path, text)| {
+        let is_rust = path.ends_with(".rs");
+        let others = if is_rust { &[] } else { &PHRASES_OF_COMMENTS[..] };
         let lines = text.lines().enumerate();
+        let lines = lines.filter(|(_, line)| !is_rust || line.trim_start().starts_with("//"));
         let found = lines.filter_map(|(index, line)| {
-            let phrase = PHRASES.iter().find(|phrase| has_words(line, phrase))?;
-            Some(format!("{page}:{}: \"{phrase}\"", index + 1))
+            let phrase = PHRASES.iter().chain(others).find(|phrase| has_words(line, phrase))?;
+            Some(format!("{path}:{}: \"{phrase}\"", index + 1))
         });
         found.collect::<Vec<_>>()
-    };
-    PAGES.iter().flat_map(|page| complaints(page)).collect()
+    });
+    found.collect()
 }
 
 /// Returns the first lines of documentation in a source text that begin with a word to be avoided,

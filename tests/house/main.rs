@@ -80,7 +80,7 @@ fn few_names_are_defined_twice() {
 #[test]
 fn documentation_is_plain_english() {
     let Workspace { root, crates } = workspace();
-    nothing_in(english::openings(crates).into_iter().chain(english::phrases(root)));
+    nothing_in(english::openings(crates).into_iter().chain(english::phrases(root, crates)));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 
-/// Friction whose limit is smaller than this is none.
+/// Friction whose limit is smaller than this does not act.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }

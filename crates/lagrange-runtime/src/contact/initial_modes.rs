@@ -114,7 +114,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 
     /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction
-    /// `ended` had has just come to its end, so that it is none of them.
+    /// `ended` had has just come to its end, and is therefore not among them.
     ///
     /// # Errors
     /// If there are none, or if something is not finite.

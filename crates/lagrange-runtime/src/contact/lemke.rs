@@ -99,7 +99,7 @@ impl<S: Scalar, const K: usize> Row<S, K> {
         }
     }
 
-    /// Adds a multiple of another row, but in the place of that column.
+    /// Adds a multiple of another row, except in that column, which it replaces.
     fn add(&mut self, factor: S, other: &Row<S, K>, column: Column) {
         let kept = factor * other.slope(column);
         self.value = factor.multiply_add(other.value, self.value);
