@@ -91,7 +91,7 @@ impl Sketch {
 
     /// Writes text with its middle at a point, or beside it where it would lie on a line.
     pub fn text(&mut self, at: [f64; 2], text: &str) -> &mut Self {
-        // A single word is a symbol, a sentence is none.
+        // A single word is a symbol, a sentence is not.
         let written = if text.contains(' ') { text.to_string() } else { formula(text) };
         self.push(written, text, Shape::Words { at }, self.ink);
         self

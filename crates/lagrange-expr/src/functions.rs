@@ -122,7 +122,7 @@ pub fn partials(graph: &mut Graph, function: Function, arguments: &[ExprId], val
 pub fn is_restricted(graph: &Graph, id: ExprId) -> bool {
     match graph.node(id) {
         Node::Product(factors) => factors.iter().any(|(_, exponent)| !exponent.is_integer()),
-        // A sign that never changes is none of the surfaces.
+        // A sign that never changes is not one of the surfaces.
         Node::Call(Function::Sign | Function::MagnitudeSlope, arguments) => {
             graph.is_nonnegative(arguments[0])
         }

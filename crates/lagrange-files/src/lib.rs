@@ -125,7 +125,7 @@ impl Unfinished {
 
 impl Drop for Unfinished {
     fn drop(&mut self) {
-        // After it was put in its place there is none under this name.
+        // After it was put in its place, there is no file of this name.
         drop(fs::remove_file(&self.path));
     }
 }

@@ -38,7 +38,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// The row of a robot, or why there is none.
+/// Returns the row of a robot, or the reason why there is none.
 fn compare(robot: &str, reference: &str, options: &Options) -> Result<String, String> {
     let read = |path: &str| fs::read_to_string(path).map_err(|error| format!("{path}: {error}"));
     let imported = import(&read(robot)?, options).map_err(|mistakes| {

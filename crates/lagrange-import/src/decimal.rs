@@ -20,7 +20,7 @@ pub(crate) struct Decimal {
 }
 
 impl Decimal {
-    /// The number that a text is, unless it is none, or none that is finite.
+    /// Parses a text as a finite number, if it is one.
     pub(crate) fn parse(text: &str) -> Option<Decimal> {
         let (unsigned, is_negative) = match text.strip_prefix('-') {
             Some(rest) => (rest, true),

@@ -25,7 +25,7 @@
 //! | [`IMPACT_ENERGY`] | 256 | the energy that is exchanged | squares of velocities that are solved for | × 1/4096: `an_impact_conserves_momentum_and_an_elastic_one_energy`; × 64: `no_impact_creates_energy` |
 //! | [`BERNSTEIN_COEFFICIENT`] | 512 | the largest value | the sums of magnitudes in the change to Bernstein coefficients | × 1/4096: `what_only_touches_zero_does_not_change`; × 64: `zeros_next_to_each_other_are_found` |
 //! | [`SAME_EVENT`] | 64 | time; the change of a function with the state | a restart puts times and states beside each other by a few roundings | × 1/64: runs that do not end |
-//! | [`SURFACE`] | 32 | the largest component of the state | a switch is looked for so far beyond its surface, lest rounding on it pass it again and again | × 1/64 and × 64: `a_switch_changes_its_side_a_few_roundings_beyond_its_surface` |
+//! | [`SURFACE`] | 32 | the largest component of the state | a switch is located this far beyond its surface, as rounding on it would pass it again and again | × 1/64 and × 64: `a_switch_changes_its_side_a_few_roundings_beyond_its_surface` |
 //! | [`RESTART`] | 2 | time | steps end so far before a jump and start so far after it that no evaluation falls on it | × 1/64: `no_step_sees_a_jump`; × 64: `a_restart_that_fails_is_an_error_at_the_jump` |
 //! | [`SAME_INSTANT`] | 4 | time | instants are multiples of a period, rounded, on both sides of a restart | × 1/64 and × 64: `instants_are_apart_by_more_than_the_rounding_of_time` |
 //! | [`DEFAULT_TOLERANCE`] | 10 | the state | no default asks for more than numbers give | × 1/64 and × 64: `the_default_tolerance_is_what_numbers_can_give` |

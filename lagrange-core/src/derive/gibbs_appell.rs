@@ -226,7 +226,7 @@ pub(super) fn remainder(graph: &mut Graph, whole: ExprId, part: ExprId) -> ExprI
     graph.sum(constant, terms)
 }
 
-/// Sums with terms that, be it as terms of terms, are terms of both expressions.
+/// Returns sums with terms that are terms of both expressions, even as terms of terms.
 fn common_terms(graph: &Graph, whole: ExprId, part: ExprId) -> HashSet<ExprId> {
     let is_sum = |id: ExprId| matches!(graph.node(id), Node::Sum { .. });
     let closures = [whole, part].map(|root| graph.reachable_until(&[root], |id| !is_sum(id)));

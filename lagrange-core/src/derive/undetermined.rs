@@ -32,8 +32,7 @@ pub(super) fn undetermined(model: &mut Model) -> Vec<usize> {
     matrix.map_or_else(Vec::new, |matrix| first_of_kernel(matrix, velocities.len()))
 }
 
-/// The matrix with a number between one and two in the place of every symbol, all of them
-/// different.
+/// Returns the matrix with a number between one and two for every symbol, all of them different.
 fn numbers(graph: &Graph, rows: &[Vec<ExprId>], state: u32) -> Vec<Vec<f64>> {
     let value = |role: Role| {
         let (kind, index) = match role {

@@ -130,7 +130,7 @@ fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) ->
     foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())
 }
 
-/// Returns false for an acceleration where there is none.
+/// Returns false for an acceleration without a place for it.
 fn is_accepted(evaluator: &Evaluator<'_>, meant: &str) -> bool {
     !meant.starts_with("ddot(") || may_use_accelerations(evaluator)
 }

@@ -159,7 +159,7 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
 }
 
 /// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
-/// plane instead of in space or vice versa.
+/// wrong number of dimensions.
 fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'static str) {
     let staged = &elaborator.staged;
     match product {

@@ -42,8 +42,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) values: HashMap<AstId, Option<Operand>>,
     /// Functions without a formula that calls may mention.
     pub(super) callables: OrderedMap<String, Callable>,
-    /// Expressions with an obligation to be a vector: that one is none is reported there, not for
-    /// each of its components.
+    /// Expressions with an obligation to be a vector. A violation is reported there, not for each
+    /// of its components.
     pub(super) obliged_vectors: HashSet<AstId>,
     /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is
     /// reported there.
@@ -250,8 +250,8 @@ impl<'a> Evaluator<'a> {
         (self.origin(culprit), name)
     }
 
-    /// The smallest part of an expression of which another one is a part; `None` if it is none of
-    /// its parts.
+    /// Returns the smallest part of an expression that contains another one; `None` if the other
+    /// one is not part of it.
     pub(super) fn place_of(&self, root: AstId, part: ExprId) -> Option<Origin> {
         let holds = |id: AstId| {
             let components = self.value(id).map_or_else(Vec::new, |value| value.components().to_vec());

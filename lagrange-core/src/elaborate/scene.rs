@@ -78,7 +78,7 @@ fn body_motion(elaborator: &mut Elaborator<'_>, motion: &Motion) -> Option<BodyM
     Some(BodyMotion { body, values })
 }
 
-/// The values of scalars; what is none is reported.
+/// Returns the values of scalars; others are reported.
 fn scalars_of(elaborator: &mut Elaborator<'_>, syntax: &[AstId]) -> Option<Vec<ExprId>> {
     let scalar = |&id: &AstId| {
         value_of(&mut elaborator.evaluator, id)?;

@@ -45,7 +45,7 @@ struct StatedEquation {
 }
 
 impl StatedEquation {
-    /// Checks all that is said; `None` if something is wrong, which is reported.
+    /// Checks the whole statement; `None` if it has a mistake, which is reported.
     fn read(
         evaluator: &mut Evaluator<'_>,
         definition: &UnknownDefinition,
@@ -142,7 +142,7 @@ struct KnownParts {
 type Operands = Vec<(ExprId, Number)>;
 
 impl KnownParts {
-    /// The equation with symbols in the place of the largest parts that do not hold the unknown.
+    /// Returns the equation with symbols for the largest parts that do not contain the unknown.
     fn taken_out(&mut self, graph: &mut Graph, residual: ExprId) -> ExprId {
         let mut image: HashMap<ExprId, ExprId> = HashMap::default();
         for id in graph.reachable(&[residual]) {

@@ -83,8 +83,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
         StatementKind::Table(table) => define_table(elaborator, table),
         StatementKind::Solve(unknown) => define_unknown(elaborator, unknown),
-        // Plain statements have taken the place of scenes, values that of calls, all statements
-        // that they stand for that of loops; functions of the user's crate are known already.
+        // Plain statements have replaced scenes, values have replaced calls, and the statements of
+        // loops have replaced loops. Functions of the user's crate are known already.
         StatementKind::Scene(_)
         | StatementKind::Function(_)
         | StatementKind::External(_)

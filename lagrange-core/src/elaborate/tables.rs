@@ -19,8 +19,7 @@ struct Point {
     line: Option<usize>,
 }
 
-/// Makes a table known, be it without a value if something is wrong with its points, which is
-/// reported.
+/// Declares a table. Invalid points are reported, and the table is then declared without values.
 pub(super) fn define_table(elaborator: &mut Elaborator<'_>, table: &TableDefinition) {
     let source = points(elaborator, table).and_then(|points| match table.parameters.len() {
         1 => curve(elaborator, table, &points),

@@ -177,8 +177,8 @@ fn correct_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
             }
         }
     });
-    // Starts, and states that events put in the place of others, must satisfy the constraints
-    // however they are kept from there on.
+    // Starts, and states that events set, must satisfy the constraints however they are kept from
+    // there on.
     let others = (is_held || is_touching).then(|| {
         let members = ["admit", "restore"].map(|name| {
             let name = local(name);

@@ -54,7 +54,7 @@ pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
     page.html()
 }
 
-/// Whole numbers stand for places: `middle` is none, and `unit` is one.
+/// Whole numbers stand for places: the origin is `middle`, and the length one is `unit`.
 struct Frame {
     middle: Vector,
     radius: f64,
@@ -138,7 +138,7 @@ impl Scene<'_> {
         )
     }
 
-    /// A thing; its mesh is put to those that are known, if it is none of them.
+    /// Returns a thing; its mesh is added to the known ones if it is new.
     fn thing<'m>(&self, thing: &'m MovingMesh, meshes: &mut Vec<&'m Mesh>, label: &mut usize) -> String {
         let known = meshes.iter().position(|mesh| **mesh == thing.mesh);
         let index = known.unwrap_or_else(|| {

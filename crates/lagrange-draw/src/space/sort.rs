@@ -95,8 +95,8 @@ fn is_in_order(pieces: &[Fragment], is_convex: &[bool]) -> bool {
     pieces.len() == 1 || (is_convex[first.thing] && pieces.iter().all(|piece| piece.thing == first.thing))
 }
 
-/// A plane across an axis with things on both sides and none in between: that which divides them
-/// most evenly.
+/// Returns a plane across an axis with things on both sides and none in between: the one that
+/// divides them most evenly.
 fn separation(pieces: &[Fragment]) -> Option<Plane> {
     let things = 1 + pieces.iter().map(|piece| piece.thing).max()?;
     let mut best: Option<(usize, Plane)> = None;

@@ -91,12 +91,12 @@ impl SceneNames {
         self.objects.get(&name.to_owned())
     }
 
-    /// Declaration of an object of that name, be it further down.
+    /// Returns the declaration of an object of that name, even further down.
     pub(super) fn anywhere(&self, name: &str) -> Option<&Name> {
         self.all_objects.get(&name.to_owned())
     }
 
-    /// True if something else than a line has this name, be it further down.
+    /// True if something else than a line has this name, even further down.
     pub(super) fn is_declared(&self, name: &str) -> bool {
         self.declared.contains(&name.to_owned())
     }

@@ -63,7 +63,7 @@ fn plain_of(translation: Translation<'_>, declaration: Declaration, in_space: Sp
     }
 }
 
-/// Puts plain statements in the place of one.
+/// Replaces a statement by plain statements.
 pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: Statement) {
     match statement.kind {
         StatementKind::Scene(SceneStatement::Mobilizer(ref joint)) => {

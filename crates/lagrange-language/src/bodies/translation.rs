@@ -110,7 +110,7 @@ impl<'a> Translation<'a> {
         TermWriter::new(&mut self.expressions, self.origin)
     }
 
-    /// Adds a plain statement in the place of the current one.
+    /// Adds a plain statement that replaces the current one.
     pub(super) fn push(&mut self, kind: StatementKind) {
         if self.lagrangian.is_some()
             && matches!(kind, StatementKind::Kinetic(_) | StatementKind::Potential(_))
@@ -141,7 +141,7 @@ impl<'a> Translation<'a> {
         Name::new(self.names.fresh(wish), self.origin.start)
     }
 
-    /// The body that an expression names, be it only that.
+    /// Returns the body that an expression names, if it is only a name.
     pub(super) fn body_named(&self, id: AstId) -> Option<usize> {
         let Expression::Name(name) = self.expressions.get(id) else { return None };
         match self.names.find(name)? {

@@ -6,7 +6,7 @@ use super::messages;
 use crate::syntax::ast::{ArrayExpression, AstId, Expression, Expressions};
 use lagrange_expr::limits::MAX_ELEMENTS;
 
-/// The number of elements of an array; nothing if one of its sizes is none.
+/// Returns the number of elements of an array; `None` if one of its sizes is invalid.
 pub(super) fn count(sizes: &[i64]) -> Option<u64> {
     let are_sizes = sizes.iter().all(|size| *size > 0);
     are_sizes.then(|| sizes.iter().fold(1, |count: u64, size| count.saturating_mul(size.unsigned_abs())))

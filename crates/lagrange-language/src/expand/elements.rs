@@ -99,7 +99,7 @@ impl ElementNames {
         array.elements.get(indices).and_then(|(_, text)| text.strip_suffix(suffix))
     }
 
-    /// True if elements have this name, be it that they only own others, as quaternions do.
+    /// True if elements have this name, including names that only own others, such as quaternions.
     pub(super) fn is_indexed(&self, name: &str) -> bool {
         self.array(name).is_some()
     }

@@ -156,7 +156,7 @@ impl Inliner<'_> {
         self.defined.insert(name, Defined { function, places, parts, is_called: false });
     }
 
-    /// An expression with the values of functions in the place of their calls.
+    /// Replaces calls of functions in an expression by their values.
     fn inlined(&mut self, root: AstId) -> AstId {
         let mut replaced: HashMap<AstId, AstId> = HashMap::default();
         for id in self.expressions.parts(root) {

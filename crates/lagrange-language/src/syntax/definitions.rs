@@ -308,7 +308,7 @@ impl Parser<'_> {
     }
 }
 
-/// True if an item ends here, be it that the semicolon behind it was forgotten.
+/// True if an item ends here, even if the semicolon behind it was forgotten.
 fn at_item_end(cursor: &Cursor) -> bool {
     cursor.at(',') || cursor.at_statement_end()
 }

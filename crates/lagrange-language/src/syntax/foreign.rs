@@ -190,8 +190,8 @@ const SOLIDS: &[(&str, &[&str])] = &[
     ("regular_polygon", &["hexagon", "pentagon", "octagon", "ngon"]),
 ];
 
-/// Parts of bodies, connectors and joints, with what is written in the place of others; `#1` stands
-/// for the object, `#2` for the word.
+/// Parts of bodies, connectors and joints, with the spelling here of foreign ones; `#1` stands for
+/// the object, `#2` for the word.
 const PARTS: &[(Owner, &[&str], &str)] = &[
     (Owner::Body, &["position", "pos", "centre", "com", "place", "location"], "#1.center"),
     (Owner::Body, &["x", "y"], "#1.center.#2"),

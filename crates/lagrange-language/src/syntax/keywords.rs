@@ -45,7 +45,7 @@ pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 10] = [
     ("powf", 2),
 ];
 
-/// The statement that a word begins, be it before certain tokens only.
+/// Returns the statement that a word begins, even if it does so before certain tokens only.
 pub(super) fn statement(word: &str) -> Option<&'static Keyword> {
     TABLES.iter().copied().flatten().find(|keyword| keyword.word == word)
 }

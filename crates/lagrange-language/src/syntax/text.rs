@@ -27,7 +27,7 @@ fn complaint(culprit: Option<char>) -> String {
     }
 }
 
-/// Spelling in the place of a character.
+/// Returns the spelling that replaces a character.
 fn character_help(culprit: char) -> &'static str {
     match culprit {
         '(' | '[' | '{' => "close it where it should end",

@@ -78,8 +78,8 @@ pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut 
     }
 }
 
-/// The points in a text, each behind the number of its line; nothing but a report if one of them is
-/// none.
+/// Returns the points in a text, each behind the number of its line; nothing but a report if one of
+/// them is invalid.
 fn points(text: &str, columns: usize, path: &Name, report: &mut Report) -> Option<Vec<(usize, Vec<f64>)>> {
     let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
     let lines = text.lines().enumerate().map(|(number, line)| (number + 1, uncommented(line)));

@@ -151,8 +151,8 @@ pub fn redundant_correction<S: Scalar, const N: usize, const D: usize>(
 /// scaled to length one.
 ///
 /// No unit matters: if masses or lengths are multiplied by a power of two, all that is scaled keeps
-/// its bits. Masses are brought near one by a power of two first, lest their roots take half of an
-/// odd one.
+/// its bits. Masses are brought near one by a power of two first, as their roots would otherwise
+/// take half of an odd one.
 #[derive(Debug)]
 struct ScaledEquations<S, const N: usize, const D: usize> {
     /// Power of two by which masses and forces are multiplied.

@@ -7,13 +7,13 @@
 //! r ≥ 0, rate ≥ 0, r·rate = 0;     |r| ≤ limit and rate = 0, or r = −sign(rate) limit.
 //! ```
 //!
-//! One rule is changed at a time, that of the first reaction that contradicts its rule, which ends
-//! at the answer if friction does not couple strongly (Murty's least-index pivoting). Where it does
-//! not, [Lemke's method](super::lemke) finds rules, and where limits of friction change their
-//! signs, so that it may not, all combinations are tried if they are few. With friction that slips
-//! and is strong there may be none: the paradox of Painlevé. Sources: Murty, *Linear
-//! Complementarity, Linear and Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody Dynamics
-//! with Unilateral Contacts*, §5.3, §6.
+//! One rule is changed at a time, that of the first reaction that contradicts its rule. This ends
+//! at the answer if friction does not couple strongly (Murty's least-index pivoting). Otherwise
+//! [Lemke's method](super::lemke) finds rules. It may fail where limits of friction change their
+//! signs; all combinations are then tried if they are few. With friction that slips and is strong
+//! there may be none: the paradox of Painlevé. Sources: Murty, *Linear Complementarity, Linear and
+//! Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*,
+//! §5.3, §6.
 //!
 //! # A block on a floor in numbers
 //!

@@ -9,15 +9,19 @@ use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 
-/// Friction whose limit is smaller than this is none.
+/// Friction whose limit is smaller than this does not act.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }
 
-/// A function for each reaction that is positive while its mode may last and falls through zero
-/// where it ends: the gap of an open contact, the force of a closed one, the slip velocity in the
-/// direction of slipping, and what is left to the static limit while friction sticks. Forces fall
-/// through zero a few roundings later than they do.
+/// Computes a function for each reaction that is positive while its mode may last and falls through
+/// zero where it ends:
+/// - the gap of an open contact;
+/// - the force of a closed contact;
+/// - the slip velocity of slipping friction, in the direction of slipping;
+/// - the margin of sticking friction to the static limit.
+///
+/// Functions of forces fall through zero a few roundings later than the forces do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -44,9 +48,9 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
 /// Writes [`switch_values`] of the state to the places of the declared events that belong to
 /// reactions.
 ///
-/// Slip velocities count as positive down to what rounding makes of zero: friction may be at its
-/// limit where other contacts hold its slip velocity, as that of a block pushed against a wall, and
-/// would come to its end in every step.
+/// Slip velocities count as positive down to their rounding error. Friction may be at its limit
+/// where other contacts hold its slip velocity, as that of a block pushed against a wall. It would
+/// otherwise end in every step.
 ///
 /// # Panics
 /// If `values` has no position for one of them.

@@ -9,28 +9,28 @@
 //!
 //! which for one contact is v⁺ = v⁻ − (1 + e) W (J W)⁻¹ J v⁻. A contact that would have to pull is
 //! left out. Friction whose limit grows with the reactions of contacts acts by the same law as its
-//! force: |Λ| ≤ slope of the limit times the impulses, and against the slip that remains; limits
-//! that do not grow with reactions are finite forces and give no impulse.
+//! force. It satisfies |Λ| ≤ slope of the limit times the impulses, and acts against the slip that
+//! remains. Limits that do not grow with reactions are finite forces and give no impulse.
 //!
 //! With friction, or with several contacts of different restitution, Newton's law of restitution
-//! may create energy (the paradox of Kane and Levinson), or there may be no impulses, as for a body
-//! wedged between more walls than it has freedoms. Then all coefficients are reduced in proportion
-//! until there are, and no energy is created. Without restitution there always are impulses
-//! ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen from moving
-//! surfaces.
+//! may create energy (the paradox of Kane and Levinson). There may also be no impulses, as for a
+//! body wedged between more walls than it has freedoms. All coefficients are then reduced in
+//! proportion until impulses exist and no energy is created. Without restitution there always are
+//! impulses ([`lemke`](super::lemke)), and they take the energy −Λ·rate⁺ + ½ Λ·G Λ ≥ 0, as seen
+//! from moving surfaces.
 //!
-//! A jam is what is left of such an impact as the approach falls to zero. It differs from nothing
-//! only where friction is so strong that a contact which slips would be drawn in. Sources: Moreau,
-//! "Unilateral contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and
-//! Applications* (1988); Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory
-//! and Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
+//! A jam is the limit of such an impact as the approach falls to zero. It has an effect only where
+//! friction is so strong that a contact which slips would be drawn in. Sources: Moreau, "Unilateral
+//! contact and dry friction in finite freedom dynamics", in *Nonsmooth Mechanics and Applications*
+//! (1988). Glocker, *Set-Valued Force Laws*, §8; Kane, Levinson, *Dynamics: Theory and
+//! Applications*, §5.8; Brogliato, *Nonsmooth Mechanics*, 3rd ed., §4.3.
 //!
 //! # A block on a floor in numbers
 //!
 //! m = 2 falls with 4 and slides with 3, e = 1/2 and friction 0.25 times the normal force. Without
 //! impulses rate⁺ + e rate⁻ is (−6, 3), and G = diag(1/2, 1/2). Held together the impulses would be
-//! (12, −6), but friction gives no more than 0.25 · 12 = 3: (12, −3), so that the block leaves with
-//! 2 and slides on with 3/2. It had 25 J and keeps 6.25.
+//! (12, −6), but friction gives no more than 0.25 · 12 = 3. They are (12, −3), and the block leaves
+//! with 2 and slides on with 3/2. It had 25 J and keeps 6.25.
 
 use core::array;
 
@@ -45,8 +45,8 @@ use crate::tolerance::IMPACT_ENERGY;
 const MOST_BISECTIONS: u32 = 40;
 /// Number of bisections if the full impulses do not exist.
 const FEW_BISECTIONS: u32 = 6;
-/// Speeds of approach at which a jam is looked for, as parts of the largest slip velocity: the
-/// smaller ones for contacts of which one slips much more slowly than another.
+/// Speeds of approach at which a jam is searched for, as parts of the largest slip velocity. The
+/// smaller ones are for contacts of which one slips much more slowly than another.
 const APPROACHES: [f64; 3] = [1e-4, 1e-7, 1e-10];
 const NO_IMPULSES: &str = "no impulses of contacts and friction are consistent with the impact";
 
@@ -87,8 +87,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         self.reduced(part, creates).ok_or(StepFailure::Stuck(NO_IMPULSES))
     }
 
-    /// The impact with the largest part of the restitution with which there are impulses and no
-    /// energy is created, as there are and it is not with none of it.
+    /// Returns the impact with the largest part of the restitution for which there are impulses and
+    /// no energy is created. Both hold without any restitution.
     fn reduced(
         &self,
         part: impl Fn(S) -> Option<Collision<S, N, K>>,
@@ -111,8 +111,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         part(below).filter(|collision| !creates(collision)).or_else(|| part(S::ZERO))
     }
 
-    /// The impact without approach by which contacts that are `pressed` jam, if there is one: that
-    /// to which impacts tend as the speed of approach falls to zero, and which leaves another
+    /// Returns the impact without approach by which contacts that are `pressed` jam, if there is
+    /// one. It is the limit of impacts as the speed of approach falls to zero, and leaves another
     /// motion.
     pub(super) fn jam(
         &self,

@@ -15,15 +15,18 @@ use crate::tolerance::{INSTANT, TOUCHING};
 const NO_FORCES: &str = "no forces of contacts and friction are consistent with this state: friction is too \
 strong for rigid bodies that slip this way (Painlevé paradox)";
 
-/// The system as a motion from this state starts: contacts that touch and press are closed,
-/// friction at rest sticks if it can and slips the way it is driven otherwise. `None` if it is in
-/// these modes already.
+/// Returns the system for a motion that starts from this state. Contacts that touch and press are
+/// closed. Friction at rest sticks if it can, and otherwise slips the way it is driven. `None` if
+/// it is in these modes already.
 ///
 /// A contact that touches and approaches stays open: its event is the impact, at once.
 ///
 /// # Errors
-/// If a gap or a limit of friction is negative, if a coefficient of restitution that does not
-/// depend on the state is not from 0 to 1, if something is not finite, or if no modes fit.
+/// If any of these holds:
+/// - a gap or a limit of friction is negative;
+/// - a coefficient of restitution that does not depend on the state is not from 0 to 1;
+/// - a value is not finite;
+/// - no modes fit.
 pub fn begin<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,
@@ -111,7 +114,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 
     /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction
-    /// `ended` had has just come to its end, so that it is none of them.
+    /// `ended` had has just come to its end, and is therefore not among them.
     ///
     /// # Errors
     /// If there are none, or if something is not finite.

@@ -1,7 +1,7 @@
 //! The law of contacts and friction as a linear complementarity problem, solved by Lemke's method.
 //!
-//! With reactions and rates measured as in [`reaction_forces`](super::reaction_forces), three pairs
-//! w ≥ 0, z ≥ 0, w z = 0 stand for friction that holds or slips and one for a contact that presses
+//! Reactions and rates are measured as in [`reaction_forces`](super::reaction_forces). Three pairs
+//! w ≥ 0, z ≥ 0, w z = 0 stand for friction that holds or slips, and one for a contact that presses
 //! or parts:
 //!
 //! ```text
@@ -13,12 +13,12 @@
 //!
 //! Rates and limits are affine in the reactions, so that w = q + M z. Friction that is known to
 //! slip is an equation for a reaction without a sign. All w become possible by a multiple z₀ of the
-//! vector of ones; z₀ is then driven out: whenever a variable leaves the basis its complement
+//! vector of ones. Then z₀ is driven out: whenever a variable leaves the basis its complement
 //! enters.
 //!
-//! If G is positive semidefinite and limits do not fall where contacts press, M is copositive.
-//! Without friction that is known to slip, and if no reactions without effect on the rates work
-//! against q, Lemke's method then ends at a solution: so there are impulses at every impact without
+//! If G is positive semidefinite and limits do not fall where contacts press, M is copositive. Then
+//! Lemke's method ends at a solution if no friction is known to slip, and no reactions without
+//! effect on the rates work against q. There are therefore impulses at every impact without
 //! restitution. Friction that is known to slip may leave no solution: the paradox of Painlevé.
 //!
 //! q is moved by a little more than rounding, by another amount in each row, which keeps the method
@@ -99,7 +99,7 @@ impl<S: Scalar, const K: usize> Row<S, K> {
         }
     }
 
-    /// Adds a multiple of another row, but in the place of that column.
+    /// Adds a multiple of another row, except in that column, which it replaces.
     fn add(&mut self, factor: S, other: &Row<S, K>, column: Column) {
         let kept = factor * other.slope(column);
         self.value = factor.multiply_add(other.value, self.value);

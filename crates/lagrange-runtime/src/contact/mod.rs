@@ -1,10 +1,10 @@
 //! Contacts that open and close, impacts, and dry friction that sticks and slips.
 //!
 //! An event `event floor = gap, falling => impact(e);` declares a unilateral contact,
-//! `friction brake = slip, limit;` dry friction along the velocity `slip`. Each has a *reaction* r:
-//! the normal force of the contact, along the gradient of the gap, or the friction force, along the
-//! gradient of the slip velocity. Which reactions act, and by what rule, is its *mode*, a public
-//! field of the emitted type that events switch during a motion:
+//! `friction brake = slip, limit;` dry friction along the velocity `slip`. Each has a *reaction* r.
+//! It is the normal force of the contact, along the gradient of the gap, or the friction force,
+//! along the gradient of the slip velocity. Its *mode* determines if it acts, and by what rule.
+//! Modes are public fields of the emitted type that events switch during a motion:
 //!
 //! | mode | reaction |
 //! |---|---|
@@ -14,29 +14,30 @@
 //! | friction slips forwards, backwards | r = ∓ kinetic limit |
 //!
 //! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within
-//! the mechanism: its constraints hold), so that a = a₀ + Σ w_k r_k, and velocity rows d_k give the
+//! the mechanism: its constraints hold), so that a = a₀ + Σ w_k r_k. Velocity rows d_k give the
 //! rates d_k·a + drift_k of gap velocities and slip velocities. Limits may depend on reactions and
-//! multipliers, and so are affine in r. What is emitted are these [`Terms`]; the small system for r
-//! is solved at run time.
+//! multipliers, and are therefore affine in r. Emitted code computes these [`Terms`]; the small
+//! system for r is solved at run time.
 //!
 //! # What is assumed
 //!
 //! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at
-//!   rest are settled anew: contacts press or part, friction holds or slips the way it is driven.
-//!   If friction is so strong that no forces fit (the paradox of Painlevé), the contact jams: an
-//!   impact without approach stops its slip. A motion that would have to start there, or that a jam
-//!   does not free, ends with [`StepFailure::Stuck`](crate::integrate::StepFailure::Stuck).
+//!   rest are determined anew. Contacts press or part, and friction holds or slips the way it is
+//!   driven. If friction is so strong that no forces fit (the paradox of Painlevé), the contact
+//!   jams: an impact without approach stops its slip. A motion that would have to start there, or
+//!   that a jam does not free, ends with
+//!   [`StepFailure::Stuck`](crate::integrate::StepFailure::Stuck).
 //! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are
-//!   hit elastically by a third leave with 2/3 of its speed, and it returns with 1/3; a hair's
+//!   hit elastically by a third leave with 2/3 of its speed, and it returns with 1/3. A hair's
 //!   breadth apart, they are hit one after the other, and the last one leaves with all of it, as in
-//!   Newton's cradle. An impact in several contacts is told by the event of the first, with the
-//!   impulse there and the energy that was lost in all.
+//!   Newton's cradle. The event of the first contact reports an impact in several contacts, with
+//!   the impulse there and the total energy loss.
 //! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
 //!   between impulses. Without restitution there always are impulses that obey it. Restitution is
 //!   reduced where it would create energy or leave none.
 //! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
-//!   10⁻⁹ of the time, those of several contacts that are hit in turn as well: the contacts close,
-//!   and [`EventKind::Closed`] tells when the last bounce ends.
+//!   10⁻⁹ of the time. This includes the bounces of several contacts that are hit in turn. The
+//!   contacts close, and [`EventKind::Closed`] gives the time of the last bounce.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the
 //!   shortest that fit.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).

@@ -13,10 +13,10 @@ use crate::tolerance::{CLOSED_GAP, SLIT};
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
 
-/// Brings a state onto the closed contacts and sticking friction: gaps to zero by the smallest
-/// change of the coordinates that the mechanism allows, measured by the mass matrix, and then their
-/// rates and slip velocities by the smallest change of the velocities. Constraints keep holding to
-/// first order in the change. Unit quaternions are brought to length one before.
+/// Brings a state onto the closed contacts and sticking friction. Gaps become zero by the smallest
+/// change of the coordinates that the mechanism allows, measured by the mass matrix. Then their
+/// rates and slip velocities become zero by the smallest change of the velocities. Constraints keep
+/// holding to first order in the change. Unit quaternions are normalised first.
 ///
 /// # Errors
 /// If a gap cannot be closed, with its name and what is left of it; the state is then what it was.
@@ -131,8 +131,9 @@ pub(super) fn energy<S: Scalar, const N: usize, const K: usize>(
     S::from_f64(0.5) * twice.abs()
 }
 
-/// Opens gaps that are zero but for rounding by a few roundings, so that they are not found closed
-/// again at once; together, and with those closed that are, since to open one may close another.
+/// Opens gaps that are zero except for rounding by a few roundings, so that they are not found
+/// closed again at once. All are opened together, and with the closed ones, since opening one may
+/// close another.
 pub(super) fn part<M, const N: usize, const K: usize>(
     system: &M,
     t: M::Scalar,

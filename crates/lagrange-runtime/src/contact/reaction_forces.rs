@@ -1,13 +1,13 @@
 //! The small system that reactions solve.
 //!
-//! A reaction r_k changes the rates that it acts on by G r, with G_kj = d_k·w_j: accelerations of
-//! gaps and slip velocities if the reactions are forces, these velocities themselves if they are
-//! impulses. Rules say of each reaction whether it is absent, holds its rate at zero, or is
-//! friction at its limit.
+//! A reaction r_k changes its rates by G r, with G_kj = d_k·w_j. These rates are accelerations of
+//! gaps and slip velocities for forces, and these velocities themselves for impulses. The rule of a
+//! reaction is that it is absent, that it holds its rate at zero, or that it is friction at its
+//! limit.
 //!
-//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where holding
-//! rates leaves reactions undetermined, as those of a table on four legs, the shortest are taken in
-//! this measure; the motion does not depend on it.
+//! Reactions are measured in √G_kk, which makes them comparable whatever their units. Where held
+//! rates leave reactions undetermined, as those of a table on four legs, the shortest are taken in
+//! this measure. The motion does not depend on this choice.
 
 use core::array;
 
@@ -209,7 +209,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// The reactions under these rules; NaN if there are none.
     ///
     /// A limit that comes out negative, as that of a guide pressed from its other side, counts by
-    /// its size: then the system is solved again with its sign changed.
+    /// its magnitude. The system is then solved again with its sign changed.
     pub(super) fn reactions(&self, rules: &[Rule; K]) -> [S; K] {
         let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
         let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
@@ -233,16 +233,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     }
 
     /// True if the limit of friction k is that of a contact which pulls. Such states lie beyond the
-    /// event by which the contact opens; methods look at them on their way there, and want what
-    /// continues the motion smoothly.
+    /// event by which the contact opens. Methods evaluate them on their way there, and need a
+    /// smooth continuation of the motion.
     fn is_beyond(&self, k: usize, rules: &[Rule; K], reactions: &[S; K]) -> bool {
         let slopes = &self.terms.kinetic_slopes[k];
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
 
-    /// Returns the limits of the friction that holds, beside which forces are rounding: without
-    /// other forces all that several points of a body at rest would have to hold is the rounding of
-    /// its velocity.
+    /// Returns the limits of the friction that holds, beside which forces are rounding. Without
+    /// other forces, several points of a body at rest would only have to hold the rounding of its
+    /// velocity.
     fn held_limits(&self, rules: &[Rule; K], units: &[S; K]) -> S {
         let Terms { kinetic, fixed, .. } = self.terms;
         let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
@@ -311,12 +311,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// The reactions of a system in these modes: none of open contacts, forces that keep gaps closed
-/// and slip velocities zero, and friction at its kinetic limit against the slip. NaN if there are
-/// none.
+/// Computes the reactions of a system in these modes. Open contacts have none. The forces of closed
+/// contacts and sticking friction keep gaps closed and slip velocities zero. Slipping friction is
+/// at its kinetic limit against the slip. NaN if there are no such reactions.
 ///
-/// Of reactions that the motion does not determine, as those of a table on four legs, the shortest
-/// are taken, each measured in the unit in which it changes its own rate.
+/// If the motion does not determine reactions, as those of a table on four legs, the shortest are
+/// taken. Each is measured in the unit in which it changes its own rate.
 pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],

@@ -1,16 +1,16 @@
 //! With which velocities and in which modes a motion goes on where a mode has ended.
 //!
 //! Impacts that follow each other ever faster end after a finite time. A contact that is thrown up
-//! with speed s and pulled back with acceleration a returns after τ = 2 s/a; where contacts hit in
-//! turn, as the corners of a box that rocks to rest, it was another one that threw it up. Of the
-//! energy E = ½ ṡᵀ G⁻¹ ṡ with which the contacts of such a group approached each other, the impact
-//! leaves the part r², so that the hops to come last about τ/(1 − r), which is exact for one
-//! contact, where r is the coefficient of restitution. Once that is too short to be resolved, the
-//! rates of all contacts of the group are halted together, by the smallest change of the velocities
-//! in the measure of the mass matrix, which takes energy and never gives any.
+//! with speed s and pulled back with acceleration a returns after τ = 2 s/a. Where contacts hit in
+//! turn, as the corners of a box that rocks to rest, another one threw it up. The contacts of such
+//! a group approach each other with the energy E = ½ ṡᵀ G⁻¹ ṡ, of which the impact leaves the part
+//! r². The hops to come therefore last about τ/(1 − r). That is exact for one contact, where r is
+//! the coefficient of restitution. Once that is too short to be resolved, the rates of all contacts
+//! of the group are halted together. This is done by the smallest change of the velocities in the
+//! measure of the mass matrix, which takes energy and never gives any.
 //!
 //! Where no forces fit, since friction is too strong for the way in which a contact slips, the
-//! contact jams: an impact without approach, after which friction holds.
+//! contact jams. A jam is an impact without approach, after which friction holds.
 //!
 //! Sources: Brogliato, *Nonsmooth Mechanics*, 3rd ed., §5, §7; Génot, Brogliato, "New results on
 //! Painlevé paradoxes", *European Journal of Mechanics A* 18 (1999) 653–677; Champneys, Várkonyi,

@@ -8,17 +8,16 @@ use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::scalar::Number;
 use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
 
-/// Applies the declared event of this index to the state at which it happened: an impact, a contact
-/// that opens, friction that starts to stick or slips. `None` if the event does not belong to a
-/// reaction.
+/// Applies the declared event of this index to its state: an impact, a contact that opens, or
+/// friction that starts to stick or slips. `None` if the event does not belong to a reaction.
 ///
-/// Bounces whose series would end within 10⁻⁹ of the time `elapsed` since the run started, or whose
-/// height or duration is near the rounding of the gap or of time, are taken together: the contact
-/// closes, and the time at which the series ends is told.
+/// Bounces are taken together if their series would end within 10⁻⁹ of the time `elapsed` since the
+/// run started. So are those whose height or duration is near the rounding of the gap or of time.
+/// The contact closes, and the time at which the series ends is reported.
 ///
 /// # Errors
-/// If no impulses, or no forces after it, fit, if a coefficient of restitution is not from 0 to 1,
-/// or if a limit of friction is negative.
+/// If no impulses fit, or no forces after them. Also if a coefficient of restitution is not from 0
+/// to 1, or a limit of friction is negative.
 pub fn react<M, const N: usize, const K: usize>(
     system: &M,
     event: usize,

@@ -32,7 +32,7 @@ impl<Y> Compensated<Y> {
         &self.value
     }
 
-    /// Puts another value in the place of the sum, and keeps what did not fit into it.
+    /// Replaces the sum by another value, and keeps the part that did not fit into it.
     #[inline]
     pub(super) fn replace(&mut self, value: Y) {
         self.value = value;

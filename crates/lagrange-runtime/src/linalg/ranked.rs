@@ -81,7 +81,7 @@ impl<S: Scalar, Y: StateVector<S>> RankedFactors<S, Y> {
             return None;
         }
         let [row, column] = [0, 1].map(|side| {
-            // Where what stands in the place of the pivot stood before exchanges.
+            // The place before exchanges of the entry that is now at the pivot.
             let exchanges = self.exchanged[side].as_ref()[..self.rank].iter().enumerate().rev();
             exchanges.fold(self.rank, |place, (k, other)| match place {
                 _ if place == *other => k,

@@ -9,8 +9,8 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem};
 use crate::tolerance::SURFACE;
 
-/// Entries of a state are changed by these steps through the range from one half to one, lest equal
-/// changes cancel.
+/// Entries of a state are changed by these steps through the range from one half to one, so that
+/// equal changes do not cancel.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.

@@ -204,7 +204,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     }
 
     /// Adds what comes of an event; whether it was told. A contact may touch without an impact and
-    /// without closing, which is none.
+    /// without closing, which is not an event.
     fn answer(
         &mut self,
         sink: &mut impl Sink<M>,

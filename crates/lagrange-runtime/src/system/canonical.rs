@@ -67,9 +67,9 @@ impl<M: SeparableSystem + ?Sized> LeapfrogSystem for M {}
 
 /// A mechanical system that knows its momenta p = ∂L/∂v and how fast they change, ṗ = ∂L/∂q + Q.
 ///
-/// These are Hamilton's equations with velocities in the place of momenta; methods that are
-/// symplectic for any mass matrix integrate (q, p). Emitted types implement it if the declaration
-/// says `emit { momentum_rates }`.
+/// These are Hamilton's equations with velocities instead of momenta; methods that are symplectic
+/// for any mass matrix integrate (q, p). Emitted types implement it if the declaration says
+/// `emit { momentum_rates }`.
 #[diagnostic::on_unimplemented(
     message = "the momenta of `{Self}` and their rates are unknown",
     note = "if its velocities are rates of coordinates, add `emit {{ momentum_rates }}` to its declaration",

@@ -211,7 +211,7 @@ fn columns(shape: &Shape<'_>) -> Vec<TokenStream> {
 }
 
 /// Arguments for the indices of an array, and the number of the column of that element. An array of
-/// units panics in the place of the column of something else.
+/// units panics at the column of something else.
 fn indexed(field: &Field, first: usize) -> (TokenStream, TokenStream) {
     let mut names = Names::default();
     let indices = field.sizes.iter().map(|_| names.fresh("index")).collect::<Vec<_>>();

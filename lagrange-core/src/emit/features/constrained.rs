@@ -155,11 +155,11 @@ pub(in crate::emit) fn projections(shape: &Shape<'_>, members: &Members) -> Toke
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let violation = quote!(#krate::constraint::Violation<#scalar>);
     quote! {
-        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the
-        /// mass matrix where they are found measures distances: first positions, then velocities.
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints: first
+        /// positions, then velocities. The mass matrix at the result measures distances.
         ///
         /// # Errors
-        /// If that does not succeed; both are then what they were.
+        /// If that does not succeed; both are then unchanged.
         #[inline]
         pub fn project(
             &self,

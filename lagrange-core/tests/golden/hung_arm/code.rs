@@ -494,11 +494,11 @@ const _: () = {
             let a = self.acceleration(t, &[x, y, z, q], &[x_dot, y_dot, z_dot, q_dot]);
             [x_dot, y_dot, z_dot, q_dot, a[0], a[1], a[2], a[3]]
         }
-        /// Takes positions and velocities to the nearest ones that satisfy the constraints, as the
-        /// mass matrix where they are found measures distances: first positions, then velocities.
+        /// Takes positions and velocities to the nearest ones that satisfy the constraints: first
+        /// positions, then velocities. The mass matrix at the result measures distances.
         ///
         /// # Errors
-        /// If that does not succeed; both are then what they were.
+        /// If that does not succeed; both are then unchanged.
         #[inline]
         pub fn project(
             &self,

@@ -17,8 +17,8 @@ const MAX_UNITS: i32 = 8;
 /// A value with its grade.
 type Graded = (ValueId, Number);
 
-/// True if a product of masses is met on the usual way to a value that is none: numerators first,
-/// then one division.
+/// True if the usual way of a product of masses meets an intermediate value that is not a mass:
+/// numerators first, then one division.
 pub(super) fn needs_interleaving(lowering: &Lowering<'_>, factors: &[(ExprId, Number)]) -> bool {
     if !lowering.graph.is_graded() {
         return false;

@@ -9,7 +9,7 @@ use crate::dimensions::solver::{DimensionEquation, Grounds};
 use crate::syntax::ast::{AstId, Definition, Expression, Name, TableDefinition, TableSource};
 use lagrange_expr::diagnostics::Origin;
 
-/// The dimension of a name: that which is declared, or one that is to be found.
+/// Returns the dimension of a name: the declared one, or one to be found.
 pub(super) fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
     let unknown = checker.solver.unknown(&name.text);
     if let Some(unit) = &name.unit {

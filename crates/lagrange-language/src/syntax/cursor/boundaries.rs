@@ -59,7 +59,7 @@ impl Cursor {
         follows && self.statement_keyword().is_some()
     }
 
-    /// True if a statement ends here, be it that the semicolon behind it was forgotten.
+    /// True if a statement ends here, even if the semicolon behind it was forgotten.
     pub(in crate::syntax) fn at_statement_end(&self) -> bool {
         self.at(';') || self.at_end() || self.statement_keyword().is_some()
     }

@@ -83,7 +83,7 @@ pub fn function(name: &str, arguments: &[String]) -> Option<String> {
         |(names, count, _): &&(&[&str], usize, &str)| names.contains(&name) && *count == arguments.len();
     let (.., template) = FUNCTIONS.iter().find(fits)?;
     if template.contains("((") && arguments.iter().any(|argument| argument.starts_with('(')) {
-        // What becomes the component of a vector is none itself.
+        // The future component of a vector cannot be a vector.
         return None;
     }
     let is_alone = |place: &str| {

@@ -68,8 +68,8 @@ fn friction_that_gives_way_without_a_jump_slips_the_way_it_is_driven() {
     }
 }
 
-/// A block on a moving belt, held by a spring: it sticks until the spring pulls as hard as static
-/// friction, then swings with the kinetic one until it has the speed of the belt again.
+/// A block on a moving belt, held by a spring, sticks until the spring pulls as hard as static
+/// friction. It then swings with the kinetic one until it has the speed of the belt again.
 #[test]
 fn a_block_on_a_belt_sticks_and_slips() {
     let belt = Block { weight: 0.0, belt: 0.5, stiffness: 8.0, kinetic: 4.0, fixed: 6.0, ..INCLINE };

@@ -104,7 +104,7 @@ fn both_ends_of_a_rod_hit_the_floor_at_once() {
     assert!((energy_loss - 0.5 * 3.0 * (16.0 - 4.0)).abs() < 1e-12);
 }
 
-/// A rod on its left end is hit near its centre: that throws the left end up, which a contact that
+/// A rod on its left end is hit near its centre. That throws the left end up, which a contact that
 /// cannot pull does not prevent.
 #[test]
 fn a_contact_that_would_pull_is_left_out() {
@@ -134,8 +134,8 @@ fn an_impact_conserves_momentum_and_an_elastic_one_energy() {
     }
 }
 
-/// Contacts that are closed take part in an impact at the same instant, so that two balls that
-/// touch are hit like one; a hair's breadth apart, they pass the motion on to the last.
+/// Closed contacts take part in an impact at the same instant, so that two balls that touch are hit
+/// like one. A hair's breadth apart, they pass the motion on to the last.
 #[test]
 fn balls_that_touch_are_hit_together() {
     let cradle = Cradle { masses: [1.0; 3], e: 1.0, modes: [OPEN, OPEN] };
@@ -223,8 +223,8 @@ fn modes_at_the_start_fit_the_state() {
     assert_eq!(modes(Ball { g: -1.0, ..closed }, [0.0, 0.0]), [OPEN]);
 }
 
-/// Newton's law of restitution would create energy in some impacts with friction; no impact here
-/// does, and the loss that is told is what the motion has lost.
+/// Newton's law of restitution would create energy in some impacts with friction. No impact here
+/// does, and the reported loss is that of the motion.
 #[test]
 fn no_impact_creates_energy() {
     let mut reduced = 0;

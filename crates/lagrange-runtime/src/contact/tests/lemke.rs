@@ -124,7 +124,7 @@ fn lemkes_method_ends_at_impulses() {
     }
 }
 
-/// A rod that is dragged over a floor so rough that no force fits its slip stops slipping at once,
+/// A rod is dragged over a floor so rough that no force fits its slip. It stops slipping at once,
 /// by impulses that follow from G Λ = −(0, slip), and holds.
 #[test]
 fn a_rod_that_is_dragged_against_strong_friction_jams() {

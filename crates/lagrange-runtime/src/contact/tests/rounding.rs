@@ -44,8 +44,8 @@ fn gaps_are_known_as_well_as_the_time_of_an_event() {
     assert_eq!([1.0, 64.0].map(touches), [[true], [false]]);
 }
 
-/// The velocity of a contact, beside that of the floor, after it was thrown up with this speed by
-/// an impact at this place and time.
+/// Returns the velocity of a contact, beside that of the floor, after an impact at this place and
+/// time threw it up with this speed.
 fn after_hop(ball: &Ball, t: f64, q: [f64; 1], speed: f64) -> f64 {
     let floor = ball.rise * t;
     let before = ball.terms(t, &q, &[floor - 2.0 * speed]);

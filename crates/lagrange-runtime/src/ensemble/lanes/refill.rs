@@ -18,7 +18,7 @@ const LANES: usize = 8;
 /// Number of lanes where products are not fused, which concerns few processors: a single register,
 /// so this costs little to compile.
 const LANES_APART: usize = 2;
-/// Stands in the place of the motion in a lane that has none.
+/// Stands for the motion in a free lane.
 const FREE: usize = usize::MAX;
 
 /// The start of a motion.

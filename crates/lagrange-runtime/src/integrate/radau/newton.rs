@@ -156,7 +156,7 @@ impl<M: OdeSystem + ?Sized> StageSystem<'_, M> {
     }
 }
 
-/// The product of a matrix with vectors in the place of entries.
+/// Returns the product of a matrix with vectors as entries.
 #[inline(always)]
 fn product<S: Scalar, Y: StateVector<S>>(
     matrix: &[[f64; STAGES]; STAGES],

@@ -112,7 +112,7 @@ fn drift<S: Number, Y: StateVector<S>>(increment: &mut Y, c: S, y: &Y) {
     }
 }
 
-/// The second half of a state in the place of the first.
+/// Moves the second half of a state to the first.
 #[inline(always)]
 fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
     let mut moved = Y::ZERO;

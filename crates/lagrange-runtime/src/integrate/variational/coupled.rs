@@ -33,7 +33,7 @@ pub(super) const FORCES: [[f64; 2]; 2] = [[1.0 / 6.0, 0.0], [1.0 / 6.0, 1.0]];
 #[derive(Debug)]
 pub(super) struct Coupled<M: CanonicalSystem + ?Sized> {
     linearised: Linearised<M::Scalar, M::Coordinates>,
-    /// The weight of AᵀA in the place of inertia that is missing.
+    /// The weight of AᵀA that replaces missing inertia.
     stiffness: M::Scalar,
     /// The constraints at the start, in the middle and at the end.
     places: [AtPlace<M>; 3],
@@ -120,8 +120,8 @@ impl<M: CanonicalSystem + ?Sized> Coupled<M> {
 type Stiffened<M> =
     (Linearised<<M as OdeSystem>::Scalar, <M as MechanicalSystem>::Coordinates>, <M as OdeSystem>::Scalar);
 
-/// The factors of the equations without constraints, with stiffness in the place of inertia that is
-/// missing.
+/// Returns the factors of the equations without constraints, with stiffness that replaces missing
+/// inertia.
 fn linearised<M: CanonicalSystem + ?Sized>(
     pencil: &Derivatives<M>,
     middle: &AtPlace<M>,
