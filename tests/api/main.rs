@@ -40,6 +40,7 @@ mod shadowing;
 mod simulation;
 mod solve;
 mod spatial_axiom;
+mod start;
 mod state_equations;
 mod states;
 mod switches;

@@ -8,6 +8,7 @@ use super::messages;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::staged::Staged;
+use super::start::Start;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{
     Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output, Parameter,
@@ -65,6 +66,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
+    pub(super) start: Start,
     pub(super) kinetic: Vec<SourceTerm>,
     pub(super) potential: Vec<SourceTerm>,
     pub(super) lagrangian: Vec<SourceTerm>,
@@ -111,6 +113,7 @@ impl<'a> Elaborator<'a> {
             first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),
             orientations: Vec::new(),
+            start: Start::default(),
             kinetic: Vec::new(),
             potential: Vec::new(),
             lagrangian: Vec::new(),

@@ -9,6 +9,7 @@ pub(super) mod inertia;
 pub(super) mod names;
 pub(super) mod scene;
 pub(super) mod solve;
+pub(super) mod start;
 pub(super) mod states;
 pub(super) mod tables;
 

@@ -14,6 +14,7 @@ use super::reductions::add_reduction;
 use super::scope::NameKind;
 use super::solve::define_unknown;
 use super::stabilisation::set_stabilisation;
+use super::start::{add_declared_start, add_start};
 use super::states::{add_state_rate, define_state};
 use super::tables::define_table;
 use crate::model::{Output, Product};
@@ -44,10 +45,19 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Input));
         }
         StatementKind::Constants(list) => list.iter().for_each(|d| define_constant(elaborator, d)),
-        StatementKind::Coordinates(names) => {
-            names.iter().for_each(|name| define_coordinate(elaborator, name));
+        StatementKind::Coordinates(list) => {
+            for definition in list {
+                define_coordinate(elaborator, &definition.name);
+                add_declared_start(elaborator, definition);
+            }
         }
-        StatementKind::States(names) => names.iter().for_each(|name| define_state(elaborator, name)),
+        StatementKind::States(list) => {
+            for definition in list {
+                define_state(elaborator, &definition.name);
+                add_declared_start(elaborator, definition);
+            }
+        }
+        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, *assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),

@@ -29,6 +29,8 @@ pub struct Model {
     pub speeds: Vec<Speed>,
     /// Orientations that unit quaternions say.
     pub orientations: Vec<Orientation>,
+    /// The state at the start, [q…, v…], of numbers and parameters; empty if none is declared.
+    pub start: Vec<ExprId>,
     /// The energies as declared.
     pub energies: Energies,
     /// L = T − V, or as declared.

@@ -74,10 +74,24 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
             values.for_each(|(name, value)| checker.define_constant(&name.text, value));
         }
-        (StatementKind::Coordinates(names) | StatementKind::States(names), DimensionPass::Declare) => {
-            for name in names {
+        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Declare) => {
+            for Definition { name, .. } in list {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
+            }
+        }
+        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Require) => {
+            for Definition { name, value } in list {
+                let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+                require_start(checker, *value, &known, &value_of(name));
+            }
+        }
+        (StatementKind::Start(assignments), DimensionPass::Require) => {
+            for assignment in assignments {
+                let target = checker.value(assignment.target);
+                let place = checker.expressions.origin(assignment.target);
+                let reason = Grounds { words: messages::STARTS.to_owned(), place };
+                require_start(checker, Some(assignment.value), &target, &reason);
             }
         }
         (StatementKind::Quaternion(quaternion), DimensionPass::Declare) => {
@@ -200,8 +214,6 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             StatementKind::Parameters(_)
             | StatementKind::Inputs(_)
             | StatementKind::Constants(_)
-            | StatementKind::Coordinates(_)
-            | StatementKind::States(_)
             | StatementKind::Quaternion(_)
             | StatementKind::External(_)
             | StatementKind::Table(_),
@@ -232,6 +244,8 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Reduce(_),
             DimensionPass::Declare | DimensionPass::Abbreviate,
         )
+        | (StatementKind::Coordinates(_) | StatementKind::States(_), DimensionPass::Abbreviate)
+        | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
         | (StatementKind::Friction(_), DimensionPass::Declare)
         | (
             StatementKind::Function(_)
@@ -262,6 +276,13 @@ fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
         checker.require(value, &Measure::known(form.clone()), &reason);
     }
     checker.scope.insert(name.text.clone(), Measure::known(form));
+}
+
+/// An initial value; a number alone is in coherent units.
+fn require_start(checker: &mut Checker<'_>, value: Option<AstId>, target: &Measure, reason: &Grounds) {
+    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+        checker.require(value, target, reason);
+    }
 }
 
 /// That what stands behind a name has its dimension.

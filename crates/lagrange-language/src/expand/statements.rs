@@ -19,8 +19,8 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
-        StatementKind::Coordinates(names) => StatementKind::Coordinates(all_elements(copier, names, scope)),
-        StatementKind::States(names) => StatementKind::States(all_elements(copier, names, scope)),
+        StatementKind::Coordinates(list) => StatementKind::Coordinates(definitions(copier, list, scope)),
+        StatementKind::States(list) => StatementKind::States(definitions(copier, list, scope)),
         StatementKind::Quaternion(quaternion) => {
             let elements = elements(copier, &quaternion.name, scope).into_iter();
             let named = |name| StatementKind::Quaternion(Box::new(Quaternion::named(name)));
@@ -87,11 +87,6 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
         (position, element(name, text))
     };
     positions.into_iter().map(named).collect()
-}
-
-fn all_elements(copier: &mut Copier<'_>, names: &[Name], scope: ScopeId) -> Vec<Name> {
-    let elements = names.iter().flat_map(|name| elements(copier, name, scope));
-    elements.map(|(_, name)| name).collect()
 }
 
 /// The name of an element, with the unit of the array.

@@ -113,9 +113,9 @@ impl Declaration {
     /// The positions in their order: coordinates and components of quaternions, then states.
     pub fn coordinates(&self) -> Vec<&Name> {
         let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => &names[..],
-            StatementKind::Quaternion(quaternion) => &quaternion.positions,
-            _ => &[],
+            StatementKind::Coordinates(list) => list.iter().map(|definition| &definition.name).collect(),
+            StatementKind::Quaternion(quaternion) => quaternion.positions.iter().collect(),
+            _ => Vec::new(),
         });
         positions.chain(self.states()).collect()
     }
@@ -123,10 +123,10 @@ impl Declaration {
     /// The states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Name> {
         let states = self.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::States(names) => Some(names),
+            StatementKind::States(list) => Some(list),
             _ => None,
         });
-        states.flatten()
+        states.flatten().map(|definition| &definition.name)
     }
 
     /// True if there is an equation of the state of this name, be it wrong.
@@ -140,7 +140,9 @@ impl Declaration {
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
         let named = self.named_velocities();
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => names.iter().map(|name| rate_of(name, &named)).collect(),
+            StatementKind::Coordinates(list) => {
+                list.iter().map(|definition| rate_of(&definition.name, &named)).collect()
+            }
             StatementKind::Quaternion(quaternion) => {
                 let component = |name: &Name| StateVelocity { name: name.clone(), coordinate: None };
                 quaternion.velocities.iter().map(component).collect()
@@ -174,6 +176,17 @@ impl Declaration {
         asked.next_back().is_some_and(|item| item.wanted)
     }
 
+    /// True if it gives initial values of the state.
+    pub fn has_start(&self) -> bool {
+        self.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Start(_) => true,
+            StatementKind::Coordinates(list) | StatementKind::States(list) => {
+                list.iter().any(|definition| definition.value.is_some())
+            }
+            _ => false,
+        })
+    }
+
     /// The names of outputs in their order.
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
@@ -202,8 +215,8 @@ impl Declaration {
         declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
         declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
         for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(names) | StatementKind::States(names) = &mut statement.kind {
-                names.retain(|name| !is_frozen(name));
+            if let StatementKind::Coordinates(list) | StatementKind::States(list) = &mut statement.kind {
+                list.retain(|definition| !is_frozen(&definition.name));
             }
         }
         declaration

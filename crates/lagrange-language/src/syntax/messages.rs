@@ -63,9 +63,6 @@ messages! {
     MISSING_COMMA = "missing `,` before this";
     MISSING_SEMICOLON_HELP = "statements end in `;`";
     NEXT_STATEMENT = "the next statement begins here";
-    COORDINATE_WITH_VALUE = "a coordinate cannot have a value in the declaration";
-    STATE_WITH_VALUE = "a state cannot have a value in the declaration";
-    COORDINATE_WITH_VALUE_HELP = "initial values belong to the state from which a simulation starts";
 
     DIRECTION = "`rising`, `falling` or `crossing`";
     DIRECTION_HELP =

@@ -63,8 +63,16 @@ impl Printer<'_> {
             StatementKind::Parameters(list) => self.definitions("param ", list),
             StatementKind::Inputs(list) => self.definitions("input ", list),
             StatementKind::Constants(list) => self.definitions("const ", list),
-            StatementKind::Coordinates(names) => self.names("coord ", names),
-            StatementKind::States(names) => self.names("state ", names),
+            StatementKind::Coordinates(list) => self.definitions("coord ", list),
+            StatementKind::States(list) => self.definitions("state ", list),
+            StatementKind::Start(assignments) => {
+                self.text("start ");
+                self.list(assignments, |printer, assignment| {
+                    printer.expression(assignment.target);
+                    printer.labelled(" = ", assignment.value);
+                });
+                self.text(";");
+            }
             StatementKind::StateRate(name, value) => {
                 self.text("dot(");
                 self.name(name);
@@ -124,13 +132,6 @@ impl Printer<'_> {
             StatementKind::Block(Block::Select(selection)) => self.selection(selection),
             StatementKind::Scene(statement) => self.scene(statement),
         }
-    }
-
-    /// `keyword a, b;`
-    fn names(&mut self, keyword: &str, names: &[Name]) {
-        self.text(keyword);
-        self.list(names, Self::name);
-        self.text(";");
     }
 
     fn between(&mut self, before: &str, value: AstId, behind: &str) {

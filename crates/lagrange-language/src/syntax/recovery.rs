@@ -160,8 +160,7 @@ impl Parser<'_> {
         let is_assigned = at_equals_past(0, cursor);
         match self.declared(word) {
             Some(Declared::Coordinate) if is_assigned => {
-                let help = messages::COORDINATE_WITH_VALUE_HELP.to_owned();
-                return Some((messages::COORDINATE_WITH_VALUE.to_owned(), help));
+                return Some((messages::unknown_statement(word), habits::start_of(word)));
             }
             Some(Declared::Parameter) if is_assigned => {
                 return Some((habits::declared_already(word), habits::value_where_declared(word)));

@@ -87,6 +87,7 @@ impl Parser<'_> {
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
             "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),
+            "start" => Ok(StatementKind::Start(self.starts(cursor))),
             "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
                 let name = self.declared_name(cursor)?;

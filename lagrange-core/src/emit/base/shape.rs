@@ -111,6 +111,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::States(_)
                 | StatementKind::Quaternion(_)
                 | StatementKind::Velocity(..)
+                | StatementKind::Start(_)
                 | StatementKind::Constants(_)
                 | StatementKind::Let(..)
                 | StatementKind::LetTuple(..)

@@ -20,6 +20,7 @@ pub(super) mod redundant;
 pub(super) mod scene;
 pub(super) mod solvers;
 pub(super) mod sparse;
+pub(super) mod start;
 pub(super) mod switches;
 pub(in crate::emit) mod tables;
 pub(super) mod taylor;

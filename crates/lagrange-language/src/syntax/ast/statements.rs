@@ -12,7 +12,7 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::events::{Event, Friction};
+use super::events::{Assignment, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
@@ -35,7 +35,8 @@ pub struct Statement {
 /// ```text
 /// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
-///           | ( "coord" | "state" ) named { "," named } ";"
+///           | ( "coord" | "state" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "start" sum "=" sum { "," sum "=" sum } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
 ///           | "velocity" named "=" sum ";"
@@ -92,10 +93,12 @@ pub enum StatementKind {
     Inputs(Vec<Definition>),
     /// `const k = 1/2;`
     Constants(Vec<Definition>),
-    /// `coord x, theta;`
-    Coordinates(Vec<Name>),
-    /// `state current;`
-    States(Vec<Name>),
+    /// `coord x, theta = 0.1;`, with initial values
+    Coordinates(Vec<Definition>),
+    /// `state current = 2;`, with initial values
+    States(Vec<Definition>),
+    /// `start dot(theta) = 2, x = 1;`: initial values of entries of the state
+    Start(Vec<Assignment>),
     /// `dot(current) = e;`
     StateRate(Name, AstId),
     /// `quaternion hip;`
@@ -173,11 +176,13 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, but for those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 26] = [
+pub const KEYWORDS: [Keyword; 27] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
-    Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
     Keyword::new("state", "write `state a, b;`, and `dot(a) = e;` for the rate of each").before(Soft::List),
+    Keyword::new("start", "write `start x = 1, dot(x) = 2;` for initial values of coordinates and velocities")
+        .before(Soft::Assignment),
     Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
     Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
     Keyword::new("input", "write `input u;`"),
@@ -234,9 +239,7 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
             StatementKind::Constants(list) => (defined(list), Reach::Expressions),
-            StatementKind::Coordinates(names) | StatementKind::States(names) => {
-                (names.iter().collect(), Reach::Both)
-            }
+            StatementKind::Coordinates(list) | StatementKind::States(list) => (defined(list), Reach::Both),
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
@@ -263,6 +266,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
         }
@@ -273,7 +277,10 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            | StatementKind::Constants(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
             StatementKind::Velocity(_, value)
             | StatementKind::Let(_, value)
             | StatementKind::LetTuple(_, value)
@@ -305,11 +312,7 @@ impl StatementKind {
             }
             StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
-            StatementKind::Coordinates(_)
-            | StatementKind::States(_)
-            | StatementKind::Quaternion(_)
-            | StatementKind::External(_)
-            | StatementKind::Emit(_) => Vec::new(),
+            StatementKind::Quaternion(_) | StatementKind::External(_) | StatementKind::Emit(_) => Vec::new(),
         }
     }
 
@@ -349,7 +352,9 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => {
+            | StatementKind::Constants(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(list) => {
                 list.iter_mut().map(|definition| (&definition.name, definition.value.as_mut())).collect()
             }
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
@@ -413,7 +418,7 @@ pub enum ReductionKind {
     Small,
 }
 
-/// One `name = value` of a `param`, `input` or `const` statement.
+/// One `name = value` of a `param`, `input`, `const`, `coord` or `state` statement.
 #[derive(Clone, Debug)]
 pub struct Definition {
     /// The declared name.
