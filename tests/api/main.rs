@@ -33,6 +33,7 @@ mod prepared;
 mod product_rows;
 mod products;
 mod projection;
+mod ranges;
 mod reduced;
 mod resting;
 mod scalars;

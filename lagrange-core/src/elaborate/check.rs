@@ -213,8 +213,9 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
 /// Names of methods that systems with constraints, contacts or events have beside those of all
 /// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
-    let groups: [(bool, &[&str]); 5] = [
+    let groups: [(bool, &[&str]); 6] = [
         (!elaborator.declaration.has_start(), &["start"]),
+        (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
         (velocities_are_rates(elaborator), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),

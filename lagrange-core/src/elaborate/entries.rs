@@ -4,36 +4,12 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages::{events, start, states};
 use super::states::state_named;
-use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::Symbol;
 use lagrange_language::syntax::ast::{AstId, Expression, Name, Quaternion};
 
-/// Entries that have been assigned, with where that stands.
-#[derive(Default)]
-pub(super) struct Assigned(Vec<(usize, Origin)>);
-
-impl Assigned {
-    /// The first place where an entry is assigned.
-    pub(super) fn first(&self, index: usize) -> Option<Origin> {
-        self.0.iter().find(|(other, _)| *other == index).map(|(_, origin)| *origin)
-    }
-
-    /// Notes an assignment. The first one to the same entry and the name of that are returned.
-    pub(super) fn note(
-        &mut self,
-        elaborator: &Elaborator<'_>,
-        index: usize,
-        origin: Origin,
-    ) -> Option<(Origin, String)> {
-        let first = self.first(index);
-        self.0.push((index, origin));
-        first.map(|first| (first, text_of(elaborator, index)))
-    }
-}
-
 /// The spelling of the entry with this index in [q…, v…].
-fn text_of(elaborator: &Elaborator<'_>, index: usize) -> String {
+pub(super) fn spelling_of(elaborator: &Elaborator<'_>, index: usize) -> String {
     let count = elaborator.declaration.coordinates().len();
     let symbol = match index.checked_sub(count) {
         Some(velocity) => elaborator.speeds.get(velocity).map(|(speed, _)| speed.velocity),

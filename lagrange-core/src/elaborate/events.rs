@@ -3,8 +3,9 @@
 #[cfg(test)]
 mod tests;
 
+use super::assigned::Assigned;
 use super::elaborator::Elaborator;
-use super::entries::{Assigned, assigned_index};
+use super::entries::{assigned_index, spelling_of};
 use super::expression::value_of;
 use super::messages::events as messages;
 use super::reactions::add_contact;
@@ -70,8 +71,9 @@ fn check_assigned_once(
     origin: Origin,
     assigned: &mut Assigned,
 ) {
-    if let Some((first, target)) = assigned.note(elaborator, index, origin) {
-        let error = elaborator.evaluator.report.error(origin, messages::assigned_twice(&target));
+    if let Some(first) = assigned.note(index, origin) {
+        let message = messages::assigned_twice(spelling_of(elaborator, index));
+        let error = elaborator.evaluator.report.error(origin, message);
         error.related(first, messages::ASSIGNED_HERE).help(messages::ASSIGNED_TWICE_HELP);
     }
 }

@@ -3,6 +3,7 @@
 //! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and
 //! loads as expressions.
 
+mod assigned;
 mod callable;
 mod calls;
 mod chains;
@@ -27,6 +28,7 @@ mod numbers;
 mod obligations;
 mod opaque;
 mod operand;
+mod ranges;
 mod reactions;
 mod reduce;
 mod reductions;

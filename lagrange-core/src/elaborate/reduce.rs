@@ -300,6 +300,7 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
     for parameter in model.parameters.iter_mut().chain(&mut model.inputs) {
         places.push(&mut parameter.symbol);
         places.extend(&mut parameter.default);
+        places.extend(parameter.range.iter_mut().flatten().map(|bound| &mut bound.value));
     }
     places.extend(model.coordinates.iter_mut().flat_map(|c| [&mut c.position, &mut c.rate]));
     places.extend(model.speeds.iter_mut().flat_map(|s| [&mut s.velocity, &mut s.acceleration]));

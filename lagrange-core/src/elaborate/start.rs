@@ -2,20 +2,13 @@
 //! in `start` statements.
 
 use super::elaborator::Elaborator;
-use super::entries::{Assigned, assigned_index};
+use super::entries::{assigned_index, spelling_of};
 use super::messages::start as messages;
 use super::states::state_named;
 use crate::model::Assignment;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::{self, AstId, Definition};
-
-/// Initial values that are declared so far.
-#[derive(Default)]
-pub(super) struct Start {
-    values: Vec<Assignment>,
-    assigned: Assigned,
-}
 
 /// `start x = e;` or `start dot(x) = e;`
 pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: ast::Assignment) {
@@ -36,13 +29,12 @@ pub(super) fn add_declared_start(elaborator: &mut Elaborator<'_>, definition: &D
 fn set_start(elaborator: &mut Elaborator<'_>, index: Option<usize>, origin: Origin, syntax: AstId) {
     let value = elaborator.constant_in_motion(syntax, messages::INITIAL_VALUE);
     let Some(index) = index else { return };
-    let mut start = std::mem::take(&mut elaborator.start);
-    if let Some((first, target)) = start.assigned.note(elaborator, index, origin) {
-        let error = elaborator.evaluator.report.error(origin, messages::started_twice(&target));
+    if let Some(first) = elaborator.start.assigned.note(index, origin) {
+        let message = messages::started_twice(spelling_of(elaborator, index));
+        let error = elaborator.evaluator.report.error(origin, message);
         error.related(first, messages::STARTED_HERE).help(messages::STARTED_TWICE_HELP);
     }
-    start.values.extend(value.map(|value| Assignment { index, value }));
-    elaborator.start = start;
+    elaborator.start.values.extend(value.map(|value| Assignment { index, value }));
 }
 
 /// A unit quaternion has an initial value as a whole: with some of its components alone it would be

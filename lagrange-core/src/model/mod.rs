@@ -110,6 +110,17 @@ pub struct Parameter {
     pub symbol: ExprId,
     /// Its default, free of symbols.
     pub default: Option<ExprId>,
+    /// The lower and the upper bound of its values.
+    pub range: [Option<Bound>; 2],
+}
+
+/// A bound of the values of a parameter.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bound {
+    /// Its value, free of symbols.
+    pub value: ExprId,
+    /// True if a parameter may have this value.
+    pub is_included: bool,
 }
 
 /// A position: a generalised coordinate, a component of a unit quaternion, or a first-order state.

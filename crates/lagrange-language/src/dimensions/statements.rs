@@ -81,7 +81,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             }
         }
         (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Require) => {
-            for Definition { name, value } in list {
+            for Definition { name, value, .. } in list {
                 let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
                 require_start(checker, *value, &known, &value_of(name));
             }
@@ -269,9 +269,10 @@ fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
 }
 
 fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
-    let Definition { name, value } = definition;
+    let Definition { name, range, value } = definition;
     let form = declared(checker, name);
-    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+    let values = range.limits().map(|limit| limit.value).chain(*value);
+    for value in values.filter(|value| !is_of_numbers(checker.expressions, *value)).collect::<Vec<_>>() {
         let reason = value_of(name);
         checker.require(value, &Measure::known(form.clone()), &reason);
     }

@@ -36,8 +36,8 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Block, Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
-    StatementKind,
+    AllowedRange, Block, Definition, EmitItem, Limit, Reduction, ReductionItem, ReductionKind, Repetition,
+    Selection, Statement, StatementKind,
 };
 
 /// A whole `system!` declaration.
@@ -174,6 +174,16 @@ impl Declaration {
         });
         let mut asked = items.flatten().filter(|item| item.product.text == product);
         asked.next_back().is_some_and(|item| item.wanted)
+    }
+
+    /// The ranges of parameters that have one.
+    pub fn ranges(&self) -> impl Iterator<Item = (&Name, &AllowedRange)> {
+        let definitions = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Parameters(list) => &list[..],
+            _ => &[],
+        });
+        let ranges = definitions.map(|definition| (&definition.name, &definition.range));
+        ranges.filter(|(_, range)| range.limits().next().is_some())
     }
 
     /// True if it gives initial values of the state.

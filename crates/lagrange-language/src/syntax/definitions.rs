@@ -6,7 +6,7 @@ use super::ast::{
     Assignment, AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind,
 };
 use super::cursor::{Cursor, as_group, group_origin};
-use super::identifiers::at_equals_past;
+use super::identifiers::{at_equals_past, at_relation};
 use super::keywords;
 use super::messages;
 use super::messages::arrays;
@@ -22,8 +22,9 @@ use lagrange_expr::limits::MAX_INDICES;
 use lagrange_expr::number::Number;
 
 impl Parser<'_> {
-    /// `a, b = 1.0`.
-    pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
+    /// `a, b > 0 = 1.0` behind this keyword.
+    pub(super) fn definitions(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Definition> {
+        let help = form(keyword);
         self.items(help, cursor, |parser, cursor| {
             let mut name = parser.declared_name(cursor);
             if let Ok(name) = &mut name {
@@ -32,8 +33,9 @@ impl Parser<'_> {
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation(name, "param", cursor);
             }
+            let range = parser.range_behind(&name, keyword, cursor);
             let value = parser.value_behind(&mut name, help, cursor);
-            Ok(Definition { name: name?, value })
+            Ok(Definition { name: name?, range, value })
         })
     }
 
@@ -75,7 +77,7 @@ impl Parser<'_> {
 
     /// `a = 1, b = 2`.
     pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
-        let definitions = self.definitions(form("const"), cursor);
+        let definitions = self.definitions("const", cursor);
         for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
             let message = messages::constant_without_value(&name.text);
             self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
@@ -108,8 +110,9 @@ impl Parser<'_> {
                 }
             });
             let mut name = Ok(name);
+            let range = parser.range_behind(&name, keyword, cursor);
             let value = parser.value_behind(&mut name, form(keyword), cursor);
-            Ok(Definition { name: name?, value })
+            Ok(Definition { name: name?, range, value })
         })
     }
 
@@ -196,6 +199,7 @@ impl Parser<'_> {
         let start = cursor.position();
         match self.expression(cursor) {
             Ok(id) if at_item_end(cursor) || is_definition(cursor) => return id,
+            Ok(_) if at_relation(cursor) || cursor.at_pair('.', '.') => self.range_behind_value(cursor),
             Ok(_) => self.no_operator(cursor, "`,` or `;`"),
             Err(reported) => reported,
         };

@@ -4,6 +4,7 @@ pub(super) mod arrays;
 pub(super) mod forms;
 pub(super) mod functions;
 pub(super) mod habits;
+pub(super) mod ranges;
 pub(super) mod scenes;
 pub(super) mod solve;
 pub(super) mod tables;

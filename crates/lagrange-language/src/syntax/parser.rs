@@ -31,6 +31,8 @@ pub(super) struct Parser<'r> {
     pub(super) has_units: bool,
     /// True if one of these measures more than plain numbers and angles.
     pub(super) has_dimensions: bool,
+    /// True in bounds of ranges, which an equals sign may follow.
+    pub(super) precedes_default: bool,
     /// True in statements that accept accelerations.
     pub(super) accepts_accelerations: bool,
     /// Messages that are given only once in a statement.
@@ -78,6 +80,7 @@ impl<'r> Parser<'r> {
             lacks_names: false,
             has_units: false,
             has_dimensions: false,
+            precedes_default: false,
             accepts_accelerations: false,
             said: HashSet::default(),
             depth: 0,

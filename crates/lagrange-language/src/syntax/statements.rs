@@ -82,8 +82,8 @@ impl Parser<'_> {
         self.accepts_accelerations = keywords::accepts_accelerations(&text);
         let help = form(&text);
         match text.as_str() {
-            "param" => Ok(StatementKind::Parameters(self.definitions(help, cursor))),
-            "input" => Ok(StatementKind::Inputs(self.definitions(help, cursor))),
+            "param" => Ok(StatementKind::Parameters(self.definitions("param", cursor))),
+            "input" => Ok(StatementKind::Inputs(self.definitions("input", cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
             "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),

@@ -65,7 +65,7 @@ impl Parser<'_> {
             && self.is_free_unit(word)
             && !is_call
             && !is_word
-            && !cursor.equals_past(1)
+            && (self.precedes_default || !cursor.equals_past(1))
             && !cursor.at_statement()
     }
 

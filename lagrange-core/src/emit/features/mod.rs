@@ -15,6 +15,7 @@ pub(super) mod orientations;
 pub(super) mod ports;
 pub(super) mod prepared;
 pub(super) mod product;
+pub(super) mod ranges;
 pub(super) mod reduced;
 pub(super) mod redundant;
 pub(super) mod scene;

@@ -107,8 +107,7 @@ pub(in crate::bodies) fn coordinates_of(
 ) -> Vec<AstId> {
     let mut push = |kind: StatementKind| translation.statements.push(Statement { kind, ..statement.clone() });
     if !joint.coordinates.is_empty() {
-        let without_start = |name: &Name| Definition { name: name.clone(), value: None };
-        push(StatementKind::Coordinates(joint.coordinates.iter().map(without_start).collect()));
+        push(StatementKind::Coordinates(joint.coordinates.iter().cloned().map(Definition::of).collect()));
     }
     joint
         .quaternion

@@ -33,7 +33,8 @@ pub struct Statement {
 /// The kind and content of a statement.
 ///
 /// ```text
-/// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+/// statement = attribute* "param" named [ allowed ] [ "=" sum ] { "," named [ allowed ] [ "=" sum ] } ";"
+///           | "input" named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
 ///           | ( "coord" | "state" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "start" sum "=" sum { "," sum "=" sum } ";"
@@ -59,6 +60,7 @@ pub struct Statement {
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
 ///           | loop | choice | scene
 /// named     = NAME [ ":" unit ]
+/// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
 /// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
@@ -87,7 +89,7 @@ pub struct Statement {
 /// of [`SceneStatement`].
 #[derive(Clone, Debug)]
 pub enum StatementKind {
-    /// `param a, b = 1.0;`
+    /// `param a, b > 0 = 1.0;`
     Parameters(Vec<Definition>),
     /// `input u;`
     Inputs(Vec<Definition>),
@@ -279,7 +281,7 @@ impl StatementKind {
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
-            | StatementKind::States(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            | StatementKind::States(list) => list.iter_mut().flat_map(Definition::expressions_mut).collect(),
             StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
             StatementKind::Velocity(_, value)
             | StatementKind::Let(_, value)
@@ -423,8 +425,51 @@ pub enum ReductionKind {
 pub struct Definition {
     /// The declared name.
     pub name: Name,
+    /// The values that a parameter may have.
+    pub range: AllowedRange,
     /// The value behind `=`, if there is one.
     pub value: Option<AstId>,
+}
+
+/// A range of numbers, unlimited where it has no bound.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct AllowedRange {
+    /// The lower bound.
+    pub lower: Option<Limit>,
+    /// The upper bound.
+    pub upper: Option<Limit>,
+}
+
+/// A bound of a range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limit {
+    /// Its value.
+    pub value: AstId,
+    /// True if the range contains it.
+    pub is_included: bool,
+}
+
+impl Definition {
+    /// A name without anything else.
+    pub fn of(name: Name) -> Definition {
+        Definition { name, range: AllowedRange::default(), value: None }
+    }
+
+    fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        self.range.limits_mut().map(|limit| &mut limit.value).chain(&mut self.value)
+    }
+}
+
+impl AllowedRange {
+    /// Its bounds.
+    pub fn limits(&self) -> impl Iterator<Item = Limit> {
+        self.lower.into_iter().chain(self.upper)
+    }
+
+    /// Its bounds, to be changed.
+    pub fn limits_mut(&mut self) -> impl Iterator<Item = &mut Limit> {
+        self.lower.iter_mut().chain(&mut self.upper)
+    }
 }
 
 /// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.

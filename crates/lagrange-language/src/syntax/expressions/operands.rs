@@ -19,8 +19,7 @@ impl Parser<'_> {
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
-            let is_range = parser.counts && cursor.at_pair('.', '.');
-            if is_range || cursor.eat('.').is_none() {
+            if cursor.at_pair('.', '.') || cursor.eat('.').is_none() {
                 return Ok(Turn::Last);
             }
             operand = parser.behind_dot(operand, cursor)?;

@@ -81,9 +81,12 @@ pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static s
             "write `coord x, theta;`, `coord x: m, theta: rad;` with units, or `coord x = 1;` with an initial value",
         ),
         keyword => (
-            "only a colon and a unit can stand between a name and its value",
             match keyword {
-                "param" => "write `param m = 1.0;`, or `param m: kg = 1.0;` with a unit",
+                "param" => "only a colon, a unit and a range can stand between a name and its value",
+                _ => "only a colon and a unit can stand between a name and its value",
+            },
+            match keyword {
+                "param" => "write `param m = 1.0;`, or `param m: kg > 0 = 1.0;` with a unit and a range",
                 other => form(other),
             },
         ),
