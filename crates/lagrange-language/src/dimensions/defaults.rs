@@ -85,6 +85,7 @@ impl UnitWriter<'_> {
                 function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));
             }
             StatementKind::Table(table) => self.table(table),
+            StatementKind::Output(name, value) => self.output(name, value),
             StatementKind::Parameters(list) => {
                 list.iter_mut().for_each(|definition| self.parameter(definition));
             }
@@ -132,6 +133,16 @@ impl UnitWriter<'_> {
         let default = is_scaled.then(|| format!("{} {unit}", print::expression(self.expressions, value)));
         self.name(name, default);
         self.number(name, value)
+    }
+
+    /// An output, whose values at run time are in the unit behind its name.
+    fn output(&mut self, name: &Name, value: &mut AstId) {
+        if let Some(unit) = &name.unit {
+            self.measured.named.insert(&name.text, NamedUnit { unit: unit.to_string(), default: None });
+        }
+        if is_of_numbers(self.expressions, *value) {
+            *value = self.number(name, *value);
+        }
     }
 
     /// A parameter, whose bounds are in its unit, too.

@@ -155,7 +155,7 @@ messages! {
     FACTORIAL = "`!` is not an operator";
     FACTORIAL_HELP = "write a factorial as a number: `24` for 4!";
     REMAINDER_HELP =
-        "angles need no remainder; write a percentage as a fraction, `5/100`; comments begin with `//`";
+        "angles need no remainder; comments begin with `//`";
     SECOND_EQUALS_HELP = "a statement assigns one value to one name; write a statement for each";
     INDEX = "square brackets are not allowed here";
     INDEX_HELP = "the components of a vector are `.x`, `.y` and `.z`";
