@@ -88,7 +88,9 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     if declaration.coordinates().is_empty() {
         report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
     }
-    if !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
+    // The energy of a body that could not be read is missing because of that.
+    let is_clear = declaration.bodies.is_empty() || !report.has_errors();
+    if is_clear && !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
         report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
     }
 }
