@@ -45,6 +45,7 @@ pub(super) struct Parser<'r> {
 pub(super) enum Declared {
     Parameter,
     Coordinate,
+    State,
     Other,
 }
 
@@ -56,6 +57,7 @@ impl Declared {
                 Declared::Parameter
             }
             StatementKind::Coordinates(_) => Declared::Coordinate,
+            StatementKind::States(_) => Declared::State,
             _ => Declared::Other,
         }
     }

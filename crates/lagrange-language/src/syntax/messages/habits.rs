@@ -30,6 +30,7 @@ messages! {
 
     /// Advice for the rate of a state in the spelling of another language.
     rate_of_state(rate) = "the rate of a state is stated as `{rate} = …;`";
+    rate_alone(rate) = "the rate of a state stands alone before the equals sign: divide by its factor, `{rate} = …;`";
     EQUATION = "a constraint is one expression that stays zero";
     difference(name) = "write a = b as `constraint {} = a - (b);`", shortened(name);
     INEQUALITY = "a constraint is an expression that stays zero, not an inequality";
