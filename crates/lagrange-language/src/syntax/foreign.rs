@@ -4,7 +4,7 @@
 mod functions;
 mod rates;
 
-pub use functions::{FUNCTIONS, function};
+pub use functions::{FUNCTIONS, function, without_counterpart};
 pub use rates::{Rate, derives, is_word_for_rate, rate};
 
 /// Words that begin no statement, with the keyword that does in their place.
