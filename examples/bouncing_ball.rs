@@ -24,20 +24,18 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Ball;
 
-    param m: kg = 0.2, e = 0.8, g: m/s^2 = 9.81;
-    coord y: m;
+    param m: kg > 0 = 0.2, e in 0..1 = 0.8, g: m/s^2 = 9.81;
+    coord y: m = 1;
     kinetic = 1/2 * m * dot(y)^2;
     potential = m * g * y;
     event floor = y, falling => impact(e);
     output load = floor;
 }
 
-const HEIGHT: f64 = 1.0;
-
 fn main() -> Result<(), Box<dyn Error>> {
     let ball = Ball::default();
-    let trajectory = ball.simulate([HEIGHT, 0.0]).until(6.0).tolerance(1e-13).run()?;
-    let fall = (2.0 * HEIGHT / ball.g).sqrt();
+    let trajectory = ball.simulate(ball.start()).until(6.0).tolerance(1e-13).run()?;
+    let fall = (2.0 * ball.start().y / ball.g).sqrt();
     let first = trajectory.events().first().ok_or("the ball hits nothing")?;
     let last = trajectory.events().last().ok_or("the ball hits nothing")?;
     let (EventKind::Impact(hit), EventKind::Closed { at: rest, .. }) = (first.kind, last.kind) else {

@@ -12,14 +12,14 @@ lagrange::system! {
     /// A bead on a ring that turns about its vertical diameter.
     pub struct Bead;
     param m: kg = 0.1, r: m = 0.5, omega: rad/s = 7.0, g: m/s^2 = 9.81;
-    coord theta: rad;
+    coord theta: rad = 0.1;
     kinetic = 1/2 * m * r^2 * (dot(theta)^2 + omega^2 * sin(theta)^2);
     potential = -m * g * r * cos(theta);
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let trajectory =
-        Bead::default().simulate([0.1, 0.0]).until(10.0).tolerance(1e-10).every(0.01).energy().run()?;
+    let bead = Bead::default();
+    let trajectory = bead.simulate(bead.start()).until(10.0).tolerance(1e-10).every(0.01).energy().run()?;
     for (name, picture) in [("bead.svg", "theta and theta_dot"), ("bead_energy.svg", "energy")] {
         println!("{picture} over {} s: {}", trajectory.end_time(), temp_dir().join(name).display());
     }

@@ -27,7 +27,8 @@ lagrange::system! {
     param i3: kg*m^2 = 0.5;
     /// Weight times distance of the centre of mass from the fixed point.
     param mgl: N*m = 1.0;
-    coord phi: rad, theta: rad, psi: rad;
+    coord phi: rad, theta: rad = 0.5, psi: rad;
+    start dot(psi) = 10;
     let axial = dot(psi) + dot(phi) * cos(theta);
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * axial^2;
     potential = mgl * cos(theta);
@@ -42,17 +43,16 @@ const REFERENCE: [f64; 6] = [
     0.06219658865528939,
     9.691751364894902,
 ];
-const START: [f64; 6] = [0.0, 0.5, 0.0, 0.0, 0.0, 10.0];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let top = HeavyTop::default();
-    let trajectory = top.simulate(START).until(10.0).tolerance(1e-13).every(0.01).run()?;
+    let trajectory = top.simulate(top.start()).until(10.0).tolerance(1e-13).every(0.01).run()?;
     let end = trajectory.last();
     let rows: [_; 6] = std::array::from_fn(|i| (trajectory.names()[i].as_str(), end[i], REFERENCE[i]));
     compare("t = 10 s", 1e-11, &rows);
 
     let names = ["momentum of phi", "momentum of psi", "energy"];
-    let (now, before) = (conserved(&top, end), conserved(&top, START));
+    let (now, before) = (conserved(&top, end.into()), conserved(&top, top.start()));
     let rows: [_; 3] = std::array::from_fn(|i| (names[i], now[i], before[i]));
     compare("conserved quantities at the end and at the start", 1e-12, &rows);
     let least = trajectory.theta().iter().copied().fold(f64::INFINITY, f64::min);
@@ -63,8 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The momenta of the cyclic coordinates and the energy.
-fn conserved(top: &HeavyTop, y: [f64; 6]) -> [f64; 3] {
-    let state = HeavyTopState::from(y);
+fn conserved(top: &HeavyTop, state: HeavyTopState) -> [f64; 3] {
     let (q, v) = (state.coordinates(), state.velocities());
     let [p_phi, _, p_psi] = top.momenta(0.0, &q, &v);
     [p_phi, p_psi, top.energy(0.0, &q, &v)]

@@ -27,8 +27,10 @@ lagrange::system! {
     #[derive(Clone, Debug)]
     pub struct Block;
 
-    param m: kg = 1.5, k: N/m = 40.0, v: m/s = 0.3, kinetic_mu = 0.2, static_mu = 0.35, g: m/s^2 = 9.81;
+    param m: kg > 0 = 1.5, k: N/m > 0 = 40.0, v: m/s > 0 = 0.3, g: m/s^2 = 9.81;
+    param kinetic_mu in 0..=1 = 0.2, static_mu in 0..=1 = 0.35;
     coord x: m, y: m;
+    start dot(x) = v;
     kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2);
     potential = 1/2 * k * x^2 + m * g * y;
     constraint belt = y;
@@ -44,7 +46,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let period = 2.0 * amplitude / v + slipping;
     let (given_way, middle) = (static_mu * weight / k, kinetic_mu * weight / k);
 
-    let trajectory = block.simulate([0.0, 0.0, v, 0.0]).until(10.0).tolerance(1e-13).run()?;
+    let trajectory = block.simulate(block.start()).until(10.0).tolerance(1e-13).run()?;
     for (index, event) in trajectory.events().iter().enumerate() {
         let turn = (index / 2) as f64 * period;
         let first = given_way / v;

@@ -95,6 +95,9 @@ hints! {
     pub trait EmitsConstraintForces {} for fn constraint_forces in ConstraintForces:
         "the declaration of `{Self}` does not emit `constraint_forces`",
         "systems with constraints emit it, unless `emit {{ … }}` contains `no constraint_forces`";
+    pub trait DeclaresStart {} for fn start in Start:
+        "the declaration of `{Self}` gives no initial values",
+        "write `coord x = 1;`, or `start dot(x) = 2;` for a velocity";
     pub trait EmitsStatements {} for const STATEMENTS in Statements:
         "the declaration of `{Self}` does not emit `STATEMENTS`",
         "add `emit {{ statements }}` to the declaration",
@@ -142,7 +145,7 @@ macro_rules! __hints {
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
             KernelF64 as _, KineticEnergy as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
             MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
-            Statements as _, TangentJacobian as _, Taylor as _,
+            Start as _, Statements as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

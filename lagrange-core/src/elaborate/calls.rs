@@ -155,6 +155,7 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
             messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS.to_owned()
         }
         (Some(meant), _) => messages::names::write_call(&meant),
+        (None, _) if let Some(advice) = foreign::without_counterpart(&name.text) => advice.to_owned(),
         (None, Some(nearest)) => messages::names::did_you_mean(nearest),
         (None, None) => messages::names::declare_function(&name.text, arguments.len()),
     };

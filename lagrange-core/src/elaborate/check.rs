@@ -15,6 +15,7 @@ use super::signs::check_signs;
 use super::smoothness::{check_smoothness, without_kinks};
 use super::solve::check_names_of_solvers;
 use super::stabilisation::check_stabilisation;
+use super::start::{check_starts, initial_state};
 use super::states::{check_states, positions_of_states, report_states_in_momenta};
 use super::tables::{check_names_of_derivatives, check_tables};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
@@ -53,6 +54,7 @@ fn check_statements(elaborator: &mut Elaborator<'_>) {
     check_header(elaborator);
     check_state_names(elaborator);
     check_states(elaborator);
+    check_starts(elaborator);
     check_reductions(elaborator);
     check_energies(elaborator);
     check_magnitudes(elaborator);
@@ -86,7 +88,9 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     if declaration.coordinates().is_empty() {
         report.error(declaration.name.span, messages::NO_COORDINATES).help(messages::COORDINATES_HELP);
     }
-    if !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
+    // The energy of a body that could not be read is missing because of that.
+    let is_clear = declaration.bodies.is_empty() || !report.has_errors();
+    if is_clear && !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
         report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
     }
 }
@@ -211,7 +215,9 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
 /// Names of methods that systems with constraints, contacts or events have beside those of all
 /// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
-    let groups: [(bool, &[&str]); 4] = [
+    let groups: [(bool, &[&str]); 6] = [
+        (!elaborator.declaration.has_start(), &["start"]),
+        (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
         (velocities_are_rates(elaborator), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),
@@ -288,6 +294,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
     let dissipation = with_limits(&mut elaborator, dissipation);
     let gibbs = total_gibbs(&mut elaborator);
     let products = elaborator.products();
+    let start = initial_state(&mut elaborator);
     let states = positions_of_states(&elaborator);
     let mut labels = elaborator.labels;
     // Rates of what has a name occur in the equations whether or not the user wrote them.
@@ -310,6 +317,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         coordinates: coordinates.chain(states).collect(),
         speeds: elaborator.speeds.into_iter().map(|(speed, _)| speed).collect(),
         orientations: elaborator.orientations,
+        start,
         energies,
         lagrangian,
         gibbs,

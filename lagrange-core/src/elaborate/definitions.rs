@@ -4,6 +4,7 @@ use super::elaborator::Elaborator;
 use super::expression::value_of;
 use super::messages;
 use super::operand::Operand;
+use super::ranges::range_of;
 use super::scalar_range::{Misfit, largest, misfit, misfit_of_value};
 use super::scope::NameKind;
 use crate::model::Parameter;
@@ -16,20 +17,21 @@ pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Def
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
     let name = &definition.name.text;
     let is_input = kind == NameKind::Input;
-    let list = if is_input { &mut elaborator.inputs } else { &mut elaborator.parameters };
-    let index = list.len() as u32;
+    let index = if is_input { elaborator.inputs.len() } else { elaborator.parameters.len() } as u32;
     let role = if is_input { Role::Input(index) } else { Role::Parameter(index) };
+    let range = range_of(elaborator, definition, default);
     let symbol = elaborator.evaluator.graph.symbol(name, role);
     let default = match default {
         None if is_input => Some(elaborator.evaluator.graph.number(0)),
         given => given,
     };
-    list.push(Parameter { name: name.clone(), symbol, default });
+    let list = if is_input { &mut elaborator.inputs } else { &mut elaborator.parameters };
+    list.push(Parameter { name: name.clone(), symbol, default, range });
     elaborator.declare(&definition.name, kind, Some(Operand::Scalar(symbol)));
 }
 
 fn default_value(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -> Option<ExprId> {
-    let value = constant_scalar(elaborator, syntax, "a default")?;
+    let value = elaborator.constant_scalar(syntax, "a default")?;
     let (graph, scalar) = (&elaborator.evaluator.graph, &elaborator.declaration.scalar);
     let misfit = match graph.as_number(value) {
         Some(number) => misfit(scalar, number),
@@ -50,21 +52,8 @@ fn default_value(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) ->
     Some(value)
 }
 
-fn constant_scalar(elaborator: &mut Elaborator<'_>, syntax: AstId, what: &str) -> Option<ExprId> {
-    value_of(&mut elaborator.evaluator, syntax)?;
-    let value = elaborator.evaluator.scalar(syntax, what)?;
-    let dependencies = elaborator.evaluator.graph.dependencies(value);
-    if dependencies != Dependencies::NONE {
-        let (place, _) = elaborator.evaluator.blame(syntax, dependencies);
-        let error = elaborator.evaluator.report.error(place, messages::not_constant(what));
-        error.help(messages::NOT_CONSTANT_HELP);
-        return None;
-    }
-    Some(value)
-}
-
 pub(super) fn define_constant(elaborator: &mut Elaborator<'_>, definition: &Definition) {
-    let value = definition.value.and_then(|value| constant_scalar(elaborator, value, "a constant"));
+    let value = definition.value.and_then(|value| elaborator.constant_scalar(value, "a constant"));
     elaborator.declare(&definition.name, NameKind::Constant, value.map(Operand::Scalar));
 }
 

@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::assigned::{Bounds, Start};
 use super::evaluator::Evaluator;
 use super::expression::value_of;
 use super::messages;
@@ -57,6 +58,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) declaration: &'a Declaration,
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<Parameter>,
+    /// Ranges of parameters so far, by their bounds in the syntax tree.
+    pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     pub(super) states: Vec<DeclaredState>,
     /// The names that `velocity` statements give to the rates of coordinates.
@@ -65,6 +68,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) first_state: usize,
     pub(super) speeds: Vec<(Speed, Span)>,
     pub(super) orientations: Vec<Orientation>,
+    pub(super) start: Start,
     pub(super) kinetic: Vec<SourceTerm>,
     pub(super) potential: Vec<SourceTerm>,
     pub(super) lagrangian: Vec<SourceTerm>,
@@ -105,12 +109,14 @@ impl<'a> Elaborator<'a> {
             declaration,
             parameters: Vec::new(),
             inputs: Vec::new(),
+            ranges: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),
             named_velocities: declaration.named_velocities(),
             first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),
             orientations: Vec::new(),
+            start: Start::default(),
             kinetic: Vec::new(),
             potential: Vec::new(),
             lagrangian: Vec::new(),
@@ -188,6 +194,20 @@ impl<'a> Elaborator<'a> {
             true => speed.name == name,
             false => self.name_of_freedom(speed) == name,
         })
+    }
+
+    /// A scalar of numbers and constants.
+    pub(super) fn constant_scalar(&mut self, syntax: AstId, what: &str) -> Option<ExprId> {
+        value_of(&mut self.evaluator, syntax)?;
+        let value = self.evaluator.scalar(syntax, what)?;
+        let dependencies = self.evaluator.graph.dependencies(value);
+        if dependencies != Dependencies::NONE {
+            let (place, _) = self.evaluator.blame(syntax, dependencies);
+            let error = self.evaluator.report.error(place, messages::not_constant(what));
+            error.help(messages::NOT_CONSTANT_HELP);
+            return None;
+        }
+        Some(value)
     }
 
     /// A value that does not change during the motion.

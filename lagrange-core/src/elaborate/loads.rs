@@ -15,15 +15,15 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_language::syntax::ast::{AstId, Name};
 
 pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
-    let force = elaborator.term(syntax, name.span, "a force");
     elaborator.evaluator.scope.resolve(&name.text);
-    match elaborator.speed_of(&name.text) {
-        Some(index) => {
-            let velocity = elaborator.speeds[index].0.velocity;
-            elaborator.loads.extend(force.map(|force| Load { velocity, force: force.value }));
-        }
-        None => elaborator.report_no_coordinate(name, messages::FORCE_HELP),
-    }
+    let Some(index) = elaborator.speed_of(&name.text) else {
+        // A vector on a body is one mistake.
+        value_of(&mut elaborator.evaluator, syntax);
+        return elaborator.report_no_coordinate(name, messages::FORCE_HELP);
+    };
+    let velocity = elaborator.speeds[index].0.velocity;
+    let force = elaborator.term(syntax, name.span, "a force");
+    elaborator.loads.extend(force.map(|force| Load { velocity, force: force.value }));
 }
 
 pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point: AstId) {

@@ -7,8 +7,10 @@ use lagrange_expr::expr::Dependencies;
 pub(super) mod events;
 pub(super) mod inertia;
 pub(super) mod names;
+pub(super) mod ranges;
 pub(super) mod scene;
 pub(super) mod solve;
+pub(super) mod start;
 pub(super) mod states;
 pub(super) mod tables;
 

@@ -3,6 +3,7 @@
 //! [`elaborate`] resolves names and checks meaning; its result, a [`Model`], holds energies and
 //! loads as expressions.
 
+mod assigned;
 mod callable;
 mod calls;
 mod chains;
@@ -13,6 +14,7 @@ mod coordinates;
 mod damping;
 mod definitions;
 mod elaborator;
+mod entries;
 mod evaluator;
 mod events;
 mod expression;
@@ -26,6 +28,7 @@ mod numbers;
 mod obligations;
 mod opaque;
 mod operand;
+mod ranges;
 mod reactions;
 mod reduce;
 mod reductions;
@@ -39,6 +42,7 @@ mod smoothness;
 mod solve;
 mod stabilisation;
 mod staged;
+mod start;
 mod statements;
 mod states;
 mod tables;

@@ -88,7 +88,7 @@ impl<'a> Reducer<'a> {
             loads.extend(self.load(*load)?);
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
-        let (rates, labels) = (self.rates(model), self.labels(model));
+        let (start, rates, labels) = (self.start(model), self.rates(model), self.labels(model));
         let coordinates = self.coordinates(model)?;
         let speeds = model.speeds.iter().filter(|speed| !speed.coordinate.is_some_and(|i| self.is_frozen(i)));
         let speeds = speeds.cloned().collect();
@@ -99,6 +99,7 @@ impl<'a> Reducer<'a> {
             coordinates,
             speeds,
             orientations: model.orientations.clone(),
+            start,
             energies,
             lagrangian,
             // It would have to be expanded, too; energies say the same.
@@ -128,6 +129,16 @@ impl<'a> Reducer<'a> {
 
     fn of(&mut self, root: ExprId, part: &str) -> Result<Series, Undefined> {
         self.expanded.of(&mut self.graph, root, ORDER).ok_or_else(|| part.to_owned())
+    }
+
+    /// Returns the initial values of what is not frozen.
+    fn start(&self, model: &Model) -> Vec<ExprId> {
+        let coordinates = 0..model.coordinates.len();
+        let speeds = model.speeds.iter().map(|speed| speed.coordinate);
+        let owners = coordinates.map(Some).chain(speeds);
+        let kept =
+            model.start.iter().zip(owners).filter(|(_, owner)| !owner.is_some_and(|i| self.is_frozen(i)));
+        kept.map(|(value, _)| *value).collect()
     }
 
     /// Returns the coordinates that are not frozen. Rates of states stay exact in the remaining
@@ -289,9 +300,11 @@ fn places(model: &mut Model) -> Vec<&mut ExprId> {
     for parameter in model.parameters.iter_mut().chain(&mut model.inputs) {
         places.push(&mut parameter.symbol);
         places.extend(&mut parameter.default);
+        places.extend(parameter.range.iter_mut().flatten().map(|bound| &mut bound.value));
     }
     places.extend(model.coordinates.iter_mut().flat_map(|c| [&mut c.position, &mut c.rate]));
     places.extend(model.speeds.iter_mut().flat_map(|s| [&mut s.velocity, &mut s.acceleration]));
+    places.extend(&mut model.start);
     places.extend(model.loads.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]));
     places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
     places.extend(model.scene.places());

@@ -14,11 +14,13 @@ use super::reductions::add_reduction;
 use super::scope::NameKind;
 use super::solve::define_unknown;
 use super::stabilisation::set_stabilisation;
+use super::start::{add_declared_start, add_start};
 use super::states::{add_state_rate, define_state};
 use super::tables::define_table;
 use crate::model::{Output, Product};
 use lagrange_expr::diagnostics::nearest;
-use lagrange_expr::expr::Dependencies;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph};
+use lagrange_expr::number::Number;
 use lagrange_language::syntax::ast::{AstId, EmitItem, Name, Statement, StatementKind};
 
 /// Methods that every system has; no output may take their names.
@@ -44,10 +46,19 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             list.iter().for_each(|d| define_parameter(elaborator, d, NameKind::Input));
         }
         StatementKind::Constants(list) => list.iter().for_each(|d| define_constant(elaborator, d)),
-        StatementKind::Coordinates(names) => {
-            names.iter().for_each(|name| define_coordinate(elaborator, name));
+        StatementKind::Coordinates(list) => {
+            for definition in list {
+                define_coordinate(elaborator, &definition.name);
+                add_declared_start(elaborator, definition);
+            }
         }
-        StatementKind::States(names) => names.iter().for_each(|name| define_state(elaborator, name)),
+        StatementKind::States(list) => {
+            for definition in list {
+                define_state(elaborator, &definition.name);
+                add_declared_start(elaborator, definition);
+            }
+        }
+        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, *assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
@@ -106,7 +117,8 @@ fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let uses_accelerations = uses(Dependencies::ACCELERATION);
     let uses_multipliers = uses(Dependencies::MULTIPLIER);
     let uses_reactions = uses(Dependencies::REACTION);
-    let components = value.components().to_vec();
+    let graph = &mut elaborator.evaluator.graph;
+    let components = value.components().iter().map(|&component| displayed(graph, component, name)).collect();
     elaborator.outputs.push(Output {
         name: name.text.clone(),
         components,
@@ -114,6 +126,14 @@ fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
         uses_multipliers,
         uses_reactions,
     });
+}
+
+/// The number of an output in the unit behind its name.
+fn displayed(graph: &mut Graph, value: ExprId, name: &Name) -> ExprId {
+    let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return value };
+    let (scale, pi) = (graph.number(unit.scale.number.clone()), graph.pi());
+    let factors = [(value, 1), (scale, -1), (pi, -unit.scale.pi)];
+    graph.product(factors.map(|(factor, exponent)| (factor, Number::from(i64::from(exponent)))))
 }
 
 fn add_product(elaborator: &mut Elaborator<'_>, item: &EmitItem) {

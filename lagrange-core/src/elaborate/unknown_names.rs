@@ -115,6 +115,9 @@ pub(super) fn help_for_unknown(evaluator: &Evaluator<'_>, name: &str) -> String 
     {
         return messages::names::rate_of_single(&single.text);
     }
+    if evaluator.scope.find(&format!("{name}_qw")).is_some() {
+        return messages::names::components_of_orientation(name);
+    }
     match evaluator.scope.nearest(name, NameKind::has_value) {
         Some(nearest) => messages::names::did_you_mean(nearest),
         None if is_constant_of_rust(name) => messages::names::RUST_CONSTANT_HELP.to_owned(),

@@ -22,9 +22,11 @@ use super::features::missing::missing_derivatives;
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
+use super::features::ranges::write_ranges;
 use super::features::scene::write_scene;
 use super::features::solvers::{write_solvers, write_unknowns};
 use super::features::sparse::{Sparse, lowered_sparse};
+use super::features::start::write_start;
 use super::features::switches::{derived_shape, free_switches, report_unlocated, write_switches};
 use super::features::taylor::write_taylor;
 use super::item::items;
@@ -77,6 +79,8 @@ fn assembled(
 ) -> Result<(TokenStream, Size), Refusal> {
     let shape = derived_shape(declaration, krate, model, equations);
     let mut writer = MethodWriter::new(&shape, model, equations);
+    write_start(&mut writer);
+    write_ranges(&mut writer);
     let counts = write_acceleration(&mut writer);
     write_position_rates(&mut writer);
     write_events(&mut writer);

@@ -13,6 +13,8 @@ use super::features::contacts::mode_fields;
 use super::features::lanes::{lanes_items, lanes_struct};
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
+use super::features::ranges::check_method;
+use super::features::start::start_method;
 use super::features::switches::switches_declaration;
 use super::features::tables::tables;
 use super::traits::trait_impls;
@@ -139,11 +141,14 @@ fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
         (&members.constants, &members.kernel, rhs(shape, &members.names, &quote!(self)));
     let (hidden, motions) = (&members.hidden, &members.motions);
     let projections = projections(shape, members);
+    let (start, check) = (start_method(shape, members), check_method(shape, members));
     let prepared = prepared_method(shape, members);
     quote! {
         impl #bounds #name #generics {
             #constants
             #kernel
+            #start
+            #check
             #(#methods)*
             #rhs
             #motions

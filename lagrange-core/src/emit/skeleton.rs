@@ -89,6 +89,8 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         terms: quote!(::core::unreachable!()),
         hidden: hidden.iter().map(|method| method.of_trait(&shape, &names)).collect(),
         motions: skeleton_of_motions(&shape, &names),
+        ranges: declaration.ranges().next().map(|_| quote!(::core::unreachable!())),
+        start: declaration.has_start().then(|| quote!(::core::unreachable!())),
         items: shape.asks_for(Product::Drawing).then(TokenStream::new),
         prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
         kernel: shape.asks_for(Product::Kernel).then(|| kernel_constants("", "")),

@@ -29,6 +29,8 @@ pub struct Model {
     pub speeds: Vec<Speed>,
     /// Orientations in unit quaternions.
     pub orientations: Vec<Orientation>,
+    /// The state at the start, [q…, v…], of numbers and parameters; empty if none is declared.
+    pub start: Vec<ExprId>,
     /// The energies as declared.
     pub energies: Energies,
     /// L = T − V, or as declared.
@@ -107,6 +109,17 @@ pub struct Parameter {
     pub symbol: ExprId,
     /// Its default, free of symbols.
     pub default: Option<ExprId>,
+    /// The lower and the upper bound of its values.
+    pub range: [Option<Bound>; 2],
+}
+
+/// A bound of the values of a parameter.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Bound {
+    /// Its value, free of symbols.
+    pub value: ExprId,
+    /// True if a parameter may have this value.
+    pub is_included: bool,
 }
 
 /// A position: a generalised coordinate, a component of a unit quaternion, or a first-order state.

@@ -17,6 +17,7 @@ fn main() {
     let _ = pendulum.parameter_jacobian(0.0, &[0.5, 0.0]);
     let _ = pendulum.prepared();
     let _ = pendulum.lanes(|parameter| parameter);
+    let _ = pendulum.start();
     let energy: f64 = pendulum.energy(0.0, &[0.5], &[0.0]);
     println!("{energy} {:?}", pendulum.mass_matrix(0.0, &[0.5]));
 }

@@ -3,7 +3,7 @@ lagrange::system! {
 
     param m = ;
     const k;
-    coord x = 1.0;
+    coord x = ;
     let = 3;
     kinetic 1/2 * dot(x)^2;
     potential == x^2;

@@ -5,8 +5,8 @@ use crate::collections::OrderedMap;
 /// The unit of a field, a column or an output.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NamedUnit {
-    /// The coherent unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain
-    /// numbers.
+    /// The unit that its numbers have at run time: `rad/s`, `kg*m^2`; `1` for plain numbers. Only
+    /// outputs may be in other than coherent units.
     pub unit: String,
     /// The default in the unit in which it is written, `500 mm`, if that is not the coherent one.
     pub default: Option<String>,

@@ -83,7 +83,8 @@ const fn prefixed(
 }
 
 /// Units beside the coherent ones, all of them exact.
-const SCALED: [Scaled; 41] = [
+const SCALED: [Scaled; 42] = [
+    scaled(&["%", "percent"], ("1", "100", 0), &[]),
     prefixed(&["g"], ("0.001", "1", 0), &[("kg", 1)]),
     prefixed(&["t"], ("1000", "1", 0), &[("kg", 1)]),
     scaled(&["lb"], ("0.45359237", "1", 0), &[("kg", 1)]),

@@ -4,7 +4,8 @@ use super::labels::{Label, label};
 use super::messages;
 use super::quantities::{is_name, is_of_numbers, with_unit};
 use crate::syntax::ast::{
-    AstId, Declaration, Expressions, Name, StatementKind, TableDefinition, TableSource, acceleration_name,
+    AstId, Declaration, Definition, Expressions, Name, StatementKind, TableDefinition, TableSource,
+    acceleration_name,
 };
 use crate::syntax::print;
 use lagrange_expr::collections::HashSet;
@@ -84,6 +85,10 @@ impl UnitWriter<'_> {
                 function.parameters.iter().chain([&function.name]).for_each(|name| self.coherent(name));
             }
             StatementKind::Table(table) => self.table(table),
+            StatementKind::Output(name, value) => self.output(name, value),
+            StatementKind::Parameters(list) => {
+                list.iter_mut().for_each(|definition| self.parameter(definition));
+            }
             kind => {
                 for (name, value) in kind.declarations_mut() {
                     match value {
@@ -128,6 +133,27 @@ impl UnitWriter<'_> {
         let default = is_scaled.then(|| format!("{} {unit}", print::expression(self.expressions, value)));
         self.name(name, default);
         self.number(name, value)
+    }
+
+    /// An output, whose values at run time are in the unit behind its name.
+    fn output(&mut self, name: &Name, value: &mut AstId) {
+        if let Some(unit) = &name.unit {
+            self.measured.named.insert(&name.text, NamedUnit { unit: unit.to_string(), default: None });
+        }
+        if is_of_numbers(self.expressions, *value) {
+            *value = self.number(name, *value);
+        }
+    }
+
+    /// A parameter, whose bounds are in its unit, too.
+    fn parameter(&mut self, Definition { name, range, value }: &mut Definition) {
+        let has_bounds = range.limits().next().is_some();
+        range.limits_mut().for_each(|limit| limit.value = self.number(name, limit.value));
+        match value {
+            Some(value) => *value = self.definition(name, *value),
+            None if has_bounds => self.name(name, None),
+            None => self.value(name),
+        }
     }
 
     /// A number in the unit of a name, with that unit behind it.

@@ -34,6 +34,7 @@ messages! {
     TORQUE = "the load on this angle must be %";
     RESTITUTION = "a coefficient of restitution is #";
     ASSIGNED = "the assigned quantity is #";
+    STARTS = "the quantity that starts at this value is #";
     WIDTH = "the slip velocity is #";
     argument_of(function) = "this argument of `{function}` is #";
     plain_argument_of(function) = "`{function}` is a function of plain numbers and angles";

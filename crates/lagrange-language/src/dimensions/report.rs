@@ -158,7 +158,10 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
     let names = equation.found.unknowns.keys().chain(equation.expected.unknowns.keys());
     // Each once: a name may stand on both sides.
     let names = names.copied().collect::<BTreeSet<_>>();
-    let units = names.into_iter().filter_map(|unknown| unit_of(checker, unknown)).collect::<Vec<_>>();
+    let units = names.into_iter().filter_map(|unknown| unit_of(checker, unknown));
+    // The argument of a table may have the name of a coordinate.
+    let mut units = units.collect::<Vec<_>>();
+    units.dedup();
     match units.is_empty() {
         true => messages::COMPARE_HELP.to_owned(),
         false => messages::units_are(&units),

@@ -11,9 +11,12 @@ use super::messages;
 use super::quantities::is_of_numbers;
 use super::solver::Grounds;
 use crate::syntax::ast::{
-    Action, AstId, Declaration, Event, Expression, Friction, Name, Reduction, Statement, StatementKind,
+    Action, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction, Statement,
+    StatementKind,
 };
-use definitions::{declared, define_table, define_value, named_component, named_value, value_of};
+use definitions::{
+    declared, define_table, define_value, named_component, named_value, require_start, value_of,
+};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Dimension;
@@ -76,10 +79,24 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
             values.for_each(|(name, value)| checker.define_constant(&name.text, value));
         }
-        (StatementKind::Coordinates(names) | StatementKind::States(names), DimensionPass::Declare) => {
-            for name in names {
+        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Declare) => {
+            for Definition { name, .. } in list {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
+            }
+        }
+        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Require) => {
+            for Definition { name, value, .. } in list {
+                let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
+                require_start(checker, *value, &known, &value_of(name));
+            }
+        }
+        (StatementKind::Start(assignments), DimensionPass::Require) => {
+            for assignment in assignments {
+                let target = checker.value(assignment.target);
+                let place = checker.expressions.origin(assignment.target);
+                let reason = Grounds { words: messages::STARTS.to_owned(), place };
+                require_start(checker, Some(assignment.value), &target, &reason);
             }
         }
         (StatementKind::Quaternion(quaternion), DimensionPass::Declare) => {
@@ -202,8 +219,6 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             StatementKind::Parameters(_)
             | StatementKind::Inputs(_)
             | StatementKind::Constants(_)
-            | StatementKind::Coordinates(_)
-            | StatementKind::States(_)
             | StatementKind::Quaternion(_)
             | StatementKind::External(_)
             | StatementKind::Table(_),
@@ -234,6 +249,8 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Reduce(_),
             DimensionPass::Declare | DimensionPass::Abbreviate,
         )
+        | (StatementKind::Coordinates(_) | StatementKind::States(_), DimensionPass::Abbreviate)
+        | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
         | (StatementKind::Friction(_), DimensionPass::Declare)
         | (
             StatementKind::Function(_)

@@ -17,6 +17,8 @@ pub(super) struct Complaints<'a> {
     pub(super) names: &'a BTreeSet<String>,
     /// Expressions of which something was said.
     said: HashSet<AstId>,
+    /// Names of which was said that they are no constants.
+    no_constants: HashSet<String>,
     /// True if what could not be read may be where a name is declared.
     is_partial: bool,
 }
@@ -28,7 +30,8 @@ impl<'a> Complaints<'a> {
         names: &'a BTreeSet<String>,
     ) -> Complaints<'a> {
         let is_partial = report.has_errors();
-        Complaints { report, declaration, names, said: HashSet::default(), is_partial }
+        let (said, no_constants) = (HashSet::default(), HashSet::default());
+        Complaints { report, declaration, names, said, no_constants, is_partial }
     }
 
     /// True if what could not be read is not known of names.
@@ -54,6 +57,9 @@ impl<'a> Complaints<'a> {
             Reason::Unreadable => return,
             Reason::Name(name) if self.is_partial && !self.names.contains(name) => return,
             Reason::Name(name) if self.names.contains(name) => {
+                if !self.no_constants.insert(name.clone()) {
+                    return;
+                }
                 (messages::no_constant(name), messages::constant_help(name))
             }
             Reason::Name(name) if scopes.is_variable(name) => {

@@ -19,8 +19,8 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
-        StatementKind::Coordinates(names) => StatementKind::Coordinates(all_elements(copier, names, scope)),
-        StatementKind::States(names) => StatementKind::States(all_elements(copier, names, scope)),
+        StatementKind::Coordinates(list) => StatementKind::Coordinates(definitions(copier, list, scope)),
+        StatementKind::States(list) => StatementKind::States(definitions(copier, list, scope)),
         StatementKind::Quaternion(quaternion) => {
             let elements = elements(copier, &quaternion.name, scope).into_iter();
             let named = |name| StatementKind::Quaternion(Box::new(Quaternion::named(name)));
@@ -89,11 +89,6 @@ fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i6
     positions.into_iter().map(named).collect()
 }
 
-fn all_elements(copier: &mut Copier<'_>, names: &[Name], scope: ScopeId) -> Vec<Name> {
-    let elements = names.iter().flat_map(|name| elements(copier, name, scope));
-    elements.map(|(_, name)| name).collect()
-}
-
 /// The name of an element, with the unit of the array.
 fn element(of: &Name, text: String) -> Name {
     Name { unit: of.unit.clone(), ..Name::new(text, of.span) }
@@ -101,14 +96,15 @@ fn element(of: &Name, text: String) -> Name {
 
 fn definitions(copier: &mut Copier<'_>, list: &[Definition], scope: ScopeId) -> Vec<Definition> {
     let mut written = Vec::new();
-    for Definition { name, value } in list {
-        let sizes = copier.sizes(name, scope).unwrap_or_default();
+    for Definition { name, mut range, value } in list.iter().cloned() {
+        range.limits_mut().for_each(|limit| limit.value = copier.copied(limit.value, scope));
+        let sizes = copier.sizes(&name, scope).unwrap_or_default();
         let value = value.filter(|value| fits(copier.expressions, *value, &sizes, &mut copier.complaints));
         let mut copies: HashMap<AstId, AstId> = HashMap::default();
-        for (position, name) in elements(copier, name, scope) {
+        for (position, name) in elements(copier, &name, scope) {
             let value = value.and_then(|value| element_of(copier.expressions, value, &position));
             let value = value.map(|id| *copies.get_or_insert_with(id, || copier.copied(id, scope)));
-            written.push(Definition { name, value });
+            written.push(Definition { name, range, value });
         }
     }
     written

@@ -36,8 +36,8 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Block, Definition, EmitItem, Reduction, ReductionItem, ReductionKind, Repetition, Selection, Statement,
-    StatementKind,
+    AllowedRange, Block, Definition, EmitItem, Limit, Reduction, ReductionItem, ReductionKind, Repetition,
+    Selection, Statement, StatementKind,
 };
 
 /// A whole `system!` declaration.
@@ -116,9 +116,9 @@ impl Declaration {
     /// states.
     pub fn coordinates(&self) -> Vec<&Name> {
         let positions = self.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => &names[..],
-            StatementKind::Quaternion(quaternion) => &quaternion.positions,
-            _ => &[],
+            StatementKind::Coordinates(list) => list.iter().map(|definition| &definition.name).collect(),
+            StatementKind::Quaternion(quaternion) => quaternion.positions.iter().collect(),
+            _ => Vec::new(),
         });
         positions.chain(self.states()).collect()
     }
@@ -126,10 +126,10 @@ impl Declaration {
     /// Returns the states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Name> {
         let states = self.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::States(names) => Some(names),
+            StatementKind::States(list) => Some(list),
             _ => None,
         });
-        states.flatten()
+        states.flatten().map(|definition| &definition.name)
     }
 
     /// True if there is an equation of the state of this name, even an invalid one.
@@ -143,7 +143,9 @@ impl Declaration {
     pub fn velocities(&self) -> Vec<StateVelocity<'_>> {
         let named = self.named_velocities();
         let velocities = self.statements.iter().flat_map(|statement| match &statement.kind {
-            StatementKind::Coordinates(names) => names.iter().map(|name| rate_of(name, &named)).collect(),
+            StatementKind::Coordinates(list) => {
+                list.iter().map(|definition| rate_of(&definition.name, &named)).collect()
+            }
             StatementKind::Quaternion(quaternion) => {
                 let component = |name: &Name| StateVelocity { name: name.clone(), coordinate: None };
                 quaternion.velocities.iter().map(component).collect()
@@ -177,6 +179,27 @@ impl Declaration {
         asked.next_back().is_some_and(|item| item.wanted)
     }
 
+    /// Returns the ranges of parameters that have one.
+    pub fn ranges(&self) -> impl Iterator<Item = (&Name, &AllowedRange)> {
+        let definitions = self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::Parameters(list) => &list[..],
+            _ => &[],
+        });
+        let ranges = definitions.map(|definition| (&definition.name, &definition.range));
+        ranges.filter(|(_, range)| range.limits().next().is_some())
+    }
+
+    /// True if it gives initial values of the state.
+    pub fn has_start(&self) -> bool {
+        self.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::Start(_) => true,
+            StatementKind::Coordinates(list) | StatementKind::States(list) => {
+                list.iter().any(|definition| definition.value.is_some())
+            }
+            _ => false,
+        })
+    }
+
     /// Returns the names of outputs in their order.
     pub fn outputs(&self) -> impl Iterator<Item = &Name> {
         self.statements.iter().filter_map(|statement| match &statement.kind {
@@ -205,8 +228,8 @@ impl Declaration {
         declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
         declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
         for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(names) | StatementKind::States(names) = &mut statement.kind {
-                names.retain(|name| !is_frozen(name));
+            if let StatementKind::Coordinates(list) | StatementKind::States(list) = &mut statement.kind {
+                list.retain(|definition| !is_frozen(&definition.name));
             }
         }
         declaration

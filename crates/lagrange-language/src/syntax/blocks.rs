@@ -156,6 +156,9 @@ impl Parser<'_> {
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
         let help = match meant {
             Some(label) => messages::meant(label),
+            None if let Some(help) = scenes::beside_a_joint(word).filter(|_| labels.owner == "a joint") => {
+                help.to_owned()
+            }
             None => scenes::labels_are(labels.owner, &labels.known),
         };
         let reported = self.fail_with_help(here, scenes::unknown_label(word, labels.owner), help);

@@ -58,6 +58,9 @@ impl Parser<'_> {
             body.tensor = Some(self.tensor(cursor)?);
             return Ok(());
         }
+        if label == "inertia" && cursor.group(Delimiter::Bracket).is_some() {
+            return Err(self.fail_with_help(cursor.here(), scenes::MATRIX, scenes::MATRIX_HELP));
+        }
         let value = Some(self.line_value(cursor));
         match label {
             "mass" => body.mass = value,

@@ -1,10 +1,13 @@
 //! Statements that declare names or list products.
 
-use proc_macro2::{Delimiter, Group, Span, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
-use super::ast::{AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind};
+use super::ast::{
+    Assignment, AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind,
+};
 use super::cursor::{Cursor, as_group, group_origin};
-use super::identifiers::at_equals_past;
+use super::identifiers::{at_equals_past, at_relation};
+use super::keywords;
 use super::messages;
 use super::messages::arrays;
 use super::messages::forms::form;
@@ -13,23 +16,16 @@ use super::messages::units;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
 use super::units::at_unit;
+use lagrange_expr::diagnostics::nearest;
 use lagrange_expr::keywords::is_rust_keyword;
 use lagrange_expr::limits::MAX_INDICES;
 use lagrange_expr::number::Number;
 
-/// A list of names with commas between them.
-#[derive(Clone, Copy)]
-pub(super) struct List {
-    /// Form of the statement.
-    pub(super) help: &'static str,
-    /// True if values stand behind the names.
-    pub(super) has_values: bool,
-}
-
 impl Parser<'_> {
-    /// `a, b = 1.0`.
-    pub(super) fn definitions(&mut self, help: &'static str, cursor: &mut Cursor) -> Vec<Definition> {
-        self.items(List { help, has_values: true }, cursor, |parser, cursor| {
+    /// `a, b > 0 = 1.0` behind this keyword.
+    pub(super) fn definitions(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Definition> {
+        let help = form(keyword);
+        self.items(help, cursor, |parser, cursor| {
             let mut name = parser.declared_name(cursor);
             if let Ok(name) = &mut name {
                 parser.no_unit(name);
@@ -37,16 +33,21 @@ impl Parser<'_> {
                 parser.declared_names.insert(name.text.clone(), Declared::Parameter);
                 parser.annotation(name, "param", cursor);
             }
-            let is_array = name.as_ref().map_or(true, |name| !name.indices.is_empty());
-            let value = match at_equals_past(0, cursor) {
-                true => parser.equals(help, cursor).ok().map(|()| {
-                    let is_array = is_array || parser.sized_by_list(&mut name, cursor);
-                    parser.default(is_array, cursor)
-                }),
-                false => None,
-            };
-            Ok(Definition { name: name?, value })
+            let range = parser.range_behind(&name, keyword, cursor);
+            let value = parser.value_behind(&mut name, help, cursor);
+            Ok(Definition { name: name?, range, value })
         })
+    }
+
+    /// `= 1.0` or, behind an array, `= [1.0, 2.0]`; nothing if no value follows.
+    fn value_behind(&mut self, name: &mut Parsed<Name>, help: &str, cursor: &mut Cursor) -> Option<AstId> {
+        if !at_equals_past(0, cursor) {
+            return None;
+        }
+        self.equals(help, cursor).ok()?;
+        let is_array = name.as_ref().map_or(true, |name| !name.indices.is_empty());
+        let is_array = is_array || self.sized_by_list(name, cursor);
+        Some(self.default(is_array, cursor))
     }
 
     /// True if a list stands behind a name without numbers of elements, which is reported: the list
@@ -76,7 +77,7 @@ impl Parser<'_> {
 
     /// `a = 1, b = 2`.
     pub(super) fn constants(&mut self, cursor: &mut Cursor) -> Vec<Definition> {
-        let definitions = self.definitions(form("const"), cursor);
+        let definitions = self.definitions("const", cursor);
         for Definition { name, .. } in definitions.iter().filter(|definition| definition.value.is_none()) {
             let message = messages::constant_without_value(&name.text);
             self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
@@ -84,12 +85,17 @@ impl Parser<'_> {
         definitions
     }
 
-    /// Reads `x, theta` behind this keyword. A word that cannot be a name counts, too, so that
-    /// vectors have the length that the user expects. If it cannot be a field either, a name that
-    /// nobody can write stands for it.
-    pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Name> {
-        self.items(List { help: form(keyword), has_values: false }, cursor, |parser, cursor| {
+    /// Reads `x, theta = 0.1` behind this keyword. A word that cannot be a name counts, too, so
+    /// that vectors have the length that the user expects. If it cannot be a field either, a name
+    /// that nobody can write stands for it.
+    pub(super) fn coordinates(&mut self, keyword: &str, cursor: &mut Cursor) -> Vec<Definition> {
+        self.items(form(keyword), cursor, |parser, cursor| {
             let start = cursor.position();
+            if let Some(rate) = rate_ahead(cursor) {
+                let (origin, help) =
+                    (cursor.reaching(2), habits::start_of(format!("dot({})", rate.stream())));
+                return Err(parser.fail_with_help(origin, habits::RATE_AMONG_COORDINATES, help));
+            }
             let word = cursor.ident().filter(|word| can_be_field(&word.to_string())).cloned();
             let mut name = parser.declared_name(cursor);
             if let Ok(name) = &mut name {
@@ -103,15 +109,20 @@ impl Parser<'_> {
                     None => Name::new(format!("__coordinate_{start}"), Span::call_site()),
                 }
             });
-            if let Some(equals) = cursor.eat_equals() {
-                let help = messages::COORDINATE_WITH_VALUE_HELP;
-                let is_state = keyword == "state";
-                let message =
-                    if is_state { messages::STATE_WITH_VALUE } else { messages::COORDINATE_WITH_VALUE };
-                parser.fail_once(equals, message, help);
-                parser.item_value(cursor);
-            }
-            Ok(name)
+            let mut name = Ok(name);
+            let range = parser.range_behind(&name, keyword, cursor);
+            let value = parser.value_behind(&mut name, form(keyword), cursor);
+            Ok(Definition { name: name?, range, value })
+        })
+    }
+
+    /// `x = 1, dot(theta) = 2`.
+    pub(super) fn starts(&mut self, cursor: &mut Cursor) -> Vec<Assignment> {
+        let help = form("start");
+        self.items(help, cursor, |parser, cursor| {
+            let target = parser.expression(cursor)?;
+            parser.equals(help, cursor)?;
+            Ok(Assignment { target, value: parser.item_value(cursor) })
         })
     }
 
@@ -119,7 +130,7 @@ impl Parser<'_> {
     /// statement. Those that cannot be read are left out.
     pub(super) fn items<T>(
         &mut self,
-        list: List,
+        help: &'static str,
         cursor: &mut Cursor,
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Parsed<T>,
     ) -> Vec<T> {
@@ -127,7 +138,7 @@ impl Parser<'_> {
         let _ = self.turns(cursor, |parser, cursor| {
             parser.skipped = false;
             let start = cursor.position();
-            match parser.item(list.help, cursor, &mut read) {
+            match parser.item(help, cursor, &mut read) {
                 Ok(item) => items.push(item),
                 Err(Reported) => {
                     parser.skip_item(cursor);
@@ -135,7 +146,7 @@ impl Parser<'_> {
                 }
             }
             if !parser.skipped && !at_item_end(cursor) {
-                let is_separated = parser.no_comma(list, start, cursor);
+                let is_separated = parser.no_comma(help, start, cursor);
                 if is_separated {
                     return Ok(Turn::Next);
                 }
@@ -147,17 +158,17 @@ impl Parser<'_> {
 
     /// Reports what stands behind an item instead of a comma; says whether the next item follows
     /// all the same.
-    fn no_comma(&mut self, list: List, start: usize, cursor: &mut Cursor) -> bool {
-        let is_next = list.at_next_item(cursor) && cursor.position() > start;
+    fn no_comma(&mut self, help: &str, start: usize, cursor: &mut Cursor) -> bool {
+        let is_next = at_next_item(cursor) && cursor.position() > start;
         if is_next && !cursor.at_same_word() {
-            self.fail_once(cursor.here(), messages::MISSING_COMMA, list.help);
+            self.fail_once(cursor.here(), messages::MISSING_COMMA, help);
             return true;
         }
         if is_next {
             let help = messages::REPEATED_ATTRIBUTE_HELP;
             self.fail_with_help(cursor.skip_one(), habits::TWICE_IN_A_ROW, help);
             self.skip_item(cursor);
-        } else if !list.has_values && is_definition(cursor) {
+        } else if is_misspelt_statement(cursor) {
             let help = messages::MISSING_SEMICOLON_HELP;
             self.fail_with_help(cursor.before().end, messages::MISSING_SEMICOLON, help);
             self.skipped = true;
@@ -188,6 +199,7 @@ impl Parser<'_> {
         let start = cursor.position();
         match self.expression(cursor) {
             Ok(id) if at_item_end(cursor) || is_definition(cursor) => return id,
+            Ok(_) if at_relation(cursor) || cursor.at_pair('.', '.') => self.range_behind_value(cursor),
             Ok(_) => self.no_operator(cursor, "`,` or `;`"),
             Err(reported) => reported,
         };
@@ -313,13 +325,22 @@ fn at_item_end(cursor: &Cursor) -> bool {
     cursor.at(',') || cursor.at_statement_end()
 }
 
-impl List {
-    /// True if the next item follows without a comma: another name behind one, or a name with its
-    /// `=`.
-    fn at_next_item(self, cursor: &Cursor) -> bool {
-        let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
-        if self.has_values { are_names || is_definition(cursor) } else { are_names && !is_definition(cursor) }
-    }
+/// True if the next item follows without a comma: another name behind one, or a name with its `=`.
+fn at_next_item(cursor: &Cursor) -> bool {
+    let are_names = cursor.ident().is_some() && matches!(cursor.previous(), Some(TokenTree::Ident(_)));
+    are_names || is_definition(cursor) && !is_misspelt_statement(cursor)
+}
+
+/// True if a line begins with a word like one that begins a statement, and `=`.
+fn is_misspelt_statement(cursor: &Cursor) -> bool {
+    let is_on_new_line = cursor.here().start.start().line > cursor.before().end.end().line;
+    let is_like = |word: &Ident| nearest(&word.to_string(), keywords::STATEMENTS).is_some();
+    is_definition(cursor) && is_on_new_line && cursor.ident().is_some_and(is_like)
+}
+
+/// The brackets behind the word `dot`, if both follow.
+fn rate_ahead(cursor: &Cursor) -> Option<&Group> {
+    as_group(cursor.peek_past(1), Delimiter::Parenthesis).filter(|_| cursor.at_word("dot"))
 }
 
 /// True if a name and its `=` follow.

@@ -38,9 +38,15 @@ impl Parser<'_> {
 
     /// `= e,`.
     fn event_function(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
+        let mistakes = self.report.diagnostics().len();
         self.equals(form("event"), cursor)?;
+        let is_wrong = self.report.diagnostics().len() > mistakes;
         let value = self.expression(cursor)?;
         if at_relation(cursor) && !at_arrow(cursor) {
+            if is_wrong {
+                // Written as a condition behind a colon, it is one mistake.
+                return Err(Reported);
+            }
             let origin = cursor.here_to_pair();
             let help = habits::zero_and_direction(&name.text);
             return Err(self.fail_with_help(origin, habits::CONDITION_IN_EVENT, help));

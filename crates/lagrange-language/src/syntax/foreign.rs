@@ -4,7 +4,7 @@
 mod functions;
 mod rates;
 
-pub use functions::{FUNCTIONS, function};
+pub use functions::{FUNCTIONS, function, without_counterpart};
 pub use rates::{Rate, derives, is_word_for_rate, rate};
 
 /// Words that begin no statement, with the keyword that does in their place.
@@ -19,6 +19,7 @@ const STATEMENTS: &[(&[&str], &str)] = &[
         "coord",
     ),
     (&["static", "constexpr"], "const"),
+    (&["gear", "gears", "coupling", "couple", "transmission", "belt"], "constraint"),
     (&["control", "controls", "actuator"], "input"),
     (&["define", "auto", "set", "alias", "val", "local"], "let"),
     (&["F", "Q", "load", "external"], "force"),
@@ -97,8 +98,13 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["initial", "init", "start", "initially", "x0", "q0"],
-        "a declaration does not contain initial values",
-        "remove this: they belong to the state from which a simulation starts",
+        "initial values are declared differently here",
+        "write `coord x = 1;` or `start x = 1, dot(x) = 2;`",
+    ),
+    (
+        &["component", "block", "part", "parts", "subsystem", "connector", "instance"],
+        "a declaration is not divided into components",
+        "repeat bodies, coordinates and forces by arrays and loops: `for i in 0..n { … }`",
     ),
     (
         &["equation", "equations", "ode", "eom"],
@@ -147,6 +153,10 @@ const LABELS: &[(&str, &[&str])] = &[
         ],
     ),
     ("centroid", &["offset", "local_center"]),
+    ("outside", &["extrapolation", "extrapolate", "beyond", "edges", "bounds"]),
+    ("interpolation", &["method", "kind", "spline"]),
+    ("start", &["guess", "initial", "x0"]),
+    ("iterations", &["max_iterations", "maxiter", "steps"]),
     ("angle", &["orientation", "rotation", "direction", "theta", "phi", "slope", "inclination", "heading"]),
     ("shape", &["geometry", "solid", "form", "outline"]),
     ("compound", &["parts", "composite"]),

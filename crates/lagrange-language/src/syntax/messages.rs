@@ -4,6 +4,7 @@ pub(super) mod arrays;
 pub(super) mod forms;
 pub(super) mod functions;
 pub(super) mod habits;
+pub(super) mod ranges;
 pub(super) mod scenes;
 pub(super) mod solve;
 pub(super) mod tables;
@@ -63,9 +64,6 @@ messages! {
     MISSING_COMMA = "missing `,` before this";
     MISSING_SEMICOLON_HELP = "statements end in `;`";
     NEXT_STATEMENT = "the next statement begins here";
-    COORDINATE_WITH_VALUE = "a coordinate cannot have a value in the declaration";
-    STATE_WITH_VALUE = "a state cannot have a value in the declaration";
-    COORDINATE_WITH_VALUE_HELP = "initial values belong to the state from which a simulation starts";
 
     DIRECTION = "`rising`, `falling` or `crossing`";
     DIRECTION_HELP =
@@ -157,7 +155,7 @@ messages! {
     FACTORIAL = "`!` is not an operator";
     FACTORIAL_HELP = "write a factorial as a number: `24` for 4!";
     REMAINDER_HELP =
-        "angles need no remainder; write a percentage as a fraction, `5/100`; comments begin with `//`";
+        "angles need no remainder; comments begin with `//`";
     SECOND_EQUALS_HELP = "a statement assigns one value to one name; write a statement for each";
     INDEX = "square brackets are not allowed here";
     INDEX_HELP = "the components of a vector are `.x`, `.y` and `.z`";

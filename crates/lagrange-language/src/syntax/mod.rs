@@ -47,6 +47,7 @@ mod names;
 mod options;
 mod parser;
 pub mod print;
+mod ranges;
 mod recovery;
 mod reductions;
 mod solve;

@@ -1,6 +1,7 @@
 //! Labelled options at the end of statements: `, interpolation: natural, outside: extend`.
 
 use super::cursor::Cursor;
+use super::foreign;
 use super::messages;
 use super::messages::forms::form;
 use super::parser::{Parsed, Parser};
@@ -46,7 +47,8 @@ impl Parser<'_> {
         if let Some(label) = options.labels.into_iter().find(|label| *label == word) {
             return Ok(label);
         }
-        let help = nearest(&word, options.labels).map_or(form(options.keyword).to_owned(), messages::meant);
+        let meant = foreign::label(&word, options.labels).or_else(|| nearest(&word, options.labels));
+        let help = meant.map_or(form(options.keyword).to_owned(), messages::meant);
         Err(self.fail_with_help(here, (options.unknown)(&word), help))
     }
 

@@ -31,6 +31,8 @@ pub(super) struct Parser<'r> {
     pub(super) has_units: bool,
     /// True if one of these measures more than plain numbers and angles.
     pub(super) has_dimensions: bool,
+    /// True in bounds of ranges, which an equals sign may follow.
+    pub(super) precedes_default: bool,
     /// True in statements that accept accelerations.
     pub(super) accepts_accelerations: bool,
     /// Messages that are given only once in a statement.
@@ -43,6 +45,7 @@ pub(super) struct Parser<'r> {
 pub(super) enum Declared {
     Parameter,
     Coordinate,
+    State,
     Other,
 }
 
@@ -54,6 +57,7 @@ impl Declared {
                 Declared::Parameter
             }
             StatementKind::Coordinates(_) => Declared::Coordinate,
+            StatementKind::States(_) => Declared::State,
             _ => Declared::Other,
         }
     }
@@ -78,6 +82,7 @@ impl<'r> Parser<'r> {
             lacks_names: false,
             has_units: false,
             has_dimensions: false,
+            precedes_default: false,
             accepts_accelerations: false,
             said: HashSet::default(),
             depth: 0,

@@ -10,8 +10,8 @@ mod numbers;
 mod scenes;
 
 use super::ast::{
-    Action, AstId, Block, Declaration, Definition, Direction, EmitItem, Event, Expressions, Friction, Name,
-    Reduction, ReductionKind, StatementKind,
+    Action, AllowedRange, AstId, Block, Declaration, Definition, Direction, EmitItem, Event, Expressions,
+    Friction, Name, Reduction, ReductionKind, StatementKind,
 };
 
 /// Writes the statements of a declaration, each on a separate line.
@@ -31,6 +31,13 @@ pub fn expression(expressions: &Expressions, id: AstId) -> String {
     let mut printer = Printer { expressions, out: String::new() };
     printer.expression(id);
     printer.out
+}
+
+/// The range of a parameter: `in 0..=1` or `> 0`.
+pub fn range(expressions: &Expressions, range: &AllowedRange) -> String {
+    let mut printer = Printer { expressions, out: String::new() };
+    printer.range(range);
+    printer.out.trim_start().to_owned()
 }
 
 /// Writes text behind text.
@@ -63,8 +70,16 @@ impl Printer<'_> {
             StatementKind::Parameters(list) => self.definitions("param ", list),
             StatementKind::Inputs(list) => self.definitions("input ", list),
             StatementKind::Constants(list) => self.definitions("const ", list),
-            StatementKind::Coordinates(names) => self.names("coord ", names),
-            StatementKind::States(names) => self.names("state ", names),
+            StatementKind::Coordinates(list) => self.definitions("coord ", list),
+            StatementKind::States(list) => self.definitions("state ", list),
+            StatementKind::Start(assignments) => {
+                self.text("start ");
+                self.list(assignments, |printer, assignment| {
+                    printer.expression(assignment.target);
+                    printer.labelled(" = ", assignment.value);
+                });
+                self.text(";");
+            }
             StatementKind::StateRate(name, value) => {
                 self.text("dot(");
                 self.name(name);
@@ -126,13 +141,6 @@ impl Printer<'_> {
         }
     }
 
-    /// `keyword a, b;`
-    fn names(&mut self, keyword: &str, names: &[Name]) {
-        self.text(keyword);
-        self.list(names, Self::name);
-        self.text(";");
-    }
-
     fn between(&mut self, before: &str, value: AstId, behind: &str) {
         self.labelled(before, value);
         self.text(behind);
@@ -147,12 +155,33 @@ impl Printer<'_> {
 
     fn definitions(&mut self, keyword: &str, definitions: &[Definition]) {
         self.text(keyword);
-        self.list(definitions, |printer, definition| printer.definition(&definition.name, definition.value));
+        self.list(definitions, |printer, definition| {
+            printer.name(&definition.name);
+            printer.range(&definition.range);
+            printer.assigned(definition.value);
+        });
         self.text(";");
     }
 
-    fn definition(&mut self, name: &Name, value: Option<AstId>) {
-        self.name(name);
+    /// ` in 0..=1` or ` > 0`.
+    fn range(&mut self, range: &AllowedRange) {
+        match (range.lower, range.upper) {
+            (None, None) => {}
+            (Some(lower), None) if !lower.is_included => self.labelled(" > ", lower.value),
+            (Some(lower), Some(upper)) if !lower.is_included => {
+                self.labelled(" > ", lower.value);
+                self.labelled(if upper.is_included { " <= " } else { " < " }, upper.value);
+            }
+            (lower, upper) => {
+                self.text(" in ");
+                lower.iter().for_each(|limit| self.expression(limit.value));
+                self.text(if upper.is_some_and(|limit| limit.is_included) { "..=" } else { ".." });
+                upper.iter().for_each(|limit| self.expression(limit.value));
+            }
+        }
+    }
+
+    fn assigned(&mut self, value: Option<AstId>) {
         if let Some(value) = value {
             self.labelled(" = ", value);
         }
@@ -217,7 +246,10 @@ impl Printer<'_> {
                 ReductionKind::Frozen => " freeze ",
                 ReductionKind::Small => " small ",
             });
-            self.list(line, |printer, item| printer.definition(&item.coordinate, item.value));
+            self.list(line, |printer, item| {
+                printer.name(&item.coordinate);
+                printer.assigned(item.value);
+            });
             self.text(";");
         }
         self.text(" }");

@@ -160,8 +160,7 @@ impl Parser<'_> {
         let is_assigned = at_equals_past(0, cursor);
         match self.declared(word) {
             Some(Declared::Coordinate) if is_assigned => {
-                let help = messages::COORDINATE_WITH_VALUE_HELP.to_owned();
-                return Some((messages::COORDINATE_WITH_VALUE.to_owned(), help));
+                return Some((messages::unknown_statement(word), habits::start_of(word)));
             }
             Some(Declared::Parameter) if is_assigned => {
                 return Some((habits::declared_already(word), habits::value_where_declared(word)));
@@ -169,8 +168,18 @@ impl Parser<'_> {
             Some(_) if is_assigned => {
                 return Some((habits::declared_already(word), messages::OTHER_NAME_HELP.to_owned()));
             }
-            Some(_) => return None,
+            Some(_) => {
+                let rate = self.rate_ahead(cursor)?;
+                return Some((messages::unknown_statement(word), habits::rate_alone(&rate)));
+            }
             None => {}
+        }
+        if word == "ddot"
+            && let Some(of) = cursor.group(Delimiter::Parenthesis)
+            && self.declared(&of.stream().to_string()) == Some(Declared::State)
+        {
+            let rate = format!("dot({})", of.stream());
+            return Some((messages::unknown_statement(word), habits::rate_of_state(&rate)));
         }
         if ["dot", "ddot"].contains(&word) {
             return Some((messages::unknown_statement(word), habits::rate_as_statement(word)));
@@ -189,6 +198,18 @@ impl Parser<'_> {
         Some((messages::unknown_statement(word), forms::meant_form(keyword)))
     }
 
+    /// The rate of a state in the rest of a statement that begins with something else.
+    fn rate_ahead(&self, cursor: &Cursor) -> Option<String> {
+        let is_end = |token: &TokenTree| matches!(token, TokenTree::Punct(end) if end.as_char() == ';');
+        let rest = cursor.rest().split(is_end).next()?;
+        let rates = rest.windows(2).filter_map(|pair| match pair {
+            [TokenTree::Ident(word), TokenTree::Group(of)] if word == "dot" => Some(of.stream().to_string()),
+            _ => None,
+        });
+        let mut rates = rates.filter(|of| self.declared(of) == Some(Declared::State));
+        rates.next().map(|of| format!("dot({of})"))
+    }
+
     /// Returns the declared form of a rate written in foreign notation, `der(a) =` or `a_dot =`:
     /// `dot(a)`.
     fn stated_rate(&self, word: &str, cursor: &Cursor) -> Option<String> {
@@ -197,7 +218,7 @@ impl Parser<'_> {
                 Some(format!("dot({})", of.stream()))
             }
             _ if at_equals_past(0, cursor) => {
-                let is_state = |name: &str| matches!(self.declared(name), Some(Declared::Other));
+                let is_state = |name: &str| matches!(self.declared(name), Some(Declared::State));
                 foreign::rate(word, is_state).filter(|rate| rate.order == 1).map(foreign::Rate::written)
             }
             _ => None,

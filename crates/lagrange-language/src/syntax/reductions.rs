@@ -4,7 +4,6 @@ use proc_macro2::Delimiter;
 
 use super::ast::{Reduction, ReductionItem, ReductionKind};
 use super::cursor::{Cursor, group_origin};
-use super::definitions::List;
 use super::foreign;
 use super::messages;
 use super::messages::forms::form;
@@ -62,8 +61,7 @@ impl Parser<'_> {
             };
             return Err(self.fail_with_help(here, message, help));
         };
-        let list = List { help: form("reduce"), has_values: true };
-        Ok(self.items(list, cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
+        Ok(self.items(form("reduce"), cursor, |parser, cursor| parser.reduction_item(*kind, cursor)))
     }
 
     fn reduction_item(&mut self, kind: ReductionKind, cursor: &mut Cursor) -> Parsed<ReductionItem> {

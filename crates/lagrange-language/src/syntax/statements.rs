@@ -2,7 +2,7 @@
 
 mod loops;
 
-use proc_macro2::{Delimiter, Ident};
+use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
     Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
@@ -14,6 +14,7 @@ use super::identifiers::{at_equals_past, at_relation};
 use super::keywords;
 use super::messages;
 use super::messages::forms::form;
+use super::messages::solve as words;
 use super::parser::{Declared, Parsed, Parser, Reported};
 
 impl Parser<'_> {
@@ -82,11 +83,12 @@ impl Parser<'_> {
         self.accepts_accelerations = keywords::accepts_accelerations(&text);
         let help = form(&text);
         match text.as_str() {
-            "param" => Ok(StatementKind::Parameters(self.definitions(help, cursor))),
-            "input" => Ok(StatementKind::Inputs(self.definitions(help, cursor))),
+            "param" => Ok(StatementKind::Parameters(self.definitions("param", cursor))),
+            "input" => Ok(StatementKind::Inputs(self.definitions("input", cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
             "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),
+            "start" => Ok(StatementKind::Start(self.starts(cursor))),
             "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
                 let name = self.declared_name(cursor)?;
@@ -100,6 +102,9 @@ impl Parser<'_> {
             "table" => Ok(StatementKind::Table(Box::new(self.table(cursor)?))),
             "solve" if cursor.group(Delimiter::Parenthesis).is_none() => {
                 Ok(StatementKind::Solve(self.unknown(cursor)?))
+            }
+            "solve" if matches!(cursor.peek_past(1), Some(TokenTree::Punct(colon)) if colon.as_char() == ':') => {
+                Err(self.fail_with_help(cursor.here(), words::SEVERAL_UNKNOWNS, words::SEVERAL_UNKNOWNS_HELP))
             }
             "function" => Ok(StatementKind::External(Box::new(self.external(cursor)?))),
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),

@@ -102,8 +102,12 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Parameters(list) => format!("param {}", definitions(list)),
         StatementKind::Inputs(list) => format!("input {}", definitions(list)),
         StatementKind::Constants(list) => format!("const {}", definitions(list)),
-        StatementKind::Coordinates(list) => format!("coord {}", names(list)),
-        StatementKind::States(list) => format!("state {}", names(list)),
+        StatementKind::Coordinates(list) => format!("coord {}", definitions(list)),
+        StatementKind::States(list) => format!("state {}", definitions(list)),
+        StatementKind::Start(assignments) => {
+            let shown = assignments.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value)));
+            format!("start{}", shown.collect::<String>())
+        }
         StatementKind::StateRate(name, value) => format!("dot({}) {}", name.text, show(value)),
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
         StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),

@@ -6,6 +6,7 @@ use super::cursor::Cursor;
 use super::keywords;
 use super::messages;
 use super::messages::habits;
+use super::messages::ranges;
 use super::messages::units;
 use super::parser::{Parser, Reported};
 use lagrange_expr::units::{meaning, meant};
@@ -14,6 +15,11 @@ use lagrange_expr::units::{meaning, meant};
 type Mistake = (String, String);
 
 impl Parser<'_> {
+    /// Reports a range behind the default of a parameter.
+    pub(super) fn range_behind_value(&mut self, cursor: &Cursor) -> Reported {
+        self.fail_with_help(cursor.here_to_pair(), ranges::BEHIND_VALUE, ranges::BEHIND_VALUE_HELP)
+    }
+
     /// Reports the next token, which should begin an operand and does not.
     pub(super) fn no_operand(&mut self, cursor: &Cursor) -> Reported {
         if let (Some(TokenTree::Punct(operator)), true) = (cursor.previous(), cursor.equals_past(0))
@@ -160,4 +166,12 @@ fn character(cursor: &Cursor) -> Option<char> {
         TokenTree::Punct(punct) => Some(punct.as_char()),
         _ => None,
     }
+}
+
+/// True at `in` and bounds with two dots between them.
+pub(super) fn at_range(cursor: &Cursor) -> bool {
+    let rest = cursor.rest();
+    let is = |token: &TokenTree, signs: &str| matches!(token, TokenTree::Punct(punct) if signs.contains(punct.as_char()));
+    let item = rest.iter().take_while(|token| !is(token, ",;")).collect::<Vec<_>>();
+    item.windows(2).any(|pair| pair.iter().all(|token| is(token, ".")))
 }

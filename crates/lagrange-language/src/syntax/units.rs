@@ -39,6 +39,9 @@ impl Parser<'_> {
             Some(TokenTree::Ident(word)) if self.is_unit_here(&word.to_string(), cursor) => {
                 self.short_unit(cursor)?
             }
+            Some(TokenTree::Punct(percent)) if percent.as_char() == '%' && self.is_percent_here(cursor) => {
+                self.short_unit(cursor)?
+            }
             Some(TokenTree::Group(group)) if group.delimiter() == Delimiter::Bracket && !self.counts => {
                 let group = group.clone();
                 cursor.skip_one();
@@ -56,6 +59,15 @@ impl Parser<'_> {
         Ok(self.add(Expression::Quantity(number.id, unit), origin))
     }
 
+    /// True if the sign here is the unit of a percentage, rather than that of a remainder.
+    fn is_percent_here(&self, cursor: &Cursor) -> bool {
+        let is_operand = matches!(
+            cursor.peek_past(1),
+            Some(TokenTree::Ident(_) | TokenTree::Literal(_) | TokenTree::Group(_))
+        );
+        !self.counts && !is_operand
+    }
+
     /// True if the word here is a unit, rather than a name that is defined or a function that is
     /// called.
     fn is_unit_here(&self, word: &str, cursor: &Cursor) -> bool {
@@ -65,7 +77,7 @@ impl Parser<'_> {
             && self.is_free_unit(word)
             && !is_call
             && !is_word
-            && !cursor.equals_past(1)
+            && (self.precedes_default || !cursor.equals_past(1))
             && !cursor.at_statement()
     }
 
@@ -132,6 +144,10 @@ impl Parser<'_> {
                 }
                 cursor.skip_one();
                 vec![UnitFactor { name, exponent: Number::ONE }]
+            }
+            Some(TokenTree::Punct(percent)) if percent.as_char() == '%' => {
+                cursor.skip_one();
+                vec![UnitFactor { name: "%".to_owned(), exponent: Number::ONE }]
             }
             Some(TokenTree::Literal(one)) if one.to_string() == "1" => {
                 cursor.skip_one();
@@ -225,6 +241,7 @@ pub(super) fn at_unit(cursor: &Cursor) -> bool {
         Some(TokenTree::Ident(word)) => !TYPES.contains(&word.to_string().as_str()),
         Some(TokenTree::Literal(literal)) => literal.to_string() == "1",
         Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Parenthesis,
+        Some(TokenTree::Punct(percent)) => percent.as_char() == '%',
         _ => false,
     };
     cursor.at(':') && begins_unit

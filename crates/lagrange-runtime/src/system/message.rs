@@ -45,6 +45,7 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::Setting(error) => write!(f, "{error}"),
         StepFailure::Stuck(what) => f.write_str(what),
         StepFailure::Violated(violation) => write!(f, "{violation}"),
+        StepFailure::OutOfRange(error) => write!(f, "{error}"),
         StepFailure::Restitution { contact, value } => write!(
             f,
             "the coefficient of restitution of contact `{contact}` is {value:?}; it must be from 0 to 1"

@@ -10,6 +10,7 @@ mod kernel;
 mod lanes;
 mod mechanical;
 mod message;
+mod out_of_range;
 mod ports;
 mod positions;
 pub mod quaternion;
@@ -30,6 +31,7 @@ pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
+pub use self::out_of_range::OutOfRange;
 pub use self::ports::{ControlledSystem, OutputSystem};
 #[cfg(feature = "std")]
 pub(crate) use self::positions::normalised;

@@ -1,6 +1,7 @@
 //! Why a step could not be taken.
 
 use super::event::DeclaredEvent;
+use super::out_of_range::OutOfRange;
 use super::setting_error::SettingError;
 use super::undefined::Undefined;
 use super::violation::Violation;
@@ -72,6 +73,8 @@ pub enum StepFailure<S> {
     },
     /// A state violates a constraint, and cannot be brought onto it.
     Violated(Violation<S>),
+    /// A parameter is outside of its declared range.
+    OutOfRange(OutOfRange<S>),
     /// A coefficient of restitution that is not from 0 to 1.
     Restitution {
         /// The name of the contact.
@@ -130,6 +133,12 @@ pub enum EventSource {
     /// The run, to which it was given beside others, counted from zero. A simulation knows it by
     /// name.
     Given(usize),
+}
+
+impl<S> From<OutOfRange<S>> for StepFailure<S> {
+    fn from(error: OutOfRange<S>) -> Self {
+        StepFailure::OutOfRange(error)
+    }
 }
 
 impl<S> From<SettingError<S>> for StepFailure<S> {

@@ -39,6 +39,8 @@ messages! {
     RUST_CONSTANT_HELP =
         "constants of Rust are not seen here: declare `param name;` and set that field when the program runs, or give the number, `const name = 9.81;`";
     DECLARED_HERE = "it is declared here";
+    components_of_orientation(name) =
+        "`{name}` is an orientation: its angular velocity is `{name}_wx`, `{name}_wy`, `{name}_wz`, its unit quaternion `{name}_qw`, `{name}_qx`, `{name}_qy`, `{name}_qz`";
     DECLARE_FIRST = "declare it before this line with `param`, `coord`, `input` or `let`";
     array_called(name) = "`{name}` is an array, not a function";
     element_help(name, indices) = "write `{name}{indices}`; the first element has the index 0";

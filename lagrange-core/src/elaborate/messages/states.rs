@@ -15,7 +15,7 @@ messages! {
     rate_of_coordinate(name) =
         "`{name}` is a coordinate: its velocity is part of the state and has no equation";
     RATE_OF_COORDINATE_HELP =
-        "initial velocities belong to the state from which a simulation starts, accelerations follow from energies and forces; for a condition on velocities write `constraint name = e;`";
+        "for an initial velocity write `start dot(x) = e;`, for a condition on velocities `constraint name = e;`; accelerations follow from energies and forces";
     no_state(kind, name) = "the {kind} `{name}` is not a state";
     without_equation(name) = "the state `{name}` has no equation";
     equation_of(name) = "write `dot({name}) = e;`, with its rate after the equals sign";

@@ -6,6 +6,7 @@ use quote::quote;
 use super::shape::{Shape, identifier, length};
 use lagrange_expr::collections::HashMap;
 use lagrange_language::syntax::ast::{DeclaredArray, Name};
+use lagrange_language::syntax::print;
 
 /// A field for several names, or for one.
 #[derive(Clone)]
@@ -148,11 +149,19 @@ impl Shape<'_> {
             let (name, first) = (&field.identifier, field.names.first()?);
             let plural = if field.is_array() { "s" } else { "" };
             let (kind, unit) = (self.kind_of_field(first), self.in_unit(&first.text));
-            let docs = self.docs(first, &format!("{kind}{plural} `{name}`{unit}."));
+            let range = self.in_range(first);
+            let docs = self.docs(first, &format!("{kind}{plural} `{name}`{unit}{range}."));
             let of_type = field.type_of(number);
             Some(quote!(#docs pub #name: #of_type,))
         });
         declared.collect()
+    }
+
+    /// The range of a parameter in documentation; empty if it has none.
+    fn in_range(&self, name: &Name) -> String {
+        let range = self.ranges.get(&name.text.as_str());
+        let printed = range.map(|range| print::range(&self.declaration.expressions, range));
+        printed.map_or_else(String::new, |range| format!(", `{range}`"))
     }
 
     /// Identifiers of the fields of parameters and inputs.

@@ -33,6 +33,10 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) hidden: TokenStream,
     /// Methods that say how bodies move.
     pub(in crate::emit) motions: TokenStream,
+    /// The body of `check_parameters`, if any parameter has a range.
+    pub(in crate::emit) ranges: Option<TokenStream>,
+    /// The body of `start`, if initial values are declared.
+    pub(in crate::emit) start: Option<TokenStream>,
     /// The body of `Scene::items`, if that is asked for.
     pub(in crate::emit) items: Option<TokenStream>,
     /// Parts of the prepared type, if requested.
@@ -77,6 +81,8 @@ impl Members {
             limits_reverse: Vec::new(),
             hidden: TokenStream::new(),
             motions: TokenStream::new(),
+            ranges: None,
+            start: None,
             items: None,
             prepared: None,
             kernel: None,

@@ -10,7 +10,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{
-    Action, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
+    Action, AllowedRange, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
     StateVelocity, Statement, StatementKind,
 };
 pub(in crate::emit) use spelling::{doc, identifier, length, local, method_of, motion_name};
@@ -52,6 +52,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
     docs: HashMap<&'a str, &'a TokenStream>,
+    /// Ranges of parameters, where the declaration has them.
+    pub(in crate::emit) ranges: HashMap<&'a str, &'a AllowedRange>,
     /// Units of names, in which their numbers are; none where the declaration says none.
     pub(in crate::emit) units: NamedUnits,
     /// Spelling of array elements.
@@ -91,6 +93,7 @@ impl<'a> Shape<'a> {
             outputs: Vec::new(),
             callees: callees(declaration),
             docs: documentation(declaration),
+            ranges: declaration.ranges().map(|(name, range)| (name.text.as_str(), range)).collect(),
             units: NamedUnits::default(),
             written: written_names(declaration),
         };
@@ -115,6 +118,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::States(_)
                 | StatementKind::Quaternion(_)
                 | StatementKind::Velocity(..)
+                | StatementKind::Start(_)
                 | StatementKind::Constants(_)
                 | StatementKind::Let(..)
                 | StatementKind::LetTuple(..)

@@ -73,7 +73,7 @@ pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option
 
 fn velocities(kind: &StatementKind) -> Vec<&Name> {
     match kind {
-        StatementKind::Coordinates(names) => names.iter().collect(),
+        StatementKind::Coordinates(list) => list.iter().map(|definition| &definition.name).collect(),
         StatementKind::Quaternion(quaternion) => quaternion.velocities.iter().collect(),
         _ => Vec::new(),
     }
@@ -81,7 +81,7 @@ fn velocities(kind: &StatementKind) -> Vec<&Name> {
 
 fn states(kind: &StatementKind) -> Vec<&Name> {
     match kind {
-        StatementKind::States(names) => names.iter().collect(),
+        StatementKind::States(list) => list.iter().map(|definition| &definition.name).collect(),
         _ => Vec::new(),
     }
 }

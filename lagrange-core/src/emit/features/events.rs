@@ -48,7 +48,7 @@ fn write_assignments(writer: &mut MethodWriter<'_>, event: usize, assignments: &
 pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let names = shape.event_names();
     if names.is_empty() && shape.switches.is_empty() {
-        return TokenStream::new();
+        return begin(shape, members).unwrap_or_default();
     }
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
@@ -136,8 +136,14 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let ArgumentNames { time, state, .. } = &members.names;
     let contacts = quote!(#krate::contact::begin);
     let sides = quote!(#krate::event::choose_sides(self, #time, #state));
+    let checked = members.ranges.is_some().then(|| quote!(self.check_parameters()?;));
+    let mut arguments = [quote!(#time), quote!(#state)];
     let begun = match (shape.touching.is_empty(), shape.switches.is_empty()) {
-        (true, true) => return None,
+        (true, true) if checked.is_none() => return None,
+        (true, true) => {
+            arguments = [quote!(_), quote!(_)];
+            quote!(::core::result::Result::Ok(::core::option::Option::None))
+        }
         (false, true) => quote!(#contacts(self, #time, #state)),
         (true, false) => quote!(::core::result::Result::Ok(#sides)),
         (false, false) => quote! {
@@ -156,13 +162,15 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
             }
         }
     });
+    let [time_here, state_here] = arguments;
     Some({
         quote! {
             fn begin(
                 &self,
-                #time: #scalar,
-                #state: &[#scalar; #all],
+                #time_here: #scalar,
+                #state_here: &[#scalar; #all],
             ) -> ::core::result::Result<::core::option::Option<Self>, #krate::system::StepFailure<#scalar>> {
+                #checked
                 #begun
             }
             #freed

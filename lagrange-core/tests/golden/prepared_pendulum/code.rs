@@ -14,9 +14,9 @@
 /// - Forward dynamics: each equation divided by its entry of the mass matrix.
 /// - Cost of `acceleration`: 2 additions, 6 multiplications, 1 division, 1 function.
 pub struct Rod<S> {
-    /// Parameter `m`.
+    /// Parameter `m`, `> 0`.
     pub m: S,
-    /// Parameter `l`.
+    /// Parameter `l`, `in 0.1..=1`.
     pub l: S,
     /// Parameter `i`.
     pub i: S,
@@ -68,6 +68,40 @@ pub struct RodPrepared<S> {
 const _: () = {
     use ::lagrange::private::{cos, multiply_add, sin};
     impl<S: ::lagrange::Scalar> Rod<S> {
+        /// The declared state at the start; entries without a declared value are zero.
+        #[must_use]
+        pub fn start(&self) -> RodState<S> {
+            let Self { l, .. } = *self;
+            RodState {
+                theta: S::from_f64(0.3),
+                theta_dot: S::ONE / l,
+            }
+        }
+        /// Checks that parameters are in their declared ranges. Runs do so before the first step.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter that is outside of its range, or NaN.
+        pub fn check_parameters(
+            &self,
+        ) -> ::core::result::Result<(), ::lagrange::system::OutOfRange<S>> {
+            ::lagrange::system::OutOfRange::check(
+                "m",
+                self.m,
+                (::core::ops::Bound::Excluded(S::ZERO), ::core::ops::Bound::Unbounded),
+                "",
+            )?;
+            ::lagrange::system::OutOfRange::check(
+                "l",
+                self.l,
+                (
+                    ::core::ops::Bound::Included(S::from_f64(0.1)),
+                    ::core::ops::Bound::Included(S::ONE),
+                ),
+                "",
+            )?;
+            ::core::result::Result::Ok(())
+        }
         /// Accelerations in the order of the velocities.
         ///
         /// Takes 2 additions, 6 multiplications, 1 division, 1 function.
@@ -260,6 +294,17 @@ const _: () = {
                 |q, _| ::core::option::Option::Some(self.mass_matrix(t, q)),
             )
         }
+        fn begin(
+            &self,
+            _: S,
+            _: &[S; 2],
+        ) -> ::core::result::Result<
+            ::core::option::Option<Self>,
+            ::lagrange::system::StepFailure<S>,
+        > {
+            self.check_parameters()?;
+            ::core::result::Result::Ok(::core::option::Option::None)
+        }
     }
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::MechanicalSystem for Rod<S> {
@@ -267,7 +312,7 @@ const _: () = {
         type Velocities = [S; 1];
         type Columns<C> = RodColumns<C>;
         const COORDINATES: &'static [&'static ::core::primitive::str] = &["theta"];
-        const FINGERPRINT: ::core::primitive::u64 = 3352551223871662014;
+        const FINGERPRINT: ::core::primitive::u64 = 10657994456912527666;
         #[inline]
         fn acceleration(&self, t: S, q: &[S; 1], v: &[S; 1]) -> [S; 1] {
             self.acceleration(t, q, v)

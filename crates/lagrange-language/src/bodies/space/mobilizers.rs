@@ -23,7 +23,7 @@ use crate::bodies::object::Object;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{
-    AstId, ElementaryMotion, JointLine, Mobilizer, MobilizerKind, Name, Statement, StatementKind,
+    AstId, Definition, ElementaryMotion, JointLine, Mobilizer, MobilizerKind, Name, Statement, StatementKind,
 };
 
 /// A turn about the z-axis of the joint's frame, or a move along it, unless an axis says otherwise.
@@ -107,7 +107,7 @@ pub(in crate::bodies) fn coordinates_of(
 ) -> Vec<AstId> {
     let mut push = |kind: StatementKind| translation.statements.push(Statement { kind, ..statement.clone() });
     if !joint.coordinates.is_empty() {
-        push(StatementKind::Coordinates(joint.coordinates.clone()));
+        push(StatementKind::Coordinates(joint.coordinates.iter().cloned().map(Definition::of).collect()));
     }
     joint
         .quaternion

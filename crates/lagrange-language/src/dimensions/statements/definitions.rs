@@ -21,13 +21,26 @@ pub(super) fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
 }
 
 pub(super) fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
-    let Definition { name, value } = definition;
+    let Definition { name, range, value } = definition;
     let form = declared(checker, name);
-    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+    let values = range.limits().map(|limit| limit.value).chain(*value);
+    for value in values.filter(|value| !is_of_numbers(checker.expressions, *value)).collect::<Vec<_>>() {
         let reason = value_of(name);
         checker.require(value, &Measure::known(form.clone()), &reason);
     }
     checker.scope.insert(name.text.clone(), Measure::known(form));
+}
+
+/// Requires the dimension of an initial value; a number alone is in coherent units.
+pub(super) fn require_start(
+    checker: &mut Checker<'_>,
+    value: Option<AstId>,
+    target: &Measure,
+    reason: &Grounds,
+) {
+    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+        checker.require(value, target, reason);
+    }
 }
 
 /// That what stands behind a name has its dimension.

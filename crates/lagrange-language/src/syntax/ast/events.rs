@@ -27,7 +27,7 @@ impl Event {
             Action::Stop | Action::Record => {}
             Action::Impact(restitution) => expressions.push(restitution),
             Action::Assign(assignments) => {
-                expressions.extend(assignments.iter_mut().flat_map(|a| [&mut a.value, &mut a.target]));
+                expressions.extend(assignments.iter_mut().flat_map(Assignment::parts));
             }
         }
         expressions
@@ -58,13 +58,19 @@ pub enum Action {
     Assign(Vec<Assignment>),
 }
 
-/// One `target = value;` of an event.
+/// One `target = value` of an event or of the start.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
     /// Quantity that changes: should be `x` or `dot(x)` of a coordinate.
     pub target: AstId,
     /// Value that it gets.
     pub value: AstId,
+}
+
+impl Assignment {
+    pub(super) fn parts(&mut self) -> [&mut AstId; 2] {
+        [&mut self.value, &mut self.target]
+    }
 }
 
 /// Dry friction.

@@ -16,6 +16,8 @@ pub struct Keyword {
 pub enum Soft {
     /// A name and `=`.
     Definition,
+    /// A name or its rate, and `=`.
+    Assignment,
     /// Braces, with or without a name before them.
     Braces,
     /// A name.

@@ -12,7 +12,7 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::events::{Event, Friction};
+use super::events::{Assignment, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
@@ -33,9 +33,11 @@ pub struct Statement {
 /// The kind and content of a statement.
 ///
 /// ```text
-/// statement = attribute* ( "param" | "input" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+/// statement = attribute* "param" named [ allowed ] [ "=" sum ] { "," named [ allowed ] [ "=" sum ] } ";"
+///           | "input" named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
-///           | ( "coord" | "state" ) named { "," named } ";"
+///           | ( "coord" | "state" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "start" sum "=" sum { "," sum "=" sum } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
 ///           | "velocity" named "=" sum ";"
@@ -58,6 +60,7 @@ pub struct Statement {
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
 ///           | loop | choice | scene
 /// named     = NAME [ ":" unit ]
+/// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
 /// point     = "(" sum "," sum [ "," sum ] ")"
 /// option    = "interpolation" ":" ( "linear" | "monotone" | "natural" ) | "outside" ":" ( "error" | "clamp" | "extend" )
@@ -85,16 +88,18 @@ pub struct Statement {
 /// `scene`.
 #[derive(Clone, Debug)]
 pub enum StatementKind {
-    /// `param a, b = 1.0;`
+    /// `param a, b > 0 = 1.0;`
     Parameters(Vec<Definition>),
     /// `input u;`
     Inputs(Vec<Definition>),
     /// `const k = 1/2;`
     Constants(Vec<Definition>),
-    /// `coord x, theta;`
-    Coordinates(Vec<Name>),
-    /// `state current;`
-    States(Vec<Name>),
+    /// `coord x, theta = 0.1;`, with initial values
+    Coordinates(Vec<Definition>),
+    /// `state current = 2;`, with initial values
+    States(Vec<Definition>),
+    /// `start dot(theta) = 2, x = 1;`: initial values of entries of the state
+    Start(Vec<Assignment>),
     /// `dot(current) = e;`
     StateRate(Name, AstId),
     /// `quaternion hip;`
@@ -172,11 +177,13 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, except those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 26] = [
+pub const KEYWORDS: [Keyword; 27] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
-    Keyword::new("coord", "write `coord x, theta;`"),
+    Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
     Keyword::new("state", "write `state a, b;`, and `dot(a) = e;` for the rate of each").before(Soft::List),
+    Keyword::new("start", "write `start x = 1, dot(x) = 2;` for initial values of coordinates and velocities")
+        .before(Soft::Assignment),
     Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
     Keyword::new("velocity", "write `velocity u = dot(x);`").before(Soft::Definition),
     Keyword::new("input", "write `input u;`"),
@@ -233,9 +240,7 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
             StatementKind::Constants(list) => (defined(list), Reach::Expressions),
-            StatementKind::Coordinates(names) | StatementKind::States(names) => {
-                (names.iter().collect(), Reach::Both)
-            }
+            StatementKind::Coordinates(list) | StatementKind::States(list) => (defined(list), Reach::Both),
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
@@ -262,6 +267,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
         }
@@ -272,7 +278,10 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => list.iter_mut().filter_map(|d| d.value.as_mut()).collect(),
+            | StatementKind::Constants(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(list) => list.iter_mut().flat_map(Definition::expressions_mut).collect(),
+            StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
             StatementKind::Velocity(_, value)
             | StatementKind::Let(_, value)
             | StatementKind::LetTuple(_, value)
@@ -304,11 +313,7 @@ impl StatementKind {
             }
             StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
-            StatementKind::Coordinates(_)
-            | StatementKind::States(_)
-            | StatementKind::Quaternion(_)
-            | StatementKind::External(_)
-            | StatementKind::Emit(_) => Vec::new(),
+            StatementKind::Quaternion(_) | StatementKind::External(_) | StatementKind::Emit(_) => Vec::new(),
         }
     }
 
@@ -348,7 +353,9 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => {
+            | StatementKind::Constants(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(list) => {
                 list.iter_mut().map(|definition| (&definition.name, definition.value.as_mut())).collect()
             }
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
@@ -412,13 +419,56 @@ pub enum ReductionKind {
     Small,
 }
 
-/// One `name = value` of a `param`, `input` or `const` statement.
+/// One `name = value` of a `param`, `input`, `const`, `coord` or `state` statement.
 #[derive(Clone, Debug)]
 pub struct Definition {
     /// The declared name.
     pub name: Name,
+    /// The values that a parameter may have.
+    pub range: AllowedRange,
     /// The value behind `=`, if there is one.
     pub value: Option<AstId>,
+}
+
+/// A range of numbers, unlimited where it has no bound.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct AllowedRange {
+    /// The lower bound.
+    pub lower: Option<Limit>,
+    /// The upper bound.
+    pub upper: Option<Limit>,
+}
+
+/// A bound of a range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limit {
+    /// Its value.
+    pub value: AstId,
+    /// True if the range contains it.
+    pub is_included: bool,
+}
+
+impl Definition {
+    /// A name without anything else.
+    pub fn of(name: Name) -> Definition {
+        Definition { name, range: AllowedRange::default(), value: None }
+    }
+
+    fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        self.range.limits_mut().map(|limit| &mut limit.value).chain(&mut self.value)
+    }
+}
+
+impl AllowedRange {
+    /// Its bounds.
+    pub fn limits(&self) -> impl Iterator<Item = Limit> {
+        self.lower.into_iter().chain(self.upper)
+    }
+
+    /// Its bounds, to be changed.
+    pub fn limits_mut(&mut self) -> impl Iterator<Item = &mut Limit> {
+        self.lower.iter_mut().chain(&mut self.upper)
+    }
 }
 
 /// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.

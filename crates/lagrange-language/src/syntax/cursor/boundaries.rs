@@ -23,6 +23,10 @@ impl Cursor {
         };
         match form {
             Soft::Definition => name.is_some() && self.equals_past(2),
+            Soft::Assignment => match as_group(self.peek_past(2), Delimiter::Parenthesis) {
+                Some(_) => name.is_some_and(|name| name == "dot") && self.equals_past(3),
+                None => name.is_some() && self.equals_past(2),
+            },
             Soft::Braces if name.is_some() => as_group(self.peek_past(2), Delimiter::Brace).is_some(),
             Soft::Braces => as_group(self.peek_past(1), Delimiter::Brace).is_some_and(is_labelled),
             Soft::Joint => name.is_some_and(|name| !keywords::is_connective(&name)),

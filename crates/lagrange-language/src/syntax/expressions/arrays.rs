@@ -138,6 +138,15 @@ pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && is_in
 }
 
+/// Advice for a function over a range other than a sum, and for a sum without one.
+pub(in crate::syntax) fn sum_in_other_words(name: &Name, group: &Group) -> Option<String> {
+    match name.text.as_str() {
+        "sum" => Some(arrays::SUM_HELP.to_owned()),
+        function if at_loop(&Cursor::inside(group)) => Some(arrays::element_by_element(function)),
+        _ => None,
+    }
+}
+
 /// True of a call that is a sum over a variable.
 pub(in crate::syntax) fn at_sum(name: &Name, group: &Group) -> bool {
     name.text == "sum" && at_loop(&Cursor::inside(group))

@@ -14,6 +14,7 @@ use crate::syntax::cursor::Cursor;
 use crate::syntax::messages;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
+use crate::syntax::unexpected::at_range;
 pub(super) use arrays::at_loop;
 use lagrange_expr::diagnostics::Origin;
 
@@ -45,6 +46,7 @@ impl Parser<'_> {
     pub(super) fn expression(&mut self, cursor: &mut Cursor) -> Parsed<AstId> {
         let whole = self.operators(cursor)?;
         match cursor.ident() {
+            Some(word) if word == IN_AXES && at_range(cursor) => Err(self.range_behind_value(cursor)),
             Some(word) if word == IN_AXES => Ok(self.in_axes(whole, cursor)?.id),
             _ => Ok(whole.id),
         }

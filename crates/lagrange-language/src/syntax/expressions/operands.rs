@@ -4,7 +4,7 @@ use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ReadOperand;
-use super::arrays::at_sum;
+use super::arrays::{at_sum, sum_in_other_words};
 use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::keywords;
@@ -19,8 +19,7 @@ impl Parser<'_> {
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
-            let is_range = parser.counts && cursor.at_pair('.', '.');
-            if is_range || cursor.eat('.').is_none() {
+            if cursor.at_pair('.', '.') || cursor.eat('.').is_none() {
                 return Ok(Turn::Last);
             }
             operand = parser.behind_dot(operand, cursor)?;
@@ -100,6 +99,9 @@ impl Parser<'_> {
                         messages::arrays::FUNCTIONS,
                         messages::arrays::FUNCTIONS_HELP,
                     ));
+                }
+                if let Some(help) = sum_in_other_words(&name, &group) {
+                    return Err(self.fail_with_help(start, messages::arrays::NO_SUM, help));
                 }
                 let arguments = self.arguments(&group, Vec::new());
                 Ok(self.call(name, arguments, start.to(group_origin(&group))))

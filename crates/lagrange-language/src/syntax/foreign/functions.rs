@@ -53,6 +53,32 @@ pub const FUNCTIONS: &[(&[&str], usize, &str)] = &[
     (&["neg"], 1, "-#1"),
 ];
 
+/// Functions that nothing here stands for, with what reaches their purpose.
+const MISSING: &[(&[&str], &str)] = &[
+    (
+        &["delay", "transport_delay", "Delay"],
+        "a delay is not a function of the state: approximate it by a lag, `state a; dot(a) = (x - a) / tau;`",
+    ),
+    (
+        &["diff", "D", "grad", "gradient", "partial", "derivative", "jacobian"],
+        "derivatives by coordinates are taken by the compiler: write the energy, `potential = V;`, instead of its slope",
+    ),
+    (
+        &["random", "rand", "randn", "noise", "normal", "gauss", "uniform"],
+        "a motion is determined by its start: declare an `input` and set it during the run",
+    ),
+    (
+        &["floor", "ceil", "round", "trunc", "mod", "fmod"],
+        "steps are written as conditions, `if t < 1 { 0 } else { 1 }`, whose jumps runs locate",
+    ),
+    (&["integral", "integrate", "int"], "an integral over time is a state: `state a; dot(a) = e;`"),
+];
+
+/// Advice for a function that has no counterpart.
+pub fn without_counterpart(name: &str) -> Option<&'static str> {
+    MISSING.iter().find(|(names, _)| names.contains(&name)).map(|(_, advice)| *advice)
+}
+
 /// Arguments that stand alone in a template are put in parentheses unless they are words.
 fn bracketed(argument: &str) -> String {
     let is_word = argument.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '.');

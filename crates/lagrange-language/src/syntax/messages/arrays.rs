@@ -6,6 +6,7 @@ pub(in crate::syntax) const RANGE: &str =
     "a loop runs over a range of integers, with two dots between its ends";
 pub(in crate::syntax) const RANGE_HELP: &str = "write `0..n` for 0 up to n - 1, or `1..=n` for 1 up to n";
 pub(in crate::syntax) const SUM_HELP: &str = "write `sum(i in 0..n, e)`";
+pub(in crate::syntax) const NO_SUM: &str = "only a sum runs over a range, and it needs one";
 pub(in crate::syntax) const LOOP_HELP: &str = "write `for i in 0..n { … }`";
 pub(in crate::syntax) const SELECTION_HELP: &str =
     "write `if i > 0 { … }`, with statements between the braces";
@@ -28,4 +29,12 @@ pub(in crate::syntax) fn too_many_indices(name: &str, given: usize, most: usize)
 pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
     let sizes = sizes.iter().map(|size| format!("[{size}]")).collect::<String>();
     format!("write it after the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
+}
+
+/// Advice for a function of all elements of an array.
+pub(in crate::syntax) fn element_by_element(function: &str) -> String {
+    match function {
+        "product" | "prod" => "write the factors one by one, `x[0] * x[1] * x[2]`".to_owned(),
+        _ => format!("write the elements one by one, `{function}(x[0], {function}(x[1], x[2]))`"),
+    }
 }

@@ -25,8 +25,12 @@ messages! {
     declared_already(name) = "{} is already declared", quoted(name);
     value_where_declared(name) = "give it its value where it is declared: `param {} = …;`", shortened(name);
 
+    RATE_AMONG_COORDINATES = "velocities are not declared: each coordinate has one";
+    start_of(target) = "for its initial value write `start {target} = …;`";
+
     /// Advice for the rate of a state in the spelling of another language.
     rate_of_state(rate) = "the rate of a state is stated as `{rate} = …;`";
+    rate_alone(rate) = "the rate of a state stands alone before the equals sign: divide by its factor, `{rate} = …;`";
     EQUATION = "a constraint is one expression that stays zero";
     difference(name) = "write a = b as `constraint {} = a - (b);`", shortened(name);
     INEQUALITY = "a constraint is an expression that stays zero, not an inequality";
@@ -75,12 +79,15 @@ pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static s
     match keyword {
         "coord" => (
             "coordinates always depend on time, and units follow a colon",
-            "write `coord x, theta;`, or `coord x: m, theta: rad;` with units",
+            "write `coord x, theta;`, `coord x: m, theta: rad;` with units, or `coord x = 1;` with an initial value",
         ),
         keyword => (
-            "only a colon and a unit can stand between a name and its value",
             match keyword {
-                "param" => "write `param m = 1.0;`, or `param m: kg = 1.0;` with a unit",
+                "param" => "only a colon, a unit and a range can stand between a name and its value",
+                _ => "only a colon and a unit can stand between a name and its value",
+            },
+            match keyword {
+                "param" => "write `param m = 1.0;`, or `param m: kg > 0 = 1.0;` with a unit and a range",
                 other => form(other),
             },
         ),
@@ -96,7 +103,7 @@ pub(in crate::syntax) fn equations_are_derived() -> String {
 /// Message for `dot(x) = …` and `ddot(x) = …` as statements.
 pub(in crate::syntax) fn rate_as_statement(function: &str) -> String {
     match function {
-        "dot" => "initial velocities belong to the state from which a simulation starts; for a condition that always holds write `constraint name = …;`".to_owned(),
+        "dot" => "for an initial velocity write `start dot(x) = …;`, for a condition that always holds `constraint name = …;`".to_owned(),
         _ => equations_are_derived(),
     }
 }

@@ -23,12 +23,36 @@ messages! {
     /// Message for a word in front of a colon that means nothing there; `owner` has its article.
     unknown_label(label, owner) = "unknown label {} for {owner}", quoted(label);
     label(owner) = "a label of {owner}";
+    MATRIX = "a tensor of inertia is not written as a matrix";
+    MATRIX_HELP = "write its components, `inertia: (xx, yy, zz, xy, xz, yz);`, or principal moments, `inertia: (xx, yy, zz);`";
 
     /// Message for letters that are no order of rotations.
     no_sequence(letters) = "{} is not a sequence of rotations", quoted(letters);
 
     /// Message for a tensor with the wrong number of components.
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
+}
+
+/// Returns the remedy for a label that joints have in other tools.
+pub(in crate::syntax) fn beside_a_joint(label: &str) -> Option<&'static str> {
+    match label {
+        "stiffness" | "spring" | "spring_stiffness" => Some(
+            "write the spring as an energy, `potential = 1/2 * k * q^2;`, with the coordinate `q` of the joint",
+        ),
+        "friction" | "mu" => {
+            Some("write `friction rub = dot(q), limit;` with the coordinate `q` of the joint")
+        }
+        "limits" | "limit" | "lower" | "upper" | "range" | "stop" => Some(
+            "write an event for each end, `event end = q - 1, rising => impact(0);`, with the coordinate `q` of the joint",
+        ),
+        "start" | "initial" | "q0" => {
+            Some("write `start q = 1, dot(q) = 2;` with the coordinate `q` of the joint")
+        }
+        "torque" | "force" | "motor" | "effort" => {
+            Some("write `force q = u;` with the coordinate `q` of the joint")
+        }
+        _ => None,
+    }
 }
 
 /// Labels that something may have, in words.

@@ -17,8 +17,6 @@ error at 2:16: `type` is a Rust keyword and cannot be a name
   help: choose another name
 error at 2:26: numbers have no individual types here
   help: write `2.0`
-error at 3:12: a coordinate cannot have a value in the declaration
-  help: initial values belong to the state from which a simulation starts
 error at 3:14: missing `;` after this
   help: statements end in `;`
 error at 4:1: unknown statement `kinetc`
@@ -29,7 +27,7 @@ error at 6:24: expected an operator, `,` or `)`, found `z`
   help: write `*` between the factors of a product
 ";
     assert_eq!(report, expected);
-    let expected = ["param (m 1) (l ?) g", "coord x y", "let a ?", "potential (* (* m g) ?)"];
+    let expected = ["param (m 1) (l ?) g", "coord x (y 1)", "let a ?", "potential (* (* m g) ?)"];
     assert_eq!(statements(&declaration.expect("tokens")), expected);
 }
 
@@ -68,7 +66,7 @@ error at 3:8: missing `;` after this
   note at 4:1: the next statement begins here
   help: statements end in `;`
 error at 5:1: expected a statement, found `+`
-  help: statements begin with one of `param`, `const`, `coord`, `state`, `quaternion`, `velocity`, `input`, `let`, `function`, `table`, `solve`, `kinetic`, `potential`, `lagrangian`, `gibbs`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `friction`, `output`, `emit`, `reduce`, `for`, `gravity`, `body`, `frame`, `line`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `weld`
+  help: statements begin with one of `param`, `const`, `coord`, `state`, `start`, `quaternion`, `velocity`, `input`, `let`, `function`, `table`, `solve`, `kinetic`, `potential`, `lagrangian`, `gibbs`, `dissipation`, `force`, `torque`, `constraint`, `stabilise`, `event`, `friction`, `output`, `emit`, `reduce`, `for`, `gravity`, `body`, `frame`, `line`, `spring`, `damper`, `torsion_spring`, `torsion_damper`, `pin`, `slide`, `roll`, `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball`, `free`, `weld`
 error at 6:5: expected a name, found `=`
   help: write `let name = e;`, `let (a, b) = (e, f);` for the components of a vector, or `let f(x, y) = e;` for a function
 error at 7:5: `let` begins a statement and cannot be a name

@@ -13,12 +13,10 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list)
             | StatementKind::Inputs(list)
-            | StatementKind::Constants(list) => {
-                list.iter_mut().map(|definition| &mut definition.name).collect()
-            }
-            StatementKind::Coordinates(names)
-            | StatementKind::States(names)
-            | StatementKind::LetTuple(names, _) => names.iter_mut().collect(),
+            | StatementKind::Constants(list)
+            | StatementKind::Coordinates(list)
+            | StatementKind::States(list) => list.iter_mut().map(|definition| &mut definition.name).collect(),
+            StatementKind::LetTuple(names, _) => names.iter_mut().collect(),
             StatementKind::Quaternion(quaternion) => vec![&mut quaternion.name],
             StatementKind::Velocity(name, _)
             | StatementKind::Let(name, _)
@@ -45,6 +43,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => Vec::new(),
         }

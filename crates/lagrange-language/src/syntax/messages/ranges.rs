@@ -1,0 +1,41 @@
+//! Diagnostics for ranges of parameters.
+
+use super::shortened;
+use lagrange_expr::diagnostics::messages;
+
+messages! {
+    pub(in crate::syntax):
+
+    RANGE_HELP =
+        "write `in 0..` for at least 0, `in 0..=1` for 0 to 1, `> 0` for positive numbers, or `> 0 <= 1`";
+    NO_DOTS = "a range has two dots between its bounds";
+    NO_BOUND = "this range lacks a bound";
+    SAME_SIDE = "a range has one lower and one upper bound";
+    INTERVAL = "intervals are written with two dots";
+    write_interval(lower, upper) =
+        "write `in {0}..={1}`, or `> {0} < {1}` without the bounds", shortened(lower), shortened(upper);
+    BEHIND_VALUE = "a range cannot follow a value";
+    BEHIND_VALUE_HELP = "the range of a parameter stands before its default: `param mu in 0..=1 = 0.5;`";
+    not_a_parameter(keyword) = "only parameters have ranges, but this belongs to {}", described(&keyword.to_string());
+}
+
+fn described(keyword: &str) -> &'static str {
+    match keyword {
+        "input" => "an input",
+        "const" => "a constant",
+        "state" => "a state",
+        _ => "a coordinate",
+    }
+}
+
+/// Advice for a range of what is no parameter.
+pub(in crate::syntax) fn limit(keyword: &str, name: &str) -> String {
+    let name = shortened(name);
+    match keyword {
+        "input" => format!("limit it where it is used: `min(max({name}, -1), 1)`"),
+        "const" => "remove the range: the value is known".to_owned(),
+        _ => format!(
+            "stop the motion at a bound, `event end = {name} - 1, rising => stop;`, or let it bounce with `=> impact(0.5);`"
+        ),
+    }
+}

@@ -1,0 +1,32 @@
+//! Entries of the state that have been assigned values.
+
+use crate::model::{Assignment, Bound};
+use lagrange_expr::diagnostics::Origin;
+
+/// Entries by their indices in [q…, v…], with where they are assigned.
+#[derive(Default)]
+pub(super) struct Assigned(Vec<(usize, Origin)>);
+
+impl Assigned {
+    /// The first place where an entry is assigned.
+    pub(super) fn first(&self, index: usize) -> Option<Origin> {
+        self.0.iter().find(|(other, _)| *other == index).map(|(_, origin)| *origin)
+    }
+
+    /// Notes an assignment; returns the first one to the same entry.
+    pub(super) fn note(&mut self, index: usize, origin: Origin) -> Option<Origin> {
+        let first = self.first(index);
+        self.0.push((index, origin));
+        first
+    }
+}
+
+/// The lower and the upper bound of a parameter.
+pub(super) type Bounds = [Option<Bound>; 2];
+
+/// Initial values that are declared so far.
+#[derive(Default)]
+pub(super) struct Start {
+    pub(super) values: Vec<Assignment>,
+    pub(super) assigned: Assigned,
+}

@@ -1,0 +1,82 @@
+//! Ranges of parameters.
+
+use super::assigned::Bounds;
+use super::elaborator::Elaborator;
+use super::messages::ranges as messages;
+use crate::model::Bound;
+use lagrange_expr::expr::{ExprId, evaluate};
+use lagrange_language::syntax::ast::{AllowedRange, AstId, Definition, Limit};
+use lagrange_language::syntax::print;
+
+/// The range of a parameter, once for all elements of an array. Its default must be inside.
+pub(super) fn range_of(
+    elaborator: &mut Elaborator<'_>,
+    definition: &Definition,
+    default: Option<ExprId>,
+) -> Bounds {
+    let AllowedRange { lower, upper } = definition.range;
+    let known = elaborator.ranges.iter().find(|(limits, _)| *limits == [lower, upper]);
+    let bounds = match known {
+        Some((_, bounds)) => *bounds,
+        None => {
+            let bounds = bounds(elaborator, &definition.range);
+            elaborator.ranges.push(([lower, upper], bounds));
+            bounds
+        }
+    };
+    if let Some((syntax, default)) = definition.value.zip(default) {
+        check_default(elaborator, definition, (syntax, default), bounds);
+    }
+    bounds
+}
+
+fn bounds(elaborator: &mut Elaborator<'_>, range: &AllowedRange) -> Bounds {
+    let mut bound = |limit: Limit| {
+        let value = elaborator.constant_scalar(limit.value, messages::BOUND)?;
+        Some(Bound { value, is_included: limit.is_included })
+    };
+    let bounds = [range.lower.and_then(&mut bound), range.upper.and_then(&mut bound)];
+    if let ([Some(lower), Some(upper)], Some(last)) = (bounds, range.upper) {
+        let order = order(elaborator, lower.value, upper.value);
+        let has_one = lower.is_included && upper.is_included;
+        if order.is_gt() || order.is_eq() && !has_one {
+            let help = messages::EMPTY_RANGE_HELP;
+            elaborator.evaluator.refuse::<()>(last.value, messages::EMPTY_RANGE, help);
+            return [None, None];
+        }
+    }
+    bounds
+}
+
+fn check_default(
+    elaborator: &mut Elaborator<'_>,
+    definition: &Definition,
+    (syntax, default): (AstId, ExprId),
+    [lower, upper]: Bounds,
+) {
+    let is_outside = |bound: Option<Bound>, is_lower: bool| {
+        bound.is_some_and(|bound| {
+            let order = order(elaborator, default, bound.value);
+            let is_beyond = if is_lower { order.is_lt() } else { order.is_gt() };
+            is_beyond || order.is_eq() && !bound.is_included
+        })
+    };
+    if is_outside(lower, true) || is_outside(upper, false) {
+        let expressions = &elaborator.declaration.expressions;
+        let range = print::range(expressions, &definition.range);
+        let message = messages::default_outside(&definition.name.text, range);
+        elaborator.evaluator.refuse::<()>(syntax, message, messages::DEFAULT_OUTSIDE_HELP);
+    }
+}
+
+/// The order of two constants, exact if both are rational.
+fn order(elaborator: &Elaborator<'_>, left: ExprId, right: ExprId) -> std::cmp::Ordering {
+    let graph = &elaborator.evaluator.graph;
+    match (graph.as_number(left), graph.as_number(right)) {
+        (Some(left), Some(right)) => left.cmp(right),
+        _ => {
+            let values = evaluate(graph, &[left, right], |_| f64::NAN);
+            values[0].total_cmp(&values[1])
+        }
+    }
+}
