@@ -1,19 +1,17 @@
 //! Dimensions that statements ask for.
 
-mod definitions;
-
 use super::checker::Checker;
 use super::exponents::Exponents;
 use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER};
 use super::labels::Label;
-use super::measure::Measure;
+use super::measure::{Measure, MeasuredComponent};
 use super::messages;
 use super::quantities::is_of_numbers;
-use super::solver::Grounds;
+use super::solver::{DimensionEquation, Grounds};
 use crate::syntax::ast::{
-    Action, AstId, Declaration, Event, Expression, Friction, Name, Reduction, Statement, StatementKind,
+    Action, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction, Statement,
+    StatementKind, TableDefinition, TableSource,
 };
-use definitions::{declared, define_table, define_value, named_component, named_value, value_of};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Dimension;
@@ -242,6 +240,89 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Emit(_),
             _,
         ) => {}
+    }
+}
+
+/// Returns the dimension of a name: the declared one, or one to be found.
+fn declared(checker: &mut Checker<'_>, name: &Name) -> Exponents {
+    let unknown = checker.solver.unknown(&name.text);
+    if let Some(unit) = &name.unit {
+        let reason = Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin };
+        let (found, expected) = (Exponents::of(unknown), Exponents::from(unit.dimension.clone()));
+        checker.solver.equate(DimensionEquation { found, expected, expression: None, reason });
+    }
+    Exponents::of(unknown)
+}
+
+fn define_value(checker: &mut Checker<'_>, definition: &Definition) {
+    let Definition { name, value } = definition;
+    let form = declared(checker, name);
+    if let Some(value) = value.filter(|value| !is_of_numbers(checker.expressions, *value)) {
+        let reason = value_of(name);
+        checker.require(value, &Measure::known(form.clone()), &reason);
+    }
+    checker.scope.insert(name.text.clone(), Measure::known(form));
+}
+
+/// That what stands behind a name has its dimension.
+fn value_of(name: &Name) -> Grounds {
+    match &name.unit {
+        Some(unit) => Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin },
+        None => Grounds { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
+    }
+}
+
+fn define_table(checker: &mut Checker<'_>, table: &TableDefinition) {
+    let columns = table.parameters.iter().chain([&table.name]).collect::<Vec<_>>();
+    let forms = columns.iter().map(|name| declared(checker, name)).collect::<Vec<_>>();
+    if let TableSource::Points(points) = &table.source {
+        for (point, _) in points {
+            for ((component, form), name) in point.iter().zip(&forms).zip(&columns) {
+                if !is_of_numbers(checker.expressions, *component) {
+                    let reason = value_of(name);
+                    checker.require(*component, &Measure::known(form.clone()), &reason);
+                }
+            }
+        }
+    }
+    checker.callables.insert(table.name.text.clone(), forms);
+}
+
+/// Returns the dimension of an expression after a name; a number adopts the dimension required of
+/// the name.
+fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
+    if is_of_numbers(checker.expressions, value) {
+        return of_numbers(checker, name, value);
+    }
+    if name.unit.is_none() {
+        return checker.value(value);
+    }
+    let form = declared(checker, name);
+    let count = checker.value(value).components.len();
+    let is_vector = checker.known_value(value).is_vector;
+    let expected = Measure { components: vec![Some(form); count], is_vector, has_rates: false };
+    checker.require(value, &expected, &value_of(name))
+}
+
+fn named_component(checker: &mut Checker<'_>, name: &Name, whole: AstId, component: Measure) -> Measure {
+    if name.unit.is_none() {
+        return component;
+    }
+    let expected = Measure::known(declared(checker, name));
+    checker.equate_values(whole, &component, &expected, &value_of(name));
+    expected
+}
+
+fn of_numbers(checker: &mut Checker<'_>, name: &Name, value: AstId) -> Measure {
+    let component = |checker: &mut Checker<'_>, id: AstId| -> MeasuredComponent {
+        let is_zero = matches!(checker.expressions.get(id), Expression::Number(number) if number.is_zero());
+        (!is_zero).then(|| declared(checker, name))
+    };
+    match checker.expressions.get(value) {
+        Expression::Tuple(parts) => {
+            Measure::vector(parts.iter().map(|part| component(checker, *part)).collect())
+        }
+        _ => Measure::scalar(component(checker, value)),
     }
 }
 
