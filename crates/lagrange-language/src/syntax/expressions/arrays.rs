@@ -9,6 +9,7 @@ use crate::syntax::messages;
 use crate::syntax::messages::arrays;
 use crate::syntax::parser::{Parsed, Parser};
 use crate::syntax::recovery::Turn;
+use crate::syntax::unexpected::at_range;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_INDICES;
 
@@ -138,13 +139,11 @@ pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && is_in
 }
 
-/// Advice for a function over a range other than a sum, and for a sum without one.
+/// Advice for a function over a range other than a sum.
 pub(in crate::syntax) fn sum_in_other_words(name: &Name, group: &Group) -> Option<String> {
-    match name.text.as_str() {
-        "sum" => Some(arrays::SUM_HELP.to_owned()),
-        function if at_loop(&Cursor::inside(group)) => Some(arrays::element_by_element(function)),
-        _ => None,
-    }
+    let inside = Cursor::inside(group);
+    // `norm(v in arm)` has components in the axes of a body.
+    (at_loop(&inside) && at_range(&inside)).then(|| arrays::element_by_element(&name.text))
 }
 
 /// True of a call that is a sum over a variable.

@@ -71,6 +71,7 @@ const MISSING: &[(&[&str], &str)] = &[
         &["floor", "ceil", "round", "trunc", "mod", "fmod"],
         "steps are written as conditions, `if t < 1 { 0 } else { 1 }`, whose jumps runs locate",
     ),
+    (&["sum", "Sum", "total"], "a sum has a variable and a range: write `sum(i in 0..n, e)`"),
     (&["integral", "integrate", "int"], "an integral over time is a state: `state a; dot(a) = e;`"),
 ];
 

@@ -33,7 +33,7 @@ messages! {
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
 }
 
-/// Returns the remedy for a label that joints have in other tools.
+/// Advice for a label that joints have in other tools.
 pub(in crate::syntax) fn beside_a_joint(label: &str) -> Option<&'static str> {
     match label {
         "stiffness" | "spring" | "spring_stiffness" => Some(

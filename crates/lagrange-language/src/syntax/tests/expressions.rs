@@ -120,7 +120,7 @@ fn missing_parts_are_named() {
     assert_eq!(mistake("(a,)"), "a vector has two or three components, not 1");
     assert_eq!(mistake("(a, b, c, d)"), "a vector has two or three components, not 4");
     assert_eq!(mistake("(a, , b, c)"), "expected an expression, found `,`");
-    assert_eq!(mistake("a..b"), "expected a name, found `.`");
+    assert_eq!(mistake("a..b"), "expected an operator or `;`, found `.`");
 }
 
 #[test]

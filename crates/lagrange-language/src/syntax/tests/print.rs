@@ -89,6 +89,7 @@ fn parentheses_stand_only_where_operators_need_them() {
         "if a >= b { c } else if b <= c { d } else { e + f }",
         "2 * (if a < b { c } else { d }) + e",
         "1e-9 * a",
+        "norm(v in arm)",
     ];
     for text in same {
         assert_eq!(printed(text), text);
