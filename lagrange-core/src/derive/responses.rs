@@ -102,7 +102,7 @@ impl Limits<'_> {
         let zero = model.graph.number(0);
         match reaction.kind {
             ReactionKind::Contact { .. } => (self.affine(model, zero), self.affine(model, zero)),
-            ReactionKind::Friction { kinetic, fixed } => {
+            ReactionKind::Friction { kinetic, fixed } | ReactionKind::Across { kinetic, fixed } => {
                 (self.affine(model, kinetic), self.affine(model, fixed))
             }
             ReactionKind::Smooth { limit, width } => {

@@ -162,7 +162,9 @@ fn statements(model: &mut Model) -> HashMap<ExprId, String> {
     for reaction in &model.reactions {
         let (statement, parts) = match reaction.kind {
             ReactionKind::Contact { gap, .. } => ("event", vec![gap]),
-            ReactionKind::Friction { kinetic, fixed } => ("friction", vec![kinetic, fixed]),
+            ReactionKind::Friction { kinetic, fixed } | ReactionKind::Across { kinetic, fixed } => {
+                ("friction", vec![kinetic, fixed])
+            }
             ReactionKind::Smooth { limit, .. } => ("friction", vec![limit]),
         };
         let statement = format!("{statement} {}", reaction.name);

@@ -31,10 +31,10 @@ pub(super) fn add_contact(elaborator: &mut Elaborator<'_>, event: &ast::Event, r
     }
 }
 
-/// `friction name = slip, limit;`
+/// `friction name = slip, limit;`, with two slip velocities for friction in a plane.
 pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) {
     let name = &friction.name;
-    let velocity = slip_velocity(elaborator, friction);
+    let slips = slip_velocities(elaborator, friction);
     let kinetic = friction_limit(elaborator, name, friction.kinetic);
     let fixed = match friction.fixed {
         Some(fixed) => friction_limit(elaborator, name, fixed),
@@ -48,9 +48,28 @@ pub(super) fn add_friction(elaborator: &mut Elaborator<'_>, friction: &ast::Fric
     if let (Some(ReactionKind::Friction { kinetic, fixed }), Some(syntax)) = (kind, friction.fixed) {
         check_order(elaborator, kinetic, fixed, syntax);
     }
-    if add_reaction(elaborator, name, NameKind::Friction, velocity.zip(kind)) {
+    let added = match (slips.as_deref(), kind) {
+        (Some(&[slip]), Some(kind)) => add_reaction(elaborator, name, NameKind::Friction, Some((slip, kind))),
+        (Some(&[first, second]), Some(ReactionKind::Friction { kinetic, fixed })) => {
+            add_plane(elaborator, name, [first, second], [kinetic, fixed]);
+            true
+        }
+        _ => add_reaction(elaborator, name, NameKind::Friction, None),
+    };
+    if added {
         warn_of_square(elaborator);
     }
+}
+
+/// Declares friction in a plane, whose name stands for the vector of its force.
+fn add_plane(elaborator: &mut Elaborator<'_>, name: &Name, slips: [ExprId; 2], limits: [ExprId; 2]) {
+    let [kinetic, fixed] = limits;
+    let kinds = [ReactionKind::Friction { kinetic, fixed }, ReactionKind::Across { kinetic, fixed }];
+    let mut force = Vec::new();
+    for ((velocity, kind), axis) in slips.into_iter().zip(kinds).zip(["x", "y"]) {
+        force.push(push_reaction(elaborator, format!("{}_{axis}", name.text), name, (velocity, kind)));
+    }
+    elaborator.declare(name, NameKind::Friction, Some(Operand::Vector(force)));
 }
 
 /// Declares its name, which stands for its force; whether there is nothing wrong with it.
@@ -60,16 +79,26 @@ fn add_reaction(
     kind: NameKind,
     parts: Option<(ExprId, ReactionKind)>,
 ) -> bool {
-    let Some((velocity, reaction)) = parts else {
+    let Some(parts) = parts else {
         elaborator.declare(name, kind, None);
         return false;
     };
-    let symbol =
-        elaborator.evaluator.graph.symbol(&name.text, Role::Reaction(elaborator.reactions.len() as u32));
+    let symbol = push_reaction(elaborator, name.text.clone(), name, parts);
     elaborator.declare(name, kind, Some(Operand::Scalar(symbol)));
-    let reaction = Reaction { name: name.text.clone(), symbol, velocity, kind: reaction };
-    elaborator.reactions.push((reaction, name.span));
     true
+}
+
+/// Adds a reaction and returns the symbol of its force.
+fn push_reaction(
+    elaborator: &mut Elaborator<'_>,
+    written: String,
+    name: &Name,
+    (velocity, kind): (ExprId, ReactionKind),
+) -> ExprId {
+    let role = Role::Reaction(elaborator.reactions.len() as u32);
+    let symbol = elaborator.evaluator.graph.symbol(&written, role);
+    elaborator.reactions.push((Reaction { name: written, symbol, velocity, kind }, name.span));
+    symbol
 }
 
 /// A function that is positive where bodies are apart, and its rate.
@@ -111,25 +140,46 @@ fn sound_restitution(elaborator: &mut Elaborator<'_>, syntax: AstId, event: &Nam
     }
 }
 
-fn slip_velocity(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> Option<ExprId> {
+/// The slip velocity, or both of friction in a plane.
+fn slip_velocities(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) -> Option<Vec<ExprId>> {
     let (name, syntax) = (&friction.name.text, friction.slip);
-    let velocity = elaborator.term(syntax, friction.name.span, messages::SLIP)?.value;
-    if !elaborator.evaluator.graph.dependencies(velocity).intersects(Dependencies::VELOCITY) {
-        return elaborator.evaluator.refuse(
-            syntax,
-            messages::slip_without_velocity(name),
-            messages::SLIP_HELP,
-        );
+    let slip = value_of(&mut elaborator.evaluator, syntax)?;
+    let components = slip.components();
+    let count = components.len();
+    let evaluator = &mut elaborator.evaluator;
+    match count {
+        1 => {}
+        2 if friction.width.is_none() => {}
+        2 => return evaluator.refuse(syntax, messages::smooth_plane(name), messages::SMOOTH_PLANE_HELP),
+        _ => {
+            let message = messages::slip_of_components(name, count);
+            return evaluator.refuse(syntax, message, messages::SLIP_OF_COMPONENTS_HELP);
+        }
+    }
+    for &velocity in components {
+        check_slip(elaborator, name, (syntax, velocity))?;
+    }
+    // To stick is to keep the slip velocity, whose rate must then be known.
+    if friction.width.is_none() {
+        elaborator.evaluator.rate(&slip, syntax)?;
+    }
+    Some(components.to_vec())
+}
+
+fn check_slip(
+    elaborator: &mut Elaborator<'_>,
+    name: &str,
+    (syntax, velocity): (AstId, ExprId),
+) -> Option<()> {
+    elaborator.forbid_accelerations(syntax, velocity, messages::SLIP)?;
+    let evaluator = &mut elaborator.evaluator;
+    if !evaluator.graph.dependencies(velocity).intersects(Dependencies::VELOCITY) {
+        return evaluator.refuse(syntax, messages::slip_without_velocity(name), messages::SLIP_HELP);
     }
     if degree_in(elaborator, velocity, Dependencies::VELOCITY) == Degree::Nonlinear {
         return elaborator.evaluator.refuse(syntax, messages::nonlinear_slip(name), messages::SLIP_HELP);
     }
-    forbid_states(elaborator, syntax, velocity, messages::SLIP)?;
-    // To stick is to keep the slip velocity, whose rate must then be known.
-    if friction.width.is_none() {
-        elaborator.evaluator.rate(&Operand::Scalar(velocity), syntax)?;
-    }
-    Some(velocity)
+    forbid_states(elaborator, syntax, velocity, messages::SLIP)
 }
 
 fn friction_limit(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) -> Option<ExprId> {

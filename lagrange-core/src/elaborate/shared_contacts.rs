@@ -1,7 +1,7 @@
-//! Friction in two directions at one contact.
+//! Two frictions at one contact.
 //!
-//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of a
-//! disk.
+//! Each direction has a limit by itself, so that the forces of both fill a rectangle instead of the
+//! disk of friction in a plane.
 
 use super::elaborator::Elaborator;
 use super::messages::events as messages;
@@ -20,6 +20,7 @@ pub(super) fn contact_of(elaborator: &Elaborator<'_>, force: ExprId) -> Option<u
 /// one.
 pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     let last = elaborator.reactions.len().saturating_sub(1);
+    let last = if is_across(elaborator, last) { last - 1 } else { last };
     let contacts = contacts(elaborator, last);
     let shares = |elaborator: &Elaborator<'_>, other: usize| {
         self::contacts(elaborator, other).into_iter().find(|contact| contacts.contains(contact))
@@ -28,8 +29,7 @@ pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
         if let Some(contact) = shares(elaborator, other)
             && !are_parallel(elaborator, [other, last])
         {
-            let [first, second, contact] =
-                [other, last, contact].map(|index| elaborator.reactions[index].0.name.clone());
+            let [first, second, contact] = [other, last, contact].map(|index| name_of(elaborator, index));
             let [place, earlier] = [last, other].map(|index| elaborator.reactions[index].1);
             let message = messages::square_of_friction(&first, &second, &contact);
             let warning = elaborator.evaluator.report.doubtful(place, message);
@@ -39,11 +39,27 @@ pub(super) fn warn_of_square(elaborator: &mut Elaborator<'_>) {
     }
 }
 
+/// The declared name of a contact or friction, of which components in a plane have further letters.
+fn name_of(elaborator: &Elaborator<'_>, index: usize) -> String {
+    let written = &elaborator.reactions[index].0.name;
+    let is_component = is_across(elaborator, index) || is_across(elaborator, index + 1);
+    let component = written.rsplit_once('_').filter(|_| is_component);
+    component.map_or_else(|| written.clone(), |(name, _)| name.to_owned())
+}
+
+/// True if this reaction is the second component of friction in a plane.
+fn is_across(elaborator: &Elaborator<'_>, index: usize) -> bool {
+    let reaction = elaborator.reactions.get(index);
+    reaction.is_some_and(|(reaction, _)| matches!(reaction.kind, ReactionKind::Across { .. }))
+}
+
 /// Returns the contacts on whose forces the limits of a friction depend.
 fn contacts(elaborator: &Elaborator<'_>, index: usize) -> Vec<usize> {
     let limits = match elaborator.reactions[index].0.kind {
         ReactionKind::Contact { .. } => return Vec::new(),
-        ReactionKind::Friction { kinetic, fixed } => vec![kinetic, fixed],
+        ReactionKind::Friction { kinetic, fixed } | ReactionKind::Across { kinetic, fixed } => {
+            vec![kinetic, fixed]
+        }
         ReactionKind::Smooth { limit, .. } => vec![limit],
     };
     let graph = &elaborator.evaluator.graph;

@@ -55,7 +55,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
     if m > 0 {
         methods.push(placeholder(local("multipliers"), Arguments::State, Returns::Vector(m)));
     }
-    let touching = shape.touching.len();
+    let touching = shape.reactions().len();
     if touching > 0 {
         methods.push(placeholder(local("reactions"), Arguments::State, Returns::Vector(touching)));
     }

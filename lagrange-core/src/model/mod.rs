@@ -291,6 +291,14 @@ pub enum ReactionKind {
         /// The largest magnitude of the force while it sticks.
         fixed: ExprId,
     },
+    /// The second component of friction in a plane, whose limits are those of the reaction before
+    /// it. They bound the length of the force.
+    Across {
+        /// Its magnitude while it slips.
+        kinetic: ExprId,
+        /// Its largest magnitude while it sticks.
+        fixed: ExprId,
+    },
     /// Friction that only slips: the force is −limit · tanh(velocity / width).
     Smooth {
         /// The magnitude of the force far from velocity zero, a limit like those above.
@@ -301,9 +309,9 @@ pub enum ReactionKind {
 }
 
 impl ReactionKind {
-    /// True if it has a mode, which events switch.
+    /// True if it has a mode of its own, which events switch.
     pub fn has_mode(self) -> bool {
-        !matches!(self, ReactionKind::Smooth { .. })
+        !matches!(self, ReactionKind::Smooth { .. } | ReactionKind::Across { .. })
     }
 }
 

@@ -9,6 +9,9 @@ lagrange::system! {
     friction still = v, 1;
     friction speed = norm(dot((x, y))), 1;
     friction plane = dot((x, y)), 1;
+    friction space = (dot(x), dot(y), dot(x)), 1;
+    friction half = (dot(x), y), 1;
+    friction creeps = dot((x, y)), 1, smooth: 1/10;
     friction driven = dot(x) - belt, 1;
     friction smooth = dot(y) - belt, 1, smooth: 1/10;
     friction pull = ddot(x), 1;

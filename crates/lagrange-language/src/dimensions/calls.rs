@@ -58,8 +58,12 @@ fn products(a: &[MeasuredComponent], b: &[MeasuredComponent]) -> Vec<MeasuredCom
     a.iter().zip(b).map(|(a, b)| Some(a.as_ref()?.times(b.as_ref()?))).collect()
 }
 
-/// The dimension that all terms of a sum have.
-fn total(checker: &mut Checker<'_>, call: AstId, terms: &[MeasuredComponent]) -> MeasuredComponent {
+/// The dimension that all terms of a sum, or all components of a vector, have.
+pub(super) fn total(
+    checker: &mut Checker<'_>,
+    call: AstId,
+    terms: &[MeasuredComponent],
+) -> MeasuredComponent {
     let mut known = terms.iter().flatten();
     let first = known.next()?.clone();
     let place = checker.expressions.origin(call);

@@ -2,6 +2,7 @@
 
 mod definitions;
 
+use super::calls::total;
 use super::checker::Checker;
 use super::exponents::Exponents;
 use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER};
@@ -157,6 +158,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         (StatementKind::Friction(Friction { name, slip, .. }), DimensionPass::Abbreviate) => {
             let slip = checker.value(*slip).with_rates(true);
             name_force(checker, name, &slip);
+            if slip.is_vector {
+                let force = slip.map(form_of_force);
+                checker.scope.insert(name.text.clone(), Measure::vector(force.components));
+            }
         }
         (StatementKind::Kinetic(value), DimensionPass::Require) => {
             energy(checker, *value, &said(messages::KINETIC));
@@ -306,8 +311,9 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
 }
 
 fn demand_of_friction(checker: &mut Checker<'_>, friction: &Friction, place: Origin) {
-    let slip = checker.value(friction.slip).with_rates(true);
-    let force = checker.scope.get(&friction.name.text).cloned().unwrap_or_else(Measure::any);
+    let slip = checker.value(friction.slip);
+    let slip = Measure::scalar(total(checker, friction.slip, &slip.components));
+    let force = slip.map(form_of_force);
     let reason = Grounds { words: messages::limit(&friction.name.text), place };
     for limit in [Some(friction.kinetic), friction.fixed].into_iter().flatten() {
         checker.require(limit, &force, &reason);
@@ -327,6 +333,11 @@ fn demand_of_reduction(checker: &mut Checker<'_>, reduction: &Reduction, place: 
         let reason = Grounds { words: messages::stands_for(&item.coordinate.text), place };
         checker.require(value, &coordinate, &reason);
     }
+}
+
+/// The force along a slip velocity.
+fn form_of_force(slip: &Exponents) -> Exponents {
+    form(POWER).over(slip)
 }
 
 /// The rate of a coordinate.

@@ -1,36 +1,68 @@
-//! The choices of each reaction, and the rules chosen from them.
+//! The rules by which reactions act, and the choices between them.
 
-use super::reaction_forces::Rule;
+use crate::scalar::Scalar;
+
+/// The rule by which a reaction acts.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Rule<S> {
+    /// Not at all.
+    Absent,
+    /// Its rate stays zero.
+    Holds,
+    /// r = −c |kinetic limit|, where c is the component of the direction of slipping: 1 forwards,
+    /// −1 backwards, and a cosine in a plane.
+    Slips(S),
+    /// r = −kinetic limit, which has the sign of the slip velocity already.
+    Smooth,
+}
 
 /// The choices of a reaction.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Choice {
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(super) enum Choice<S> {
     /// Nothing but this.
-    Only(Rule),
+    Only(Rule<S>),
     /// To press or to part.
     Touch,
-    /// To hold or to slip.
+    /// To hold or to slip; with [`Across`](Choice::Across) behind it in a plane.
     Rest,
+    /// To slip in a plane, in any direction.
+    GiveWay,
+    /// That of the reaction before it, of which it is the second component.
+    Across,
 }
 
 /// Rules that fit together, and the reactions under them.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Settled<S, const K: usize> {
-    pub(super) rules: [Rule; K],
+    pub(super) rules: [Rule<S>; K],
     pub(super) reactions: [S; K],
 }
 
-impl Choice {
-    /// The rules that it leaves to be tried, the first of them first.
-    pub(super) fn rules(self) -> &'static [Rule] {
+impl<S: Scalar> Choice<S> {
+    /// The number of rules that it leaves to be tried.
+    pub(super) fn count(self) -> usize {
         match self {
-            Choice::Only(Rule::Absent) => &[Rule::Absent],
-            Choice::Only(Rule::Holds) => &[Rule::Holds],
-            Choice::Only(Rule::Forwards) => &[Rule::Forwards],
-            Choice::Only(Rule::Backwards) => &[Rule::Backwards],
-            Choice::Only(Rule::Smooth) => &[Rule::Smooth],
-            Choice::Touch => &[Rule::Holds, Rule::Absent],
-            Choice::Rest => &[Rule::Holds, Rule::Forwards, Rule::Backwards],
+            Choice::Only(_) | Choice::GiveWay | Choice::Across => 1,
+            Choice::Touch => 2,
+            Choice::Rest => 3,
         }
+    }
+
+    /// The rule to be tried at this place.
+    pub(super) fn rule(self, place: usize) -> Rule<S> {
+        match (self, place) {
+            (Choice::Only(rule), _) => rule,
+            (Choice::Touch, 1) => Rule::Absent,
+            (Choice::Rest, 1) => Rule::Slips(S::ONE),
+            (Choice::Rest, 2) => Rule::Slips(-S::ONE),
+            (Choice::Touch | Choice::Rest | Choice::GiveWay | Choice::Across, _) => Rule::Holds,
+        }
+    }
+}
+
+impl<S: Scalar> Rule<S> {
+    /// The rules of friction that slips in this direction, without any if there is none.
+    pub(super) fn slipping(direction: Option<[S; 2]>) -> [Rule<S>; 2] {
+        direction.map_or([Rule::Absent; 2], |direction| direction.map(Rule::Slips))
     }
 }

@@ -10,7 +10,8 @@
 //! One rule is changed at a time, that of the first reaction that contradicts its rule. This ends
 //! at the answer if friction does not couple strongly (Murty's least-index pivoting). Otherwise
 //! [Lemke's method](super::lemke) finds rules. It may fail where limits of friction change their
-//! signs; all combinations are then tried if they are few. With friction that slips and is strong
+//! signs; all combinations are then tried if they are few. Friction in a plane slips in any
+//! direction, which [Newton's method](super::cone) finds. With friction that slips and is strong
 //! there may be none: the paradox of Painlevé. Sources: Murty, *Linear Complementarity, Linear and
 //! Nonlinear Programming*, §2.2; Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*,
 //! §5.3, §6.
@@ -28,8 +29,11 @@
 //!
 //! Pushed by 4 instead it holds with (20, −4).
 
-use super::choice::{Choice, Settled};
-use super::reaction_forces::{Balance, Rule};
+use core::array;
+
+use super::choice::{Choice, Rule, Settled};
+use super::reaction_forces::Balance;
+use super::slip::{length, present_direction};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED, BALANCED_BY_SEARCH, HELD_TOGETHER, Roundings};
 
@@ -38,52 +42,67 @@ const MOST_COMBINATIONS: u64 = 1_296;
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together, if there are any.
-    pub(super) fn settle(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+    pub(super) fn settle(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let choices = &self.possible(choices);
-        self.pivot(choices, choices.map(|choice| choice.rules()[0]))
-            .or_else(|| self.complement(choices))
-            .or_else(|| self.try_all(choices))
+        self.pivot(choices, choices.map(|choice| choice.rule(0))).or_else(|| {
+            match choices.contains(&Choice::Across) {
+                true => self.in_plane(choices),
+                false => self.complement(choices).or_else(|| self.try_all(choices)),
+            }
+        })
     }
 
     /// The choices without friction that has no limit, whatever contacts do.
-    fn possible(&self, choices: &[Choice; K]) -> [Choice; K] {
+    fn possible(&self, choices: &[Choice<S>; K]) -> [Choice<S>; K] {
         let mut possible = *choices;
         // Limits may hold what was declared before.
         for k in 0..K {
             let may_act = |j: usize| j != k && possible[j] != Choice::Only(Rule::Absent);
-            if possible[k] == Choice::Rest && !self.has_limit(k, may_act) {
+            if matches!(possible[k], Choice::Rest | Choice::GiveWay) && !self.has_limit(k, may_act) {
                 possible[k] = Choice::Only(Rule::Absent);
+                if choices.get(k + 1) == Some(&Choice::Across) {
+                    possible[k + 1] = possible[k];
+                }
             }
         }
         possible
     }
 
+    /// Returns the solution of Newton's method, refined to full accuracy and the shortest forces.
+    pub(super) fn in_plane(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
+        let found = self.in_cone(choices)?;
+        self.pivot(choices, found.rules).or(Some(found))
+    }
+
     /// Returns the solution of Lemke's method, refined to full accuracy.
-    fn complement(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+    fn complement(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let found = self.complementary(choices)?;
         let is_near = || self.contradiction(choices, &found, BALANCED_BY_SEARCH).is_none();
         self.pivot(choices, found.rules).or_else(|| is_near().then_some(found))
     }
 
     /// From these rules on.
-    fn pivot(&self, choices: &[Choice; K], mut rules: [Rule; K]) -> Option<Settled<S, K>> {
+    fn pivot(&self, choices: &[Choice<S>; K], mut rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         for _ in 0..=8 + 4 * K {
             let settled = self.under(rules)?;
-            let Some((k, rule)) = self.contradiction(choices, &settled, BALANCED) else {
+            let Some((k, instead)) = self.contradiction(choices, &settled, BALANCED) else {
                 return Some(settled);
             };
-            rules[k] = rule;
+            rules[k] = instead[0];
+            if is_planar(choices, k) {
+                rules[k + 1] = instead[1];
+            }
         }
         None
     }
 
     /// Reactions under these rules if they fit together, but for a little more than rounding.
-    pub(super) fn confirmed(&self, choices: &[Choice; K], rules: [Rule; K]) -> Option<Settled<S, K>> {
+    pub(super) fn confirmed(&self, choices: &[Choice<S>; K], rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED_BY_SEARCH).is_none())
     }
 
-    fn try_all(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
-        let count = |choice: &Choice| choice.rules().len() as u64;
+    fn try_all(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
+        let count = |choice: &Choice<S>| choice.count() as u64;
         let combinations =
             choices.iter().fold(1, |product: u64, choice| product.saturating_mul(count(choice)));
         if combinations > MOST_COMBINATIONS {
@@ -91,7 +110,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         }
         (0..combinations).find_map(|mut number| {
             let rules = choices.map(|choice| {
-                let rule = choice.rules()[(number % count(&choice)) as usize];
+                let rule = choice.rule((number % count(&choice)) as usize);
                 number /= count(&choice);
                 rule
             });
@@ -99,7 +118,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         })
     }
 
-    fn under(&self, rules: [Rule; K]) -> Option<Settled<S, K>> {
+    fn under(&self, rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
         let reactions = self.reactions(&rules);
         let is_finite = reactions.iter().all(|reaction| reaction.is_finite());
         let is_held = |k: usize| {
@@ -110,21 +129,21 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         fits.then_some(Settled { rules, reactions })
     }
 
-    /// The first reaction that contradicts its rule by more than so many roundings, and the rule to
-    /// try instead.
+    /// The first reaction that contradicts its rule by more than so many roundings, and the rules
+    /// to try instead, the second of them for a second component.
     fn contradiction(
         &self,
-        choices: &[Choice; K],
+        choices: &[Choice<S>; K],
         settled: &Settled<S, K>,
         roundings: Roundings,
-    ) -> Option<(usize, Rule)> {
+    ) -> Option<(usize, [Rule<S>; 2])> {
         (0..K).find_map(|k| {
             let other = match choices[k] {
-                Choice::Only(_) => None,
-                Choice::Touch => self.touch(k, settled, roundings),
-                Choice::Rest => self.rest(k, settled, roundings),
+                Choice::Only(_) | Choice::Across => None,
+                Choice::Touch => self.touch(k, settled, roundings).map(|rule| [rule; 2]),
+                Choice::Rest | Choice::GiveWay => self.rest(k, choices, settled, roundings),
             };
-            other.map(|rule| (k, rule))
+            other.map(|rules| (k, rules))
         })
     }
 
@@ -134,7 +153,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         k: usize,
         Settled { rules, reactions }: &Settled<S, K>,
         roundings: Roundings,
-    ) -> Option<Rule> {
+    ) -> Option<Rule<S>> {
         let rounding = roundings.part::<S>() * self.size(k, reactions);
         match rules[k] {
             Rule::Holds if reactions[k] * self.response(k) <= rounding => Some(Rule::Absent),
@@ -143,21 +162,42 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         }
     }
 
+    /// Friction holds with no more than its static limit, and slips the way it is driven.
     fn rest(
         &self,
         k: usize,
+        choices: &[Choice<S>; K],
         Settled { rules, reactions }: &Settled<S, K>,
         roundings: Roundings,
-    ) -> Option<Rule> {
-        let rounding = roundings.part::<S>() * self.size(k, reactions);
-        let (rate, reaction) = (self.rate(k, reactions), reactions[k]);
-        match rules[k] {
-            Rule::Holds if (reaction.abs() - self.fixed(k, reactions)) * self.response(k) > rounding => {
-                Some(if reaction < S::ZERO { Rule::Forwards } else { Rule::Backwards })
-            }
-            Rule::Forwards if rate < -(rounding + rounding) => Some(Rule::Holds),
-            Rule::Backwards if rate > rounding + rounding => Some(Rule::Holds),
-            _ => None,
+    ) -> Option<[Rule<S>; 2]> {
+        let components =
+            |of: &dyn Fn(usize) -> S| [of(k), if is_planar(choices, k) { of(k + 1) } else { S::ZERO }];
+        let (rate, force) = (components(&|k| self.rate(k, reactions)), components(&|k| reactions[k]));
+        let rounding = roundings.part::<S>() * length(&components(&|k| self.size(k, reactions)));
+        let response = components(&|k| self.response(k)).into_iter().fold(S::ZERO, S::max);
+        let against = |force: [S; 2]| {
+            present_direction(force).map(|direction| direction.map(|component| Rule::Slips(-component)))
+        };
+        let Rule::Slips(along) = rules[k] else {
+            let is_beyond = (length(&force) - self.fixed(k, reactions)) * response > rounding;
+            let gives_way = rules[k] == Rule::Holds && (is_beyond || choices[k] == Choice::GiveWay);
+            return gives_way.then(|| against(force)).flatten();
+        };
+        let across = match rules.get(k + 1) {
+            Some(Rule::Slips(across)) if is_planar(choices, k) => *across,
+            _ => S::ZERO,
+        };
+        let margin = rounding + rounding;
+        let (driven, astray) = (along * rate[0] + across * rate[1], along * rate[1] - across * rate[0]);
+        if driven < -margin && choices[k] == Choice::Rest {
+            return Some([Rule::Holds; 2]);
         }
+        let pull = array::from_fn(|component| force[component] - rate[component] / response);
+        (astray.abs() > margin).then(|| against(pull)).flatten()
     }
+}
+
+/// True if choice k is that of friction in a plane.
+fn is_planar<S: Scalar, const K: usize>(choices: &[Choice<S>; K], k: usize) -> bool {
+    choices.get(k + 1) == Some(&Choice::Across)
 }

@@ -2,16 +2,27 @@
 
 use core::array;
 
-use super::reaction_forces::{Balance, Rule};
+use super::choice::Rule;
+use super::reaction_forces::Balance;
+use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
+use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 
+/// Slip velocities in a plane have a direction from this fraction of their terms on.
+const SLOW: f64 = 1e-6;
+
 /// Friction whose limit is smaller than this does not act.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
+}
+
+/// True if an event ends this mode.
+pub(super) fn has_event(mode: Mode) -> bool {
+    !matches!(mode, Mode::Smooth | Mode::Across(_))
 }
 
 /// Computes a function for each reaction that is positive while its mode may last and falls through
@@ -21,7 +32,9 @@ pub(super) fn nothing<S: Scalar>() -> S {
 /// - the slip velocity of slipping friction, in the direction of slipping;
 /// - the margin of sticking friction to the static limit.
 ///
-/// Functions of forces fall through zero a few roundings later than the forces do.
+/// Friction in a plane also ends where its direction has turned by 60°, to start anew in its
+/// present direction. Functions of forces fall through zero a few roundings later than the forces
+/// do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -33,14 +46,21 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
         response if response > S::ZERO => BOUND.part::<S>() * balance.size(k, &reactions) / response,
         _ => S::ZERO,
     };
+    let force = |k: usize| match is_planar(modes, k) {
+        true => length(&[reactions[k], reactions[k + 1]]),
+        false => reactions[k].abs(),
+    };
     let value = |k: usize| match modes[k] {
         Mode::Contact(Contact::Open) => terms.gaps[k],
         Mode::Contact(Contact::Closed) => reactions[k] + rounding(k),
-        Mode::Friction(Friction::SlipsForwards) => terms.rates[k],
-        Mode::Friction(Friction::SlipsBackwards) => -terms.rates[k],
-        Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) + rounding(k) - reactions[k].abs(),
+        Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) + rounding(k) - force(k),
         Mode::Friction(Friction::Slips) => nothing::<S>() - balance.fixed(k, &reactions),
-        Mode::Smooth => S::ONE,
+        Mode::Friction(Friction::GivesWay) => match present_direction([reactions[k], reactions[k + 1]]) {
+            Some(direction) => -dot(&terms.slip(k, true), &direction),
+            None => S::ZERO,
+        },
+        Mode::Friction(friction) => terms.advance(k, is_planar(modes, k), friction),
+        Mode::Across(_) | Mode::Smooth => S::ONE,
     };
     array::from_fn(value)
 }
@@ -66,20 +86,50 @@ pub fn event_values<M, const N: usize, const K: usize>(
     let modes = system.modes();
     let terms = system.terms(t, &q, &v);
     let found = switch_values(&terms, &modes);
-    for k in (0..K).filter(|k| modes[*k] != Mode::Smooth) {
-        let is_slipping =
-            matches!(modes[k], Mode::Friction(Friction::SlipsForwards | Friction::SlipsBackwards));
+    for k in (0..K).filter(|k| has_event(modes[*k])) {
+        let has_direction = |friction| !matches!(friction, Friction::Slips | Friction::Sticks);
+        let is_slipping = matches!(modes[k], Mode::Friction(friction) if has_direction(friction));
         let noise = if is_slipping { terms.slip_noise(k, t, &v) } else { M::Scalar::ZERO };
-        values[system.event_of(k)] = found[k] + noise;
+        let value = found[k] + noise;
+        values[system.event_of(k)] = match modes[k] {
+            Mode::Friction(Friction::GivesWay) => value.min(terms.left_of_start(k, t, &v)),
+            _ => value,
+        };
     }
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Bounds the rounding error of slip velocity k where it is held at zero: from the velocities,
-    /// and from accelerations in the elapsed time.
-    fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
-        let size = self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs();
-        BOUND.part::<S>() * size
+    /// Bounds the rounding error of slip velocity k where it is held at zero.
+    pub(super) fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
+        BOUND.part::<S>() * self.slip_terms(k, t, v)
+    }
+
+    /// Returns the size of the terms of slip velocity k: from the velocities, and from
+    /// accelerations in the elapsed time.
+    fn slip_terms(&self, k: usize, t: S, v: &[S; N]) -> S {
+        self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs()
+    }
+
+    /// The slip velocity at which friction in a plane that gives way has a direction, less the
+    /// present one.
+    fn left_of_start(&self, k: usize, t: S, v: &[S; N]) -> S {
+        let part = S::from_f64(SLOW).max(BOUND.part::<S>());
+        let terms = [k, k + 1].map(|row| self.slip_terms(row, t, v));
+        part * length(&terms) - length(&self.slip(k, true))
+    }
+
+    /// The slip velocity in the direction of slipping, less half of its size if it may turn.
+    fn advance(&self, k: usize, is_planar: bool, friction: Friction) -> S {
+        let [x, y] = self.slip(k, is_planar);
+        let along = match friction {
+            Friction::SlipsBackwards => -x,
+            Friction::SlipsTowards(heading) => {
+                let [cos, sin] = heading.components::<S>();
+                x * cos + y * sin
+            }
+            Friction::Slips | Friction::SlipsForwards | Friction::GivesWay | Friction::Sticks => x,
+        };
+        if is_planar { along - S::from_f64(0.5) * length(&[x, y]) } else { along }
     }
 
     /// Returns the size of the terms in the rate of rate k without reactions.

@@ -34,8 +34,8 @@
 
 use core::array;
 
-use super::choice::{Choice, Settled};
-use super::reaction_forces::{Balance, Rule};
+use super::choice::{Choice, Rule, Settled};
+use super::reaction_forces::Balance;
 use super::{Mode, Terms};
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
@@ -136,10 +136,11 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 
     /// Returns the choices of participating contacts and friction in an impact.
-    fn choices(&self, modes: &[Mode; K], is_touching: &[bool; K]) -> [Choice; K] {
+    fn choices(&self, modes: &[Mode; K], is_touching: &[bool; K]) -> [Choice<S>; K] {
         array::from_fn(|k| match modes[k] {
             Mode::Contact(_) if is_touching[k] => Choice::Touch,
             Mode::Friction(_) | Mode::Smooth if self.has_impulses(k) => Choice::Rest,
+            Mode::Across(_) if self.has_impulses(k) => Choice::Across,
             _ => Choice::Only(Rule::Absent),
         })
     }
@@ -148,7 +149,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     fn collide(
         &self,
         v: &[S; N],
-        choices: &[Choice; K],
+        choices: &[Choice<S>; K],
         restitutions: &[S; K],
     ) -> Option<Collision<S, N, K>> {
         let balance = Balance::of_impulses(self, restitutions);

@@ -2,10 +2,11 @@
 
 use core::array;
 
-use super::choice::Choice;
+use super::choice::{Choice, Rule};
 use super::guards::nothing;
-use super::reaction_forces::{Balance, Rule, reactions};
-use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use super::reaction_forces::{Balance, reactions};
+use super::slip::{is_planar, present_direction};
+use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::constraint::sizes;
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
@@ -82,10 +83,15 @@ impl<const K: usize> Position<K> {
             share(k) * terms.speed_of(k, v) + size
         });
         let is_contact = |k: usize| matches!(modes[k], Mode::Contact(_));
+        let is_slow = |k: usize| terms.rates[k].abs() <= slow[k];
+        let is_still = |k: usize| match modes[k] {
+            Mode::Across(_) => is_slow(k) && is_slow(k - 1),
+            _ => is_slow(k) && (!is_planar(&modes, k) || is_slow(k + 1)),
+        };
         Position {
             is_touching: array::from_fn(|k| is_contact(k) && terms.gaps[k].abs() <= near[k]),
             is_beyond: array::from_fn(|k| is_contact(k) && terms.gaps[k] < -near[k]),
-            is_still: array::from_fn(|k| terms.rates[k].abs() <= slow[k]),
+            is_still: array::from_fn(is_still),
         }
     }
 }
@@ -103,7 +109,10 @@ pub(super) fn lengths<S: Scalar, Q: StateVector<S>>(q: &Q) -> Q {
 
 /// True if this mode keeps a rate at zero.
 pub(super) fn holds(mode: Mode) -> bool {
-    matches!(mode, Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks))
+    matches!(
+        mode,
+        Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) | Mode::Across(Friction::Sticks)
+    )
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
@@ -114,7 +123,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 
     /// Modes that fit together where gaps and rates that are zero are known. The mode that reaction
-    /// `ended` had has just come to its end, and is therefore not among them.
+    /// `ended` had has just come to its end, which leaves it these choices.
     ///
     /// # Errors
     /// If there are none, or if something is not finite.
@@ -122,20 +131,31 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         &self,
         modes: &[Mode; K],
         position: &Position<K>,
-        ended: Option<(usize, Rule)>,
+        ended: Option<(usize, Choice<S>)>,
     ) -> Result<[Mode; K], StepFailure<S>> {
         let mut choices = [Choice::Only(Rule::Smooth); K];
         for k in 0..K {
             choices[k] = match modes[k] {
                 Mode::Smooth => Choice::Only(Rule::Smooth),
+                Mode::Across(_) => continue,
                 _ if ended.is_some_and(|(ended, _)| ended == k) => {
-                    Choice::Only(ended.map_or(Rule::Absent, |(_, rule)| rule))
+                    ended.map_or(Choice::Only(Rule::Absent), |(_, choice)| choice)
                 }
                 Mode::Contact(_) if position.is_touching[k] && position.is_still[k] => Choice::Touch,
                 Mode::Contact(_) => Choice::Only(Rule::Absent),
                 Mode::Friction(_) if position.is_still[k] => Choice::Rest,
-                Mode::Friction(_) => Choice::Only(Rule::slipping(self.rates[k])),
+                Mode::Friction(_) => {
+                    let slip = self.slip(k, is_planar(modes, k));
+                    let rules = Rule::slipping(present_direction(slip)).map(Choice::Only);
+                    if is_planar(modes, k) {
+                        choices[k + 1] = rules[1];
+                    }
+                    rules[0]
+                }
             };
+            if is_planar(modes, k) && !matches!(choices[k], Choice::Only(_)) {
+                choices[k + 1] = Choice::Across;
+            }
         }
         let balance = Balance::of_forces(self);
         if !balance.is_finite() {
@@ -145,22 +165,43 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         let mut result = *modes;
         for k in 0..K {
             let is_limited = balance.fixed(k, &settled.reactions) > nothing();
-            result[k] = mode(modes[k], settled.rules[k], is_limited);
+            let is_at_rest = choices.get(k + 1) == Some(&Choice::Across);
+            result[k] = match (modes[k], settled.rules[k]) {
+                (Mode::Across(_), _) => across(result.get(k - 1)),
+                (Mode::Friction(_), Rule::Slips(_)) if is_limited && is_at_rest => {
+                    Mode::Friction(Friction::GivesWay)
+                }
+                (Mode::Friction(_), Rule::Slips(along)) if is_limited && is_planar(modes, k) => {
+                    let across =
+                        if let Rule::Slips(across) = settled.rules[k + 1] { across } else { S::ZERO };
+                    Mode::Friction(Friction::SlipsTowards(Heading::new([along, across])))
+                }
+                (kind, rule) => mode(kind, rule, is_limited),
+            };
         }
         Ok(result)
     }
 }
 
+/// The mode of a second component.
+fn across(first: Option<&Mode>) -> Mode {
+    match first {
+        Some(Mode::Friction(first)) => Mode::Across(*first),
+        _ => Mode::Across(Friction::Slips),
+    }
+}
+
 /// The mode with this rule. Friction without a limit just slips.
-fn mode(kind: Mode, rule: Rule, is_limited: bool) -> Mode {
+fn mode<S: Scalar>(kind: Mode, rule: Rule<S>, is_limited: bool) -> Mode {
     match (kind, rule) {
-        (Mode::Smooth, _) => Mode::Smooth,
+        (Mode::Smooth | Mode::Across(_), _) => kind,
         (Mode::Contact(_), Rule::Holds) => Mode::Contact(Contact::Closed),
         (Mode::Contact(_), _) => Mode::Contact(Contact::Open),
-        (Mode::Friction(_), _) if !is_limited => Mode::Friction(Friction::Slips),
-        (Mode::Friction(_), Rule::Holds) => Mode::Friction(Friction::Sticks),
-        (Mode::Friction(_), Rule::Forwards) => Mode::Friction(Friction::SlipsForwards),
-        (Mode::Friction(_), Rule::Backwards) => Mode::Friction(Friction::SlipsBackwards),
+        (Mode::Friction(_), Rule::Holds) if is_limited => Mode::Friction(Friction::Sticks),
+        (Mode::Friction(_), Rule::Slips(along)) if is_limited && along > S::ZERO => {
+            Mode::Friction(Friction::SlipsForwards)
+        }
+        (Mode::Friction(_), Rule::Slips(_)) if is_limited => Mode::Friction(Friction::SlipsBackwards),
         (Mode::Friction(_), _) => Mode::Friction(Friction::Slips),
     }
 }

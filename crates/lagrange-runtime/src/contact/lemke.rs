@@ -31,8 +31,8 @@
 //! solvable linear complementarity problems", *Nonlinear Dynamics* 14 (1997) 231–247; Cottle, Pang,
 //! Stone, *The Linear Complementarity Problem*, §4.4, §4.9.
 
-use super::choice::{Choice, Settled};
-use super::reaction_forces::{Balance, Rule};
+use super::choice::{Choice, Rule, Settled};
+use super::reaction_forces::Balance;
 use crate::linalg::singular::negligible;
 use crate::scalar::Scalar;
 
@@ -207,7 +207,7 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together but for a little more than rounding, if the
     /// method finds some.
-    pub(super) fn complementary(&self, choices: &[Choice; K]) -> Option<Settled<S, K>> {
+    pub(super) fn complementary(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let mut tableau = self.tableau(choices)?;
         if !tableau.solve() {
             return None;
@@ -219,15 +219,15 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
             Choice::Only(rule) => rule,
             Choice::Touch if z(k, 0) > S::ZERO => Rule::Holds,
             Choice::Touch => Rule::Absent,
-            Choice::Rest if z(k, 2) > S::ZERO && z(k, 0) > z(k, 1) => Rule::Backwards,
-            Choice::Rest if z(k, 2) > S::ZERO => Rule::Forwards,
-            Choice::Rest => Rule::Holds,
+            Choice::Rest if z(k, 2) > S::ZERO && z(k, 0) > z(k, 1) => Rule::Slips(-S::ONE),
+            Choice::Rest if z(k, 2) > S::ZERO => Rule::Slips(S::ONE),
+            Choice::Rest | Choice::GiveWay | Choice::Across => Rule::Holds,
         });
         Some(Settled { rules, reactions })
     }
 
     /// The problem of these choices; none if an equation cannot be solved for its reaction.
-    fn tableau(&self, choices: &[Choice; K]) -> Option<PivotTableau<S, K>> {
+    fn tableau(&self, choices: &[Choice<S>; K]) -> Option<PivotTableau<S, K>> {
         let problem = Problem::new(self, choices);
         let pair = |k: usize, pair: usize| PAIRS * k + pair;
         let rows = core::array::from_fn(|k| core::array::from_fn(|i| problem.row(k, i)));
@@ -263,18 +263,18 @@ impl<S: Scalar, const K: usize> PivotTableau<S, K> {
 /// The rows of the problem as it is given.
 struct Problem<'a, S, const N: usize, const K: usize> {
     balance: &'a Balance<'a, S, N, K>,
-    choices: &'a [Choice; K],
+    choices: &'a [Choice<S>; K],
     units: [S; K],
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
-    fn new(balance: &'a Balance<'a, S, N, K>, choices: &'a [Choice; K]) -> Self {
+    fn new(balance: &'a Balance<'a, S, N, K>, choices: &'a [Choice<S>; K]) -> Self {
         Problem { balance, choices, units: balance.units() }
     }
 
     /// True if reaction k is friction that is known to slip.
     fn is_equation(&self, k: usize) -> bool {
-        matches!(self.choices[k], Choice::Only(Rule::Forwards | Rule::Backwards | Rule::Smooth))
+        matches!(self.choices[k], Choice::Only(Rule::Slips(_) | Rule::Smooth))
     }
 
     /// w of a pair, by all z.
@@ -287,8 +287,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
             has_sign: false,
         };
         match (self.choices[k], pair) {
-            (Choice::Only(Rule::Forwards | Rule::Smooth), 0) => self.slipping(zero, k, S::ONE),
-            (Choice::Only(Rule::Backwards), 0) => self.slipping(zero, k, -S::ONE),
+            (Choice::Only(Rule::Smooth), 0) => self.slipping(zero, k, S::ONE),
+            (Choice::Only(Rule::Slips(component)), 0) => self.slipping(zero, k, component),
             (Choice::Touch, 0) => self.rate(zero, k, S::ONE),
             (Choice::Rest, 0 | 1) => {
                 let mut row = self.rate(zero, k, if pair == 0 { S::ONE } else { -S::ONE });
@@ -343,7 +343,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Problem<'a, S, N, K> {
     /// Lets a row grow with reaction j.
     fn add(&self, row: &mut Row<S, K>, j: usize, slope: S) {
         match self.choices[j] {
-            Choice::Only(Rule::Absent | Rule::Holds) => {}
+            Choice::Only(Rule::Absent | Rule::Holds) | Choice::GiveWay | Choice::Across => {}
             Choice::Only(_) | Choice::Touch => row.slopes[j][0] = row.slopes[j][0] + slope,
             Choice::Rest => {
                 row.slopes[j][0] = row.slopes[j][0] + slope;

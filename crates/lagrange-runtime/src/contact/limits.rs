@@ -15,7 +15,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     {
         for k in (0..K).filter(|&k| !M::LIMITS_REVERSE[k]) {
             let side = match modes[k] {
-                Mode::Contact(_) => continue,
+                Mode::Contact(_) | Mode::Across(_) => continue,
                 // Its kinetic limit has the sign of the slip velocity.
                 Mode::Smooth => self.rates[k].sign(),
                 Mode::Friction(_) => S::ONE,

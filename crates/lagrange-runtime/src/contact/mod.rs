@@ -3,8 +3,9 @@
 //! An event `event floor = gap, falling => impact(e);` declares a unilateral contact,
 //! `friction brake = slip, limit;` dry friction along the velocity `slip`. Each has a *reaction* r.
 //! It is the normal force of the contact, along the gradient of the gap, or the friction force,
-//! along the gradient of the slip velocity. Its *mode* determines if it acts, and by what rule.
-//! Modes are public fields of the emitted type that events switch during a motion:
+//! along the gradient of the slip velocity. Friction in a plane, `friction rub = (s1, s2), limit;`,
+//! has two reactions, one along each slip velocity. The *mode* determines if they act, and by what
+//! rule. Modes are public fields of the emitted type that events switch during a motion:
 //!
 //! | mode | reaction |
 //! |---|---|
@@ -12,6 +13,9 @@
 //! | contact closed | the gap stays zero; r ≥ 0, or else it opens |
 //! | friction sticks | the slip velocity stays zero; \|r\| ≤ static limit, or else it slips |
 //! | friction slips forwards, backwards | r = ∓ kinetic limit |
+//! | friction in a plane sticks | both slip velocities stay zero; the length of r ≤ static limit |
+//! | friction in a plane gives way | r = −kinetic limit · a/\|a\|, where a is the rate of s |
+//! | friction in a plane slips | r = −kinetic limit · s/\|s\| (Coulomb's cone) |
 //!
 //! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within
 //! the mechanism: its constraints hold), so that a = a₀ + Σ w_k r_k. Velocity rows d_k give the
@@ -33,13 +37,22 @@
 //!   Newton's cradle. The event of the first contact reports an impact in several contacts, with
 //!   the impulse there and the total energy loss.
 //! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
-//!   between impulses. Without restitution there always are impulses that obey it. Restitution is
+//!   between impulses. Without restitution there always are impulses that obey it; in a plane the
+//!   search for them is bounded, and gives up one of a thousand random wedges. Restitution is
 //!   reduced where it would create energy or leave none.
 //! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
 //!   10⁻⁹ of the time. This includes the bounces of several contacts that are hit in turn. The
 //!   contacts close, and [`EventKind::Closed`] gives the time of the last bounce.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the
 //!   shortest that fit.
+//! - **Sliding on more points than carry** is not determined by the law, nor is the motion: the
+//!   shortest forces that fit are taken.
+//! - **Friction in a plane changes its direction** by any angle while it slips. It comes to its end
+//!   where its slip velocity reaches zero; friction that would stop within 10⁻⁹ of the time stops
+//!   with it, and one problem decides for all of it.
+//! - **Slipping in a plane starts along its acceleration.** Friction turns a slip velocity s
+//!   towards its steady direction at the rate limit/(m |s|), which no explicit method follows near
+//!   rest. Up to 10⁻⁶ of the terms of s that direction is taken instead.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
 //! - **Time runs forwards**: what was before an impact or before something came to rest does not
 //!   follow from what is after it.
@@ -50,7 +63,9 @@
 
 mod choice;
 mod complementarity;
+mod cone;
 mod guards;
+mod heading;
 mod impact;
 mod initial_modes;
 mod lemke;
@@ -59,11 +74,13 @@ mod project;
 mod reaction_forces;
 mod restitution;
 mod resume;
+mod slip;
 #[cfg(test)]
 mod tests;
 mod transition;
 
 pub use self::guards::{event_values, switch_values};
+pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::project::correct;
 pub use self::reaction_forces::reactions;
@@ -91,10 +108,16 @@ pub enum Friction {
     /// its limit is zero.
     #[default]
     Slips,
-    /// Slips with positive slip velocity: the force is negative.
+    /// Slips with positive slip velocity: the force is negative. In a plane, about the direction of
+    /// the first slip velocity.
     SlipsForwards,
     /// Slips with negative slip velocity: the force is positive.
     SlipsBackwards,
+    /// Slips in a plane, about this direction: the force is opposite to the slip velocity.
+    SlipsTowards(Heading),
+    /// Starts to slip in a plane, yet too slowly for a direction: the force is opposite to the slip
+    /// acceleration.
+    GivesWay,
     /// Holds.
     Sticks,
 }
@@ -106,6 +129,8 @@ pub enum Mode {
     Contact(Contact),
     /// A dry friction.
     Friction(Friction),
+    /// The second component of the friction before it, which acts in a plane.
+    Across(Friction),
     /// A smooth function of the slip velocity, r = −tanh(slip/width)·limit: its kinetic limit
     /// contains the hyperbolic tangent. It never changes its mode and has no event.
     Smooth,
@@ -130,7 +155,7 @@ pub struct Terms<S, const N: usize, const K: usize> {
     pub drifts: [S; K],
     /// Coefficients of restitution, for contacts.
     pub restitutions: [S; K],
-    /// Kinetic limits with all reactions zero, for friction.
+    /// Kinetic limits with all reactions zero, for friction; in a plane for each component.
     pub kinetic: [S; K],
     /// In row k how the kinetic limit k grows with each reaction.
     pub kinetic_slopes: [[S; K]; K],
@@ -171,7 +196,7 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     ) -> Terms<Self::Scalar, N, K>;
 
     /// The declared event by which reaction `k` changes its mode; not asked of smooth friction,
-    /// which has none.
+    /// which has none, nor of second components.
     fn event_of(&self, k: usize) -> usize;
 }
 

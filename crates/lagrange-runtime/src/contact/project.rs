@@ -3,8 +3,9 @@
 
 use core::array;
 
+use super::choice::Rule;
 use super::initial_modes::{holds, lengths};
-use super::reaction_forces::{Balance, Rule};
+use super::reaction_forces::Balance;
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
 use crate::system::{StateVector, StepFailure, Violation, displaced, join, normalise, reach, split};

@@ -11,25 +11,12 @@
 
 use core::array;
 
+use super::choice::{Choice, Rule};
+use super::slip::is_planar;
 use super::{Contact, Friction, Mode, Terms};
 use crate::linalg::singular::{nearest, solve};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
-
-/// The rule by which a reaction acts.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Rule {
-    /// Not at all.
-    Absent,
-    /// Its rate stays zero.
-    Holds,
-    /// r = −|kinetic limit|
-    Forwards,
-    /// r = +|kinetic limit|
-    Backwards,
-    /// r = −kinetic limit, which has the sign of the slip velocity already.
-    Smooth,
-}
 
 /// Rates as they are without reactions, and how reactions change them.
 #[derive(Clone, Copy)]
@@ -49,31 +36,6 @@ pub(super) struct Balance<'a, S, const N: usize, const K: usize> {
     is_exact: bool,
 }
 
-impl Rule {
-    /// The rule of a mode at a rate.
-    pub(super) fn of<S: Scalar>(mode: Mode, rate: S) -> Rule {
-        match mode {
-            Mode::Contact(Contact::Open) => Rule::Absent,
-            Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) => Rule::Holds,
-            Mode::Friction(Friction::SlipsForwards) => Rule::Forwards,
-            Mode::Friction(Friction::SlipsBackwards) => Rule::Backwards,
-            Mode::Friction(Friction::Slips) => Rule::slipping(rate),
-            Mode::Smooth => Rule::Smooth,
-        }
-    }
-
-    /// The rule of friction at a slip velocity.
-    pub(super) fn slipping<S: Scalar>(rate: S) -> Rule {
-        if rate > S::ZERO {
-            Rule::Forwards
-        } else if rate < S::ZERO {
-            Rule::Backwards
-        } else {
-            Rule::Absent
-        }
-    }
-}
-
 impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// Builds the problem for forces and the rates of rates.
     pub(super) fn of_forces(terms: &'a Terms<S, N, K>) -> Self {
@@ -82,7 +44,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
 
     /// Builds the problem for forces under known rules: rates of absent reactions, and what these
     /// would change, are left out.
-    pub(super) fn of_active(terms: &'a Terms<S, N, K>, rules: &[Rule; K]) -> Self {
+    pub(super) fn of_active(terms: &'a Terms<S, N, K>, rules: &[Rule<S>; K]) -> Self {
         let mut balance = Self::without_responses(terms);
         let acts = |k: &usize| rules[*k] != Rule::Absent;
         for k in (0..K).filter(acts) {
@@ -179,6 +141,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         (self.presence * self.terms.kinetic[k], &self.terms.kinetic_slopes[k])
     }
 
+    /// The static limit of friction k without reactions, and how it grows with each.
+    pub(super) fn static_limit(&self, k: usize) -> (S, &[S; K]) {
+        (self.presence * self.terms.fixed[k], &self.terms.static_slopes[k])
+    }
+
     /// Returns the units of rates; those of reactions are the reciprocals.
     pub(super) fn units(&self) -> [S; K] {
         array::from_fn(|k| match self.response(k) {
@@ -210,7 +177,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     ///
     /// A limit that comes out negative, as that of a guide pressed from its other side, counts by
     /// its magnitude. The system is then solved again with its sign changed.
-    pub(super) fn reactions(&self, rules: &[Rule; K]) -> [S; K] {
+    pub(super) fn reactions(&self, rules: &[Rule<S>; K]) -> [S; K] {
         let is_reversed = |k: usize| rules[k] == Rule::Smooth && self.terms.rates[k] < S::ZERO;
         let expected = array::from_fn(|k| if is_reversed(k) { -S::ONE } else { S::ONE });
         let mut signs = expected;
@@ -218,7 +185,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             let reactions = self.solve(rules, &signs, &expected);
             let mut is_consistent = true;
             for k in 0..K {
-                let is_limited = matches!(rules[k], Rule::Forwards | Rule::Backwards | Rule::Smooth);
+                let is_limited = matches!(rules[k], Rule::Slips(_) | Rule::Smooth);
                 let is_negative = || self.kinetic(k, &reactions) * signs[k] < S::ZERO;
                 if is_limited && is_negative() && !self.is_beyond(k, rules, &reactions) {
                     signs[k] = -signs[k];
@@ -235,7 +202,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// True if the limit of friction k is that of a contact which pulls. Such states lie beyond the
     /// event by which the contact opens. Methods evaluate them on their way there, and need a
     /// smooth continuation of the motion.
-    fn is_beyond(&self, k: usize, rules: &[Rule; K], reactions: &[S; K]) -> bool {
+    fn is_beyond(&self, k: usize, rules: &[Rule<S>; K], reactions: &[S; K]) -> bool {
         let slopes = &self.terms.kinetic_slopes[k];
         (0..K).any(|j| rules[j] == Rule::Holds && slopes[j] > S::ZERO && reactions[j] < S::ZERO)
     }
@@ -243,18 +210,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
     /// Returns the limits of the friction that holds, beside which forces are rounding. Without
     /// other forces, several points of a body at rest would only have to hold the rounding of its
     /// velocity.
-    fn held_limits(&self, rules: &[Rule; K], units: &[S; K]) -> S {
+    fn held_limits(&self, rules: &[Rule<S>; K], units: &[S; K]) -> S {
         let Terms { kinetic, fixed, .. } = self.terms;
         let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
         held.fold(S::ZERO, |sum, k| sum + self.presence * (kinetic[k].abs() + fixed[k].abs()) * units[k])
     }
 
     /// The reactions under these rules if the limits have these signs.
-    fn solve(&self, rules: &[Rule; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
+    fn solve(&self, rules: &[Rule<S>; K], signs: &[S; K], expected: &[S; K]) -> [S; K] {
         let units = self.units();
-        let factor = |k: usize| {
-            let factor = signs[k] * expected[k];
-            if rules[k] == Rule::Backwards { -factor } else { factor }
+        let factor = |k: usize| match rules[k] {
+            Rule::Slips(component) => component * signs[k] * expected[k],
+            _ => signs[k] * expected[k],
         };
         // What is absent takes no part: rounding of nothing would have a sign, by which limits are
         // judged.
@@ -299,10 +266,35 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         array::from_fn(|k| array::from_fn(|j| dot(&self.rows[k], &self.responses[j])))
     }
 
-    /// The rules of these modes, unless a rate is not finite.
-    pub(super) fn rules(&self, modes: &[Mode; K]) -> Option<[Rule; K]> {
-        let is_finite = self.rates.iter().all(|rate| rate.is_finite());
-        is_finite.then(|| array::from_fn(|k| Rule::of(modes[k], self.rates[k])))
+    /// The rules of these modes; none if a rate is not finite, or if friction that gives way has no
+    /// direction.
+    pub(super) fn rules(&self, modes: &[Mode; K]) -> Option<[Rule<S>; K]> {
+        if !self.rates.iter().all(|rate| rate.is_finite()) {
+            return None;
+        }
+        let rules = array::from_fn(|k| self.rule(modes, k));
+        if !modes.contains(&Mode::Friction(Friction::GivesWay)) {
+            return Some(rules);
+        }
+        let choices = array::from_fn(|k| match modes[k] {
+            Mode::Friction(Friction::GivesWay) => Choice::GiveWay,
+            Mode::Across(Friction::GivesWay) => Choice::Across,
+            _ => Choice::Only(rules[k]),
+        });
+        Some(Balance::of_forces(self).in_plane(&choices)?.rules)
+    }
+
+    fn rule(&self, modes: &[Mode; K], k: usize) -> Rule<S> {
+        match modes[k] {
+            Mode::Contact(Contact::Open) => Rule::Absent,
+            Mode::Contact(Contact::Closed)
+            | Mode::Friction(Friction::Sticks)
+            | Mode::Across(Friction::Sticks) => Rule::Holds,
+            Mode::Friction(Friction::GivesWay) | Mode::Across(Friction::GivesWay) => Rule::Absent,
+            Mode::Friction(friction) => Rule::slipping(self.direction(k, is_planar(modes, k), friction))[0],
+            Mode::Across(friction) => Rule::slipping(self.direction(k - 1, true, friction))[1],
+            Mode::Smooth => Rule::Smooth,
+        }
     }
 
     /// Returns the size of the terms of d_k·x.

@@ -19,16 +19,17 @@
 
 use core::array;
 
+use super::choice::{Choice, Rule};
 use super::initial_modes::{Position, holds};
 use super::project::{energy, halt};
-use super::reaction_forces::{Balance, Rule, reactions};
+use super::reaction_forces::{Balance, reactions};
 use super::{ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
 use crate::system::{StepFailure, reach};
 use crate::tolerance::{HOP, HOP_TIME};
 
 /// A part of the time since the run started: what bounces take less than is not resolved.
-const SHORT: f64 = 1e-9;
+pub(super) const SHORT: f64 = 1e-9;
 
 /// A system at a state.
 pub(super) struct Instant<'a, M: ContactSystem<N, K>, const N: usize, const K: usize> {
@@ -129,14 +130,14 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         &self,
         v: &mut [M::Scalar; N],
         position: &mut Position<K>,
-        ended: Option<(usize, Rule)>,
+        ended: Option<(usize, Choice<M::Scalar>)>,
     ) -> Result<[Mode; K], StepFailure<M::Scalar>> {
         let (terms, modes) = (self.terms(v), self.system.modes());
         let settled = terms.settle(&modes, position, ended);
         let fits = match &settled {
-            Ok(settled) => {
-                !ended.is_some_and(|(k, rule)| rule == Rule::Absent && is_drawn_in(&terms, settled, k))
-            }
+            Ok(settled) => !ended.is_some_and(|(k, choice)| {
+                choice == Choice::Only(Rule::Absent) && is_drawn_in(&terms, settled, k)
+            }),
             Err(cause) => !matches!(cause, StepFailure::Stuck(_)),
         };
         let is_pressed = array::from_fn(|k| position.is_touching[k] && position.is_still[k]);

@@ -1,12 +1,20 @@
 //! Transitions at the end of a mode.
 
+use super::choice::{Choice, Rule};
+use super::guards::has_event;
 use super::initial_modes::{Position, holds};
 use super::project::{close, correct, halt, part};
-use super::reaction_forces::{Rule, reactions};
-use super::resume::Instant;
-use super::{Contact, ContactSystem, Friction, Mode, Terms};
+use super::reaction_forces::reactions;
+use super::resume::{Instant, SHORT};
+use super::slip::{is_planar, length, present_direction};
+use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
+use crate::linalg::vector::dot;
 use crate::scalar::Number;
 use crate::system::{Action, EventKind, Impact, Reacted, Response, join, split};
+use crate::tolerance::HOP_TIME;
+
+/// Friction without a limit.
+const FREE: Mode = Mode::Friction(Friction::Slips);
 
 /// Applies the declared event of this index to its state: an impact, a contact that opens, or
 /// friction that starts to stick or slips. `None` if the event does not belong to a reaction.
@@ -29,7 +37,7 @@ where
     M: ContactSystem<N, K>,
 {
     let modes = system.modes();
-    let Some(k) = (0..K).find(|k| modes[*k] != Mode::Smooth && system.event_of(*k) == event) else {
+    let Some(k) = (0..K).find(|k| has_event(modes[*k]) && system.event_of(*k) == event) else {
         return Ok(Response::new(Action::Continue));
     };
     let mut held = *y;
@@ -39,10 +47,10 @@ where
     instant.terms(&v).check_limits::<M>(&modes)?;
     match modes[k] {
         Mode::Contact(Contact::Open) => instant.hit(k),
-        Mode::Contact(Contact::Closed) => instant.end(k, Rule::Absent),
+        Mode::Contact(Contact::Closed) => instant.end(k, Choice::Only(Rule::Absent)),
         Mode::Friction(Friction::Sticks) => instant.give_way(k),
         Mode::Friction(_) => instant.stop(k),
-        Mode::Smooth => Ok(Response::new(Action::Continue)),
+        Mode::Across(_) | Mode::Smooth => Ok(Response::new(Action::Continue)),
     }
 }
 
@@ -94,32 +102,44 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         Ok(self.answer(resumed.modes, &resumed.velocities, EventKind::Closed { at, impact: none }))
     }
 
-    /// The force of a closed contact has fallen to zero.
-    fn end(&self, k: usize, rule: Rule) -> Reacted<M> {
+    /// The force of a closed contact has fallen to zero, or friction gives way.
+    fn end(&self, k: usize, choice: Choice<M::Scalar>) -> Reacted<M> {
         let (mut v, terms) = (self.v, self.terms(&self.v));
-        let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, rule)))?;
-        let kind = if rule == Rule::Absent { EventKind::Opened } else { EventKind::Slipped };
+        let settled = self.settle(&mut v, &mut self.held(&terms), Some((k, choice)))?;
+        let kind = if choice == Choice::Only(Rule::Absent) { EventKind::Opened } else { EventKind::Slipped };
         Ok(self.answer(settled, &v, kind))
     }
 
     /// Friction that held has reached its limit: it slips against its force.
     fn give_way(&self, k: usize) -> Reacted<M> {
-        let terms = self.terms(&self.v);
-        let force = reactions(&terms, &self.system.modes())[k];
-        self.end(k, if force < M::Scalar::ZERO { Rule::Forwards } else { Rule::Backwards })
+        let (terms, modes, one) = (self.terms(&self.v), self.system.modes(), M::Scalar::ONE);
+        if is_planar(&modes, k) {
+            return self.end(k, Choice::GiveWay);
+        }
+        let is_forwards = reactions(&terms, &modes)[k] < M::Scalar::ZERO;
+        self.end(k, Choice::Only(Rule::Slips(if is_forwards { one } else { -one })))
     }
 
     /// Slipping has come to its end, or friction has got a limit.
     fn stop(mut self, k: usize) -> Reacted<M> {
         let modes = self.system.modes();
         let terms = self.terms(&self.v);
+        if let Some(turned) = self.turn(k, &terms) {
+            let system = Some(self.system.in_modes(turned));
+            return Ok(Response { system, ..Response::new(Action::Continue) });
+        }
         let mut is_held = modes.map(holds);
-        is_held[k] =
-            modes[k] != Mode::Friction(Friction::Slips) || self.position(&terms, &self.v).is_still[k];
+        is_held[k] = modes[k] != FREE || self.position(&terms, &self.v).is_still[k];
+        for j in (0..K).filter(|&j| is_planar(&modes, j)) {
+            is_held[j] |= is_held[k] && modes[j] != FREE && self.is_stopping(j, &terms);
+            is_held[j + 1] |= is_held[j];
+        }
         halt(&terms, &mut self.v, is_held);
         // What is held may leave nothing else that moves.
         let mut position = self.held(&self.terms(&self.v));
-        position.is_still[k] = is_held[k];
+        for j in (0..K).filter(|&j| is_held[j] && !matches!(modes[j], Mode::Contact(_))) {
+            position.is_still[j] = true;
+        }
         let mut v = self.v;
         let settled = self.settle(&mut v, &mut position, None)?;
         let kind = match (modes[k], settled[k]) {
@@ -129,6 +149,33 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             _ => EventKind::Slipped,
         };
         Ok(self.answer(settled, &v, kind))
+    }
+
+    /// The modes with friction k in its present direction, if it acts in a plane and is not about
+    /// to stop.
+    fn turn(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> Option<[Mode; K]> {
+        let mut modes = self.system.modes();
+        if !is_planar(&modes, k) || modes[k] == FREE || self.is_stopping(k, terms) {
+            return None;
+        }
+        let heading = Heading::new(present_direction(terms.slip(k, true))?);
+        modes[k] = Mode::Friction(Friction::SlipsTowards(heading));
+        Some(modes)
+    }
+
+    /// True if friction k, which acts in a plane, would stop within a time that is not resolved.
+    fn is_stopping(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> bool {
+        let modes = self.system.modes();
+        let forces = reactions(terms, &modes);
+        let (slip, noise) = (terms.slip(k, true), terms.slip_noise(k, self.t, &self.v));
+        if modes[k] == Mode::Friction(Friction::GivesWay) {
+            let advance = -dot(&slip, &[forces[k], forces[k + 1]]);
+            return advance <= noise * length(&[forces[k], forces[k + 1]]);
+        }
+        let instant = HOP_TIME.part::<M::Scalar>() * self.t.abs();
+        let time = (M::Scalar::from_f64(SHORT) * self.elapsed).max(instant);
+        let slowing = [k, k + 1].map(|row| terms.acceleration_under(row, &forces));
+        length(&slip) <= length(&slowing) * time + noise
     }
 
     /// Returns the gaps and rates that are zero, including those that are held at zero.

@@ -40,6 +40,12 @@ messages! {
     slip_without_velocity(name) =
         "the slip velocity of the friction `{name}` does not depend on any velocity";
     nonlinear_slip(name) = "the slip velocity of the friction `{name}` is not linear in the velocities";
+    slip_of_components(name, count) = "the slip velocity of the friction `{name}` has {count} components";
+    SLIP_OF_COMPONENTS_HELP =
+        "write one slip velocity, or `(s1, s2)` along two axes of the plane that bodies share where they touch";
+    smooth_plane(name) = "the smooth friction `{name}` has two slip velocities";
+    SMOOTH_PLANE_HELP =
+        "leave `smooth: …` out, or write a `force` such as `-limit * s / sqrt(norm(s)^2 + width^2)`, which has one force for both directions";
     SLIP_HELP = "write the velocity along which the force acts, such as `dot(x)` or `dot(x) - r * dot(phi)`";
 
     LIMIT = "a friction limit";
@@ -55,7 +61,7 @@ messages! {
         "`{first}` and `{second}` limit the friction of the contact `{contact}` in each direction separately: a diagonal slide decelerates up to √2 times too much";
     FRICTION_IS_HERE = "the other direction is declared here";
     SQUARE_HELP =
-        "choose the first direction along the slide, or silence this warning with `#[allow(deprecated)]` on the struct";
+        "declare one friction with both slip velocities, such as `friction rub = (s1, s2), limit;`: its force keeps within a cone";
 
     STATIC_BELOW_KINETIC = "the static limit is below the kinetic one";
     STATIC_BELOW_KINETIC_HELP =

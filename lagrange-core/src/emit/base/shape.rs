@@ -67,6 +67,8 @@ pub(in crate::emit) enum Touch {
     Contact,
     /// A field that says whether friction sticks.
     Friction,
+    /// The same for friction in a plane, which has two reactions.
+    Planar,
     /// It has none.
     Smooth,
 }
@@ -106,7 +108,12 @@ impl<'a> Shape<'a> {
                 StatementKind::Event(event) => shape.add_event(event),
                 StatementKind::Stabilise(_) => shape.is_stabilised = true,
                 StatementKind::Friction(friction) => {
-                    let touch = if friction.width.is_some() { Touch::Smooth } else { Touch::Friction };
+                    let is_planar = components.get(&friction.slip) == Some(&2);
+                    let touch = match friction.width {
+                        Some(_) => Touch::Smooth,
+                        None if is_planar => Touch::Planar,
+                        None => Touch::Friction,
+                    };
                     shape.touching.push((&friction.name, touch));
                 }
                 StatementKind::Output(name, value) => {
@@ -178,7 +185,8 @@ impl<'a> Shape<'a> {
             Action::Impact(_) => (&event.name, None),
             _ => (&event.name, Some(event.direction)),
         });
-        let friction = self.touching.iter().filter(|(_, touch)| *touch == Touch::Friction);
+        let friction =
+            self.touching.iter().filter(|(_, touch)| matches!(touch, Touch::Friction | Touch::Planar));
         declared.chain(friction.map(|(name, _)| (*name, None))).collect()
     }
 
@@ -188,11 +196,18 @@ impl<'a> Shape<'a> {
         with_mode.map(|(name, _)| *name)
     }
 
-    /// Index of the event by which each reaction changes its mode, if it has one.
+    /// Index of the event by which each contact or friction changes its mode, if it has one.
     pub(in crate::emit) fn events_of_reactions(&self) -> Vec<Option<usize>> {
         let names = self.event_names();
         let event = |(name, _): &(&Name, Touch)| names.iter().position(|(other, _)| other.text == name.text);
         self.touching.iter().map(event).collect()
+    }
+
+    /// The place of each reaction among contacts and frictions: friction in a plane has two.
+    pub(in crate::emit) fn reactions(&self) -> Vec<usize> {
+        let count = |touch: Touch| if touch == Touch::Planar { 2 } else { 1 };
+        let places = self.touching.iter().enumerate();
+        places.flat_map(|(place, (_, touch))| std::iter::repeat_n(place, count(*touch))).collect()
     }
 
     /// True if a product that is emitted on demand is asked for.

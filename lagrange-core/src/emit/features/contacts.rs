@@ -17,7 +17,7 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 
 const REACTIONS: [&str; 2] = [
     "Forces of contacts and friction in the order of their declaration: normal forces along the gradients of the gaps,",
-    "friction forces along those of the slip velocities.",
+    "friction forces along those of the slip velocities, in a plane along both.",
 ];
 const MULTIPLIERS: [&str; 2] = [
     "Multipliers λ of the constraints in the order of their declaration, with the forces of contacts and friction that",
@@ -97,7 +97,9 @@ fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
     let holds = |limit: ExprId| graph.dependencies(limit).intersects(Dependencies::MULTIPLIER);
     let reverses = |kind: &ReactionKind| match *kind {
         ReactionKind::Contact { .. } => false,
-        ReactionKind::Friction { kinetic, fixed } => holds(kinetic) || holds(fixed),
+        ReactionKind::Friction { kinetic, fixed } | ReactionKind::Across { kinetic, fixed } => {
+            holds(kinetic) || holds(fixed)
+        }
         ReactionKind::Smooth { limit, .. } => holds(limit),
     };
     writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
@@ -179,11 +181,11 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
         return TokenStream::new();
     }
     let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
-    let (krate, k) = (shape.krate, length(shape.touching.len()));
+    let (krate, k) = (shape.krate, length(shape.reactions().len()));
     let (nq, nv) = (shape.positions_length(), shape.velocities_length());
     let ArgumentNames { time, positions, velocities, .. } = &members.names;
     let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
-    let names = shape.touching.iter().map(|(name, _)| shape.written(name));
+    let names = shape.reactions().into_iter().map(|place| shape.written(shape.touching[place].0));
     let flags = |name: &str, flags: &[bool]| {
         let name = format_ident!("{name}");
         flags.contains(&true).then(|| quote!(const #name: [::core::primitive::bool; #k] = [#(#flags),*];))
@@ -213,17 +215,23 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
 
 /// Members that read modes from the fields, and a copy with others.
 fn mode_members(shape: &Shape<'_>) -> TokenStream {
-    let (krate, other, k) = (shape.krate, local("modes"), length(shape.touching.len()));
-    let modes = shape.touching.iter().map(|(name, touch)| {
+    let reactions = shape.reactions();
+    let (krate, other, k) = (shape.krate, local("modes"), length(reactions.len()));
+    let modes = reactions.iter().enumerate().map(|(k, &place)| {
+        let (name, touch) = shape.touching[place];
         let field = identifier(name);
-        match mode_type(*touch) {
+        match mode_type(touch) {
+            Some(_) if k > 0 && reactions[k - 1] == place => {
+                quote!(#krate::contact::Mode::Across(self.#field))
+            }
             Some(of_type) => quote!(#krate::contact::Mode::#of_type(self.#field)),
             None => quote!(#krate::contact::Mode::Smooth),
         }
     });
     let fields = shape.number_identifiers();
-    let switched = shape.touching.iter().enumerate().filter_map(|(k, (name, touch))| {
-        let (field, of_type, k) = (identifier(name), mode_type(*touch)?, length(k));
+    let first = |place: usize| reactions.iter().position(|&other| other == place);
+    let switched = shape.touching.iter().enumerate().filter_map(|(place, (name, touch))| {
+        let (field, of_type, k) = (identifier(name), mode_type(*touch)?, length(first(place)?));
         Some(quote! {
             #field: match #other[#k] {
                 #krate::contact::Mode::#of_type(mode) => mode,
@@ -248,8 +256,9 @@ fn mode_members(shape: &Shape<'_>) -> TokenStream {
 /// Member that tells which event switches the mode of a reaction.
 fn event_of(shape: &Shape<'_>) -> TokenStream {
     let events = shape.events_of_reactions();
-    let events = events.iter().enumerate().filter_map(|(k, event)| {
-        let (k, event) = (length(k), length((*event)?));
+    let reactions = shape.reactions().into_iter().enumerate();
+    let events = reactions.filter_map(|(k, place)| {
+        let (k, event) = (length(k), length(events[place]?));
         Some(quote!(#k => #event,))
     });
     quote! {
@@ -267,7 +276,7 @@ fn event_of(shape: &Shape<'_>) -> TokenStream {
 fn mode_type(touch: Touch) -> Option<Ident> {
     match touch {
         Touch::Contact => Some(local("Contact")),
-        Touch::Friction => Some(local("Friction")),
+        Touch::Friction | Touch::Planar => Some(local("Friction")),
         Touch::Smooth => None,
     }
 }

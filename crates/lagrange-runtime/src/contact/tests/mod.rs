@@ -1,5 +1,6 @@
 //! Contacts, impacts and friction on systems that are written by hand.
 
+mod cone;
 mod friction;
 mod impacts;
 mod lemke;

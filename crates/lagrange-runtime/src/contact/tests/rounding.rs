@@ -2,10 +2,10 @@
 //! smaller or larger.
 
 use super::systems::{Ball, nothing};
-use crate::contact::choice::Choice;
+use crate::contact::choice::{Choice, Rule};
 use crate::contact::initial_modes::Position;
 use crate::contact::project::{close, part};
-use crate::contact::reaction_forces::{Balance, Rule};
+use crate::contact::reaction_forces::Balance;
 use crate::contact::resume::Instant;
 use crate::contact::{ContactSystem, Terms};
 

@@ -1,0 +1,52 @@
+//! Directions of slipping.
+
+use core::fmt::{self, Debug, Formatter};
+
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+
+/// Binary digits of a component.
+const DIGITS: u32 = 53;
+
+/// A direction in the plane of two slip velocities: the direction in which friction starts to slip
+/// from rest, and from which a slip velocity that reaches zero is told from one that turns.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Heading {
+    /// The bits of both components, so that modes can be compared and hashed.
+    bits: [u64; 2],
+}
+
+impl Heading {
+    /// The direction of this vector, whose length is about one.
+    pub fn new<S: Scalar>(components: [S; 2]) -> Self {
+        Heading { bits: components.map(|component| rounded(component).to_bits()) }
+    }
+
+    /// A vector of length one.
+    pub fn components<S: Scalar>(self) -> [S; 2] {
+        let components = self.bits.map(|bits| S::from_f64(f64::from_bits(bits)));
+        let length = dot(&components, &components).sqrt();
+        components.map(|component| component / length)
+    }
+}
+
+impl Debug for Heading {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries(self.bits.map(f64::from_bits)).finish()
+    }
+}
+
+/// A number between −1 and 1 cut off after so many binary digits; numbers of any type can be
+/// compared, and need not be convertible.
+fn rounded<S: Scalar>(value: S) -> f64 {
+    let is_negative = value < S::ZERO;
+    let mut left = if is_negative { -value } else { value };
+    let (mut found, mut digit) = (0.0, 1.0);
+    for _ in 0..DIGITS {
+        if S::from_f64(digit) <= left {
+            (found, left) = (found + digit, left - S::from_f64(digit));
+        }
+        digit *= 0.5;
+    }
+    if is_negative { -found } else { found }
+}

@@ -1,0 +1,54 @@
+//! Slip velocities of friction along a line and in a plane.
+
+use super::{Friction, Mode, Terms};
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+
+impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
+    /// The direction in which friction k slips, if it has one.
+    ///
+    /// In a plane it is that of the slip velocity on this side of zero, and on the other side its
+    /// opposite, so that a slip velocity that falls through zero continues smoothly up to the event
+    /// that ends it there.
+    pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
+        let heading = match friction {
+            Friction::Slips => return present_direction(self.slip(k, is_planar)),
+            Friction::SlipsForwards | Friction::GivesWay | Friction::Sticks => [S::ONE, S::ZERO],
+            Friction::SlipsBackwards => [-S::ONE, S::ZERO],
+            Friction::SlipsTowards(heading) => heading.components(),
+        };
+        if !is_planar {
+            return Some(heading);
+        }
+        let slip = self.slip(k, true);
+        let is_reversed = dot(&slip, &heading) < S::ZERO;
+        present_direction(if is_reversed { slip.map(|component| -component) } else { slip }).or(Some(heading))
+    }
+
+    /// The slip velocity of friction k; its second component is zero unless it acts in a plane.
+    pub(super) fn slip(&self, k: usize, is_planar: bool) -> [S; 2] {
+        [self.rates[k], if is_planar { self.rates[k + 1] } else { S::ZERO }]
+    }
+}
+
+/// True if friction k acts in a plane: the reaction behind it is its second component.
+pub(super) fn is_planar<const K: usize>(modes: &[Mode; K], k: usize) -> bool {
+    matches!(modes.get(k + 1), Some(Mode::Across(_)))
+}
+
+/// The direction of a slip velocity, unless it is zero.
+pub(super) fn present_direction<S: Scalar>(slip: [S; 2]) -> Option<[S; 2]> {
+    let length = length(&slip);
+    (length > S::ZERO).then(|| slip.map(|component| component / length))
+}
+
+/// √(x² + y²), which does not overflow.
+pub(super) fn length<S: Scalar>(vector: &[S; 2]) -> S {
+    let [x, y] = vector.map(|component| component.abs());
+    let (larger, smaller) = if y > x { (y, x) } else { (x, y) };
+    if smaller == S::ZERO {
+        return larger;
+    }
+    let ratio = smaller / larger;
+    larger * (S::ONE + ratio * ratio).sqrt()
+}

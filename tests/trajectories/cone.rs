@@ -1,0 +1,257 @@
+//! Friction in a plane, beside closed forms, a regularised reference and its own law.
+//!
+//! `cargo test --release -p lagrange-trajectories-tests --test cone` runs it.
+#![cfg(any(not(debug_assertions), clippy))]
+
+use lagrange::Simulate;
+use lagrange::contact::{EventKind, Friction};
+use lagrange::integrate::{Radau5, RungeKutta4};
+
+lagrange::system! {
+    /// A puck on a table.
+    #[derive(Clone, Debug)]
+    struct Puck<S>;
+
+    param mu = 0.5, g = 9.81, wind = 0;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    force y = wind * t;
+    friction rub = dot((x, y)), kinetic: mu * g, static: 1.2 * mu * g;
+    output grip = rub;
+}
+
+lagrange::system! {
+    /// A block on a slope, x downhill.
+    #[derive(Clone, Debug)]
+    struct Slope;
+
+    param mu = 0.5, angle = 0.4, g = 9.81;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    potential = -g * sin(angle) * x;
+    friction rub = dot((x, y)), mu * g * cos(angle);
+}
+
+lagrange::system! {
+    /// A ball above a floor.
+    #[derive(Clone, Debug)]
+    struct Ball;
+
+    param mu = 0.3, e = 0, r = 0.1;
+    gravity = (0, 0, -9.81);
+    body b { mass: 1; shape: solid_sphere(r); }
+    free b;
+    let slip = velocity(b) + cross(angular_velocity(b), (0, 0, -r));
+    event floor = b.origin.z - r, falling => impact(e);
+    friction rub = (slip.x, slip.y), mu * floor;
+}
+
+lagrange::system! {
+    /// A box above a floor that its corners touch.
+    #[derive(Clone, Debug)]
+    struct Cuboid;
+
+    param mu = 0.5, e = 0;
+    const x[8] = [0.2, 0.2, 0.2, 0.2, -0.2, -0.2, -0.2, -0.2];
+    const y[8] = [0.15, 0.15, -0.15, -0.15, 0.15, 0.15, -0.15, -0.15];
+    const z[8] = [0.1, -0.1, 0.1, -0.1, 0.1, -0.1, 0.1, -0.1];
+    gravity = (0, 0, -9.81);
+    body b { mass: 1; shape: cuboid(0.4, 0.3, 0.2); }
+    free b;
+    for i in 0..8 {
+        let corner[i] = b.point(x[i], y[i], z[i]);
+        event floor[i] = corner[i].z, falling => impact(e);
+        friction rub[i] = (dot(corner[i]).x, dot(corner[i]).y), mu * floor[i];
+    }
+}
+
+/// Declares a plate on feet with these places, seen from above.
+macro_rules! plate {
+    ($name:ident, $count:literal, $x:tt, $y:tt) => {
+        lagrange::system! {
+            #[derive(Clone, Debug)]
+            struct $name;
+
+            const feet_x[$count] = $x, feet_y[$count] = $y;
+            coord x, y, phi;
+            kinetic = 1/2 * (dot(x)^2 + dot(y)^2) + 0.01 * dot(phi)^2;
+            for i in 0..$count {
+                let foot[i] = (x + feet_x[i] * cos(phi) - feet_y[i] * sin(phi),
+                    y + feet_x[i] * sin(phi) + feet_y[i] * cos(phi));
+                friction rub[i] = dot(foot[i]), 1;
+            }
+        }
+    };
+}
+
+plate!(Plate3, 3, [0.2, -0.2, -0.2], [0, 0.1, -0.1]);
+plate!(Plate4, 4, [0.2, -0.2, 0.2, -0.2], [0.15, 0.15, -0.15, -0.15]);
+plate!(Plate5, 5, [0.2, -0.2, 0.2, -0.2, 0], [0.15, 0.15, -0.15, -0.15, 0]);
+
+const G: f64 = 9.81;
+
+fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], tolerance: f64) {
+    for (found, wanted) in found.into_iter().zip(wanted) {
+        assert!((found - wanted).abs() <= tolerance, "{found} instead of {wanted}");
+    }
+}
+
+/// A state of a free body: place, orientation about the vertical, velocities.
+fn flat(height: f64, v: [f64; 3], omega: [f64; 3]) -> [f64; 13] {
+    let [a, b, c] = v;
+    let [p, q, r] = omega;
+    [0.0, 0.0, height, 1.0, 0.0, 0.0, 0.0, a, b, c, p, q, r]
+}
+
+/// |v|²/2μg in the direction of v: the square of separate limits would stop it after half of that.
+#[test]
+fn a_puck_stops_in_a_straight_line() {
+    let wanted = [1.0, 1.0].map(|v| v * 2_f64.sqrt() / (2.0 * 0.5 * G));
+    let puck = Puck::default();
+    let start = [0.0, 0.0, 1.0, 1.0];
+    let runs = [
+        puck.simulate(start).until(1.0).tolerance(1e-12).run(),
+        puck.simulate(start).until(1.0).method(RungeKutta4 { step: 0.01 }).run(),
+        puck.simulate(start).until(1.0).method(Radau5::tolerance(1e-12)).run(),
+    ];
+    for run in runs {
+        let run = run.expect("stops");
+        let [x, y, vx, vy] = run.last();
+        assert_near([x, y], wanted, 1e-12);
+        assert_near([vx, vy], [0.0; 2], 1e-14);
+        let [event] = run.events() else { panic!("{:?}", run.events()) };
+        assert_eq!(event.kind, EventKind::Stuck);
+        assert_eq!(run.system_at_end().expect("stopped").rub, Friction::Sticks);
+    }
+    let single: Puck<f32> = Puck { mu: 0.5, g: 9.81, wind: 0.0, ..Puck::default() };
+    let run = single.simulate([0.0, 0.0, 1.0, 1.0]).until(1.0).run().expect("stops");
+    let [x, y, ..] = run.last().map(f64::from);
+    assert_near([x, y], wanted, 1e-6);
+}
+
+/// It starts where the force reaches the static limit, and slides with the kinetic one.
+#[test]
+fn a_puck_starts_at_its_static_limit() {
+    let puck = Puck { wind: 2.0, ..Puck::default() };
+    let run = puck.simulate([0.0; 4]).until(5.0).tolerance(1e-12).run().expect("starts");
+    let starts = 1.2 * 0.5 * G / 2.0;
+    assert!((run.events()[0].time - starts).abs() < 1e-11, "{:?}", run.events());
+    let wanted = 25.0 - starts * starts - 0.5 * G * (5.0 - starts);
+    let [x, _, vx, vy] = run.last();
+    assert_near([x, vx, vy], [0.0, 0.0, wanted], 1e-8);
+    assert_near(puck.grip(1.0, &[0.0; 2], &[0.3, -0.4]), [-0.3 * G, 0.4 * G], 1e-12);
+}
+
+/// With θ between the velocity and downhill, v sin θ tan(θ/2)^−k is constant, k = μ/tan α.
+#[test]
+fn a_block_pushed_across_a_slope_curves_downhill() {
+    for ratio in [0.6, 0.9] {
+        let slope = Slope { mu: ratio * 0.4_f64.tan(), ..Slope::default() };
+        let run = slope.simulate([0.0, 0.0, 0.0, 2.0]).until(3.0).tolerance(1e-12).run().expect("slides");
+        assert!(run.events().is_empty(), "{:?}", run.events());
+        let mut steepest = 0.0_f64;
+        for state in run.states() {
+            let [_, _, down, across] = state;
+            let (speed, half) = (down.hypot(across), 0.5 * across.atan2(down));
+            let constant = speed * (2.0 * half).sin() / half.tan().powf(ratio);
+            assert!((constant - 2.0).abs() < 1e-9, "{constant} at {half}");
+            steepest = steepest.max(down / across);
+        }
+        assert!(steepest > 2.0, "{steepest}");
+    }
+    let rough = Slope { mu: 1.3 * 0.4_f64.tan(), ..Slope::default() };
+    let run = rough.simulate([0.0, 0.0, 0.0, 2.0]).until(3.0).tolerance(1e-12).run().expect("stops");
+    assert_eq!(run.system_at_end().expect("stopped").rub, Friction::Sticks);
+}
+
+/// Slip (2, 1.5) falls by 7/2 μg in a constant direction, then the ball rolls.
+#[test]
+fn a_ball_slides_along_a_parabola_until_it_rolls() {
+    let (mu, stop) = (0.3, 2.5 / (3.5 * 0.3 * G));
+    let start = flat(0.1, [2.0, 0.0, 0.0], [15.0, 0.0, 3.0]);
+    let run = Ball::default().simulate(start).until(2.0).tolerance(1e-12).run().expect("rolls");
+    let [event] = run.events() else { panic!("{:?}", run.events()) };
+    assert!((event.time - stop).abs() < 1e-11 && event.kind == EventKind::Stuck);
+    let slowing = [0.8, 0.6].map(|part| mu * G * part);
+    let [vx, vy] = [2.0 - slowing[0] * stop, -slowing[1] * stop];
+    let x = 2.0 * stop - 0.5 * slowing[0] * stop * stop + vx * (2.0 - stop);
+    let y = -0.5 * slowing[1] * stop * stop + vy * (2.0 - stop);
+    let last = run.last();
+    assert_near([last[0], last[1], last[7], last[8]], [x, y, vx, vy], 1e-10);
+    let straight = Ball::default().simulate(flat(0.1, [3.0, 0.0, 0.0], [0.0; 3])).until(2.0).run();
+    assert!((straight.expect("rolls").last()[7] - 15.0 / 7.0).abs() < 1e-9);
+}
+
+/// An impact changes the slip by 7/2 of the impulse per mass: it stops it, or takes μ(1 + e) of the
+/// speed of approach.
+#[test]
+fn a_ball_thrown_with_spin_leaves_by_the_law_of_impact() {
+    for (mu, e) in [(0.05, 0.6), (0.6, 0.6), (0.1, 1.0), (0.3, 0.2)] {
+        let ball = Ball { mu, e, ..Ball::default() };
+        let start = flat(0.5, [2.0, 0.5, 1.0], [15.0, 0.0, 3.0]);
+        let run = ball.simulate(start).until(0.45).tolerance(1e-12).run().expect("bounces");
+        let hit = run.events().first().expect("an impact");
+        let EventKind::Impact(impact) = hit.kind else { panic!("{:?}", hit.kind) };
+        let approach = -(1.0 - G * hit.time);
+        assert!((impact.impulse - (1.0 + e) * approach).abs() < 1e-10);
+        let slip = [2.0_f64, 0.5 + 1.5];
+        let size = slip[0].hypot(slip[1]);
+        let change = (mu * (1.0 + e) * approach).min(2.0 / 7.0 * size);
+        let wanted = [2.0, 0.5].into_iter().zip(slip).map(|(v, part)| v - change * part / size);
+        let wanted: Vec<f64> = wanted.collect();
+        let last = run.last();
+        assert_near([last[7], last[8]], [wanted[0], wanted[1]], 1e-10);
+    }
+}
+
+/// v²/2μg, and for the spin μ m g times the distance of the corners against the moment of inertia.
+#[test]
+fn a_box_on_its_face_stops_as_a_puck_does() {
+    let stop = |start: [f64; 13]| {
+        let run = Cuboid::default().simulate(start).until(1.0).tolerance(1e-11).run().expect("stops");
+        let last = run.last();
+        assert!(last[7..].iter().all(|v| v.abs() < 1e-12), "{last:?}");
+        [last[0], last[1], last[2], 2.0 * last[6].atan2(last[3])]
+    };
+    let part = 1.0 / (2.0 * 0.5 * G);
+    let diagonal = stop(flat(0.1, [1.0, 1.0, 0.0], [0.0; 3]));
+    assert_near(diagonal, [2_f64.sqrt() * part, 2_f64.sqrt() * part, 0.1, 0.0], 1e-9);
+    assert_near(stop(flat(0.1, [1.0, 0.0, 0.0], [0.0; 3])), [part, 0.0, 0.1, 0.0], 1e-9);
+    let angle = 25.0 * (0.16 + 0.09) / 12.0 * part / 0.25;
+    assert_near(stop(flat(0.1, [0.0; 3], [0.0, 0.0, 5.0])), [0.0, 0.0, 0.1, angle], 1e-9);
+}
+
+/// `tools/plates.py` integrates the same with regularised friction.
+#[test]
+fn plates_come_to_rest_where_a_regularised_reference_does() {
+    const STARTS: [[f64; 6]; 3] =
+        [[0.0, 0.0, 0.0, 0.0, 0.0, 5.0], [0.0, 0.0, 0.0, 1.0, 0.3, 5.0], [0.0, 0.0, 0.3, 1.0, 1.0, 0.0]];
+    macro_rules! end {
+        ($plate:expr, $start:expr) => {
+            $plate.simulate($start).until(1.0).tolerance(1e-11).run().expect("comes to rest").last()
+        };
+    }
+    let mut rows = 0;
+    for line in include_str!("plates.csv").lines().skip(1) {
+        let values: Vec<f64> = line.split(',').map(|value| value.parse().expect("a number")).collect();
+        let start = STARTS[values[1] as usize];
+        let end = match values[0] as usize {
+            3 => end!(Plate3::default(), start),
+            4 => end!(Plate4::default(), start),
+            _ => end!(Plate5::default(), start),
+        };
+        assert_near([end[0], end[1], end[2]], [values[2], values[3], values[4]], 1e-8);
+        assert!(end[3..].iter().all(|v| v.abs() < 1e-12), "{end:?}");
+        rows += 1;
+    }
+    assert_eq!(rows, 9);
+}
+
+#[test]
+fn what_rests_stays() {
+    let still = Cuboid { e: 0.3, ..Cuboid::default() };
+    let run = still.simulate(flat(0.1, [0.0; 3], [0.0; 3])).until(100.0).run().expect("rests");
+    assert!(run.events().is_empty());
+    let last = run.last();
+    assert_near([last[0], last[1], last[2], last[3]], [0.0, 0.0, 0.1, 1.0], 1e-14);
+}
