@@ -37,13 +37,14 @@
 //!   impulse there and the energy that was lost in all.
 //! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
 //!   between impulses. Without restitution there always are impulses that obey it; in a plane the
-//!   search for them is bounded, and gives up one of a thousand random wedges. Restitution is reduced
-//!   where it would create energy or leave none.
+//!   search for them is bounded, and gives up one of a thousand random wedges. Restitution is
+//!   reduced where it would create energy or leave none.
 //! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
 //!   10⁻⁹ of the time, those of several contacts that are hit in turn as well: the contacts close,
 //!   and [`EventKind::Closed`] tells when the last bounce ends.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the
-//!   shortest that fit.
+//!   shortest that fit. On more points than carry, they may pull at one point, or exceed the limit
+//!   of friction that holds there, although forces within all limits exist; no event ends that.
 //! - **Sliding on more points than carry** is not determined by the law, nor is the motion: the
 //!   shortest forces that fit are taken.
 //! - **Friction in a plane changes its direction** by any angle while it slips. It comes to its end

@@ -2,7 +2,7 @@
 
 use super::{Friction, Mode, Terms};
 use crate::linalg::vector::dot;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// The direction in which friction k slips, if it has one.
@@ -44,7 +44,7 @@ pub(super) fn present_direction<S: Scalar>(slip: [S; 2]) -> Option<[S; 2]> {
 
 /// √(x² + y²), which does not overflow.
 pub(super) fn length<S: Scalar>(vector: &[S; 2]) -> S {
-    let [x, y] = vector.map(|component| component.abs());
+    let [x, y] = vector.map(Number::abs);
     let (larger, smaller) = if y > x { (y, x) } else { (x, y) };
     if smaller == S::ZERO {
         return larger;
