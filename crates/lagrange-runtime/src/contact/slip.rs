@@ -7,9 +7,8 @@ use crate::scalar::{Number, Scalar};
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// The direction in which friction k slips, if it has one.
     ///
-    /// In a plane it is that of the slip velocity on this side of zero, and on the other side its
-    /// opposite, so that a slip velocity that falls through zero continues smoothly up to the event
-    /// that ends it there.
+    /// In a plane it is that of the slip velocity, and beyond zero its opposite. A slip velocity
+    /// that falls through zero then continues smoothly up to the event that ends it there.
     pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
         let heading = match friction {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
