@@ -44,6 +44,10 @@ lagrange::system! {
     let slip = velocity(b) + cross(angular_velocity(b), (0, 0, -r));
     event floor = b.origin.z - r, falling => impact(e);
     friction rub = (slip.x, slip.y), mu * floor;
+    output height = b.origin.z - r;
+    output load = floor;
+    output grip = rub;
+    output drift = (slip.x, slip.y);
 }
 
 lagrange::system! {
@@ -254,4 +258,43 @@ fn what_rests_stays() {
     assert!(run.events().is_empty());
     let last = run.last();
     assert_near([last[0], last[1], last[2], last[3]], [0.0, 0.0, 0.1, 1.0], 1e-14);
+}
+
+struct Random(u64);
+
+impl Random {
+    fn within(&mut self, from: f64, to: f64) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        from + (to - from) * (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// The floor presses, is not passed, its friction is in the cone and against the slip, and energy
+/// falls.
+#[test]
+fn balls_thrown_at_random_obey_the_law() {
+    let mut random = Random(30);
+    for case in 0..200 {
+        let ball = Ball { mu: random.within(0.02, 1.0), e: random.within(0.0, 0.9), ..Ball::default() };
+        let v = std::array::from_fn(|_| random.within(-2.0, 2.0));
+        let omega = std::array::from_fn(|_| random.within(-20.0, 20.0));
+        let start = flat(random.within(0.1, 0.6), v, omega);
+        let run = ball.simulate(start).until(4.0).tolerance(1e-10).energy().outputs().run();
+        let run = run.unwrap_or_else(|error| panic!("{error} in case {case}"));
+        let column = |name: &str| run.column(name).unwrap_or_else(|| panic!("no column {name}"));
+        let energies = column("energy");
+        for pair in energies.windows(2) {
+            assert!(pair[1] - pair[0] < 1e-9 * energies[0], "energy {pair:?} in case {case}");
+        }
+        let (height, load) = (column("height"), column("load"));
+        let [grip_x, grip_y] = ["grip.x", "grip.y"].map(column);
+        let [slip_x, slip_y] = ["drift.x", "drift.y"].map(column);
+        for row in 0..energies.len() {
+            let (load, power) = (load[row], grip_x[row] * slip_x[row] + grip_y[row] * slip_y[row]);
+            let (size, speed) = (grip_x[row].hypot(grip_y[row]), slip_x[row].hypot(slip_y[row]));
+            let is_against = speed < 1e-5 || (power + ball.mu * load * speed).abs() < 1e-7 * speed;
+            let holds = height[row] > -1e-9 && load >= 0.0 && size <= ball.mu * load + 1e-7;
+            assert!(holds && is_against, "{load} {size} {speed} {power} at row {row} of case {case}");
+        }
+    }
 }

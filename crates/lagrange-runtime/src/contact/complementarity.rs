@@ -130,7 +130,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 
     /// The first reaction that contradicts its rule by more than so many roundings, and the rules
-    /// to try instead, the second of them for a second component.
+    /// to try instead. The second is for a second component.
     fn contradiction(
         &self,
         choices: &[Choice<S>; K],

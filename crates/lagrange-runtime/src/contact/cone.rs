@@ -1,7 +1,7 @@
 //! The law of contacts and friction as an equation, solved by Newton's method.
 //!
-//! With reactions r and rates measured so that a reaction changes its own rate by one, each
-//! reaction of the law is what its *target* makes of d = r − rate:
+//! Reactions r and rates are measured so that a reaction changes its own rate by one. Each reaction
+//! of the law is what its *target* makes of d = r − rate:
 //!
 //! ```text
 //! contact:   r = max(d, 0)
@@ -9,13 +9,13 @@
 //!            r = kinetic limit·d/|d| beyond: it slips against its force
 //! ```
 //!
-//! In a plane r, rate and d have two components, and the limit is the radius of a disk: the section
-//! of Coulomb's cone where the limit is μ times a normal force. Friction along a line is the same
-//! with one component. Limits are affine in the reactions, with max(d, 0) for those of contacts.
-//! The equation is piecewise smooth: Newton's method takes the derivative of the piece at hand and
-//! halves its steps until the error falls. Where it does not, the reactions of one contact or
-//! friction after the other are replaced by their targets for some sweeps, and it starts again. Of
-//! undetermined steps it takes the shortest.
+//! In a plane r, rate and d have two components, and the limit is the radius of a disk. It is the
+//! section of Coulomb's cone if the limit is μ times a normal force. Friction along a line is the
+//! same with one component. Limits are affine in the reactions, with max(d, 0) for those of
+//! contacts. The equation is piecewise smooth: Newton's method takes the derivative of the piece at
+//! hand and halves its steps until the error falls. Where it does not, reactions are replaced by
+//! their targets, one after the other for some sweeps. Then it starts again. Of undetermined steps
+//! it takes the shortest.
 //!
 //! Sources: Alart, Curnier, "A mixed formulation for frictional contact problems prone to Newton
 //! like solution methods", *Comput. Methods Appl. Mech. Eng.* 92 (1991) 353–375; Jean, "The
@@ -67,7 +67,7 @@ struct Cone<'a, S, const N: usize, const K: usize> {
 
 /// The piece of the target of a reaction, or of both components of a reaction in a plane.
 #[derive(Clone, Copy)]
-enum Piece<S> {
+enum TargetPiece<S> {
     /// Zero.
     Absent,
     /// d
@@ -86,9 +86,9 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         let mut rules = [Rule::Absent; K];
         for k in (0..K).filter(|&k| choices[k] != Choice::Across) {
             let found = match cone.piece(&forces, k) {
-                Piece::Absent => [Rule::Absent; 2],
-                Piece::Holds => [Rule::Holds; 2],
-                Piece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
+                TargetPiece::Absent => [Rule::Absent; 2],
+                TargetPiece::Holds => [Rule::Holds; 2],
+                TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
             };
             rules[k] = if let Choice::Only(rule) = choices[k] { rule } else { found[0] };
             if cone.is_planar(k) {
@@ -198,42 +198,42 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
 
     fn target(&self, forces: &[S; K], k: usize) -> [S; 2] {
         match self.piece(forces, k) {
-            Piece::Absent => [S::ZERO; 2],
-            Piece::Holds => self.pull(forces, k),
-            Piece::Limited { direction, radius, .. } => direction.map(|component| radius * component),
+            TargetPiece::Absent => [S::ZERO; 2],
+            TargetPiece::Holds => self.pull(forces, k),
+            TargetPiece::Limited { direction, radius, .. } => direction.map(|component| radius * component),
         }
     }
 
-    fn piece(&self, forces: &[S; K], k: usize) -> Piece<S> {
+    fn piece(&self, forces: &[S; K], k: usize) -> TargetPiece<S> {
         let known = |component: S| {
             let limit = self.limit(forces, k, self.balance.limit(k));
-            Piece::Limited { direction: [-component, S::ZERO], radius: limit, turning: S::ZERO }
+            TargetPiece::Limited { direction: [-component, S::ZERO], radius: limit, turning: S::ZERO }
         };
         match self.choices[k] {
-            Choice::Only(Rule::Absent) | Choice::Across => Piece::Absent,
-            Choice::Only(Rule::Holds) => Piece::Holds,
+            Choice::Only(Rule::Absent) | Choice::Across => TargetPiece::Absent,
+            Choice::Only(Rule::Holds) => TargetPiece::Holds,
             Choice::Only(Rule::Slips(component)) => known(component * self.side(forces, k)),
             Choice::Only(Rule::Smooth) => known(S::ONE),
-            Choice::Touch if self.pull(forces, k)[0] > S::ZERO => Piece::Holds,
-            Choice::Touch => Piece::Absent,
+            Choice::Touch if self.pull(forces, k)[0] > S::ZERO => TargetPiece::Holds,
+            Choice::Touch => TargetPiece::Absent,
             Choice::Rest | Choice::GiveWay => self.friction(forces, k),
         }
     }
 
     /// The piece of friction that holds or slips.
-    fn friction(&self, forces: &[S; K], k: usize) -> Piece<S> {
+    fn friction(&self, forces: &[S; K], k: usize) -> TargetPiece<S> {
         let pull = self.pull(forces, k);
         let size = length(&pull);
         let radius = self.limit(forces, k, self.balance.limit(k)).abs();
         let fixed = self.limit(forces, k, self.balance.static_limit(k)).abs().max(radius);
         if self.choices[k] == Choice::Rest && size <= fixed {
-            return Piece::Holds;
+            return TargetPiece::Holds;
         }
         if size == S::ZERO {
-            return Piece::Absent;
+            return TargetPiece::Absent;
         }
         let turning = if self.is_planar(k) { (radius / size).min(S::ONE) } else { S::ZERO };
-        Piece::Limited { direction: pull.map(|component| component / size), radius, turning }
+        TargetPiece::Limited { direction: pull.map(|component| component / size), radius, turning }
     }
 
     /// d
@@ -278,9 +278,9 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     /// Derivative of a component of a target.
     fn slope(&self, forces: &[S; K], k: usize, component: usize) -> [S; K] {
         match self.piece(forces, k) {
-            Piece::Absent => [S::ZERO; K],
-            Piece::Holds => self.pull_slope(k + component),
-            Piece::Limited { direction, turning, .. } => {
+            TargetPiece::Absent => [S::ZERO; K],
+            TargetPiece::Holds => self.pull_slope(k + component),
+            TargetPiece::Limited { direction, turning, .. } => {
                 let mut slope = self.limit_slope(forces, k).map(|slope| direction[component] * slope);
                 for other in (0..2).filter(|_| turning != S::ZERO) {
                     let own = if other == component { S::ONE } else { S::ZERO };

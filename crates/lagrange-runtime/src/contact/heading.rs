@@ -8,8 +8,8 @@ use crate::scalar::Scalar;
 /// Binary digits of a component.
 const DIGITS: u32 = 53;
 
-/// A direction in the plane of two slip velocities: the direction in which friction starts to slip
-/// from rest, and from which a slip velocity that reaches zero is told from one that turns.
+/// A direction in the plane of two slip velocities. It tells a slip velocity that reaches zero from
+/// one that turns.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Heading {
     /// The bits of both components, so that modes can be compared and hashed.

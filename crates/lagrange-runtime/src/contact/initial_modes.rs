@@ -4,7 +4,8 @@ use core::array;
 
 use super::choice::{Choice, Rule};
 use super::guards::nothing;
-use super::reaction_forces::{Balance, reactions};
+use super::reaction_forces::Balance;
+use super::rules::reactions;
 use super::slip::{is_planar, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::constraint::sizes;

@@ -37,18 +37,19 @@
 //!   Newton's cradle. The event of the first contact reports an impact in several contacts, with
 //!   the impulse there and the total energy loss.
 //! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
-//!   between impulses. Without restitution there always are impulses that obey it; in a plane the
+//!   between impulses. Without restitution there always are impulses that obey it. In a plane the
 //!   search for them is bounded, and gives up one of a thousand random wedges. Restitution is
 //!   reduced where it would create energy or leave none.
 //! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
 //!   10⁻⁹ of the time. This includes the bounces of several contacts that are hit in turn. The
 //!   contacts close, and [`EventKind::Closed`] gives the time of the last bounce.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the
-//!   shortest that fit.
+//!   shortest that fit. On more points than carry, they may pull at one point, or exceed the
+//!   limit of friction there. No event ends that, although forces within all limits may exist.
 //! - **Sliding on more points than carry** is not determined by the law, nor is the motion: the
 //!   shortest forces that fit are taken.
 //! - **Friction in a plane changes its direction** by any angle while it slips. It comes to its end
-//!   where its slip velocity reaches zero; friction that would stop within 10⁻⁹ of the time stops
+//!   where its slip velocity reaches zero. Friction that would stop within 10⁻⁹ of the time stops
 //!   with it, and one problem decides for all of it.
 //! - **Slipping in a plane starts along its acceleration.** Friction turns a slip velocity s
 //!   towards its steady direction at the rate limit/(m |s|), which no explicit method follows near
@@ -74,6 +75,7 @@ mod project;
 mod reaction_forces;
 mod restitution;
 mod resume;
+mod rules;
 mod slip;
 #[cfg(test)]
 mod tests;
@@ -83,7 +85,7 @@ pub use self::guards::{event_values, switch_values};
 pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::project::correct;
-pub use self::reaction_forces::reactions;
+pub use self::rules::reactions;
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 

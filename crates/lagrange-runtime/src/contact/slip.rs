@@ -2,14 +2,13 @@
 
 use super::{Friction, Mode, Terms};
 use crate::linalg::vector::dot;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// The direction in which friction k slips, if it has one.
     ///
-    /// In a plane it is that of the slip velocity on this side of zero, and on the other side its
-    /// opposite, so that a slip velocity that falls through zero continues smoothly up to the event
-    /// that ends it there.
+    /// In a plane it is that of the slip velocity, and beyond zero its opposite. A slip velocity
+    /// that falls through zero then continues smoothly up to the event that ends it there.
     pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
         let heading = match friction {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
@@ -44,7 +43,7 @@ pub(super) fn present_direction<S: Scalar>(slip: [S; 2]) -> Option<[S; 2]> {
 
 /// √(x² + y²), which does not overflow.
 pub(super) fn length<S: Scalar>(vector: &[S; 2]) -> S {
-    let [x, y] = vector.map(|component| component.abs());
+    let [x, y] = vector.map(Number::abs);
     let (larger, smaller) = if y > x { (y, x) } else { (x, y) };
     if smaller == S::ZERO {
         return larger;

@@ -67,7 +67,7 @@ pub(in crate::emit) enum Touch {
     Contact,
     /// A field that says whether friction sticks.
     Friction,
-    /// The same for friction in a plane, which has two reactions.
+    /// A field that says whether friction in a plane sticks, which has two reactions.
     Planar,
     /// It has none.
     Smooth,
