@@ -41,12 +41,12 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 }
 
-/// The reactions of a system in these modes: none of open contacts, forces that keep gaps closed
-/// and slip velocities zero, and friction at its kinetic limit against the slip. NaN if there are
-/// none.
+/// Computes the reactions of a system in these modes. Open contacts have none. The forces of closed
+/// contacts and sticking friction keep gaps closed and slip velocities zero. Slipping friction is
+/// at its kinetic limit against the slip. NaN if there are no such reactions.
 ///
-/// Of reactions that the motion does not determine, as those of a table on four legs, the shortest
-/// are taken, each measured in the unit in which it changes its own rate.
+/// If the motion does not determine reactions, as those of a table on four legs, the shortest are
+/// taken. Each is measured in the unit in which it changes its own rate.
 pub fn reactions<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
