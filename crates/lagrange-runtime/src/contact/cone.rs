@@ -29,7 +29,7 @@
 //! | step | normal force | d of friction | limit | friction |
 //! |---|---|---|---|---|
 //! | start | 0 | (−3, −4) | ½·10 | (0, 0) |
-//! | it holds, by |d| ≤ 5 | 10 | (−3, −4) | 5 | (−3, −4) |
+//! | it holds, by \|d\| ≤ 5 | 10 | (−3, −4) | 5 | (−3, −4) |
 //!
 //! With ¼ the limit is 2½: the force is 2½·(−3, −4)/5 = (−1½, −2), and (1½, 2) accelerates it.
 
