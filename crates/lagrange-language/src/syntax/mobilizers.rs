@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{AstId, ElementaryMotion, Mobilizer, MobilizerKind, Name, Quaternion};
+use super::ast::{AstId, ElementaryMotion, Expression, Mobilizer, MobilizerKind, Name, Quaternion};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages;
@@ -39,7 +39,18 @@ impl Parser<'_> {
             None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", &help, cursor)),
             None => {}
         }
+        joint.axis = joint.axis.filter(|axis| self.is_vector(*axis));
         Ok(joint)
+    }
+
+    /// Returns false, and reports it, if an axis is a letter without a meaning, as in `axis: z;`.
+    fn is_vector(&mut self, axis: AstId) -> bool {
+        let Expression::Name(letter) = self.expressions.get(axis) else { return true };
+        let direction = scenes::direction_of_axis(letter).filter(|_| self.declared(letter).is_none());
+        if let Some(direction) = direction {
+            self.fail_with_help(self.expressions.origin(axis), scenes::AXIS_LETTER, direction);
+        }
+        direction.is_none()
     }
 
     /// `trunk`: three coordinates and an orientation.

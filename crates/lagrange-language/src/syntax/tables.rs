@@ -148,11 +148,12 @@ impl Parser<'_> {
         let (here, word) = (cursor.here(), cursor.ident().map(ToString::to_string));
         let found = ways.into_iter().find(|(name, _)| word.as_deref() == Some(*name));
         let Some((_, way)) = found else {
-            let help = words::ways(label, &names);
-            return Err(match word {
-                Some(word) => self.fail_with_help(here, words::unknown_way(label, &word), help),
-                None => self.fail_with_help(here, messages::expected("a name", cursor.peek()), help),
-            });
+            let help = words::ways_beside(label, &names, word.as_deref().unwrap_or_default());
+            let message = match word {
+                Some(word) => words::unknown_way(label, &word),
+                None => messages::expected("a name", cursor.peek()),
+            };
+            return Err(self.fail_with_help(here, message, help));
         };
         cursor.skip_one();
         Ok(way)

@@ -29,6 +29,8 @@ messages! {
     /// Message for letters that are no order of rotations.
     no_sequence(letters) = "{} is not a sequence of rotations", quoted(letters);
 
+    AXIS_LETTER = "an axis is a vector";
+
     /// Message for a tensor with the wrong number of components.
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
 }
@@ -53,6 +55,16 @@ pub(in crate::syntax) fn beside_a_joint(label: &str) -> Option<&'static str> {
         }
         _ => None,
     }
+}
+
+/// Returns the form of an axis that a letter stands for in other tools.
+pub(in crate::syntax) fn direction_of_axis(letter: &str) -> Option<&'static str> {
+    Some(match letter {
+        "x" | "X" => "write `axis: (1, 0, 0);`, or `axis: (1, 0);` in the plane",
+        "y" | "Y" => "write `axis: (0, 1, 0);`, or `axis: (0, 1);` in the plane",
+        "z" | "Z" => "write `axis: (0, 0, 1);`",
+        _ => return None,
+    })
 }
 
 /// Labels that something may have, in words.

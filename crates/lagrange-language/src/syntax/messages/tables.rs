@@ -37,6 +37,14 @@ pub(in crate::syntax) fn unknown_way(label: &str, word: &str) -> String {
     format!("unknown value {} for `{label}`", quoted(word))
 }
 
+/// Names the way that this word has in other tools, or all ways.
+pub(in crate::syntax) fn ways_beside(label: &str, names: &[&str], word: &str) -> String {
+    match (label, word) {
+        ("interpolation", "cubic" | "spline" | "akima" | "pchip") => "write `interpolation: natural`, a cubic spline, or `interpolation: monotone`, which does not overshoot".to_owned(),
+        _ => ways(label, names),
+    }
+}
+
 /// Ways of which one is to be chosen, in words.
 pub(in crate::syntax) fn ways(label: &str, names: &[&str]) -> String {
     let ways = names.iter().map(|name| format!("`{label}: {name}`")).collect::<Vec<_>>();
