@@ -25,7 +25,8 @@ fn emitted_code_can_call_every_function() {
 
 #[test]
 fn the_description_of_the_language_lists_every_function() {
-    let (_, list) = LANGUAGE.split_once("- Functions: `").expect("a list of functions");
+    let (_, list) = LANGUAGE.split_once("- Functions:").expect("a list of functions");
+    let (_, list) = list.split_once('`').expect("its beginning");
     let (list, _) = list.split_once('`').expect("its end");
     assert_eq!(list.split_whitespace().collect::<BTreeSet<_>>(), of_rows(|row| row.name));
 }
