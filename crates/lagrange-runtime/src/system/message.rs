@@ -113,7 +113,7 @@ pub(crate) fn explain<S: Debug>(
         StepFailure::EventUnresolved { time, spacing, .. } => write!(
             f,
             "the zero of {event} could not be located: times near {time:?} are {spacing:?} apart, too coarse for this \
-            motion; measure time from nearer to the start"
+            motion; measure time from near the start"
         ),
     }
 }
