@@ -10,7 +10,7 @@ pub const BASE_UNITS: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
 pub struct Dimension([Number; 7]);
 
 impl Dimension {
-    /// That of plain numbers and of angles.
+    /// The dimension of plain numbers and of angles.
     pub const NONE: Dimension = Dimension([Number::ZERO; 7]);
 
     /// Creates a dimension from whole exponents of the [`BASE_UNITS`].

@@ -36,7 +36,7 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// That of coherent units.
+    /// The scale of coherent units.
     pub const ONE: Scale = Scale { number: Number::ONE, pi: 0 };
 
     /// True if nothing is scaled.

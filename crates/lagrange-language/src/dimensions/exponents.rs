@@ -22,7 +22,7 @@ pub(super) struct Exponents {
 }
 
 impl Exponents {
-    /// That of plain numbers.
+    /// Returns the exponents of plain numbers.
     pub(super) fn plain() -> Exponents {
         Exponents::from(Dimension::NONE)
     }

@@ -50,7 +50,7 @@ impl Measure {
         Measure { components, ..*self }
     }
 
-    /// That of a product with a scalar, or of two scalars.
+    /// Returns the measure of a product with a scalar, or of two scalars.
     pub(super) fn times(&self, other: &Measure) -> Measure {
         let (vector, scalar) = if other.is_vector { (other, self) } else { (self, other) };
         let product = match scalar.form() {

@@ -19,9 +19,9 @@ pub(super) struct Grounds {
 /// Two dimensions that are equal.
 #[derive(Clone, Debug)]
 pub(super) struct DimensionEquation {
-    /// That of the expression.
+    /// The dimension of the expression.
     pub(super) found: Exponents,
-    /// That which it should have.
+    /// The dimension that it should have.
     pub(super) expected: Exponents,
     /// The expression, to which mistakes are attributed; `None` where a name is declared.
     pub(super) expression: Option<AstId>,

@@ -11,7 +11,7 @@ const SMALLEST: f64 = 1e-6;
 /// The constraint that is violated most in proportion to its scale.
 pub(super) struct Worst<S> {
     pub(super) violation: Violation<S>,
-    /// That proportion; infinite if the residual is not a number.
+    /// The proportion to its scale; infinite if the residual is not a number.
     pub(super) part: S,
 }
 

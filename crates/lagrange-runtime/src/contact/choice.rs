@@ -27,7 +27,7 @@ pub(super) enum Choice<S> {
     Rest,
     /// To slip in a plane, in any direction.
     GiveWay,
-    /// That of the reaction before it, of which it is the second component.
+    /// The choice of the reaction before it, whose second component this is.
     Across,
 }
 

@@ -10,7 +10,7 @@ use crate::system::{Action, OdeSystem, Reacted, Response, StepFailure};
 pub enum Origin {
     /// The declaration's.
     Declared,
-    /// That of the functions given under this index.
+    /// The function given under this index.
     Given(usize),
 }
 

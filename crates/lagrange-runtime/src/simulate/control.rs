@@ -170,7 +170,7 @@ where
         self.present(t, y, |plant| plant.rhs(t, y))
     }
 
-    /// That of the plant with fixed inputs, and difference quotients of what the law adds.
+    /// Returns the Jacobian of the plant with fixed inputs, and difference quotients of the law.
     fn outer_jacobian(&self, t: M::Scalar, y: &M::State) -> Option<StateMatrix<M>> {
         self.present(t, y, |fixed| {
             let mut jacobian = fixed.jacobian(t, y)?;

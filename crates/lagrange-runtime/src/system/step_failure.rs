@@ -27,12 +27,12 @@ pub enum StepFailure<S> {
     },
     /// The step required by the tolerance is lost in the rounding of time.
     StepUnderflow {
-        /// That step.
+        /// The required step.
         step: S,
     },
     /// Steps of the length that was set are lost in the rounding of time.
     StepLost {
-        /// That length.
+        /// The length that was set.
         step: S,
         /// The time, of the way that the run was to go.
         time: S,

@@ -64,7 +64,7 @@ pub enum Undefined<S> {
         /// The velocity of the first pivot that is lost in rounding if velocities are eliminated
         /// with the largest pivots first.
         velocity: Component,
-        /// That pivot.
+        /// The first pivot that is lost.
         pivot: S,
         /// At which time.
         time: S,

@@ -32,8 +32,7 @@ pub(super) struct Acceleration {
     pub(super) origin: Triple,
 }
 
-/// That of a frame whose motion is written in the rates of what the user wrote: ω̇, and Rᵀ (r̈ −
-/// g).
+/// Returns the acceleration of a frame whose motion the user wrote: ω̇, and Rᵀ (r̈ − g).
 pub(super) fn acceleration_by_hand(
     translation: &mut Translation<'_>,
     name: &str,
@@ -174,7 +173,7 @@ pub(super) fn relative(
     relative
 }
 
-/// That of the ground: free fall upwards.
+/// Returns the acceleration of the ground: free fall upwards.
 pub(super) fn acceleration_of_ground(terms: &mut TermWriter<'_>, gravity: Triple) -> Acceleration {
     Acceleration { spin: zero_triple(terms), origin: gravity.map(|component| terms.negative(component)) }
 }

@@ -19,7 +19,7 @@ pub(in crate::bodies) struct Pose {
 }
 
 impl Pose {
-    /// That of the world.
+    /// Returns the pose of the world.
     pub(super) fn at_rest(terms: &mut TermWriter<'_>) -> Pose {
         Pose {
             spin: zero_triple(terms),

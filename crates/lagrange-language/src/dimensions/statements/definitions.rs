@@ -43,7 +43,7 @@ pub(super) fn require_start(
     }
 }
 
-/// That what stands behind a name has its dimension.
+/// Returns the reason why a value behind a name has the dimension of the name.
 pub(super) fn value_of(name: &Name) -> Grounds {
     match &name.unit {
         Some(unit) => Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin },

@@ -16,7 +16,7 @@ const MOST_HALVINGS: u32 = 60;
 pub(super) enum First<S> {
     /// There is none.
     None,
-    /// That of this function at this time.
+    /// The event of this function at this time.
     At(usize, S),
     /// None of this function, which goes on through the zero that it had when the state was
     /// replaced.

@@ -57,7 +57,7 @@ pub struct Splitting<S, Q, const DRIFTS: usize> {
     was_moved: bool,
     /// Parts of the last increment.
     trial: Trial<S, Q>,
-    /// That of the last accepted step.
+    /// Parts of the increment of the last accepted step.
     taken: Trial<S, Q>,
     watch: Watch,
 }
