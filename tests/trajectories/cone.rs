@@ -69,6 +69,28 @@ lagrange::system! {
     }
 }
 
+lagrange::system! {
+    /// A box that stands with four corners on a plane. The plane tilts, at the rate `w` from the
+    /// angle `angle`, downhill in the direction `heading` of the box.
+    #[derive(Clone, Debug)]
+    struct Tilting<S>;
+
+    param mu = 0.5, angle = 0, w = 0.1, heading = 0;
+    const x[4] = [0.2, 0.2, -0.2, -0.2], y[4] = [0.15, -0.15, 0.15, -0.15];
+    let slope = angle + w * t;
+    gravity = (9.81 * cos(heading) * sin(slope), 9.81 * sin(heading) * sin(slope), -9.81 * cos(slope));
+    body b { mass: 1; shape: cuboid(0.4, 0.3, 0.2); }
+    free b;
+    for i in 0..4 {
+        let corner[i] = b.point(x[i], y[i], -0.1);
+        event floor[i] = corner[i].z, falling => impact(0);
+        friction rub[i] = (dot(corner[i]).x, dot(corner[i]).y), mu * floor[i];
+        output load[i] = floor[i];
+        output grip_x[i] = rub[i].x;
+        output grip_y[i] = rub[i].y;
+    }
+}
+
 /// Declares a plate on feet with these places, seen from above.
 macro_rules! plate {
     ($name:ident, $count:literal, $x:tt, $y:tt) => {
@@ -296,5 +318,89 @@ fn balls_thrown_at_random_obey_the_law() {
             let holds = height[row] > -1e-9 && load >= 0.0 && size <= ball.mu * load + 1e-7;
             assert!(holds && is_against, "{load} {size} {speed} {power} at row {row} of case {case}");
         }
+    }
+}
+
+/// The shortest friction forces share the pull evenly, which the corners uphill cannot bear. Others
+/// hold the box until tan = mu, when all corners give way together.
+#[test]
+fn a_box_on_a_tilting_plane_starts_where_no_forces_hold_it() {
+    let start = 0.5_f64.atan() / 0.1;
+    // The box slides with g (sin - mu cos) in the direction of the slope.
+    let rate = |t: f64| (-(0.1 * t).cos() - 0.5 * (0.1 * t).sin()) / 0.1;
+    let place = |t: f64| (-(0.1 * t).sin() + 0.5 * (0.1 * t).cos()) / 0.01;
+    let end = 8.0;
+    let way = G * (place(end) - place(start) - rate(start) * (end - start));
+    for heading in [0.0, 0.3, 1.1, 1.5707963267948966, 2.5, 4.0, 5.9] {
+        let tilting = Tilting { heading, ..Tilting::default() };
+        let run = tilting.simulate(flat(0.1, [0.0; 3], [0.0; 3])).until(end).outputs().run().expect("slides");
+        let [event] = run.events() else { panic!("{heading}: {:?}", run.events()) };
+        assert_eq!(event.kind, EventKind::Slipped);
+        assert!((event.time - start).abs() < 1e-4, "{heading}: {} instead of {start}", event.time);
+        let [x, y, ..] = run.last();
+        assert_near([x, y], [way * heading.cos(), way * heading.sin()], 1e-7);
+        for i in 0..4 {
+            let column = |name: &str| run.column(&format!("{name}[{i}]")).expect("a column");
+            let (load, grip_x, grip_y) = (column("load"), column("grip_x"), column("grip_y"));
+            // At the event itself nothing within the limits holds the box.
+            let away = |row: &usize| (run.times()[*row] - start).abs() > 1e-3;
+            for row in (0..run.len()).filter(away) {
+                let (load, x, y) = (load[row], grip_x[row], grip_y[row]);
+                assert!(load > 0.0 && x.hypot(y) <= 0.5 * load * (1.0 + 1e-6), "{heading}: {load} {x} {y}");
+            }
+        }
+    }
+}
+
+/// Just below the slope at which it starts to slide it stays, whatever its direction.
+#[test]
+fn a_box_rests_on_any_slope_that_is_not_too_steep() {
+    for step in 0..12 {
+        let heading = 0.55 * f64::from(step);
+        let steep = Tilting { heading, angle: 0.499_f64.atan(), w: 0.0, ..Tilting::default() };
+        let run = steep.simulate(flat(0.1, [0.0; 3], [0.0; 3])).until(2.0).run().expect("rests");
+        assert!(run.events().is_empty(), "{heading}: {:?}", run.events());
+        assert_near(run.last(), flat(0.1, [0.0; 3], [0.0; 3]), 1e-12);
+        let single: Tilting<f32> = Tilting {
+            heading: heading as f32,
+            angle: 0.499_f32.atan(),
+            w: 0.0,
+            mu: 0.5,
+            ..Tilting::default()
+        };
+        let run = single.simulate(flat(0.1, [0.0; 3], [0.0; 3]).map(|x| x as f32)).until(2.0).run();
+        let last = run.expect("rests").last().map(f64::from);
+        assert_near(last, flat(0.1, [0.0; 3], [0.0; 3]), 1e-5);
+    }
+}
+
+lagrange::system! {
+    /// A puck that a force pulls which grows slowly and turns.
+    #[derive(Clone, Debug)]
+    struct Pulled;
+
+    param mu = 0.5, g = 9.81, since = 0;
+    coord x, y;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+    force x = t - since;
+    force y = 0.3 * (t - since)^2;
+    friction rub = dot((x, y)), mu * g;
+}
+
+/// Friction turns a slow slip at a rate that falls as the puck speeds up. The explicit method takes
+/// the few steps at its limit, and agrees with the implicit one. Nothing depends on the origin of
+/// time.
+#[test]
+fn what_starts_slowly_while_its_drive_turns_is_not_stiff_for_long() {
+    let pulled = Pulled::default();
+    let run = pulled.simulate([0.0; 4]).until(6.0).tolerance(1e-10).run().expect("starts");
+    assert!(run.len() < 1000, "{} steps", run.len());
+    let implicit =
+        pulled.simulate([0.0; 4]).until(6.0).method(Radau5::tolerance(1e-10)).run().expect("starts");
+    assert_near(run.last(), implicit.last(), 1e-7);
+    for since in [1e3, 1e6, 1e9] {
+        let later = Pulled { since, ..pulled.clone() };
+        let found = later.simulate([0.0; 4]).from(since).until(since + 6.0).tolerance(1e-10).run();
+        assert_near(found.expect("starts").last(), run.last(), 1e-7 + 1e-14 * since);
     }
 }

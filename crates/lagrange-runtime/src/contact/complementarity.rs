@@ -44,12 +44,14 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together, if there are any.
     pub(super) fn settle(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let choices = &self.possible(choices);
-        self.pivot(choices, choices.map(|choice| choice.rule(0))).or_else(|| {
-            match choices.contains(&Choice::Across) {
-                true => self.in_plane(choices),
-                false => self.complement(choices).or_else(|| self.try_all(choices)),
-            }
-        })
+        let held = choices.map(|choice| choice.rule(0));
+        if choices.contains(&Choice::Across) {
+            return self
+                .fitting(choices, held)
+                .or_else(|| self.in_plane(choices))
+                .or_else(|| self.pivot(choices, held));
+        }
+        self.pivot(choices, held).or_else(|| self.complement(choices)).or_else(|| self.try_all(choices))
     }
 
     /// The choices without friction that has no limit, whatever contacts do.
@@ -71,7 +73,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Returns the solution of Newton's method, refined to full accuracy and the shortest forces.
     pub(super) fn in_plane(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let found = self.in_cone(choices)?;
-        self.pivot(choices, found.rules).or(Some(found))
+        self.fitting(choices, found.rules).or(Some(found))
     }
 
     /// Returns the solution of Lemke's method, refined to full accuracy.
@@ -101,6 +103,11 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
         self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED_BY_SEARCH).is_none())
     }
 
+    /// Reactions under these rules if they fit together.
+    fn fitting(&self, choices: &[Choice<S>; K], rules: [Rule<S>; K]) -> Option<Settled<S, K>> {
+        self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED).is_none())
+    }
+
     fn try_all(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let count = |choice: &Choice<S>| choice.count() as u64;
         let combinations =
@@ -114,7 +121,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
                 number /= count(&choice);
                 rule
             });
-            self.under(rules).filter(|settled| self.contradiction(choices, settled, BALANCED).is_none())
+            self.fitting(choices, rules)
         })
     }
 

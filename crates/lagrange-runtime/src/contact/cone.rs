@@ -17,9 +17,14 @@
 //! their targets, one after the other for some sweeps. Then it starts again. Of undetermined steps
 //! it takes the shortest.
 //!
-//! Sources: Alart, Curnier, "A mixed formulation for frictional contact problems prone to Newton
-//! like solution methods", *Comput. Methods Appl. Mech. Eng.* 92 (1991) 353–375; Jean, "The
-//! non-smooth contact dynamics method", *Comput. Methods Appl. Mech. Eng.* 177 (1999) 235–257.
+//! First it is tried near the shortest forces that hold all rates, with the steps of Levenberg and
+//! Marquardt. These find a solution next to the start where there are many.
+//!
+//! Sources: Fan, Yuan, "On the quadratic convergence of the Levenberg–Marquardt method without
+//! nonsingularity assumption", *Computing* 74 (2005) 23–39; Alart, Curnier, "A mixed formulation
+//! for frictional contact problems prone to Newton like solution methods", *Comput. Methods Appl.
+//! Mech. Eng.* 92 (1991) 353–375; Jean, "The non-smooth contact dynamics method", *Comput. Methods
+//! Appl. Mech. Eng.* 177 (1999) 235–257.
 //!
 //! # A block on a floor in numbers
 //!
@@ -38,7 +43,7 @@ use core::array;
 use super::choice::{Choice, Rule, Settled};
 use super::reaction_forces::Balance;
 use super::slip::length;
-use crate::linalg::singular::nearest;
+use crate::linalg::singular::{nearest, regular};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
@@ -46,7 +51,7 @@ use crate::tolerance::BALANCED_BY_SEARCH;
 /// Newton's method is started so often, each time after twice as many sweeps.
 const MOST_STARTS: u32 = 10;
 /// Steps of Newton's method from each start.
-const MOST_STEPS: u32 = 24;
+const MOST_STEPS: u32 = 60;
 /// The part of the root of rounding that is added to the diagonal, so that undetermined steps are
 /// short.
 const DAMPING: f64 = 0.1;
@@ -65,6 +70,16 @@ struct Cone<'a, S, const N: usize, const K: usize> {
     offsets: [S; K],
 }
 
+/// The kind of a step.
+#[derive(Clone, Copy)]
+enum Step {
+    /// Newton's.
+    Newton,
+    /// That of Levenberg and Marquardt, damped by the error. It stays short where reactions are
+    /// all but undetermined.
+    Short,
+}
+
 /// The piece of the target of a reaction, or of both components of a reaction in a plane.
 #[derive(Clone, Copy)]
 enum TargetPiece<S> {
@@ -79,24 +94,12 @@ enum TargetPiece<S> {
 
 impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     /// Rules out of these choices that fit together, and the reactions, if Newton's method finds
-    /// some.
+    /// some. Of undetermined reactions it finds some next to the shortest that hold all rates.
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let cone = Cone::new(self, choices);
-        let forces = cone.solve()?;
-        let mut rules = [Rule::Absent; K];
-        for k in (0..K).filter(|&k| choices[k] != Choice::Across) {
-            let found = match cone.piece(&forces, k) {
-                TargetPiece::Absent => [Rule::Absent; 2],
-                TargetPiece::Holds => [Rule::Holds; 2],
-                TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
-            };
-            rules[k] = if let Choice::Only(rule) = choices[k] { rule } else { found[0] };
-            if cone.is_planar(k) {
-                rules[k + 1] = found[1];
-            }
-        }
-        let reactions = array::from_fn(|k| forces[k] / cone.units[k]);
-        Some(Settled { rules, reactions })
+        let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
+        let start = array::from_fn(|k| shortest[k] * cone.units[k]);
+        Some(cone.settled(&cone.solve(start)?))
     }
 }
 
@@ -115,26 +118,51 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         Cone { balance, choices, units, matrix, offsets }
     }
 
+    /// The rules by which these reactions act.
+    fn settled(&self, forces: &[S; K]) -> Settled<S, K> {
+        let mut rules = [Rule::Absent; K];
+        for k in (0..K).filter(|&k| self.choices[k] != Choice::Across) {
+            let found = match self.piece(forces, k) {
+                TargetPiece::Absent => [Rule::Absent; 2],
+                TargetPiece::Holds => [Rule::Holds; 2],
+                // At its limit, yet held by other forces.
+                _ if self.choices[k] == Choice::Rest && self.is_still(forces, k) => [Rule::Holds; 2],
+                TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
+            };
+            rules[k] = if let Choice::Only(rule) = self.choices[k] { rule } else { found[0] };
+            if self.is_planar(k) {
+                rules[k + 1] = found[1];
+            }
+        }
+        let reactions = array::from_fn(|k| forces[k] / self.units[k]);
+        Settled { rules, reactions }
+    }
+
     fn is_planar(&self, k: usize) -> bool {
         self.choices.get(k + 1) == Some(&Choice::Across)
     }
 
-    /// Reactions that are their targets but for rounding.
-    fn solve(&self) -> Option<[S; K]> {
-        let mut forces = [S::ZERO; K];
-        for start in 0..MOST_STARTS {
+    /// True if the rates of friction k are zero but for rounding.
+    fn is_still(&self, forces: &[S; K], k: usize) -> bool {
+        let rate = |k: usize| self.offsets[k] + dot(&self.matrix[k], forces);
+        let rates = [rate(k), if self.is_planar(k) { rate(k + 1) } else { S::ZERO }];
+        length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(forces)
+    }
+
+    /// Reactions that are their targets but for rounding, near these or from zero on.
+    fn solve(&self, near: [S; K]) -> Option<[S; K]> {
+        let mut forces = near;
+        if self.descend(&mut forces, Step::Short) {
+            return Some(forces);
+        }
+        forces = [S::ZERO; K];
+        (0..MOST_STARTS).find_map(|start| {
             let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
             for _ in 0..1 << start {
                 self.sweep(&mut forces, share);
             }
-            let error = self.descend(&mut forces);
-            let sizes = forces.iter().chain(&self.offsets);
-            let size = sizes.fold(S::ZERO, |size, value| size.max(value.abs()));
-            if error <= BALANCED_BY_SEARCH.part::<S>() * size {
-                return Some(forces);
-            }
-        }
-        None
+            self.descend(&mut forces, Step::Newton).then_some(forces)
+        })
     }
 
     /// Moves one reaction after the other by this share of the way to its target. Half of it ends
@@ -149,32 +177,40 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         }
     }
 
-    /// Goes to the reactions of least error that steps of Newton's method find, and returns that
-    /// error. Where no part of a step makes the error smaller, the next piece may.
-    fn descend(&self, forces: &mut [S; K]) -> S {
+    /// Goes to the reactions of least error that such steps find. Where no part of a step makes the
+    /// error smaller, the next piece may. True if they are their targets but for rounding.
+    fn descend(&self, forces: &mut [S; K], kind: Step) -> bool {
         let mut present = (*forces, size(&self.errors(forces)));
         let mut best = present;
         for _ in 0..MOST_STEPS {
-            if best.1 == S::ZERO {
+            if best.1 <= S::epsilon() * self.scale(&best.0) {
                 break;
             }
-            present = self.stepped(&present);
+            present = self.stepped(&present, kind);
             if present.1 < best.1 {
                 best = present;
             }
         }
         *forces = best.0;
-        best.1
+        best.1 <= BALANCED_BY_SEARCH.part::<S>() * self.scale(forces)
+    }
+
+    /// The largest of these reactions and of the rates without any.
+    fn scale(&self, forces: &[S; K]) -> S {
+        forces.iter().chain(&self.offsets).fold(S::ZERO, |size, value| size.max(value.abs()))
     }
 
     /// The end of the longest part of a step that makes the error smaller, or of the whole step,
     /// and the error there.
-    fn stepped(&self, (forces, error): &([S; K], S)) -> ([S; K], S) {
-        let mut slopes = self.slopes(forces);
-        for (k, row) in slopes.iter_mut().enumerate() {
-            row[k] = row[k] + S::from_f64(DAMPING) * S::epsilon().sqrt();
-        }
-        let step = nearest(&slopes, &self.errors(forces), K);
+    fn stepped(&self, (forces, error): &([S; K], S), kind: Step) -> ([S; K], S) {
+        let (slopes, errors) = (self.slopes(forces), self.errors(forces));
+        let step = match kind {
+            Step::Newton => nearest(&damped(slopes, S::from_f64(DAMPING) * S::epsilon().sqrt()), &errors, K),
+            Step::Short => {
+                let (slopes, errors) = normal(&slopes, &errors);
+                regular(&damped(slopes, *error / self.scale(forces)), &errors)
+            }
+        };
         let reached = |part: S| {
             let end = array::from_fn(|k| step[k].multiply_add(part, forces[k]));
             (end, size(&self.errors(&end)))
@@ -325,4 +361,19 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
 fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
     let square = dot(vector, vector);
     if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
+}
+
+/// A with this added to its diagonal.
+fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
+    for (k, row) in a.iter_mut().enumerate() {
+        row[k] = row[k] + damping;
+    }
+    a
+}
+
+/// The normal equations of A x = b.
+fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> ([[S; K]; K], [S; K]) {
+    let columns: [[S; K]; K] = array::from_fn(|k| array::from_fn(|row| a[row][k]));
+    let matrix = array::from_fn(|k| array::from_fn(|j| dot(&columns[k], &columns[j])));
+    (matrix, array::from_fn(|k| dot(&columns[k], b)))
 }

@@ -2,8 +2,8 @@
 
 use core::array;
 
-use super::choice::Rule;
-use super::reaction_forces::Balance;
+use super::forces::Forces;
+use super::pace::Pace;
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Mode, Terms};
 use crate::constraint::sizes;
@@ -14,6 +14,12 @@ use crate::tolerance::BOUND;
 
 /// Slip velocities in a plane have a direction from this fraction of their terms on.
 const SLOW: f64 = 1e-6;
+/// They have none up to so many times their rounding error.
+const ABOVE_NOISE: f64 = 8.0;
+
+/// Friction that gives way may go back by this part of the speed from which it has a direction. On
+/// redundant supports forces at their limits are known to less than rounding.
+const SLACK: f64 = 1e-3;
 
 /// Friction whose limit is smaller than this does not act.
 pub(super) fn nothing<S: Scalar>() -> S {
@@ -39,23 +45,13 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
 ) -> [S; K] {
-    let rules = terms.rules(modes);
-    let balance = Balance::of_active(terms, &rules.unwrap_or([Rule::Absent; K]));
-    let reactions = rules.map_or([S::NAN; K], |rules| balance.reactions(&rules));
-    let rounding = |k: usize| match balance.response(k) {
-        response if response > S::ZERO => BOUND.part::<S>() * balance.size(k, &reactions) / response,
-        _ => S::ZERO,
-    };
-    let force = |k: usize| match is_planar(modes, k) {
-        true => length(&[reactions[k], reactions[k + 1]]),
-        false => reactions[k].abs(),
-    };
+    let forces = Forces::under(terms, modes);
+    let reactions = &forces.reactions;
     let value = |k: usize| match modes[k] {
         Mode::Contact(Contact::Open) => terms.gaps[k],
-        Mode::Contact(Contact::Closed) => reactions[k] + rounding(k),
-        Mode::Friction(Friction::Sticks) => balance.fixed(k, &reactions) + rounding(k) - force(k),
-        Mode::Friction(Friction::Slips) => nothing::<S>() - balance.fixed(k, &reactions),
-        Mode::Friction(Friction::GivesWay) => match present_direction([reactions[k], reactions[k + 1]]) {
+        Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) => forces.margin(modes, k),
+        Mode::Friction(Friction::Slips) => nothing::<S>() - forces.balance.fixed(k, reactions),
+        Mode::Friction(Friction::GivesWay(_)) => match present_direction([reactions[k], reactions[k + 1]]) {
             Some(direction) => -dot(&terms.slip(k, true), &direction),
             None => S::ZERO,
         },
@@ -92,7 +88,10 @@ pub fn event_values<M, const N: usize, const K: usize>(
         let noise = if is_slipping { terms.slip_noise(k, t, &v) } else { M::Scalar::ZERO };
         let value = found[k] + noise;
         values[system.event_of(k)] = match modes[k] {
-            Mode::Friction(Friction::GivesWay) => value.min(terms.left_of_start(k, t, &v)),
+            Mode::Friction(Friction::GivesWay(pace)) => {
+                let slack = M::Scalar::from_f64(SLACK) * pace.value::<M::Scalar>();
+                (value + slack).min(terms.left_of_start(k, pace))
+            }
             _ => value,
         };
     }
@@ -105,17 +104,22 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     }
 
     /// Returns the size of the terms of slip velocity k: from the velocities, and from
-    /// accelerations in the elapsed time.
-    fn slip_terms(&self, k: usize, t: S, v: &[S; N]) -> S {
-        self.size_of(k, &sizes(v)) + self.acceleration_of(k) * t.abs()
+    /// accelerations in this time.
+    fn slip_terms(&self, k: usize, time: S, v: &[S; N]) -> S {
+        self.size_of(k, &sizes(v)) + self.acceleration_of(k) * time.abs()
     }
 
-    /// The slip velocity at which friction in a plane that gives way has a direction, less the
-    /// present one.
-    fn left_of_start(&self, k: usize, t: S, v: &[S; N]) -> S {
-        let part = S::from_f64(SLOW).max(BOUND.part::<S>());
-        let terms = [k, k + 1].map(|row| self.slip_terms(row, t, v));
-        part * length(&terms) - length(&self.slip(k, true))
+    /// The speed from which friction k in a plane has a direction. It gives way at the time `t`,
+    /// and the time `elapsed` after the run started.
+    pub(super) fn pace(&self, k: usize, [t, elapsed]: [S; 2], v: &[S; N]) -> Pace {
+        let of = |size: &dyn Fn(usize) -> S| length(&[size(k), size(k + 1)]);
+        let slow = S::from_f64(SLOW) * of(&|row| self.slip_terms(row, elapsed, v));
+        Pace::new(slow.max(S::from_f64(ABOVE_NOISE) * of(&|row| self.slip_noise(row, t, v))))
+    }
+
+    /// That speed less the present one.
+    fn left_of_start(&self, k: usize, pace: Pace) -> S {
+        pace.value::<S>() - length(&self.slip(k, true))
     }
 
     /// The slip velocity in the direction of slipping, less half of its size if it may turn.
@@ -127,7 +131,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 let [cos, sin] = heading.components::<S>();
                 x * cos + y * sin
             }
-            Friction::Slips | Friction::SlipsForwards | Friction::GivesWay | Friction::Sticks => x,
+            Friction::Slips | Friction::SlipsForwards | Friction::GivesWay(_) | Friction::Sticks => x,
         };
         if is_planar { along - S::from_f64(0.5) * length(&[x, y]) } else { along }
     }

@@ -3,9 +3,11 @@
 use core::array;
 
 use super::choice::{Choice, Rule};
+use super::forces::Forces;
+use super::forces::reactions;
 use super::guards::nothing;
+use super::pace::Pace;
 use super::reaction_forces::Balance;
-use super::rules::reactions;
 use super::slip::{is_planar, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::constraint::sizes;
@@ -59,6 +61,8 @@ pub(super) struct Position<const K: usize> {
     /// True for each gap at which bodies overlap by more than rounding.
     is_beyond: [bool; K],
     pub(super) is_still: [bool; K],
+    /// Speeds from which friction in a plane that gives way here has a direction.
+    paces: [Pace; K],
 }
 
 impl<const K: usize> Position<K> {
@@ -93,6 +97,10 @@ impl<const K: usize> Position<K> {
             is_touching: array::from_fn(|k| is_contact(k) && terms.gaps[k].abs() <= near[k]),
             is_beyond: array::from_fn(|k| is_contact(k) && terms.gaps[k] < -near[k]),
             is_still: array::from_fn(is_still),
+            paces: array::from_fn(|k| match is_planar(&modes, k) {
+                true => terms.pace(k, [t, elapsed], v),
+                false => Pace::ZERO,
+            }),
         }
     }
 }
@@ -135,6 +143,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         ended: Option<(usize, Choice<S>)>,
     ) -> Result<[Mode; K], StepFailure<S>> {
         let mut choices = [Choice::Only(Rule::Smooth); K];
+        let forces = Forces::under(self, modes);
+        let is_giving_way = ended.is_some_and(|(_, choice)| choice == Choice::GiveWay);
         for k in 0..K {
             choices[k] = match modes[k] {
                 Mode::Smooth => Choice::Only(Rule::Smooth),
@@ -144,6 +154,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 }
                 Mode::Contact(_) if position.is_touching[k] && position.is_still[k] => Choice::Touch,
                 Mode::Contact(_) => Choice::Only(Rule::Absent),
+                Mode::Friction(_) if is_giving_way && forces.gives_way(modes, k) => Choice::GiveWay,
                 Mode::Friction(_) if position.is_still[k] => Choice::Rest,
                 Mode::Friction(_) => {
                     let slip = self.slip(k, is_planar(modes, k));
@@ -170,7 +181,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             result[k] = match (modes[k], settled.rules[k]) {
                 (Mode::Across(_), _) => across(result.get(k - 1)),
                 (Mode::Friction(_), Rule::Slips(_)) if is_limited && is_at_rest => {
-                    Mode::Friction(Friction::GivesWay)
+                    Mode::Friction(Friction::GivesWay(position.paces[k]))
                 }
                 (Mode::Friction(_), Rule::Slips(along)) if is_limited && is_planar(modes, k) => {
                     let across =

@@ -44,8 +44,8 @@
 //!   10⁻⁹ of the time. This includes the bounces of several contacts that are hit in turn. The
 //!   contacts close, and [`EventKind::Closed`] gives the time of the last bounce.
 //! - **Forces that the motion does not determine**, as those of a table on four legs, are the
-//!   shortest that fit. On more points than carry, they may pull at one point, or exceed the
-//!   limit of friction there. No event ends that, although forces within all limits may exist.
+//!   shortest that hold what is held. Where these pull or exceed a limit, forces next to them
+//!   within all limits are taken. What is held ends where there are none.
 //! - **Sliding on more points than carry** is not determined by the law, nor is the motion: the
 //!   shortest forces that fit are taken.
 //! - **Friction in a plane changes its direction** by any angle while it slips. It comes to its end
@@ -65,12 +65,14 @@
 mod choice;
 mod complementarity;
 mod cone;
+mod forces;
 mod guards;
 mod heading;
 mod impact;
 mod initial_modes;
 mod lemke;
 mod limits;
+mod pace;
 mod project;
 mod reaction_forces;
 mod restitution;
@@ -81,11 +83,12 @@ mod slip;
 mod tests;
 mod transition;
 
+pub use self::forces::reactions;
 pub use self::guards::{event_values, switch_values};
 pub use self::heading::Heading;
 pub use self::initial_modes::begin;
+pub use self::pace::Pace;
 pub use self::project::correct;
-pub use self::rules::reactions;
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 
@@ -117,9 +120,9 @@ pub enum Friction {
     SlipsBackwards,
     /// Slips in a plane, about this direction: the force is opposite to the slip velocity.
     SlipsTowards(Heading),
-    /// Starts to slip in a plane, yet too slowly for a direction: the force is opposite to the slip
-    /// acceleration.
-    GivesWay,
+    /// Starts to slip in a plane. Below this speed the slip velocity has no direction yet: the
+    /// force is opposite to the slip acceleration.
+    GivesWay(Pace),
     /// Holds.
     Sticks,
 }

@@ -13,7 +13,7 @@ use core::array;
 
 use super::Terms;
 use super::choice::Rule;
-use crate::linalg::singular::{nearest, solve};
+use crate::linalg::singular::{is_singular, nearest, solve};
 use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 
@@ -213,6 +213,20 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         let Terms { kinetic, fixed, .. } = self.terms;
         let held = (0..K).filter(|&k| rules[k] == Rule::Holds);
         held.fold(S::ZERO, |sum, k| sum + self.presence * (kinetic[k].abs() + fixed[k].abs()) * units[k])
+    }
+
+    /// True if held rates determine the forces that hold them.
+    pub(super) fn is_determined(&self, rules: &[Rule<S>; K]) -> bool {
+        let units = self.units();
+        let held = |k: usize| rules[k] == Rule::Holds;
+        let matrix: [[S; K]; K] = array::from_fn(|k| {
+            array::from_fn(|j| match held(k) && held(j) {
+                true => self.matrix[k][j] / (units[k] * units[j]),
+                false if k == j => S::ONE,
+                false => S::ZERO,
+            })
+        });
+        !is_singular(&matrix)
     }
 
     /// The reactions under these rules if the limits have these signs.

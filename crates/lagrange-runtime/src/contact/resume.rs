@@ -20,10 +20,10 @@
 use core::array;
 
 use super::choice::{Choice, Rule};
+use super::forces::reactions;
 use super::initial_modes::{Position, holds};
 use super::project::{energy, halt};
 use super::reaction_forces::Balance;
-use super::rules::reactions;
 use super::{ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
 use crate::system::{StepFailure, reach};

@@ -12,7 +12,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
         let heading = match friction {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
-            Friction::SlipsForwards | Friction::GivesWay | Friction::Sticks => [S::ONE, S::ZERO],
+            Friction::SlipsForwards | Friction::GivesWay(_) | Friction::Sticks => [S::ONE, S::ZERO],
             Friction::SlipsBackwards => [-S::ONE, S::ZERO],
             Friction::SlipsTowards(heading) => heading.components(),
         };

@@ -1,11 +1,11 @@
 //! Transitions at the end of a mode.
 
 use super::choice::{Choice, Rule};
+use super::forces::reactions;
 use super::guards::has_event;
 use super::initial_modes::{Position, holds};
 use super::project::{close, correct, halt, part};
 use super::resume::{Instant, SHORT};
-use super::rules::reactions;
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
 use crate::linalg::vector::dot;
@@ -152,15 +152,28 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     }
 
     /// The modes with friction k in its present direction, if it acts in a plane and is not about
-    /// to stop.
+    /// to stop. What gives way with it gets its direction when it is half as fast as it must be.
     fn turn(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> Option<[Mode; K]> {
-        let mut modes = self.system.modes();
+        let modes = self.system.modes();
         if !is_planar(&modes, k) || modes[k] == FREE || self.is_stopping(k, terms) {
             return None;
         }
-        let heading = Heading::new(present_direction(terms.slip(k, true))?);
-        modes[k] = Mode::Friction(Friction::SlipsTowards(heading));
-        Some(modes)
+        let is_starting = matches!(modes[k], Mode::Friction(Friction::GivesWay(_)));
+        let half = M::Scalar::from_f64(0.5);
+        let mut turned = modes;
+        for j in 0..K {
+            let is_fast = match modes[j] {
+                Mode::Friction(Friction::GivesWay(pace)) => {
+                    is_starting && length(&terms.slip(j, true)) >= half * pace.value::<M::Scalar>()
+                }
+                _ => false,
+            };
+            if j == k || is_fast {
+                let heading = Heading::new(present_direction(terms.slip(j, true))?);
+                turned[j] = Mode::Friction(Friction::SlipsTowards(heading));
+            }
+        }
+        Some(turned)
     }
 
     /// True if friction k, which acts in a plane, would stop within a time that is not resolved.
@@ -168,7 +181,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         let modes = self.system.modes();
         let forces = reactions(terms, &modes);
         let (slip, noise) = (terms.slip(k, true), terms.slip_noise(k, self.t, &self.v));
-        if modes[k] == Mode::Friction(Friction::GivesWay) {
+        if matches!(modes[k], Mode::Friction(Friction::GivesWay(_))) {
             let advance = -dot(&slip, &[forces[k], forces[k + 1]]);
             return advance <= noise * length(&[forces[k], forces[k + 1]]);
         }

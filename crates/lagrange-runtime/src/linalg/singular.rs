@@ -25,20 +25,35 @@ pub(crate) fn solve<S: Scalar, const K: usize>(
 /// Solves without checking A x = b: rows that depend on others are omitted, and may contradict
 /// these.
 pub(crate) fn nearest<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> [S; K] {
-    eliminated(a, b, count)
+    eliminated(a, b, count, suspect())
         .unwrap_or_else(|| OrthogonalFactors::leading(*a, [count, count], negligible()).shortest(b))
 }
 
-/// The solution of so many first equations by elimination with partial pivoting, unless a pivot is
-/// negligible.
-fn eliminated<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> Option<[S; K]> {
+/// True if rows of A depend on others, up to rounding.
+pub(crate) fn is_singular<S: Scalar, const K: usize>(a: &[[S; K]; K]) -> bool {
+    eliminated(a, &[S::ZERO; K], K, suspect()).is_none()
+}
+
+/// Solves A x = b with a regular A, however near to a singular one; NaN if it is not regular.
+pub(crate) fn regular<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
+    eliminated(a, b, K, S::ZERO).unwrap_or([S::NAN; K])
+}
+
+/// The solution of so many first equations by elimination with partial pivoting, if all pivots are
+/// larger than `least`.
+fn eliminated<S: Scalar, const K: usize>(
+    a: &[[S; K]; K],
+    b: &[S; K],
+    count: usize,
+    least: S,
+) -> Option<[S; K]> {
     let (mut a, mut x) = (*a, *b);
     for k in 0..count {
         let pivot =
             (k..count).fold(k, |best, row| if a[row][k].abs() > a[best][k].abs() { row } else { best });
         a.swap(k, pivot);
         x.swap(k, pivot);
-        if !(a[k][k].abs() > negligible() && a[k][k].is_finite()) {
+        if !(a[k][k].abs() > least && a[k][k].is_finite()) {
             return None;
         }
         let (pivot_row, reciprocal) = (a[k], S::ONE / a[k][k]);
@@ -56,6 +71,11 @@ fn eliminated<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usi
         x[row] = known / a[row][row];
     }
     Some(x)
+}
+
+/// A pivot that is not larger enlarges rounding so much that later ones may be nothing else.
+fn suspect<S: Scalar>() -> S {
+    S::epsilon().sqrt().sqrt()
 }
 
 /// Returns the rounding level relative to one: slightly below three quarters of all digits.

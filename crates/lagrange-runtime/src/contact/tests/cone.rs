@@ -3,7 +3,7 @@
 use super::systems::{CLOSED, FREE, OPEN, nothing};
 use crate::contact::choice::Choice;
 use crate::contact::reaction_forces::Balance;
-use crate::contact::{Friction, Heading, Mode, Terms, reactions, switch_values};
+use crate::contact::{Friction, Heading, Mode, Pace, Terms, reactions, switch_values};
 
 /// Contacts of a body, each with friction in its plane.
 const CONTACTS: usize = 4;
@@ -198,7 +198,7 @@ fn friction_is_opposite_to_the_slip_velocity_and_ends_where_it_turns() {
         let values = switch_values(&pushed(0.25, [cos, sin]), &modes(towards));
         assert_eq!(values[1] < 0.0, is_over, "{degrees} degrees: {values:?}");
     }
-    let [_, x, y] = reactions(&pushed(0.25, [0.0; 2]), &modes(Friction::GivesWay));
+    let [_, x, y] = reactions(&pushed(0.25, [0.0; 2]), &modes(Friction::GivesWay(Pace::ZERO)));
     assert!((x + 1.5).abs() + (y + 2.0).abs() < 1e-12, "{x} {y}");
     assert_eq!(FREE, Mode::Friction(Friction::default()));
 }
@@ -211,4 +211,51 @@ fn headings_keep_all_digits() {
         assert!((found[0] - wanted[0]).abs().max((found[1] - wanted[1]).abs()) < 4e-16, "{found:?}");
     }
     assert_eq!(Heading::new([1.0, -0.0]), Heading::new([1.0_f32, 0.0]));
+}
+
+/// A box with these corners on a slope, x downhill, that slides slowly.
+fn sliding(steepness: f64, speed: f64) -> Terms<f64, 6, K> {
+    let mut terms = nothing::<6, K>();
+    for (corner, [x, y]) in [[0.2, 0.15], [0.2, -0.15], [-0.2, 0.15], [-0.2, -0.15]].into_iter().enumerate() {
+        for (row, axis) in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into_iter().enumerate() {
+            let arm = cross([x, y, -0.1], axis);
+            terms.rows[3 * corner + row] = [axis[0], axis[1], axis[2], arm[0], arm[1], arm[2]];
+        }
+        for row in [1, 2] {
+            (
+                terms.kinetic_slopes[3 * corner + row][3 * corner],
+                terms.static_slopes[3 * corner + row][3 * corner],
+            ) = (0.5, 0.5);
+        }
+    }
+    terms.responses = terms.rows.map(|[x, y, z, a, b, c]| [x, y, z, 92.3 * a, 60.0 * b, 48.0 * c]);
+    terms.free = [steepness, 0.0, -1.0, 0.0, 0.0, 0.0];
+    terms.rates = terms.rows.map(|row| speed * row[0]);
+    terms
+}
+
+/// Loads under friction that has a direction and friction that is about to have one are not unique,
+/// but their sum is, and the motion.
+#[test]
+fn what_starts_beside_what_slides_presses_everywhere() {
+    for excess in [1e-13, 1e-9, 1e-6, 1e-3, 0.1] {
+        for slides in 0..16 {
+            let terms = sliding(0.5 + excess, 1e-5);
+            let modes = core::array::from_fn(|k| {
+                let friction = match slides >> (k / 3) & 1 {
+                    1 => Friction::SlipsTowards(Heading::new([1.0, 0.0])),
+                    _ => Friction::GivesWay(Pace::new(2e-5)),
+                };
+                [CLOSED, Mode::Friction(friction), Mode::Across(friction)][k % 3]
+            });
+            let found = reactions(&terms, &modes);
+            let [x, others @ ..] = terms.acceleration(&found);
+            assert!((x - excess).abs() < 1e-10, "{excess} {slides:04b}: {x}");
+            assert!(others.iter().all(|other| other.abs() < 1e-10), "{excess} {slides:04b}: {others:?}");
+            for k in (0..K).step_by(3) {
+                assert!(found[k] > 0.15, "{excess} {slides:04b}: {found:?}");
+                assert!((found[k + 1].hypot(found[k + 2]) - 0.5 * found[k]).abs() < 1e-10, "{found:?}");
+            }
+        }
+    }
 }

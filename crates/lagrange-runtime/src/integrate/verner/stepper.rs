@@ -4,7 +4,7 @@ use super::Verner98;
 use super::control::{Control, POWER};
 use super::dense::{Span, complete, defect, interpolate};
 use super::stage::RATES;
-use super::stiffness::{STABLE, Stiffness};
+use super::stiffness::{Fading, STABLE, Stiffness};
 use super::tableau::{
     ADVANCE, ERROR, STAGE_1, STAGE_2, STAGE_3, STAGE_4, STAGE_5, STAGE_6, STAGE_7, STAGE_8, STAGE_9,
     STAGE_10, STAGE_11, STAGE_12, STAGE_13, STAGE_14, STAGE_15,
@@ -44,6 +44,7 @@ pub struct VernerStepper<M: OdeSystem + ?Sized> {
     span: M::Scalar,
     control: Control<M::Scalar>,
     stiffness: Stiffness,
+    fading: Fading<M::Scalar>,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// Clock and state before the last step.
@@ -84,6 +85,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             span: end - t,
             control: Control::new(M::Scalar::ZERO),
             stiffness: Stiffness::default(),
+            fading: Fading::UNKNOWN,
             clock,
             state,
             before: (clock, state),
@@ -229,7 +231,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         // stability leaves.
         let goes_on = speed * h.abs() > M::Scalar::from_f64(SLOWEST) * size;
         let is_fast = eigenvalue * size > M::Scalar::from_f64(FAST) * speed;
-        if !(is_at_limit && goes_on && is_fast) {
+        if !(is_at_limit && goes_on && is_fast) || self.fading.is_fading(self.work.steps, limit) {
             return Ok(());
         }
         let tolerance = self.settings.relative.max(self.settings.absolute);

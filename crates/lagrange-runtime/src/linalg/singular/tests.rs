@@ -29,6 +29,21 @@ fn of_many_solutions_the_shortest_is_taken() {
     }
 }
 
+/// The third equation is the sum of the others, but a small pivot precedes its own.
+#[test]
+fn a_small_pivot_does_not_hide_dependence() {
+    for small in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let (first, second) = ([1.0, 1.0, 0.1], [1.0, 1.0 + small, 0.3]);
+        let third = core::array::from_fn(|k| first[k] + second[k]);
+        let x: [f64; 3] = solve(&[first, second, third], &[1.0, 2.0, 3.0], 3, 0.0);
+        assert!((x[0] + x[1] + 0.1 * x[2] - 1.0).abs() < 1e-12, "{small} {x:?}");
+        // The shortest solution has no part along what all equations leave free.
+        let free = [-(1.0 + small) * 0.1 + 0.3, -0.2, small];
+        let part = x.iter().zip(&free).map(|(x, free)| x * free).sum::<f64>();
+        assert!(part.abs() < 1e-9, "{small} {part}");
+    }
+}
+
 #[test]
 fn what_cannot_be_solved_is_not_a_number() {
     let impossible: [f64; 2] = solve(&[[1.0, 1.0], [1.0, 1.0]], &[1.0, 2.0], 2, 0.0);
