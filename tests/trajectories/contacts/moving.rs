@@ -83,6 +83,33 @@ lagrange::system! {
     output spin = angular_momentum(plate, (0, 0)) + angular_momentum(ball, (0, 0));
 }
 
+lagrange::system! {
+    /// A parcel on a belt that moves obliquely.
+    #[derive(Clone, Debug)]
+    struct Belt;
+
+    param mu = 0.3, along = 1.2, across = 0.5;
+    gravity = (0, 0, -9.81);
+    plane belt { through: (along * t, across * t, 0); }
+    body parcel { mass: 3; inertia: (1, 1, 1); }
+    free parcel;
+    contact touch = parcel on belt { friction: mu; }
+}
+
+/// It follows the belt after |v|/μg, and is |v|²/2μg behind it.
+#[test]
+fn a_parcel_is_taken_along_by_a_belt() {
+    let belt = Belt::default();
+    let run = belt.simulate(flat([0.0; 3], [0.0; 3], [0.0; 3])).until(1.0).tolerance(1e-12).run();
+    let run = run.expect("is taken along");
+    let stop = 1.3 / (0.3 * G);
+    let [event] = run.events() else { panic!("{:?}", run.events()) };
+    assert!((event.time - stop).abs() < 1e-11, "{}", event.time);
+    let last = run.last();
+    let part = 1.0 - 0.5 * stop;
+    assert_near([last[0], last[1], last[7], last[8]], [1.2 * part, 0.5 * part, 1.2, 0.5], 1e-11);
+}
+
 /// With s the way along the slope and κ = 1 + J/mr² of what rolls: s̈ (κ − m cos²α/(M + m)) = g sin
 /// α, and the wedge moves by −m cos α s̈/(M + m).
 fn rolling(kappa: f64) -> (f64, f64) {
