@@ -104,8 +104,8 @@ const LANGUAGE: &[Layer] = &[
     },
     Layer {
         modules: &["bodies", "dimensions"],
-        purpose: "rigid bodies, springs and joints, in the plane and in space, rewritten as plain \
-                  statements; conversion to coherent units, dimension checks",
+        purpose: "rigid bodies, springs, joints and contacts, in the plane and in space, rewritten as \
+                  plain statements; conversion to coherent units, dimension checks",
     },
 ];
 

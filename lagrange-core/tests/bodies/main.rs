@@ -1,5 +1,6 @@
 //! Scenes of bodies mean the same as the same systems written by hand.
 
+mod contacts;
 mod joints;
 mod space;
 

@@ -91,11 +91,15 @@ pub(crate) const SCENE: &str = "
     torsion_damper { from: ground; to: rod; damping: c; }
     pin hinge = cart to rod.point(-l/2, 0);
     roll contact = wheel on floor, radius: r;
+    circle bowl { on: cart; center: (0, 1); radius: 4 * r; }
+    contact touch = rod.point(l/2, 0) inside bowl { radius: r; kinetic: 0.2; static: 0.3; restitution: 0.5; }
+    contact tip = rod.corner(0) on deck { friction: 0.1; }
     force (1, 0) at rod.point(l/2, 0);
     torque 0.1 on rod;
     output strain = s.length;
     output speed = velocity(rod.point(l/2, 0));
-    output load = hinge.force;";
+    output load = hinge.force;
+    output push = touch.force;";
 
 #[test]
 fn what_bodies_become_is_printed_as_what_it_says() {

@@ -38,13 +38,14 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
         mass,
         inertia,
     });
+    let shape = outlines.first().filter(|_| statement.shape.is_some()).cloned();
     let outlines = match statement.visuals.is_empty() {
         true => outlines,
         false => visual_outlines(translation, &statement.visuals),
     };
     let kind = DrawnKind::Body { body: translation.motions.len() - 1, outlines };
     translation.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
-    translation.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius });
+    translation.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius, shape });
     translation.names.declare(&name.text, Object::Body(index));
     weigh(translation, index);
 }

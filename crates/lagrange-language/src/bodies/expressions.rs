@@ -13,8 +13,9 @@ use crate::syntax::foreign;
 
 /// Functions whose first argument is a body, with the names of all of them; those in brackets may
 /// be left out.
-const OF_BODIES: [(&str, &[&str]); 9] = [
+const OF_BODIES: [(&str, &[&str]); 10] = [
     ("point", &["X", "Y"]),
+    ("corner", &["i"]),
     ("vector", &["X", "Y"]),
     ("angular_velocity", &[]),
     ("angular_acceleration", &[]),
@@ -151,7 +152,8 @@ fn plain_node(translation: &mut Translation<'_>, id: AstId) -> AstId {
 
 /// A name on its own must have a value.
 fn plain_name(translation: &mut Translation<'_>, name: &str, id: AstId) -> AstId {
-    if let Some(object) = translation.names.find(name) {
+    if let Some(object) = translation.names.find(name).filter(|object| !matches!(object, Object::Contact(_)))
+    {
         let message = messages::no_value(name, object.describe());
         translation.report.error(translation.origin, message).help(messages::value_help(name, object));
         return translation.terms().invalid();
@@ -219,6 +221,10 @@ fn part_of(translation: &mut Translation<'_>, name: &str, object: &Object, part:
             // Here, and not at the joint, it is missed if the coordinates fulfil the joint by
             // themselves.
             found.map(|force| translation.terms().repeated(force))
+        }
+        Object::Surface(_) => None,
+        Object::Contact(contact) => {
+            contact.parts.iter().find(|(name, _)| *name == part.text).map(|(_, value)| *value)
         }
     };
     found.unwrap_or_else(|| {

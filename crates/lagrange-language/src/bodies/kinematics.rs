@@ -2,6 +2,7 @@
 //!
 //! Source: Meriam, Kraige, *Engineering Mechanics: Dynamics*, §5/4 to 5/6 and 6/8.
 
+use super::corners::corner;
 use super::messages;
 use super::object::{Body, Line};
 use super::terms::Pair;
@@ -18,6 +19,16 @@ pub(super) fn of_body(
         ("point", &[x, y]) => {
             let point = point_of_body(translation, body, [x, y]);
             translation.terms().tuple(point)
+        }
+        ("corner", &[index]) => {
+            let Body { name, shape, .. } = translation.bodies[body].clone();
+            match corner(translation, &name.text, shape.as_ref(), index) {
+                Some([x, y, _]) => {
+                    let point = point_of_body(translation, body, [x, y]);
+                    translation.terms().tuple(point)
+                }
+                None => translation.terms().invalid(),
+            }
         }
         ("vector", &[x, y]) => {
             let angle = translation.bodies[body].angle;

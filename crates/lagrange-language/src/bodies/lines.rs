@@ -9,12 +9,12 @@ use super::plain::{Drawn, DrawnKind};
 use super::translation::Translation;
 use crate::syntax::ast;
 
-pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::Line) {
-    let through = match statement.through {
+pub(super) fn translate_line(translation: &mut Translation<'_>, statement: ast::Surface) {
+    let through = match statement.place {
         Some(through) => vector_of(translation, through, &messages::through_of(&statement.name.text)),
         None => translation.terms().zero_pair(),
     };
-    let angle = match statement.angle {
+    let angle = match statement.direction {
         Some(angle) => mention(translation, angle),
         None => translation.terms().number(0),
     };

@@ -1,5 +1,6 @@
 //! Diagnostics for statements about bodies.
 
+pub(super) mod contacts;
 pub(super) mod mobilizers;
 
 use super::object::Object;
@@ -73,6 +74,8 @@ messages! {
     NO_AXES = "this is not a body or frame in space";
     NO_AXES_HELP = "write `v in name`, with the name of a body or frame of a scene in space";
     only_in_the_plane(statement) = "`{statement}` belongs to scenes in the plane, but this one is in space";
+    only_in_space(statement) = "`{statement}` belongs to scenes in space, but this one is in the plane";
+    NOT_IN_THE_PLANE_HELP = "in the plane there are `line` and `circle`";
     NOT_IN_SPACE_HELP =
         "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
 
@@ -102,6 +105,11 @@ messages! {
     END = "an end of a spring or damper";
     pinned_to_itself(name) = "`{name}` is pinned to itself";
     slides_on_itself(name) = "`{name}` cannot slide on a line that it carries";
+    no_corners(name) = "`{name}` has no shape with corners";
+    NO_CORNERS_HELP =
+        "corners are those of `shape: cuboid(a, b, c)`, `rectangle`, `right_triangle` and `polygon`, and the ends of a `rod`";
+    no_corner(name) = "`{name}` has no corner of this number";
+    corners_are(name, last) = "write one from `{name}.corner(0)` to `{name}.corner({last})`";
     PINNED_TO_ITSELF_HELP =
         "a joint connects two bodies, or a body and the ground: the distance of two points of one body never changes";
     no_radius(name) = "the radius on which `{name}` rolls is unknown";
@@ -147,6 +155,11 @@ pub(super) fn value_help(name: &str, object: &Object) -> String {
             )
         }
         Object::Connector(_) => format!("parts of it are `{name}.length` and `{name}.force`"),
+        Object::Surface(_) => format!("write `contact touch = wheel on {name};` for what touches it"),
+        Object::Contact(contact) => {
+            let parts = contact.parts.iter().map(|(part, _)| format!("`{name}.{part}`"));
+            format!("parts of it are {}", parts.collect::<Vec<_>>().join(", "))
+        }
         Object::Joint(joint) => {
             let parts = joint.parts.iter().map(|(part, _)| format!(", `{name}.{part}`"));
             format!("its force is `{name}.force`{}", parts.collect::<String>())

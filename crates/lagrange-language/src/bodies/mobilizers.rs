@@ -59,6 +59,7 @@ fn declare_frame(translation: &mut Translation<'_>, name: Name, frame: PlaneFram
         origin,
         angle,
         radius: None,
+        shape: None,
     });
 }
 

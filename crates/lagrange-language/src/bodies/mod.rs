@@ -3,6 +3,7 @@
 //!
 //! A body becomes its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c. Springs,
 //! dampers and joints become energies, Rayleigh functions and constraints of points on bodies.
+//! Contacts become events with an impact and frictions.
 //! [`plain()`] writes all of that as syntax before names are resolved. Later phases therefore know
 //! nothing of bodies, and the plain statements can be shown to the user. Nothing is simplified or
 //! differentiated here.
@@ -29,6 +30,8 @@ mod body;
 mod compound;
 mod connectors;
 mod constants;
+mod contacts;
+mod corners;
 mod drawing;
 mod expressions;
 mod gravity;
@@ -43,7 +46,9 @@ mod object;
 mod plain;
 mod space;
 mod statements;
+mod surfaces;
 mod terms;
+mod touching;
 mod translation;
 mod unneeded;
 

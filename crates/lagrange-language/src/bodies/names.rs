@@ -4,7 +4,7 @@
 use super::constants::constants_of;
 use super::messages;
 use super::object::Object;
-use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind};
+use crate::syntax::ast::{Declaration, Expression, Name, SceneStatement, StatementKind, SurfaceKind};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::diagnostics::{Report, nearest};
@@ -39,7 +39,10 @@ impl SceneNames {
         let (mut fixed, mut parameters) = (HashSet::default(), HashSet::default());
         for statement in &declaration.statements {
             let is_object = declares_object(&statement.kind);
-            let is_line = matches!(statement.kind, StatementKind::Scene(SceneStatement::Line(_)));
+            let is_line = matches!(
+                &statement.kind,
+                StatementKind::Scene(SceneStatement::Surface(surface)) if surface.kind == SurfaceKind::Line
+            );
             if let StatementKind::Scene(SceneStatement::Mobilizer(joint)) = &statement.kind {
                 placed_by_joints.insert(joint.outboard.text.clone());
             }
@@ -157,9 +160,11 @@ fn fixed_names(kind: &StatementKind) -> Vec<String> {
     }
 }
 
-/// True if what a statement declares is an object of the scene; coordinates of joints are none.
+/// True if what a statement declares is an object of the scene; coordinates of joints and forces of
+/// contacts are none.
 fn declares_object(kind: &StatementKind) -> bool {
-    matches!(kind, StatementKind::Scene(scene) if !matches!(scene, SceneStatement::Mobilizer(_)))
+    use SceneStatement::{Contact, Mobilizer};
+    matches!(kind, StatementKind::Scene(scene) if !matches!(scene, Contact(_) | Mobilizer(_)))
 }
 
 /// Reports objects of the scene that share their name with something else.

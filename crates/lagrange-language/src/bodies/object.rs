@@ -1,7 +1,8 @@
 //! Meanings of the names in a scene.
 
+use super::plain::Outline;
 use super::terms::Pair;
-use crate::syntax::ast::{self, AstId, ConnectorKind, Name};
+use crate::syntax::ast::{self, AstId, ConnectorKind, Name, SurfaceKind};
 use crate::syntax::foreign::Owner;
 
 /// A rigid body whose statement has been read.
@@ -17,6 +18,8 @@ pub(super) struct Body {
     pub(super) angle: AstId,
     /// The radius on which it rolls, if its shape is round.
     pub(super) radius: Option<AstId>,
+    /// The solid that `shape` states.
+    pub(super) shape: Option<Outline>,
 }
 
 /// A body or frame that waits for the joint that places it.
@@ -70,6 +73,30 @@ pub(super) struct Joint {
     pub(super) parts: Vec<(&'static str, AstId)>,
 }
 
+/// A surface other than a line, in the world. Vectors in the plane have a third component of zero.
+#[derive(Clone, Debug)]
+pub(super) struct Surface {
+    /// Kind, in the user's words.
+    pub(super) kind: SurfaceKind,
+    /// The body, in space the link, that carries it.
+    pub(super) carrier: Option<usize>,
+    /// A point of it, or its centre.
+    pub(super) place: [AstId; 3],
+    /// The normal of a plane or the axis of a cylinder, of length one.
+    pub(super) direction: [AstId; 3],
+    /// Two perpendicular directions in a plane, of length one, whose cross product is its normal.
+    pub(super) tangents: [[AstId; 3]; 2],
+    pub(super) radius: AstId,
+    /// The rate of the angle of a line that no body carries.
+    pub(super) turning: AstId,
+}
+
+/// A contact: names that stand for its forces, and what else is known of it.
+#[derive(Clone, Debug)]
+pub(super) struct Contact {
+    pub(super) parts: Vec<(&'static str, AstId)>,
+}
+
 /// Meaning of a name in a scene.
 #[derive(Clone, Debug)]
 pub(super) enum Object {
@@ -82,6 +109,9 @@ pub(super) enum Object {
     Line(usize),
     Connector(Connector),
     Joint(Joint),
+    Surface(Box<Surface>),
+    /// Its name has a value, too: the normal force.
+    Contact(Contact),
 }
 
 impl Object {
@@ -91,7 +121,7 @@ impl Object {
             Object::Body(_) => Some(Owner::Body),
             Object::Link { is_frame: false, .. } => Some(Owner::BodyInSpace),
             Object::Link { .. } => Some(Owner::Frame),
-            Object::Line(_) => None,
+            Object::Line(_) | Object::Surface(_) | Object::Contact(_) => None,
             Object::Connector(_) => Some(Owner::Connector),
             Object::Joint(_) => Some(Owner::Joint),
         }
@@ -110,6 +140,8 @@ impl Object {
                 ConnectorKind::TorsionDamper => "a torsion damper",
             },
             Object::Joint(_) => "a joint",
+            Object::Surface(surface) => surface.kind.described(),
+            Object::Contact(_) => "a contact",
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::body::translate_body;
 use super::connectors::translate_connector;
+use super::contacts::translate_contact;
 use super::drawing::{Load, draw_force, draw_moment, torque_on};
 use super::expressions::{plain_expression, translated_place, turning};
 use super::gravity::{report_idle_gravity, translate_gravity};
@@ -16,11 +17,12 @@ use super::space::{
     push_gibbs_function, report_unplaced, translate_frame, translate_spatial_body, translate_spatial_force,
     translate_spatial_gravity, translate_spatial_mobilizer, translate_spatial_torque,
 };
+use super::surfaces::{declare_broken_surface, translate_surface};
 use super::translation::Translation;
 use super::unneeded::leave_out_unneeded;
 use crate::syntax::ast::{
     self, AstId, ConnectorKind, Declaration, Expression, Expressions, JointKind, SceneStatement, Statement,
-    StatementKind,
+    StatementKind, SurfaceKind,
 };
 
 /// Translates all statements.
@@ -73,6 +75,9 @@ pub(super) fn translate_statement(translation: &mut Translation<'_>, statement: 
                 None => translate_plane_mobilizer(translation, &joint, &statement),
             }
         }
+        StatementKind::Scene(SceneStatement::Contact(contact)) => {
+            translate_contact(translation, &contact, &statement.docs);
+        }
         StatementKind::Scene(scene) => translate_scene(translation, scene),
         StatementKind::ForceAt { force, point } => translate_force(translation, force, point, statement),
         StatementKind::Torque { moment, angle } => translate_torque(translation, moment, angle, statement),
@@ -116,6 +121,9 @@ pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: Scen
     if let Some(word) = word_of_the_plane(&statement).filter(|_| is_spatial) {
         let error = translation.report.error(translation.origin, messages::only_in_the_plane(word));
         error.help(messages::NOT_IN_SPACE_HELP);
+        if let SceneStatement::Surface(surface) = &statement {
+            declare_broken_surface(translation, surface);
+        }
         return;
     }
     match statement {
@@ -125,11 +133,12 @@ pub(super) fn translate_scene(translation: &mut Translation<'_>, statement: Scen
         SceneStatement::Body(body) => translate_or_keep(translation, body),
         SceneStatement::Frame(name) if is_spatial => translate_frame(translation, &name),
         SceneStatement::Frame(name) => translation.waiting.push(WaitingBody::Frame(name)),
-        SceneStatement::Line(line) => translate_line(translation, line),
+        SceneStatement::Surface(line) if line.kind == SurfaceKind::Line => translate_line(translation, line),
+        SceneStatement::Surface(surface) => translate_surface(translation, &surface),
         SceneStatement::Connector(connector) => translate_connector(translation, &connector),
         SceneStatement::Joint(joint) => translate_joint(translation, &joint),
-        // It is a statement with documentation of its own.
-        SceneStatement::Mobilizer(_) => {}
+        // They are statements with documentation of their own.
+        SceneStatement::Mobilizer(_) | SceneStatement::Contact(_) => {}
     }
 }
 
@@ -159,7 +168,7 @@ fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
 /// The word of a statement that has no meaning in space.
 fn word_of_the_plane(statement: &SceneStatement) -> Option<&'static str> {
     match statement {
-        SceneStatement::Line(_) => Some("line"),
+        SceneStatement::Surface(surface) => Some(surface.kind.name()).filter(|_| !surface.kind.is_in_space()),
         SceneStatement::Joint(joint) => match joint.kind {
             JointKind::Pin { .. } => None,
             JointKind::Slide { .. } => Some("slide"),

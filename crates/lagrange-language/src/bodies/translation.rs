@@ -186,7 +186,7 @@ impl<'a> Translation<'a> {
         match self.expressions.get(id) {
             Expression::Name(name) => self.body_named(id).or_else(|| self.points.get(name).copied()),
             Expression::Component(of, part) if part.text == "center" => self.body_named(*of),
-            Expression::Call(function, arguments) if function.text == "point" => {
+            Expression::Call(function, arguments) if matches!(function.text.as_str(), "point" | "corner") => {
                 arguments.first().and_then(|&body| self.body_named(body))
             }
             _ => None,

@@ -2,8 +2,8 @@
 
 use super::quantities::{is_of_numbers, with_unit};
 use crate::syntax::ast::{
-    AstId, Body, Connector, ConnectorKind, ElementaryMotion, Expression, Expressions, Joint, JointKind, Line,
-    Mobilizer, Name, Part, SceneStatement, Shape,
+    AstId, Body, Connector, ConnectorKind, Contact, ElementaryMotion, Expression, Expressions, Joint,
+    JointKind, Mobilizer, Name, Part, SceneStatement, Shape, Surface, SurfaceKind,
 };
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::Unit;
@@ -82,10 +82,8 @@ fn rows(statement: &mut SceneStatement) -> Vec<LabelRow<'_>> {
     match statement {
         SceneStatement::Gravity(value) => vec![(value, ACCELERATION, "gravity")],
         SceneStatement::Body(body) => of_body(body),
-        SceneStatement::Line(Line { through, angle, .. }) => {
-            let through = through.iter_mut().map(|value| (value, LENGTH, "a point of a line"));
-            through.chain(angle.iter_mut().map(|value| (value, PLAIN, "the angle of a line"))).collect()
-        }
+        SceneStatement::Surface(surface) => of_surface(surface),
+        SceneStatement::Contact(contact) => of_contact(contact),
         SceneStatement::Connector(connector) => of_connector(connector),
         SceneStatement::Joint(Joint { kind, .. }) => match kind {
             JointKind::Pin { first, second } => {
@@ -134,6 +132,27 @@ fn of_part(part: &mut Part) -> Vec<LabelRow<'_>> {
     ];
     let single = single.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
     single.chain(of_shape(shape)).collect()
+}
+
+fn of_surface(surface: &mut Surface) -> Vec<LabelRow<'_>> {
+    let Surface { kind, place, direction, radius, .. } = surface;
+    let what = if *kind == SurfaceKind::Line { "a point of a line" } else { "the position of a surface" };
+    let place = place.iter_mut().map(|value| (value, LENGTH, what));
+    // The length of a normal or an axis does not matter.
+    let angle = direction.iter_mut().filter(|_| *kind == SurfaceKind::Line);
+    let angle = angle.map(|value| (value, PLAIN, "the angle of a line"));
+    let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a surface"));
+    place.chain(angle).chain(radius).collect()
+}
+
+fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
+    let Contact { object, radius, friction, kinetic, fixed, restitution, .. } = contact;
+    let coefficients = [friction, kinetic, fixed].into_iter().flatten();
+    let coefficients = coefficients.map(|value| (value, PLAIN, "a coefficient of friction"));
+    let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a contact"));
+    let restitution = restitution.iter_mut().map(|value| (value, PLAIN, "a coefficient of restitution"));
+    let object = [(object, LENGTH, "a point of a contact")];
+    object.into_iter().chain(radius).chain(coefficients).chain(restitution).collect()
 }
 
 fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {

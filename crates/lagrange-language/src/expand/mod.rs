@@ -14,6 +14,7 @@
 
 mod complaints;
 mod copies;
+mod corners;
 mod counting;
 mod defaults;
 mod elements;
@@ -32,6 +33,7 @@ use crate::syntax::ast::{
 };
 use complaints::Complaints;
 use copies::Copier;
+use corners::{has_corners, loop_over_corners};
 use elements::ElementNames;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
@@ -49,6 +51,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     }
     let mut statements = std::mem::take(&mut declaration.statements);
     let mut expressions = std::mem::take(&mut declaration.expressions);
+    loop_over_corners(&mut statements, &mut expressions);
     let (names, counted) = (names_of(&statements), counted(&mut statements, &expressions));
     let mut complaints = Complaints::new(report, &declaration, &names);
     let before = complaints.report.diagnostics().len();
@@ -73,6 +76,7 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| matches!(expression, Expression::Array(_));
     let mut expressions = declaration.expressions.iter();
     expressions.any(|(_, expression)| is_array(expression))
+        || has_corners(declaration)
         || declaration.statements.iter_mut().any(|statement| {
             let is_several = matches!(statement.kind, StatementKind::Block(_));
             is_several || statement.kind.names_mut().iter().any(|name| !name.indices.is_empty())

@@ -6,7 +6,8 @@ use super::messages;
 use super::scopes::ScopeId;
 use super::unrolling::Instance;
 use crate::syntax::ast::{
-    AstId, Definition, Mobilizer, MobilizerKind, Name, Quaternion, SceneStatement, Statement, StatementKind,
+    AstId, Contact, Definition, Mobilizer, MobilizerKind, Name, Quaternion, SceneStatement, Statement,
+    StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 
@@ -40,8 +41,12 @@ fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Opti
     for name in kind.names_mut() {
         *name = mentioned(copier, name, scope)?;
     }
-    if let StatementKind::Scene(SceneStatement::Mobilizer(joint)) = &mut kind {
-        rename_parts(joint);
+    match &mut kind {
+        StatementKind::Scene(SceneStatement::Mobilizer(joint)) => rename_parts(joint),
+        StatementKind::Scene(SceneStatement::Contact(contact)) => {
+            contact.friction_name = Contact::friction_name(&contact.name);
+        }
+        _ => {}
     }
     let mut inner = scope;
     if let StatementKind::Function(function) = &kind {

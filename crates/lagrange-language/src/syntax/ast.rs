@@ -13,11 +13,12 @@ mod keywords;
 pub mod mobilizers;
 mod quaternion;
 pub mod statements;
+mod surfaces;
 
 use lagrange_expr::accuracy::Accuracy;
 use proc_macro2::{Span, TokenStream};
 
-pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Line, Part, SceneStatement, Shape};
+pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Part, SceneStatement, Shape};
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
     UnknownDefinition,
@@ -39,6 +40,7 @@ pub use statements::{
     AllowedRange, Block, Definition, EmitItem, Limit, Reduction, ReductionItem, ReductionKind, Repetition,
     Selection, Statement, StatementKind,
 };
+pub use surfaces::{Contact, Surface, SurfaceKind};
 
 /// A whole `system!` declaration.
 #[derive(Clone, Debug)]

@@ -1,38 +1,15 @@
-//! Statements that declare lines, springs and dampers.
+//! Statements that declare springs and dampers.
 
-use super::ast::{AstId, Connector, ConnectorKind, Line};
+use super::ast::{AstId, Connector, ConnectorKind};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages::forms::form;
 use super::parser::{Parsed, Parser};
 
-const LINE: &[&str] = &["on", "through", "angle"];
 const SPRING: &[&str] = &["from", "to", "stiffness", "rest"];
 const DAMPER: &[&str] = &["from", "to", "damping"];
 
 impl Parser<'_> {
-    /// `name { on: body; through: e; angle: e; }`.
-    pub(super) fn line_statement(&mut self, cursor: &mut Cursor) -> Parsed<Line> {
-        let name = self.scene_name(form("line"), cursor)?;
-        let group = self.braces(form("line"), cursor)?;
-        let mut line = Line { name, on: None, through: None, angle: None };
-        let mut labels = BlockLabels::new("a line", LINE);
-        self.lines(&group, |parser, cursor| {
-            let label = parser.label_of(&mut labels, cursor)?;
-            parser.colon(label, cursor)?;
-            match label {
-                "on" => {
-                    let name = parser.name(cursor)?;
-                    line.on = Some(parser.indexed(name, cursor)?);
-                }
-                "through" => line.through = Some(parser.line_value(cursor)),
-                _ => line.angle = Some(parser.line_value(cursor)),
-            }
-            Ok(())
-        });
-        Ok(line)
-    }
-
     /// `name { from: e; to: e; … }`, with or without the name.
     pub(super) fn connector(&mut self, kind: ConnectorKind, cursor: &mut Cursor) -> Parsed<Connector> {
         let help = form(kind.name());

@@ -50,7 +50,7 @@ const STATEMENTS: &[(&[&str], &str)] = &[
         &["rod", "link", "bar", "wheel", "rigid", "rigid_body", "particle", "mass", "point_mass", "disk"],
         "body",
     ),
-    (&["wall", "floor", "ground", "plane", "slope", "rail", "track"], "line"),
+    (&["wall", "floor", "ground", "slope", "rail", "track"], "line"),
     (&["dashpot"], "damper"),
     (&["torsional_spring", "rotational_spring", "spiral_spring"], "torsion_spring"),
     (&["torsional_damper", "rotational_damper"], "torsion_damper"),
@@ -62,6 +62,7 @@ const STATEMENTS: &[(&[&str], &str)] = &[
     (&["slider", "translational"], "prismatic"),
     (&["fixed"], "weld"),
     (&["rolling"], "roll"),
+    (&["touch", "touches", "collide"], "contact"),
 ];
 
 /// Words that begin what a declaration has no room for: what the mistake is, and what to do.
@@ -87,7 +88,7 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
         "write `param name;` for a number from outside, and set that field at run time",
     ),
     (
-        &["contact", "impact", "collision", "bounce"],
+        &["impact", "collision", "bounce"],
         "contacts are declared as events",
         "write `event name = gap, falling => impact(e);`",
     ),

@@ -29,7 +29,7 @@ const fn words_from(
 }
 
 /// Words that can follow a name within a statement.
-const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along"];
+const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along", "inside"];
 
 /// Functions of the language that are no elementary functions, with their number of arguments.
 pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 10] = [

@@ -58,7 +58,7 @@ messages! {
     STATEMENT = "a statement";
     ATTRIBUTE_ON_STATEMENT = "attributes are not allowed here";
     ATTRIBUTE_ON_STATEMENT_HELP =
-        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `output` and `reduce`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
+        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `contact`, `output` and `reduce`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
     MISSING_SEMICOLON = "missing `;` after this";
     LINE_END = "expected `;`, found `,`";
     MISSING_COMMA = "missing `,` before this";

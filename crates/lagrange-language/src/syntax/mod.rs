@@ -28,6 +28,7 @@ mod attributes;
 mod blocks;
 mod bodies;
 mod connectors;
+mod contacts;
 mod cursor;
 mod definitions;
 mod events;

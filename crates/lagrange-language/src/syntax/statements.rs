@@ -6,6 +6,7 @@ use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
     Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
+    SurfaceKind,
 };
 use super::cursor::Cursor;
 use super::expressions::at_loop;
@@ -143,10 +144,13 @@ impl Parser<'_> {
             let joint = self.mobilizer(kind, cursor);
             return Some(joint.map(|joint| SceneStatement::Mobilizer(Box::new(joint))));
         }
+        if let Some(kind) = SurfaceKind::named(&text) {
+            return Some(self.surface(kind, cursor).map(SceneStatement::Surface));
+        }
         Some(match text.as_str() {
             "gravity" => self.assigned(form("gravity"), cursor).map(SceneStatement::Gravity),
             "body" => self.body(cursor).map(|body| SceneStatement::Body(Box::new(body))),
-            "line" => self.line_statement(cursor).map(SceneStatement::Line),
+            "contact" => self.contact(cursor).map(|contact| SceneStatement::Contact(Box::new(contact))),
             "pin" => self.pin(cursor).map(SceneStatement::Joint),
             "slide" => self.slide(cursor).map(SceneStatement::Joint),
             "roll" => self.roll(cursor).map(SceneStatement::Joint),
@@ -250,8 +254,8 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
         StatementKind::Block(_) => true,
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
-            use SceneStatement::{Body, Connector, Line, Mobilizer};
-            matches!(statement, Body(_) | Line(_) | Connector(_) | Mobilizer(_))
+            use SceneStatement::{Body, Connector, Contact, Mobilizer, Surface};
+            matches!(statement, Body(_) | Surface(_) | Connector(_) | Contact(_) | Mobilizer(_))
         }
         _ => false,
     }

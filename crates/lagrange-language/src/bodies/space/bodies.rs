@@ -18,7 +18,7 @@ use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
 
 /// `frame name;`
 pub(in crate::bodies) fn translate_frame(translation: &mut Translation<'_>, name: &Name) {
-    declare(translation, name, None, Vec::new());
+    declare(translation, name, None, (None, Vec::new()));
 }
 
 pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_>, statement: &ast::Body) {
@@ -36,11 +36,12 @@ pub(in crate::bodies) fn translate_spatial_body(translation: &mut Translation<'_
         let invalid = translation.terms().invalid();
         (MassProperties { mass: invalid, centroid: [invalid; 3], tensor: Some([invalid; 6]) }, Vec::new())
     });
+    let shape = outlines.first().filter(|_| statement.shape.is_some()).cloned();
     let outlines = match statement.visuals.is_empty() {
         true => outlines,
         false => visual_outlines(translation, &statement.visuals),
     };
-    let link = declare(translation, name, Some(inertia), outlines);
+    let link = declare(translation, name, Some(inertia), (shape, outlines));
     if !is_wrong && is_placed_by_hand(translation, statement) {
         let (pose, center) = pose_by_hand(translation, statement, inertia);
         settle(translation, link, (pose, None), center);
@@ -64,7 +65,7 @@ fn declare(
     translation: &mut Translation<'_>,
     name: &Name,
     inertia: Option<MassProperties>,
-    outlines: Vec<Outline>,
+    (shape, outlines): (Option<Outline>, Vec<Outline>),
 ) -> usize {
     let is_frame = inertia.is_none();
     let Some(space) = &mut translation.space else { return 0 };
@@ -74,6 +75,7 @@ fn declare(
         inertia,
         placed: None,
         path: None,
+        shape,
         outlines,
         energies: NamedEnergies::default(),
     });

@@ -7,6 +7,7 @@ use crate::syntax::ast::Expression;
 use crate::syntax::ast::Expressions;
 use crate::syntax::ast::SceneStatement;
 use crate::syntax::ast::StatementKind;
+use crate::syntax::ast::SurfaceKind;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 
@@ -50,7 +51,8 @@ fn leads_out_of_the_plane(statement: &SceneStatement) -> bool {
         SceneStatement::Mobilizer(joint) => joint.kind.leads_out_of_the_plane(),
         SceneStatement::Gravity(_)
         | SceneStatement::Frame(_)
-        | SceneStatement::Line(_)
+        | SceneStatement::Surface(_)
+        | SceneStatement::Contact(_)
         | SceneStatement::Connector(_)
         | SceneStatement::Joint(_) => false,
     }
@@ -65,8 +67,12 @@ fn vectors_of(statement: &SceneStatement) -> Vec<AstId> {
             places.chain([body.inertia, body.center, body.origin, body.centroid]).collect()
         }
         SceneStatement::Mobilizer(joint) => vec![joint.at, joint.turned, joint.axis],
+        SceneStatement::Surface(surface) if surface.kind != SurfaceKind::Line => {
+            vec![surface.place, surface.direction]
+        }
         SceneStatement::Frame(_)
-        | SceneStatement::Line(_)
+        | SceneStatement::Surface(_)
+        | SceneStatement::Contact(_)
         | SceneStatement::Connector(_)
         | SceneStatement::Joint(_) => Vec::new(),
     };

@@ -9,6 +9,7 @@ use super::links::{Link, MassProperties};
 use super::messages as words;
 use super::poses::has_place;
 use super::vectors::{Triple, apply, cross, matrix_of, minus, plus, zero_triple};
+use crate::bodies::corners::corner;
 use crate::bodies::messages;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
@@ -58,8 +59,9 @@ fn link_in_place(translation: &mut Translation<'_>, link: usize) -> (Option<Mass
 }
 
 /// Functions of links, with the numbers of arguments behind the link that they take.
-const OF_LINKS: [(&str, [usize; 2]); 6] = [
+const OF_LINKS: [(&str, [usize; 2]); 7] = [
     ("point", [3, 3]),
+    ("corner", [1, 1]),
     ("vector", [3, 3]),
     ("angular_velocity", [0, 0]),
     ("angular_acceleration", [0, 0]),
@@ -88,6 +90,12 @@ pub(in crate::bodies) fn call_of_link(
         return translation.terms().invalid();
     }
     let (inertia, pose) = link_in_place(translation, link);
+    if let ("corner", &[index]) = (*name, arguments) {
+        let Some(own) = corner_of_link(translation, link, index) else {
+            return translation.terms().invalid();
+        };
+        return world_place(translation, &pose, own);
+    }
     if name.ends_with("momentum") {
         return momentum_of_link(translation, link, (inertia, pose), (name, arguments));
     }
@@ -150,6 +158,13 @@ pub(in crate::bodies) fn point_on_link(
                 _ => None,
             }
         }
+        Expression::Call(function, arguments) if function.text == "corner" => match arguments[..] {
+            [body, index] => {
+                let link = translation.link_named(body)?;
+                Some((link, corner_of_link(translation, link, index)?))
+            }
+            _ => None,
+        },
         Expression::Call(function, arguments) if function.text == "point" => match arguments[..] {
             [body, x, y, z] => {
                 // What moves in a body is a point of it only in passing.
@@ -161,6 +176,11 @@ pub(in crate::bodies) fn point_on_link(
         },
         _ => None,
     }
+}
+
+fn corner_of_link(translation: &mut Translation<'_>, link: usize, index: AstId) -> Option<Triple> {
+    let Link { name, shape, .. } = translation.space.as_ref()?.links[link].clone();
+    corner(translation, &name.text, shape.as_ref(), index)
 }
 
 /// The velocity or acceleration of a point that is fixed in a link, in the link's own axes.

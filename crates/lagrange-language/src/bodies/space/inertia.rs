@@ -128,7 +128,7 @@ pub(super) fn tensor_of_solid(
 }
 
 /// The components of a vector that does not change during the motion.
-pub(super) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
+pub(in crate::bodies) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
     let components = triple_of(translation, id, what);
     let value = mention(translation, id);
     translation.obligations.push(Obligation::Fixed { what: what.to_owned(), value });
@@ -136,7 +136,7 @@ pub(super) fn fixed_triple(translation: &mut Translation<'_>, id: AstId, what: &
 }
 
 /// The components of what the user wrote as a vector in space.
-pub(super) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
+pub(in crate::bodies) fn triple_of(translation: &mut Translation<'_>, id: AstId, what: &str) -> Triple {
     let value = mention(translation, id);
     translation.obligations.push(Obligation::SpaceVector { what: what.to_owned(), value });
     components_of(translation, value)

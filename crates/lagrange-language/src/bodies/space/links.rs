@@ -16,6 +16,8 @@ pub(in crate::bodies) struct Link {
     pub(super) placed: Option<(Pose, Origin)>,
     /// Path by which a joint places the link.
     pub(super) path: Option<Path>,
+    /// The solid that `shape` states.
+    pub(in crate::bodies) shape: Option<Outline>,
     /// Its shape, as it is drawn.
     pub(super) outlines: Vec<Outline>,
     /// Names of its energies.

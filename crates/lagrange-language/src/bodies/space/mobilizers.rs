@@ -159,7 +159,7 @@ fn is_ground(translation: &Translation<'_>, name: &Name) -> bool {
 }
 
 /// The body or frame of a name; anything else is reported.
-fn link_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
+pub(in crate::bodies) fn link_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
     if let Some(Object::Link { index, .. }) = translation.names.find(&name.text) {
         return Some(*index);
     }

@@ -27,12 +27,13 @@ mod mobilizers;
 mod motors;
 mod numbers;
 mod orientations;
+mod points;
 mod poses;
 mod quantities;
 mod regrouping;
 pub(super) mod scene;
 mod solids;
-mod vectors;
+pub(super) mod vectors;
 
 pub(super) use bodies::{
     report_unplaced, translate_frame, translate_spatial_body, translate_spatial_gravity,
@@ -42,9 +43,12 @@ pub(super) use expressions::{
     call_of_link, in_axes, part_of_link, place_of_link, point_on_link, rate_of_link_point,
 };
 pub(super) use gibbs::push_gibbs_function;
+pub(super) use inertia::{fixed_triple, triple_of};
 pub(super) use kinematics::{Asked, kinematics_asked_for};
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;
-pub(super) use mobilizers::{coordinates_of, dampen};
+pub(super) use mobilizers::{coordinates_of, dampen, link_of};
 pub(super) use motors::{draw_force_on_coordinate, draw_torque_on_angle};
-pub(super) use numbers::is_no_vector;
+pub(super) use numbers::{frame_along, is_no_vector, triple_of_numbers, written};
+pub(super) use points::{origin_motion, place_on_link, spin_of_link, vector_on_link, velocity_on_link};
+pub(super) use poses::named_vector;

@@ -29,7 +29,10 @@ pub(in crate::bodies) fn is_no_vector(translation: &Translation<'_>, id: AstId) 
 }
 
 /// The components of a vector that is made of numbers.
-pub(super) fn triple_of_numbers(translation: &Translation<'_>, vector: Triple) -> Option<[f64; 3]> {
+pub(in crate::bodies) fn triple_of_numbers(
+    translation: &Translation<'_>,
+    vector: Triple,
+) -> Option<[f64; 3]> {
     let [x, y, z] = vector.map(|component| value_of_numbers(translation, component));
     Some([x?, y?, z?])
 }
@@ -51,7 +54,7 @@ pub(super) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> [[f64; 3]; 3] {
 }
 
 /// A rotation, in rows, that takes the z-axis to a direction.
-pub(super) fn frame_along(direction: [f64; 3]) -> [[f64; 3]; 3] {
+pub(in crate::bodies) fn frame_along(direction: [f64; 3]) -> [[f64; 3]; 3] {
     let z = normalised(direction);
     // The coordinate axis that is farthest from the direction.
     let farthest = (0..3).min_by(|&a, &b| z[a].abs().total_cmp(&z[b].abs())).unwrap_or(0);
@@ -74,7 +77,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// A rotation of numbers as syntax, exact where it is a quarter turn.
-pub(super) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
+pub(in crate::bodies) fn written(terms: &mut TermWriter<'_>, rotation: [[f64; 3]; 3]) -> Matrix {
     let is_whole = |entry: &f64| (entry - entry.round()).abs() < SNAPPED;
     // A row with one entry near 1 whose others do not vanish is a small turn: cosines alone must
     // not be rounded.

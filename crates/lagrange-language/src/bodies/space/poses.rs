@@ -153,7 +153,11 @@ fn named(translation: &mut Translation<'_>, name: &str, pose: Pose) -> Pose {
 
 /// A vector under a name, unless all of its components are numbers or have names. Components that
 /// are numbers stay so.
-pub(super) fn named_vector(translation: &mut Translation<'_>, wish: &str, vector: Triple) -> Triple {
+pub(in crate::bodies) fn named_vector(
+    translation: &mut Translation<'_>,
+    wish: &str,
+    vector: Triple,
+) -> Triple {
     if vector.iter().all(|&component| is_atom(translation, component)) {
         return vector;
     }

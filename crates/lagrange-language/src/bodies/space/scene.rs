@@ -2,7 +2,7 @@
 
 use super::frames::Relative;
 use super::links::Link;
-use super::vectors::Triple;
+use super::vectors::{Matrix, Triple};
 use crate::bodies::plain::LoadOrigin;
 use crate::syntax::ast::{AstId, Name};
 use lagrange_expr::collections::HashMap;
@@ -28,6 +28,8 @@ pub(in crate::bodies) struct Space {
     /// Names of `let`s that say where frames are and how they move: those that nothing needs are
     /// left out in the end.
     pub(in crate::bodies) kinematic: HashSet<String>,
+    /// Rates of the rotations of links whose points touch, in rows.
+    pub(super) rotation_rates: HashMap<usize, Matrix>,
     /// Loads on coordinates, in their order.
     pub(super) loads_on_coordinates: Vec<LoadOnCoordinate>,
     /// Names of `let`s that are points of links, with the link and their own coordinates.

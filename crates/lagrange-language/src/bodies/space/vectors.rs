@@ -7,45 +7,45 @@ use crate::bodies::terms::TermWriter;
 use crate::syntax::ast::AstId;
 
 /// A vector in space.
-pub(super) type Triple = [AstId; 3];
+pub(in crate::bodies) type Triple = [AstId; 3];
 /// A matrix in rows.
-pub(super) type Matrix = [Triple; 3];
+pub(in crate::bodies) type Matrix = [Triple; 3];
 /// xx, yy, zz, xy, xz, yz of a symmetric matrix.
 pub(super) type Tensor = [AstId; 6];
 
 /// Rows and columns of the components of a [`Tensor`].
 pub(super) const TENSOR_PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
-pub(super) fn zero_triple(terms: &mut TermWriter<'_>) -> Triple {
+pub(in crate::bodies) fn zero_triple(terms: &mut TermWriter<'_>) -> Triple {
     [0, 0, 0].map(|_| terms.number(0))
 }
 
 /// The direction of a coordinate axis.
-pub(super) fn unit(terms: &mut TermWriter<'_>, axis: usize) -> Triple {
+pub(in crate::bodies) fn unit(terms: &mut TermWriter<'_>, axis: usize) -> Triple {
     [0, 1, 2].map(|other| terms.number(i64::from(other == axis)))
 }
 
-pub(super) fn plus(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
+pub(in crate::bodies) fn plus(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
     [0, 1, 2].map(|axis| terms.plus(a[axis], b[axis]))
 }
 
-pub(super) fn minus(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
+pub(in crate::bodies) fn minus(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
     [0, 1, 2].map(|axis| terms.minus(a[axis], b[axis]))
 }
 
-pub(super) fn scale(terms: &mut TermWriter<'_>, factor: AstId, a: Triple) -> Triple {
+pub(in crate::bodies) fn scale(terms: &mut TermWriter<'_>, factor: AstId, a: Triple) -> Triple {
     a.map(|component| terms.times(factor, component))
 }
 
 /// a · b
-pub(super) fn inner(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> AstId {
+pub(in crate::bodies) fn inner(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> AstId {
     let products = [0, 1, 2].map(|axis| terms.times(a[axis], b[axis]));
     let sum = terms.plus(products[0], products[1]);
     terms.plus(sum, products[2])
 }
 
 /// a × b
-pub(super) fn cross(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
+pub(in crate::bodies) fn cross(terms: &mut TermWriter<'_>, a: Triple, b: Triple) -> Triple {
     [0, 1, 2].map(|axis| {
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         let (forward, backward) = (terms.times(a[next], b[last]), terms.times(a[last], b[next]));
@@ -65,7 +65,7 @@ pub(super) fn apply(terms: &mut TermWriter<'_>, matrix: Matrix, a: Triple) -> Tr
     matrix.map(|row| inner(terms, row, a))
 }
 
-pub(super) fn transposed(matrix: Matrix) -> Matrix {
+pub(in crate::bodies) fn transposed(matrix: Matrix) -> Matrix {
     [0, 1, 2].map(|column| [0, 1, 2].map(|row| matrix[row][column]))
 }
 

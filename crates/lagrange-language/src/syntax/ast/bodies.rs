@@ -2,6 +2,7 @@
 
 use super::keywords::{Keyword, Soft};
 use super::mobilizers::{Mobilizer, MobilizerKind};
+use super::surfaces::{Contact, Surface};
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
 
@@ -12,7 +13,8 @@ use lagrange_expr::diagnostics::Origin;
 ///           | "body" NAME "{" { body-line } "}" [ ";" ]
 ///           | "frame" NAME ";"
 ///           | mobilizer
-///           | "line" NAME "{" { "on" ":" NAME ";" | ( "through" | "angle" ) ":" sum ";" } "}" [ ";" ]
+///           | ( "line" | "plane" | "circle" | "sphere" | "cylinder" ) NAME
+///                 "{" { "on" ":" NAME ";" | surface-label ":" sum ";" } "}" [ ";" ]
 ///           | ( "spring" | "torsion_spring" ) [ NAME ]
 ///                 "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
 ///           | ( "damper" | "torsion_damper" ) [ NAME ]
@@ -20,6 +22,8 @@ use lagrange_expr::diagnostics::Origin;
 ///           | "pin" [ NAME "=" ] sum "to" sum ";"
 ///           | "slide" [ NAME "=" ] sum "on" NAME ";"
 ///           | "roll" [ NAME "=" ] NAME "on" NAME [ "," "radius" ":" sum ] ";"
+///           | "contact" NAME "=" sum ( "on" | "inside" ) NAME
+///                 ( ";" | "{" { contact-label ":" sum ";" } "}" [ ";" ] )
 /// body-line = ( "mass" | "inertia" | "center" | "origin" | "centroid" | "angle" | "angles" ) ":" sum ";"
 ///           | "inertia" ":" "(" sum "," sum "," sum "," sum "," sum "," sum ")" ";"
 ///           | "sequence" ":" NAME ";"
@@ -27,6 +31,9 @@ use lagrange_expr::diagnostics::Origin;
 ///           | "compound" "{" { [ "hole" ] solid { "," ( "mass" | "at" | "angle" | "turned" ) ":" sum } ";" } "}" [ ";" ]
 /// solid     = NAME "(" [ sum { "," sum } ] ")"
 /// ```
+///
+/// The labels of a surface are those of its [`SurfaceKind`](super::SurfaceKind); those of a contact
+/// are `radius`, `friction`, `kinetic`, `static` and `restitution`.
 #[derive(Clone, Debug)]
 pub enum SceneStatement {
     /// `gravity = (gx, gy);`
@@ -35,8 +42,10 @@ pub enum SceneStatement {
     Body(Box<Body>),
     /// `frame name;`
     Frame(Name),
-    /// `line name { … }`
-    Line(Line),
+    /// `line name { … }` and its kin
+    Surface(Surface),
+    /// `contact name = p on floor { … }`
+    Contact(Box<Contact>),
     /// `spring name { … }` and its kin
     Connector(Connector),
     /// `pin`, `slide` and `roll`
@@ -46,11 +55,21 @@ pub enum SceneStatement {
 }
 
 /// Words that begin statements about rigid bodies, except those of [`Mobilizer`].
-pub const KEYWORDS: [Keyword; 11] = [
+pub const KEYWORDS: [Keyword; 16] = [
     Keyword::new("gravity", "write `gravity = (0, -g);`"),
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
     Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
     Keyword::new("line", "write `line name { through: (x, y); angle: e; }`").before(Soft::Braces),
+    Keyword::new("plane", "write `plane name { through: (x, y, z); normal: (a, b, c); }`").before(Soft::Braces),
+    Keyword::new("circle", "write `circle name { center: (x, y); radius: r; }`").before(Soft::Braces),
+    Keyword::new("sphere", "write `sphere name { center: (x, y, z); radius: r; }`").before(Soft::Braces),
+    Keyword::new("cylinder", "write `cylinder name { through: (x, y, z); axis: (a, b, c); radius: r; }`")
+        .before(Soft::Braces),
+    Keyword::new(
+        "contact",
+        "write `contact name = wheel on ground { friction: mu; restitution: e; }`, or `… = wheel inside bowl { … }`",
+    )
+    .before(Soft::Definition),
     Keyword::new("spring", "write `spring { from: p; to: q; stiffness: k; rest: l; }`, with a name after `spring` if it needs one")
         .before(Soft::Braces),
     Keyword::new("damper", "write `damper { from: p; to: q; damping: c; }`, with a name after `damper` if it needs one")
@@ -73,7 +92,8 @@ impl SceneStatement {
             SceneStatement::Gravity(_) => (Vec::new(), Reach::Expressions),
             SceneStatement::Body(body) => (vec![&body.name], Reach::Both),
             SceneStatement::Frame(name) => (vec![name], Reach::Both),
-            SceneStatement::Line(line) => (vec![&line.name], Reach::Expressions),
+            SceneStatement::Surface(surface) => (vec![&surface.name], Reach::Expressions),
+            SceneStatement::Contact(contact) => (contact.names(), Reach::Both),
             SceneStatement::Connector(connector) => (connector.name.iter().collect(), Reach::Expressions),
             SceneStatement::Joint(joint) => (joint.name.iter().collect(), Reach::Expressions),
             SceneStatement::Mobilizer(joint) if joint.kind == MobilizerKind::Weld => {
@@ -89,7 +109,10 @@ impl SceneStatement {
             SceneStatement::Gravity(_) => Vec::new(),
             SceneStatement::Body(body) => vec![&mut body.name],
             SceneStatement::Frame(name) => vec![name],
-            SceneStatement::Line(line) => [&mut line.name].into_iter().chain(&mut line.on).collect(),
+            SceneStatement::Surface(surface) => {
+                [&mut surface.name].into_iter().chain(&mut surface.on).collect()
+            }
+            SceneStatement::Contact(contact) => vec![&mut contact.name, &mut contact.surface],
             SceneStatement::Connector(connector) => connector.name.iter_mut().collect(),
             SceneStatement::Joint(joint) => joint.name.iter_mut().chain(joint.kind.names_mut()).collect(),
             SceneStatement::Mobilizer(joint) => joint.names_mut(),
@@ -102,9 +125,10 @@ impl SceneStatement {
             SceneStatement::Gravity(value) => vec![value],
             SceneStatement::Body(body) => body.expressions_mut(),
             SceneStatement::Frame(_) => Vec::new(),
-            SceneStatement::Line(Line { through, angle, .. }) => {
-                [through, angle].into_iter().flatten().collect()
+            SceneStatement::Surface(Surface { place, direction, radius, .. }) => {
+                [place, direction, radius].into_iter().flatten().collect()
             }
+            SceneStatement::Contact(contact) => contact.expressions_mut(),
             SceneStatement::Connector(connector) => {
                 let Connector { from, to, stiffness, rest, damping, .. } = connector;
                 [from, to, stiffness, rest, damping].into_iter().flatten().collect()
@@ -182,6 +206,20 @@ pub struct Shape {
     pub origin: Origin,
 }
 
+impl Shape {
+    /// The number of its corners, of a rod the number of its ends; 0 if it has none.
+    pub(crate) fn corner_count(&self) -> usize {
+        match (self.solid.text.as_str(), self.dimensions.len()) {
+            ("cuboid", 3) => 8,
+            ("cuboid" | "rectangle", 2) => 4,
+            ("right_triangle", 2) => 3,
+            ("slender_rod" | "rod", 1) => 2,
+            ("polygon", count) => count,
+            _ => 0,
+        }
+    }
+}
+
 /// One line of a compound: `disk(r), mass: m, at: (X, Y), angle: e;`, with `hole` in front if it is
 /// missing.
 #[derive(Clone, Debug)]
@@ -208,19 +246,6 @@ impl Part {
             [&mut self.mass, &mut self.at, &mut self.angle, &mut self.turned].into_iter().flatten();
         self.shape.dimensions.iter_mut().chain(properties)
     }
-}
-
-/// `line name { on: body; through: (x, y); angle: e; }`
-#[derive(Clone, Debug)]
-pub struct Line {
-    /// Its name.
-    pub name: Name,
-    /// The body that carries it; at rest without one.
-    pub on: Option<Name>,
-    /// A point of it.
-    pub through: Option<AstId>,
-    /// Its direction; its free side is on the left.
-    pub angle: Option<AstId>,
 }
 
 /// Element that stores or dissipates energy between two points or two angles.

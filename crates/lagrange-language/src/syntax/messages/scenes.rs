@@ -31,6 +31,13 @@ messages! {
 
     AXIS_LETTER = "an axis is a vector";
 
+    third_coefficient(name) = "the contact `{name}` has one coefficient of friction too many";
+    lonely_coefficient(name, label, other) = "the contact `{name}` has a `{label}` coefficient, but no `{other}` one";
+    CONTACT_HELP =
+        "write `contact name = wheel on ground;`, or the gap by hand, `event name = gap, falling => impact(e);`";
+    COEFFICIENTS_HELP =
+        "write `friction: mu;` for slipping and sticking, or both `kinetic: a;` and `static: b;`";
+
     /// Message for a tensor with the wrong number of components.
     tensor_count(count) = "a tensor of inertia has 6 components, not {count}";
 }

@@ -2,7 +2,8 @@
 
 use super::Printer;
 use crate::syntax::ast::{
-    AstId, Body, Connector, Joint, JointKind, Line, Mobilizer, MobilizerKind, Part, SceneStatement, Shape,
+    AstId, Body, Connector, Contact, Joint, JointKind, Mobilizer, MobilizerKind, Part, SceneStatement, Shape,
+    Surface,
 };
 
 impl Printer<'_> {
@@ -15,7 +16,8 @@ impl Printer<'_> {
                 self.name(name);
                 self.text(";");
             }
-            SceneStatement::Line(line) => self.line(line),
+            SceneStatement::Surface(surface) => self.surface(surface),
+            SceneStatement::Contact(contact) => self.contact(contact),
             SceneStatement::Connector(connector) => self.connector(connector),
             SceneStatement::Joint(joint) => self.joint(joint),
             SceneStatement::Mobilizer(joint) => self.mobilizer(joint),
@@ -23,7 +25,7 @@ impl Printer<'_> {
     }
 
     /// ` label: value;` for each value that is given.
-    fn given<const N: usize>(&mut self, values: [(&str, Option<AstId>); N]) {
+    fn given<'a>(&mut self, values: impl IntoIterator<Item = (&'a str, Option<AstId>)>) {
         for (label, value) in values {
             if let Some(value) = value {
                 self.text(&format!(" {label}: "));
@@ -88,16 +90,28 @@ impl Printer<'_> {
         self.text(";");
     }
 
-    fn line(&mut self, line: &Line) {
-        self.text("line ");
-        self.name(&line.name);
+    fn surface(&mut self, surface: &Surface) {
+        self.text(surface.kind.name());
+        self.text(" ");
+        self.name(&surface.name);
         self.text(" {");
-        if let Some(on) = &line.on {
+        if let Some(on) = &surface.on {
             self.text(" on: ");
             self.name(on);
             self.text(";");
         }
-        self.given([("through", line.through), ("angle", line.angle)]);
+        self.given(surface.values());
+        self.text(" }");
+    }
+
+    fn contact(&mut self, contact: &Contact) {
+        self.text("contact ");
+        self.name(&contact.name);
+        self.labelled(" = ", contact.object);
+        self.text(if contact.is_inside { " inside " } else { " on " });
+        self.name(&contact.surface);
+        self.text(" {");
+        self.given(contact.values());
         self.text(" }");
     }
 

@@ -17,10 +17,18 @@ pub(super) fn scene(declaration: &Declaration, statement: &SceneStatement) -> St
         SceneStatement::Body(body) => self::body(declaration, body),
         SceneStatement::Frame(name) => format!("frame {}", name.text),
         SceneStatement::Mobilizer(joint) => mobilizer(declaration, joint),
-        SceneStatement::Line(line) => {
-            let on = line.on.as_ref().map_or(String::new(), |on| format!(" (on {})", on.text));
-            let rest = labelled("through", &line.through) + &labelled("angle", &line.angle);
-            format!("line {}{on}{rest}", line.name.text)
+        SceneStatement::Surface(surface) => {
+            let on = surface.on.as_ref().map_or(String::new(), |on| format!(" (on {})", on.text));
+            let values = surface.values().into_iter();
+            let rest = values.map(|(label, value)| labelled(label, &value)).collect::<String>();
+            format!("{} {}{on}{rest}", surface.kind.name(), surface.name.text)
+        }
+        SceneStatement::Contact(contact) => {
+            let word = if contact.is_inside { "inside" } else { "on" };
+            let values = contact.values().into_iter();
+            let rest = values.map(|(label, value)| labelled(label, &value)).collect::<String>();
+            let object = show(&contact.object);
+            format!("contact {} = {object} {word} {}{rest}", contact.name.text, contact.surface.text)
         }
         SceneStatement::Connector(connector) => {
             let mut text = named(connector.kind.name(), &connector.name);
@@ -386,4 +394,31 @@ fn a_forgotten_semicolon_is_seen_at_the_next_statement_of_a_scene() {
     let errors = errors(text);
     let lines = errors.iter().filter(|error| error.ends_with("missing `;` after this")).count();
     assert_eq!((lines, errors.len()), (11, 11), "{errors:#?}");
+}
+
+#[test]
+fn surfaces_and_contacts_have_their_form() {
+    let text = "
+        line slope { on: cart; angle: -a; }
+        plane side { through: (0, 0, 1); normal: (1, 0, 1); }
+        circle bowl { center: (0, 1); radius: r; }
+        cylinder pipe { on: cart; axis: (1, 0, 0); radius: r; }
+        contact touch = wheel on ground;
+        contact foot[2] = leg.point(0, 0, -l) on side { radius: r; kinetic: a; static: b; restitution: e; }
+        contact roll = ball inside bowl { friction: mu; };
+        let contact = 1;
+        let sphere = contact + 1;
+    ";
+    let expected = [
+        "line slope (on cart) (angle (- a))",
+        "plane side (through (vector 0 0 1)) (normal (vector 1 0 1))",
+        "circle bowl (center (vector 0 1)) (radius r)",
+        "cylinder pipe (on cart) (axis (vector 1 0 0)) (radius r)",
+        "contact touch = wheel on ground",
+        "contact foot = (point leg 0 0 (- l)) on side (radius r) (kinetic a) (static b) (restitution e)",
+        "contact roll = ball inside bowl (friction mu)",
+        "let contact 1",
+        "let sphere (+ contact 1)",
+    ];
+    assert_eq!(statements(&read(text)), expected);
 }

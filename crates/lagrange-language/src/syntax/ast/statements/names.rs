@@ -63,6 +63,9 @@ impl StatementKind {
                 (_, Some(quaternion)) => made_of(&quaternion.name, quaternion.names()),
                 (_, None) => as_written(joint.coordinates.iter().collect()),
             },
+            StatementKind::Scene(SceneStatement::Contact(contact)) => {
+                made_of(&contact.name, self.declared_names())
+            }
             kind => match kind.member_names() {
                 names if names.is_empty() => as_written(kind.declared_names()),
                 names => as_written(names),

@@ -1,0 +1,165 @@
+//! Contacts as events with an impact and frictions.
+//!
+//! `contact touch = wheel on floor { friction: mu; restitution: e; }` becomes
+//! `let touch_gap = …; event touch = touch_gap, falling => impact(e);` and
+//! `let touch_slip = …; friction touch_friction = touch_slip, mu * touch;`.
+
+mod coefficients;
+mod geometry;
+mod touched;
+
+use proc_macro2::TokenStream;
+
+use super::expressions::is_ground;
+use super::messages::contacts as words;
+use super::object::{self, Object};
+use super::space::vectors::{minus, plus, scale};
+use super::touching::{Touching, touching};
+use super::translation::Translation;
+use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
+use coefficients::{Coefficient, coefficients, limit, radius, restitution};
+use geometry::{ContactGeometry, geometry, scene_vector, slip_of};
+use touched::surface_named;
+
+pub(super) fn translate_contact(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    docs: &TokenStream,
+) {
+    let contact = complete_contact(translation, statement);
+    let contact = contact.unwrap_or_else(|| broken_contact(translation, statement));
+    let event =
+        translation.statements.iter_mut().rfind(|plain| matches!(plain.kind, StatementKind::Event(_)));
+    event.into_iter().for_each(|event| event.docs = docs.clone());
+    translation.names.declare(&statement.name.text, Object::Contact(contact));
+}
+
+fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<object::Contact> {
+    let coefficients = coefficients(translation, statement);
+    let restitution = restitution(translation, statement);
+    let radius = radius(translation, statement);
+    let touching = touching_part(translation, statement);
+    let surface = surface_named(translation, statement);
+    let (touching, surface) = (touching?, surface?);
+    let (coefficients, restitution, radius) = (coefficients?, restitution?, radius?);
+    if surface.carrier == Some(touching.body) {
+        let body = name_of(translation, touching.body);
+        let message = words::touches_itself(&statement.name.text, &body);
+        translation.report.error(statement.surface.span, message).help(words::TOUCHES_ITSELF_HELP);
+        return None;
+    }
+    let radius = radius.or(touching.radius).unwrap_or_else(|| translation.terms().number(0));
+    let geometry = geometry(translation, statement, &surface, (touching.center, radius));
+    let slip = slip_of(translation, &surface, &touching, &geometry);
+    let gap = translation.bind(&format!("{}_gap", statement.name.text), geometry.gap);
+    push_event(translation, &statement.name, gap, restitution);
+    let slip = match coefficients {
+        Some(coefficients) => rub(translation, statement, slip, coefficients),
+        None => slip,
+    };
+    let geometry = ContactGeometry { gap, ..geometry };
+    Some(parts_of(translation, statement, &geometry, slip))
+}
+
+/// Declares the names of a contact whose mistake was reported.
+fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -> object::Contact {
+    let invalid = translation.terms().invalid();
+    push_event(translation, &statement.name, invalid, invalid);
+    if statement.has_friction() {
+        push_friction(translation, &statement.friction_name, invalid, [invalid; 2]);
+    }
+    let parts = PARTS.map(|part| (part, invalid)).to_vec();
+    object::Contact { parts }
+}
+
+/// Parts of a contact in expressions.
+const PARTS: [&str; 6] = ["normal", "friction", "force", "gap", "slip", "point"];
+
+fn touching_part(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Touching> {
+    let name = &statement.name;
+    if is_ground(translation, statement.object) {
+        let origin = translation.expressions.origin(statement.object);
+        let error = translation.report.error(origin, words::ground_touches(&name.text));
+        error.help(words::GROUND_TOUCHES_HELP);
+        return None;
+    }
+    touching(translation, statement)
+}
+
+/// The name of a body in the plane or a link in space.
+fn name_of(translation: &Translation<'_>, body: usize) -> String {
+    match &translation.space {
+        Some(space) => space.name_of(body).to_owned(),
+        None => translation.bodies[body].name.text.clone(),
+    }
+}
+
+/// Adds the friction against a slip velocity; the name of this.
+fn rub(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    slip: AstId,
+    [kinetic, fixed]: [Coefficient; 2],
+) -> AstId {
+    let slip = translation.bind(&format!("{}_slip", statement.name.text), slip);
+    let normal = translation.terms().name(&statement.name.text);
+    let while_slipping = limit(translation, kinetic, normal);
+    let while_sticking = match fixed.written == kinetic.written {
+        true => while_slipping,
+        false => limit(translation, fixed, normal),
+    };
+    push_friction(translation, &statement.friction_name, slip, [while_slipping, while_sticking]);
+    slip
+}
+
+/// Returns what stands for the parts of a contact in expressions.
+fn parts_of(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    geometry: &ContactGeometry,
+    slip: AstId,
+) -> object::Contact {
+    let is_spatial = translation.space.is_some();
+    let mut terms = translation.terms();
+    let normal = terms.name(&statement.name.text);
+    let friction = match statement.has_friction() {
+        true => terms.name(&statement.friction_name.text),
+        false if is_spatial => {
+            let nothing = terms.zero_pair();
+            terms.tuple(nothing)
+        }
+        false => terms.number(0),
+    };
+    let shares = if is_spatial { terms.pair(friction).to_vec() } else { vec![friction] };
+    let mut force = scale(&mut terms, normal, geometry.normal);
+    for (share, tangent) in shares.into_iter().zip(geometry.tangents) {
+        let share = scale(&mut terms, share, tangent);
+        force = plus(&mut terms, force, share);
+    }
+    let foot = scale(&mut terms, geometry.radius, geometry.normal);
+    let point = minus(&mut terms, geometry.center, foot);
+    let [force, point] = [force, point].map(|vector| scene_vector(translation, vector));
+    let values = [normal, friction, force, geometry.gap, slip, point];
+    object::Contact { parts: PARTS.into_iter().zip(values).collect() }
+}
+
+fn push_event(translation: &mut Translation<'_>, name: &Name, gap: AstId, restitution: AstId) {
+    translation.push(StatementKind::Event(Event {
+        name: name.clone(),
+        value: gap,
+        direction: Direction::Falling,
+        direction_span: name.span,
+        action: Action::Impact(restitution),
+    }));
+}
+
+fn push_friction(translation: &mut Translation<'_>, name: &Name, slip: AstId, [kinetic, fixed]: [AstId; 2]) {
+    let fixed = (fixed != kinetic).then_some(fixed);
+    translation.push(StatementKind::Friction(Friction {
+        name: name.clone(),
+        slip,
+        kinetic,
+        fixed,
+        width: None,
+    }));
+}

@@ -1,0 +1,80 @@
+//! Coefficients of friction and restitution, and the radius of a contact.
+
+use crate::bodies::constants::number;
+use crate::bodies::expressions::mention;
+use crate::bodies::mass_geometry::property;
+use crate::bodies::messages::contacts as words;
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId};
+
+/// A coefficient as it is written, and in plain words.
+#[derive(Clone, Copy)]
+pub(super) struct Coefficient {
+    pub(super) written: AstId,
+    pub(super) value: AstId,
+}
+
+/// The kinetic and the static coefficient; none without friction. `None` after a mistake.
+pub(super) fn coefficients(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+) -> Option<Option<[Coefficient; 2]>> {
+    let given = [statement.friction.or(statement.kinetic), statement.friction.or(statement.fixed)];
+    let [Some(kinetic), Some(fixed)] = given else { return Some(None) };
+    let name = &statement.name.text;
+    let [kinetic, fixed] =
+        [kinetic, fixed].map(|written| Coefficient { written, value: mention(translation, written) });
+    let sizes = [kinetic, fixed].map(|coefficient| size_of(translation, coefficient.value));
+    let is_negative = |size: &Option<f64>| size.is_some_and(|size| size < 0.0);
+    let (written, message, help) = match sizes {
+        [kinetic_size, _] if is_negative(&kinetic_size) => {
+            (kinetic.written, words::negative_coefficient(name), words::NEGATIVE_COEFFICIENT_HELP)
+        }
+        [_, fixed_size] if is_negative(&fixed_size) => {
+            (fixed.written, words::negative_coefficient(name), words::NEGATIVE_COEFFICIENT_HELP)
+        }
+        [Some(low), Some(high)] if high < low => {
+            (fixed.written, words::static_below_kinetic(name), words::STATIC_BELOW_KINETIC_HELP)
+        }
+        _ => return Some(Some([kinetic, fixed])),
+    };
+    translation.report.error(translation.expressions.origin(written), message).help(help);
+    None
+}
+
+/// The coefficient of restitution, 0 if none is given.
+pub(super) fn restitution(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<AstId> {
+    let Some(written) = statement.restitution else { return Some(translation.terms().number(0)) };
+    let value = mention(translation, written);
+    if size_of(translation, value).is_none_or(|size| (0.0..=1.0).contains(&size)) {
+        return Some(value);
+    }
+    let origin = translation.expressions.origin(written);
+    let message = words::restitution_out_of_range(&statement.name.text);
+    translation.report.error(origin, message).help(words::RESTITUTION_HELP);
+    None
+}
+
+/// The radius, if it is given; `None` after a mistake.
+pub(super) fn radius(translation: &mut Translation<'_>, statement: &ast::Contact) -> Option<Option<AstId>> {
+    let Some(written) = statement.radius else { return Some(None) };
+    let value = property(translation, written, &words::radius_of(&statement.name.text));
+    if size_of(translation, value).is_none_or(|size| size >= 0.0) {
+        return Some(Some(value));
+    }
+    let origin = translation.expressions.origin(written);
+    let message = words::negative_radius(&statement.name.text);
+    translation.report.error(origin, message).help(words::NEGATIVE_RADIUS_HELP);
+    None
+}
+
+fn size_of(translation: &Translation<'_>, value: AstId) -> Option<f64> {
+    number(&translation.expressions, translation.names.constants(), value)
+}
+
+/// μ N, blamed on the coefficient.
+pub(super) fn limit(translation: &mut Translation<'_>, coefficient: Coefficient, normal: AstId) -> AstId {
+    let origin = translation.expressions.origin(coefficient.written);
+    TermWriter::new(&mut translation.expressions, origin).times(coefficient.value, normal)
+}

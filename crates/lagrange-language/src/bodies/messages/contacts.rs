@@ -1,0 +1,48 @@
+//! Diagnostics for contacts and the surfaces on which they are.
+
+use lagrange_expr::diagnostics::messages;
+
+messages! {
+    pub(in crate::bodies):
+
+    TOUCHING_POINT = "a touching point";
+    place_of(name) = "the position of `{name}`";
+    radius_of(name) = "the radius of `{name}`";
+    direction_of(name) = "the direction of `{name}`";
+
+    surface_without_radius(kind, name) = "the {kind} `{name}` has no radius";
+    radius_not_positive(name) = "the radius of `{name}` is not positive";
+    SURFACE_RADIUS_HELP = "write `radius: r;` with a positive length";
+    zero_direction(label, name) = "the {label} of `{name}` has the length zero";
+    ZERO_DIRECTION_HELP = "write a vector that is not zero, such as `(0, 0, 1)`; its length does not matter";
+
+    no_body_touches(contact) = "the contact `{contact}` needs a body or a point of one";
+    NO_BODY_TOUCHES_HELP =
+        "write a round body, `wheel`, a point, `foot.point(X, Y)`, in space `foot.point(X, Y, Z)`, or corners, `case.corners`";
+    no_outline(contact, name) =
+        "the contact `{contact}` is of `{name}`, whose shape has neither a radius nor corners";
+    NO_OUTLINE_HELP = "write a point of it, `name.point(X, Y)`, or the radius around its centre, `radius: r;`";
+    ground_touches(contact) = "in the contact `{contact}` the ground cannot touch anything";
+    GROUND_TOUCHES_HELP = "write the body that moves first: `contact name = wheel on ground;`";
+    no_surface(contact, name, found) = "the contact `{contact}` needs a surface, but `{name}` is {found}";
+    not_round(contact, name) = "the contact `{contact}` needs a surface, but `{name}` is not round";
+    unknown_surface(contact, name) = "the contact `{contact}` is on the unknown surface `{name}`";
+    NO_SURFACE_HELP =
+        "write `ground`, the name of a `line` or `plane`, of a `circle`, `sphere` or `cylinder`, or of a round body";
+    inside_of_flat(contact, name) = "the contact `{contact}` is inside of `{name}`, which is flat";
+    INSIDE_OF_FLAT_HELP = "write `on` for what touches a line, a plane or the ground";
+    touches_itself(contact, name) = "in the contact `{contact}`, `{name}` touches itself";
+    TOUCHES_ITSELF_HELP = "write a surface of the ground or of another body: the gap within one body never changes";
+
+    negative_radius(contact) = "the radius of the contact `{contact}` is negative";
+    NEGATIVE_RADIUS_HELP = "it is the distance of the surface of the body from the point; 0 for the point alone";
+    negative_coefficient(contact) = "a coefficient of friction of the contact `{contact}` is negative";
+    NEGATIVE_COEFFICIENT_HELP = "it is the ratio of the largest friction force to the normal force, so at least 0";
+    static_below_kinetic(contact) = "the static coefficient of the contact `{contact}` is below the kinetic one";
+    STATIC_BELOW_KINETIC_HELP =
+        "a body that begins to slip would stick again at once: make the static coefficient at least as large";
+    restitution_out_of_range(contact) =
+        "the coefficient of restitution of the contact `{contact}` is not between 0 and 1";
+    RESTITUTION_HELP =
+        "it is the ratio of the speeds after and before: 0 if bodies stay together, 1 if no energy is lost";
+}

@@ -1,0 +1,207 @@
+//! Planes, circles, spheres and cylinders that bodies touch.
+//!
+//! A plane has two perpendicular tangents t₁ × t₂ = n, of which t₁ is the projection of the least
+//! aligned coordinate axis, the first of several. They are fixed in what carries the plane.
+
+use super::constants::number;
+use super::kinematics::point_of_body;
+use super::lines::carrier;
+use super::mass_geometry::{property, vector_of};
+use super::messages;
+use super::messages::contacts as words;
+use super::object::{Object, Surface};
+use super::space::vectors::{Triple, cross, transposed, unit, zero_triple};
+use super::space::{
+    fixed_triple, frame_along, link_of, named_vector, place_on_link, triple_of, triple_of_numbers,
+    vector_on_link, written,
+};
+use super::terms::TermWriter;
+use super::translation::Translation;
+use crate::syntax::ast::{self, AstId, Expression, Name, SurfaceKind};
+
+pub(super) fn translate_surface(translation: &mut Translation<'_>, statement: &ast::Surface) {
+    if statement.kind.is_in_space() && translation.space.is_none() {
+        let message = messages::only_in_space(statement.kind.name());
+        translation.report.error(translation.origin, message).help(messages::NOT_IN_THE_PLANE_HELP);
+        return declare_broken_surface(translation, statement);
+    }
+    let carrier = statement.on.as_ref().map(|on| carrier_of(translation, on));
+    let own = own_surface(translation, statement);
+    let Some(own) = own.filter(|_| carrier != Some(None)) else {
+        return declare_broken_surface(translation, statement);
+    };
+    let surface = in_world(translation, &statement.name, own, carrier.flatten());
+    translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
+}
+
+/// Declares a surface whose mistake was reported.
+pub(super) fn declare_broken_surface(translation: &mut Translation<'_>, statement: &ast::Surface) {
+    let radius = translation.terms().invalid();
+    let [place, direction] = [[radius; 3]; 2];
+    let (kind, tangents) = (statement.kind, [place; 2]);
+    let surface = Surface { kind, carrier: None, place, direction, tangents, radius, turning: radius };
+    translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
+}
+
+/// The body or link of a name; anything else is reported.
+fn carrier_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
+    match translation.space {
+        Some(_) => link_of(translation, name),
+        None => carrier(translation, name),
+    }
+}
+
+/// A surface in the coordinates of what carries it.
+fn own_surface(translation: &mut Translation<'_>, statement: &ast::Surface) -> Option<Surface> {
+    let ast::Surface { kind, name, place, direction, radius, .. } = statement;
+    let place = own_place(translation, *kind, name, *place);
+    let radius = own_radius(translation, *kind, name, *radius);
+    let direction = own_direction(translation, *kind, name, *direction);
+    let (direction, tangents) = direction?;
+    let turning = translation.terms().number(0);
+    Some(Surface { kind: *kind, carrier: None, place, direction, tangents, radius: radius?, turning })
+}
+
+fn own_place(
+    translation: &mut Translation<'_>,
+    kind: SurfaceKind,
+    name: &Name,
+    place: Option<AstId>,
+) -> Triple {
+    let zero = translation.terms().number(0);
+    match place {
+        None => [zero; 3],
+        Some(place) if kind.is_in_space() => triple_of(translation, place, &words::place_of(&name.text)),
+        Some(place) => {
+            let [x, y] = vector_of(translation, place, &words::place_of(&name.text));
+            [x, y, zero]
+        }
+    }
+}
+
+fn own_radius(
+    translation: &mut Translation<'_>,
+    kind: SurfaceKind,
+    name: &Name,
+    radius: Option<AstId>,
+) -> Option<AstId> {
+    if !kind.labels().contains(&"radius") {
+        return Some(translation.terms().number(0));
+    }
+    let Some(radius) = radius else {
+        let message = words::surface_without_radius(kind.name(), &name.text);
+        translation.report.error(name.span, message).help(words::SURFACE_RADIUS_HELP);
+        return None;
+    };
+    let value = property(translation, radius, &words::radius_of(&name.text));
+    let size = number(&translation.expressions, translation.names.constants(), value);
+    if size.is_some_and(|size| size <= 0.0) {
+        let origin = translation.expressions.origin(radius);
+        let message = words::radius_not_positive(&name.text);
+        translation.report.error(origin, message).help(words::SURFACE_RADIUS_HELP);
+        return None;
+    }
+    Some(value)
+}
+
+/// The normal of a plane with its tangents, or the axis of a cylinder: of length one.
+fn own_direction(
+    translation: &mut Translation<'_>,
+    kind: SurfaceKind,
+    name: &Name,
+    direction: Option<AstId>,
+) -> Option<(Triple, [Triple; 2])> {
+    if !matches!(kind, SurfaceKind::Plane | SurfaceKind::Cylinder) {
+        let zero = zero_triple(&mut translation.terms());
+        return Some((zero, [zero; 2]));
+    }
+    let Some(written_direction) = direction else {
+        let mut terms = translation.terms();
+        let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
+        return Some((z, [x, y]));
+    };
+    let vector = fixed_triple(translation, written_direction, &words::direction_of(&name.text));
+    if let Some(numbers) = triple_of_numbers(translation, vector) {
+        if numbers == [0.0; 3] {
+            let origin = translation.expressions.origin(written_direction);
+            let label = kind.labels()[2];
+            translation
+                .report
+                .error(origin, words::zero_direction(label, &name.text))
+                .help(words::ZERO_DIRECTION_HELP);
+            return None;
+        }
+        let columns = transposed(written(&mut translation.terms(), frame_along(numbers)));
+        let [x, y, z] = columns;
+        let mut terms = translation.terms();
+        return Some((z, [y, x.map(|component| terms.negative(component))]));
+    }
+    let mut terms = translation.terms();
+    let whole = terms.vector(&vector);
+    let length = terms.call("norm", &[whole]);
+    let normal = vector.map(|component| terms.divide(component, length));
+    let normal = bind_vector(translation, &format!("{}_direction", name.text), normal);
+    let tangents = tangents_of(&mut translation.terms(), normal);
+    Some((normal, tangents))
+}
+
+/// Two perpendicular directions whose cross product is a direction n of length one. If a coordinate
+/// axis is perpendicular to n, they are this axis and its cross product with n. Otherwise they are
+/// Frisvad's, singular at n = −e_z only.
+///
+/// Source: Frisvad, *Building an orthonormal basis from a 3D unit vector without normalization*
+/// (2012), eq. 2.
+pub(super) fn tangents_of(terms: &mut TermWriter<'_>, normal: Triple) -> [Triple; 2] {
+    if let Some(axis) = (0..3).find(|&axis| terms.is_zero(normal[axis])) {
+        let first = unit(terms, axis);
+        return [first, cross(terms, normal, first)];
+    }
+    let one = terms.number(1);
+    let [x, y, z] = normal;
+    let below = terms.plus(one, z);
+    let [along, across] = [x, y].map(|component| terms.divide(component, below));
+    let (xx, xy, yy) = (terms.times(along, x), terms.times(along, y), terms.times(across, y));
+    let (first, mixed, second) = (terms.minus(one, xx), terms.negative(xy), terms.minus(one, yy));
+    let back = [terms.negative(x), terms.negative(y)];
+    [[first, mixed, back[0]], [mixed, second, back[1]]]
+}
+
+/// Returns a surface, which a body or link may carry, in the world.
+fn in_world(translation: &mut Translation<'_>, name: &Name, own: Surface, carrier: Option<usize>) -> Surface {
+    let Some(body) = carrier else { return own };
+    if translation.space.is_none() {
+        let [x, y, zero] = own.place;
+        let [x, y] = point_of_body(translation, body, [x, y]);
+        let place = bind_vector(translation, &format!("{}_center", name.text), [x, y, zero]);
+        return Surface { carrier, place, ..own };
+    }
+    let place = place_on_link(translation, body, own.place);
+    let place = bind_vector(translation, &format!("{}_place", name.text), place);
+    let mut turned = |part: &str, vector: Triple| {
+        let world = vector_on_link(translation, body, vector);
+        bind_vector(translation, &format!("{}_{part}", name.text), world)
+    };
+    let direction = turned("direction", own.direction);
+    let [first, second] = own.tangents;
+    let tangents = [turned("tangent_1", first), turned("tangent_2", second)];
+    Surface { carrier, place, direction, tangents, ..own }
+}
+
+/// A vector under a name, unless its components need none; in the plane its first two components.
+pub(super) fn bind_vector(translation: &mut Translation<'_>, wish: &str, vector: Triple) -> Triple {
+    if translation.space.is_some() {
+        return named_vector(translation, wish, vector);
+    }
+    let [x, y, zero] = vector;
+    let is_atom = |id: AstId| {
+        use Expression::{Component, Invalid, Name, Number};
+        matches!(translation.expressions.get(id), Number(_) | Name(_) | Component(..) | Invalid)
+    };
+    if [x, y].into_iter().all(is_atom) {
+        return vector;
+    }
+    let pair = translation.terms().tuple([x, y]);
+    let name = translation.bind(wish, pair);
+    let [x, y] = translation.terms().pair(name);
+    [x, y, zero]
+}

@@ -1,0 +1,190 @@
+//! Round bodies and points of bodies that touch, with their motion.
+
+use super::expressions::{plain_expression, scene_point};
+use super::kinematics::point_of_body;
+use super::messages;
+use super::messages::contacts as words;
+use super::object::{Body, Object, Surface};
+use super::plain::Outline;
+use super::space::vectors::{Triple, cross, minus, plus};
+use super::space::{origin_motion, place_on_link, point_on_link, spin_of_link, velocity_on_link};
+use super::translation::Translation;
+use crate::syntax::ast::{AstId, Contact, Expression, Name, SurfaceKind};
+
+/// A point of a body with the radius around it that touches. Vectors in the plane have a third
+/// component of zero.
+pub(super) struct Touching {
+    /// The body, in space the link.
+    pub(super) body: usize,
+    pub(super) center: Triple,
+    /// Velocity of the point of the body at the centre.
+    pub(super) velocity: Triple,
+    pub(super) spin: Triple,
+    /// Radius of the body, if its shape is round.
+    pub(super) radius: Option<AstId>,
+}
+
+/// The point of a body that touches; what belongs to no body is reported.
+pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> Option<Touching> {
+    let (name, object) = (&contact.name, contact.object);
+    let mistakes = translation.report.diagnostics().len();
+    report_without_corners(translation, object);
+    let touching = match translation.space {
+        Some(_) => touching_link(translation, object),
+        None => touching_body(translation, object),
+    };
+    if touching.is_none() && translation.report.diagnostics().len() == mistakes {
+        plain_expression(translation, object);
+    }
+    if touching.is_none() && translation.report.diagnostics().len() == mistakes {
+        report_no_body(translation, name, object);
+    }
+    if let Some(Touching { body, radius: None, .. }) = touching
+        && contact.radius.is_none()
+    {
+        report_without_radius(translation, name, body, object);
+    }
+    touching.filter(|_| translation.report.diagnostics().len() == mistakes)
+}
+
+/// Reports a body that stands for its centre although it has a shape.
+fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, body: usize, object: AstId) {
+    let Expression::Name(name) = translation.expressions.get(object).clone() else { return };
+    let is_whole = translation.body_named(object).is_some() || translation.link_named(object).is_some();
+    let shape = match &translation.space {
+        Some(space) => space.links[body].shape.as_ref(),
+        None => translation.bodies[body].shape.as_ref(),
+    };
+    let is_extended = shape.is_some_and(|shape| shape.variant != "PointMass");
+    if is_whole && is_extended {
+        let origin = translation.expressions.origin(object);
+        let error = translation.report.error(origin, words::no_outline(&contact.text, &name));
+        error.help(words::NO_OUTLINE_HELP);
+    }
+}
+
+fn report_no_body(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
+    let is_body = |object: &Object| matches!(object, Object::Body(_) | Object::Link { .. });
+    let nearest = match translation.expressions.get(object) {
+        Expression::Name(name) => translation.names.nearest(name, is_body),
+        _ => None,
+    };
+    let help = nearest.map_or_else(|| words::NO_BODY_TOUCHES_HELP.to_owned(), messages::did_you_mean);
+    let origin = translation.expressions.origin(object);
+    translation.report.error(origin, words::no_body_touches(&contact.text)).help(help);
+}
+
+/// Reports `case.corners` of what has none.
+fn report_without_corners(translation: &mut Translation<'_>, object: AstId) {
+    let Expression::Component(body, part) = translation.expressions.get(object).clone() else { return };
+    let is_body = translation.body_named(body).is_some() || translation.link_named(body).is_some();
+    if let Expression::Name(name) = translation.expressions.get(body).clone()
+        && is_body
+        && part.text == "corners"
+    {
+        translation.report.error(part.span, messages::no_corners(&name)).help(messages::NO_CORNERS_HELP);
+    }
+}
+
+fn touching_body(translation: &mut Translation<'_>, object: AstId) -> Option<Touching> {
+    let body = translation.body_of(object)?;
+    let Body { origin, radius, .. } = translation.bodies[body].clone();
+    let is_whole = translation.body_named(object).is_some();
+    let radius = radius.filter(|_| is_whole);
+    let center = match radius {
+        Some(_) => origin,
+        None => {
+            let point = scene_point(translation, object, words::TOUCHING_POINT);
+            translation.terms().pair(point)
+        }
+    };
+    let zero = translation.terms().number(0);
+    let center = [center[0], center[1], zero];
+    let (velocity, spin) = motion_at(translation, body, center);
+    Some(Touching { body, center, velocity, spin, radius })
+}
+
+fn touching_link(translation: &mut Translation<'_>, object: AstId) -> Option<Touching> {
+    let named = translation.link_named(object);
+    let ball = named.and_then(|link| Some((link, round_of(translation, link)?)));
+    let (body, own, radius) = match ball {
+        Some((link, (SurfaceKind::Sphere, center, radius))) => (link, center, Some(radius)),
+        _ => {
+            let (link, own) = point_on_link(translation, object)?;
+            (link, own, None)
+        }
+    };
+    let center = place_on_link(translation, body, own);
+    let velocity = velocity_on_link(translation, body, own);
+    let spin = spin_of_link(translation, body);
+    Some(Touching { body, center, velocity, spin, radius })
+}
+
+/// Velocity at a place of the body in the plane or the link in space, and the angular velocity.
+pub(super) fn motion_at(translation: &mut Translation<'_>, body: usize, place: Triple) -> (Triple, Triple) {
+    let (origin, velocity, spin) = match translation.space {
+        Some(_) => origin_motion(translation, body),
+        None => plane_motion(translation, body),
+    };
+    let mut terms = translation.terms();
+    let arm = match place[0] == origin[0] && place[1] == origin[1] {
+        true => [terms.number(0); 3],
+        false => minus(&mut terms, place, origin),
+    };
+    let turning = cross(&mut terms, spin, arm);
+    (plus(&mut terms, velocity, turning), spin)
+}
+
+/// Origin, its velocity and the angular velocity.
+fn plane_motion(translation: &mut Translation<'_>, body: usize) -> (Triple, Triple, Triple) {
+    let Body { origin: [x, y], angle, .. } = translation.bodies[body].clone();
+    let zero = translation.terms().number(0);
+    let [vx, vy, rate] = [x, y, angle].map(|value| rate_of(translation, value));
+    ([x, y, zero], [vx, vy, zero], [zero, zero, rate])
+}
+
+/// The rate of what may be at rest.
+pub(super) fn rate_of(translation: &mut Translation<'_>, value: AstId) -> AstId {
+    match translation.is_at_rest(value) {
+        true => translation.terms().number(0),
+        false => translation.terms().rate(value),
+    }
+}
+
+/// The surface of a round body: its kind, centre and radius in its own coordinates.
+pub(super) fn round_of(
+    translation: &mut Translation<'_>,
+    body: usize,
+) -> Option<(SurfaceKind, Triple, AstId)> {
+    let zero = translation.terms().number(0);
+    let Some(space) = &translation.space else {
+        let Body { radius, .. } = &translation.bodies[body];
+        return Some((SurfaceKind::Circle, [zero; 3], (*radius)?));
+    };
+    let Outline { variant, dimensions, place, .. } = space.links[body].shape.as_ref()?;
+    let (kind, radius) = match (*variant, &dimensions[..]) {
+        ("Sphere", &[radius]) => (SurfaceKind::Sphere, radius),
+        ("Cylinder", &[radius, _]) | ("HollowCylinder", &[_, radius, _]) => (SurfaceKind::Cylinder, radius),
+        _ => return None,
+    };
+    Some((kind, [place[0], place[1], place[2]], radius))
+}
+
+/// The surface of a round body in the world; `None` of any other body.
+pub(super) fn surface_of(translation: &mut Translation<'_>, body: usize) -> Option<Surface> {
+    let (kind, own, radius) = round_of(translation, body)?;
+    let zero = translation.terms().number(0);
+    let (place, direction) = match translation.space {
+        None => {
+            let [x, y] = point_of_body(translation, body, [zero; 2]);
+            ([x, y, zero], [zero; 3])
+        }
+        Some(_) => {
+            let one = translation.terms().number(1);
+            let axis = super::space::vector_on_link(translation, body, [zero, zero, one]);
+            (place_on_link(translation, body, own), axis)
+        }
+    };
+    let tangents = [[zero; 3]; 2];
+    Some(Surface { kind, carrier: Some(body), place, direction, tangents, radius, turning: zero })
+}

@@ -1,0 +1,199 @@
+//! Surfaces that bodies touch, and the contacts on them, as written.
+
+use super::{AstId, Name};
+
+/// `line name { on: body; through: (x, y); angle: e; }` and its kin
+#[derive(Clone, Debug)]
+pub struct Surface {
+    /// Kind of the surface.
+    pub kind: SurfaceKind,
+    /// Its name.
+    pub name: Name,
+    /// The body that carries it; at rest without one.
+    pub on: Option<Name>,
+    /// A point of it, or the centre.
+    pub place: Option<AstId>,
+    /// The angle of a line, the normal of a plane, the axis of a cylinder.
+    pub direction: Option<AstId>,
+    /// Its radius, if it is round.
+    pub radius: Option<AstId>,
+}
+
+/// Kind of a surface.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum SurfaceKind {
+    /// `line`, in the plane; its free side is on the left
+    Line,
+    /// `plane`, in space; its free side is that of the normal
+    Plane,
+    /// `circle`, in the plane
+    Circle,
+    /// `sphere`, in space
+    Sphere,
+    /// `cylinder`, in space, of any length
+    Cylinder,
+}
+
+impl SurfaceKind {
+    /// Every kind.
+    pub const ALL: [SurfaceKind; 5] = [
+        SurfaceKind::Line,
+        SurfaceKind::Plane,
+        SurfaceKind::Circle,
+        SurfaceKind::Sphere,
+        SurfaceKind::Cylinder,
+    ];
+
+    /// Returns the word that declares one.
+    pub fn name(self) -> &'static str {
+        match self {
+            SurfaceKind::Line => "line",
+            SurfaceKind::Plane => "plane",
+            SurfaceKind::Circle => "circle",
+            SurfaceKind::Sphere => "sphere",
+            SurfaceKind::Cylinder => "cylinder",
+        }
+    }
+
+    /// Returns the word with its article.
+    pub fn described(self) -> &'static str {
+        match self {
+            SurfaceKind::Line => "a line",
+            SurfaceKind::Plane => "a plane",
+            SurfaceKind::Circle => "a circle",
+            SurfaceKind::Sphere => "a sphere",
+            SurfaceKind::Cylinder => "a cylinder",
+        }
+    }
+
+    /// Returns the kind that a word declares.
+    pub fn named(word: &str) -> Option<SurfaceKind> {
+        SurfaceKind::ALL.into_iter().find(|kind| kind.name() == word)
+    }
+
+    /// Returns the labels of its carrier, place, direction and radius; those that it lacks are
+    /// absent.
+    pub fn labels(self) -> &'static [&'static str] {
+        match self {
+            SurfaceKind::Line => &["on", "through", "angle"],
+            SurfaceKind::Plane => &["on", "through", "normal"],
+            SurfaceKind::Circle | SurfaceKind::Sphere => &["on", "center", "radius"],
+            SurfaceKind::Cylinder => &["on", "through", "axis", "radius"],
+        }
+    }
+
+    /// True if it belongs to scenes in space.
+    pub fn is_in_space(self) -> bool {
+        matches!(self, SurfaceKind::Plane | SurfaceKind::Sphere | SurfaceKind::Cylinder)
+    }
+}
+
+impl Surface {
+    /// Creates a surface of which nothing else is known yet.
+    pub fn named(kind: SurfaceKind, name: Name) -> Surface {
+        Surface { kind, name, on: None, place: None, direction: None, radius: None }
+    }
+
+    /// Returns the place for the value of a label.
+    pub fn value_mut(&mut self, label: &str) -> &mut Option<AstId> {
+        match label {
+            "through" | "center" => &mut self.place,
+            "radius" => &mut self.radius,
+            _ => &mut self.direction,
+        }
+    }
+
+    /// Returns its labels with their values.
+    pub fn values(&self) -> Vec<(&'static str, Option<AstId>)> {
+        let mut copy = self.clone();
+        let labels = self.kind.labels()[1..].iter();
+        labels.map(|&label| (label, *copy.value_mut(label))).collect()
+    }
+}
+
+/// `contact name = wheel on floor { friction: mu; restitution: e; }`
+#[derive(Clone, Debug)]
+pub struct Contact {
+    /// Its name, which stands for the normal force.
+    pub name: Name,
+    /// `name_friction`, the name of the friction in it.
+    pub friction_name: Name,
+    /// The body that touches, or a point of one.
+    pub object: AstId,
+    /// The surface that is touched: of a body, a line and its kin, or the ground.
+    pub surface: Name,
+    /// True if the body is inside of the surface.
+    pub is_inside: bool,
+    /// `radius: r;` around the point; that of a round body if it is not given.
+    pub radius: Option<AstId>,
+    /// `friction: mu;`, one coefficient for slipping and sticking.
+    pub friction: Option<AstId>,
+    /// `kinetic: mu;`, the coefficient while it slips.
+    pub kinetic: Option<AstId>,
+    /// `static: mu;`, the coefficient while it sticks.
+    pub fixed: Option<AstId>,
+    /// `restitution: e;`; 0 if it is not given.
+    pub restitution: Option<AstId>,
+}
+
+impl Contact {
+    /// The labels of a contact.
+    pub const LABELS: [&'static str; 5] = ["radius", "friction", "kinetic", "static", "restitution"];
+
+    /// Creates a contact of which nothing else is known yet.
+    pub fn between(name: Name, object: AstId, surface: Name, is_inside: bool) -> Contact {
+        let friction_name = Contact::friction_name(&name);
+        let [radius, friction, kinetic, fixed, restitution] = [None; 5];
+        Contact {
+            name,
+            friction_name,
+            object,
+            surface,
+            is_inside,
+            radius,
+            friction,
+            kinetic,
+            fixed,
+            restitution,
+        }
+    }
+
+    /// Returns the name of the friction in a contact.
+    pub fn friction_name(name: &Name) -> Name {
+        Name::new(format!("{}_friction", name.text), name.span)
+    }
+
+    /// True if there is friction in it.
+    pub fn has_friction(&self) -> bool {
+        [self.friction, self.kinetic, self.fixed].iter().any(Option::is_some)
+    }
+
+    /// The names that it declares.
+    pub(super) fn names(&self) -> Vec<&Name> {
+        let friction = self.has_friction().then_some(&self.friction_name);
+        [&self.name].into_iter().chain(friction).collect()
+    }
+
+    /// Returns the place for the value of a label.
+    pub fn value_mut(&mut self, label: &str) -> &mut Option<AstId> {
+        match label {
+            "radius" => &mut self.radius,
+            "friction" => &mut self.friction,
+            "kinetic" => &mut self.kinetic,
+            "static" => &mut self.fixed,
+            _ => &mut self.restitution,
+        }
+    }
+
+    /// Returns its labels with their values.
+    pub fn values(&self) -> Vec<(&'static str, Option<AstId>)> {
+        let mut copy = self.clone();
+        Contact::LABELS.map(|label| (label, *copy.value_mut(label))).to_vec()
+    }
+
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let Contact { object, radius, friction, kinetic, fixed, restitution, .. } = self;
+        let values = [radius, friction, kinetic, fixed, restitution].into_iter().flatten();
+        [object].into_iter().chain(values).collect()
+    }
+}

@@ -1,0 +1,78 @@
+//! Statements that declare surfaces and the contacts on them.
+
+use proc_macro2::Delimiter;
+
+use super::ast::{Contact, Surface, SurfaceKind};
+use super::blocks::BlockLabels;
+use super::cursor::Cursor;
+use super::messages::forms::form;
+use super::messages::scenes;
+use super::parser::{Parsed, Parser, Reported};
+
+impl Parser<'_> {
+    /// `name { on: body; through: e; angle: e; }` and its kin.
+    pub(super) fn surface(&mut self, kind: SurfaceKind, cursor: &mut Cursor) -> Parsed<Surface> {
+        let help = form(kind.name());
+        let name = self.scene_name(help, cursor)?;
+        let origin = name.span.into();
+        let group = self.braces(help, cursor)?;
+        let mut surface = Surface::named(kind, name);
+        let mut labels = BlockLabels::new(kind.described(), kind.labels());
+        let complete = self.lines(&group, |parser, cursor| {
+            let label = parser.label_of(&mut labels, cursor)?;
+            parser.colon(label, cursor)?;
+            match label {
+                "on" => {
+                    let name = parser.name(cursor)?;
+                    surface.on = Some(parser.indexed(name, cursor)?);
+                }
+                label => *surface.value_mut(label) = Some(parser.line_value(cursor)),
+            }
+            Ok(())
+        });
+        if !complete && kind.labels().contains(&"radius") {
+            self.missing(&mut surface.radius, origin);
+        }
+        Ok(surface)
+    }
+
+    /// `name = e on surface { friction: e; … }`, with or without the braces.
+    pub(super) fn contact(&mut self, cursor: &mut Cursor) -> Parsed<Contact> {
+        let help = form("contact");
+        let name = self.declared_name(cursor)?;
+        self.equals(help, cursor)?;
+        let object = self.expression(cursor)?;
+        let is_inside = cursor.eat_word("inside").is_some();
+        if !is_inside {
+            self.joining("on", scenes::CONTACT_HELP, cursor)?;
+        }
+        let surface = self.mentioned(help, cursor)?;
+        let mut contact = Contact::between(name, object, surface, is_inside);
+        match cursor.eat_group(Delimiter::Brace) {
+            Some(group) => {
+                let labels = BlockLabels::new("a contact", &Contact::LABELS);
+                let complete = self.values(&group, labels, &mut contact, Contact::value_mut);
+                if complete {
+                    self.check_coefficients(&contact)?;
+                }
+            }
+            None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", help, cursor)),
+            None => {}
+        }
+        Ok(contact)
+    }
+
+    /// A contact has one coefficient of friction, or one for slipping and one for sticking.
+    fn check_coefficients(&mut self, contact: &Contact) -> Parsed<()> {
+        let name = &contact.name.text;
+        let (value, message) = match (contact.friction, contact.kinetic, contact.fixed) {
+            (Some(value), Some(_), _) | (Some(value), _, Some(_)) => (value, scenes::third_coefficient(name)),
+            (None, Some(value), None) => (value, scenes::lonely_coefficient(name, "kinetic", "static")),
+            (None, None, Some(value)) => (value, scenes::lonely_coefficient(name, "static", "kinetic")),
+            _ => return Ok(()),
+        };
+        let origin = self.expressions.origin(value);
+        self.fail_with_help(origin, message, scenes::COEFFICIENTS_HELP);
+        Err(Reported)
+    }
+}

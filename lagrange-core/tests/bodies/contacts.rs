@@ -1,0 +1,91 @@
+//! Contacts as events and frictions.
+
+use lagrange_core::pipeline::parse;
+use lagrange_core::syntax::print;
+
+use super::derive;
+
+/// The plain events and frictions, and the `let`s whose names contain a word.
+fn plain(text: &str, word: &str) -> Vec<String> {
+    let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
+    let text = print::statements(&system.declaration);
+    let is_wanted = |line: &&str| {
+        ["event", "friction"].iter().any(|start| line.starts_with(start))
+            || line.starts_with("let") && line.split('=').next().is_some_and(|name| name.contains(word))
+    };
+    text.lines().filter(is_wanted).map(str::to_owned).collect()
+}
+
+#[test]
+fn a_disk_on_a_line_is_a_gap_and_a_slip_velocity() {
+    let found = plain(
+        "param r = 0.3, mu = 0.4, e = 0.1;
+        coord x, y, phi;
+        line slope { angle: 0.2; }
+        body wheel { mass: 2; center: (x, y); angle: phi; shape: disk(r); }
+        contact touch = wheel on slope { friction: mu; restitution: e; }",
+        "touch",
+    );
+    let wanted = [
+        "let touch_gap = -(sin(0.2) * wheel_center.x) + cos(0.2) * wheel_center.y - r;",
+        "event touch = touch_gap, falling => impact(e);",
+        "let touch_slip = cos(0.2) * dot(wheel_center.x) + sin(0.2) * dot(wheel_center.y) + r * dot(phi);",
+        "friction touch_friction = touch_slip, mu * touch;",
+    ];
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn a_point_on_the_ground_without_friction_is_an_event() {
+    let found = plain(
+        "coord x, y;
+        body mass { mass: 2; center: (x, y); }
+        contact touch = mass on ground;",
+        "touch",
+    );
+    assert_eq!(found, ["let touch_gap = mass_center.y;", "event touch = touch_gap, falling => impact(0);"]);
+}
+
+#[test]
+fn a_surface_that_moves_by_itself_moves_against_what_touches_it() {
+    let found = plain(
+        "param v = 2;
+        coord x, y;
+        line belt { through: (v * t, sin(t)); }
+        circle drum { center: (cos(t), -3); radius: 2; }
+        body mass { mass: 2; center: (x, y); }
+        contact touch = mass on belt { friction: 0.2; }
+        contact other = mass on drum { friction: 0.2; }",
+        "slip",
+    );
+    assert_eq!(found[1], "let touch_slip = dot(mass_center.x) - dot(v * t);");
+    let slip = "let other_slip = other_normal.y * (dot(mass_center.x) - dot(cos(t))) - other_normal.x * dot(mass_center.y);";
+    assert_eq!(found[4], slip);
+}
+
+#[test]
+fn corners_are_an_array_of_contacts_also_of_bodies_in_a_loop() {
+    let text = "param mu = 0.4;
+        coord x[2], y[2], phi[2];
+        for i in 0..2 {
+            body case[i] { mass: 2; center: (x[i], y[i]); angle: phi[i]; shape: rectangle(0.4, 0.2); }
+            contact foot[i] = case[i] on ground { kinetic: mu; static: 2 * mu; }
+        }
+        output load = foot[1][3] + foot[0][2].gap;";
+    let found = plain(text, "nothing");
+    assert_eq!(found.len(), 16);
+    assert!(found.contains(&"event foot_1_3 = foot_1_3_gap, falling => impact(0);".to_owned()));
+    let friction =
+        "friction foot_0_2_friction = foot_0_2_slip, kinetic: mu * foot_0_2, static: 2 * mu * foot_0_2;";
+    assert!(found.contains(&friction.to_owned()), "{found:?}");
+    derive(text);
+}
+
+#[test]
+fn the_words_of_contacts_are_free_as_names() {
+    derive(
+        "param contact = 1, plane = 2, circle = 3, sphere = 4, cylinder = 5, inside = 6;
+        coord x;
+        kinetic = 1/2 * (contact + plane + circle + sphere + cylinder + inside) * dot(x)^2;",
+    );
+}

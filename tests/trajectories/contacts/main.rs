@@ -1,0 +1,34 @@
+//! Contacts that `contact` statements declare, beside the same by hand, closed forms and what is
+//! conserved.
+//!
+//! `cargo test --release -p lagrange-trajectories-tests --test contacts` runs it.
+#![cfg(any(not(debug_assertions), clippy))]
+
+mod by_hand;
+mod flat;
+mod moving;
+mod round;
+
+const G: f64 = 9.81;
+
+#[track_caller]
+fn assert_near<const N: usize>(found: [f64; N], wanted: [f64; N], tolerance: f64) {
+    for (found, wanted) in found.into_iter().zip(wanted) {
+        assert!((found - wanted).abs() <= tolerance, "{found} instead of {wanted}");
+    }
+}
+
+/// A state of a free body: place, no rotation, velocities.
+fn flat(place: [f64; 3], [a, b, c]: [f64; 3], [p, q, r]: [f64; 3]) -> [f64; 13] {
+    let [x, y, z] = place;
+    [x, y, z, 1.0, 0.0, 0.0, 0.0, a, b, c, p, q, r]
+}
+
+/// Period of a pendulum of a length and an amplitude, by the arithmetic-geometric mean.
+fn pendulum_period(length: f64, amplitude: f64) -> f64 {
+    let (mut a, mut g) = (1.0, (0.5 * amplitude).cos());
+    for _ in 0..8 {
+        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+    }
+    std::f64::consts::TAU * (length / G).sqrt() / a
+}
