@@ -16,6 +16,7 @@ use core::array;
 
 use super::choice::{Choice, Rule};
 use super::reaction_forces::Balance;
+use super::rules::Rules;
 use super::slip::{is_planar, length};
 use super::{Friction, Mode, Terms};
 use crate::scalar::Scalar;
@@ -47,19 +48,21 @@ pub(super) struct Forces<'a, S, const N: usize, const K: usize> {
 impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
     /// Computes the forces; NaN if there are none.
     pub(super) fn under(terms: &'a Terms<S, N, K>, modes: &[Mode; K]) -> Self {
-        let (rules, found) = terms.rules(modes).unzip();
-        let balance = Balance::of_active(terms, &rules.unwrap_or([Rule::Absent; K]));
-        let reactions = match (rules, found.flatten()) {
-            (None, _) => [S::NAN; K],
-            (_, Some(found)) => found,
-            (Some(rules), _) if rules.iter().all(|rule| *rule == Rule::Absent) => [S::ZERO; K],
-            (Some(rules), _) => balance.reactions(&rules),
+        let found = terms.rules(modes);
+        let rules = match &found {
+            None => [Rule::Absent; K],
+            Some(Rules::Known(rules)) => *rules,
+            Some(Rules::Found(settled)) => settled.rules,
+        };
+        let balance = Balance::of_active(terms, &rules);
+        let reactions = match found {
+            None => [S::NAN; K],
+            Some(Rules::Found(settled)) => settled.reactions,
+            Some(Rules::Known(_)) if rules.iter().all(|rule| *rule == Rule::Absent) => [S::ZERO; K],
+            Some(Rules::Known(_)) => balance.reactions(&rules),
         };
         let forces = Forces { balance, reactions, within: None };
-        match rules {
-            Some(rules) if forces.exceeds_limits(modes, &rules) => forces.within_limits(modes, &rules),
-            _ => forces,
-        }
+        if forces.exceeds_limits(modes, &rules) { forces.within_limits(modes, &rules) } else { forces }
     }
 
     /// True if undetermined forces exceed a limit of theirs.
