@@ -106,7 +106,7 @@ fn steps() -> Vec<Step> {
         // The same random cases every time; `cargo verify` by itself draws new ones.
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "verify --no-fail-fast").with("PROPTEST_RNG_SEED", "20"),
-        // The macro is named for its features: those of the steps before, which have compiled it.
+        // The macro is named so that its features are those of the steps before, which compiled it.
         Step::new(
             "adapters",
             "test --package lagrange-adapters-tests --package lagrange-macro \
@@ -117,8 +117,13 @@ fn steps() -> Vec<Step> {
             "test --package lagrange-tests --package lagrange-macro --test ui missing_features",
         ),
         Step::new("long motions", "test --release --package lagrange-trajectories-tests"),
-        Step::new("documentation", "doc --workspace --no-deps --all-features")
-            .with("RUSTDOCFLAGS", "-D warnings"),
+        // An example among it: with what examples depend on, features are those of the lints.
+        Step::new(
+            "documentation",
+            "doc --workspace --no-deps --all-features \
+             --lib --bin lagrange --bin xtask --example first_steps",
+        )
+        .with("RUSTDOCFLAGS", "-D warnings"),
         Step::new("no_std", "build --package lagrange --no-default-features"),
         Step::new("a user without std", "build --package no_std"),
     ];
