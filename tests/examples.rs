@@ -5,6 +5,7 @@ use std::env;
 use std::fs::read_dir;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, available_parallelism};
 
 /// What measures and checks nothing.
@@ -54,9 +55,12 @@ fn agree_with_their_references() {
     let output = cargo.expect("cargo starts");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let (folder, at_once) = (folder_of_examples(), available_parallelism().map_or(1, usize::from));
+    // Some take seconds, most do not: each thread takes the next one.
+    let next = AtomicUsize::new(0);
+    let run_next = || examples.get(next.fetch_add(1, Ordering::Relaxed)).map(|name| run(&folder, name));
     thread::scope(|scope| {
-        for names in examples.chunks(examples.len().div_ceil(at_once)) {
-            scope.spawn(|| names.iter().for_each(|name| run(&folder, name)));
+        for _ in 0..at_once {
+            scope.spawn(|| while run_next().is_some() {});
         }
     });
 }

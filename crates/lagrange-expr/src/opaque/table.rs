@@ -50,7 +50,9 @@ impl Axis {
         let error = ROUNDING * first.abs().max(last.abs());
         let is_even =
             knots.iter().enumerate().all(|(i, knot)| (first + step * i as f64 - knot).abs() <= error);
-        Axis { knots, density: if is_even { intervals / (last - first) } else { 0.0 } }
+        let density = intervals / (last - first);
+        // Infinite where knots are close to the least normal number.
+        Axis { knots, density: if is_even && density.is_finite() { density } else { 0.0 } }
     }
 
     /// Returns the largest magnitude of a knot.
@@ -135,7 +137,8 @@ impl Table {
         self.interpolation == Interpolation::Natural && self.outside != Outside::Clamp
     }
 
-    /// True if all polynomials between the points have finite coefficients.
+    /// True if all polynomials have finite coefficients: those between the points, and those beyond
+    /// them unless the table ends there.
     pub fn is_finite(&self) -> bool {
         let per_row = self.axes.last().map_or(1, Axis::pieces);
         let is_between = |axis: &Axis, piece: usize| (1..axis.knots.len()).contains(&piece);
@@ -147,7 +150,9 @@ impl Table {
         };
         let size = self.interpolation.coefficients().pow(self.axes.len() as u32);
         let mut pieces = self.coefficients.chunks(size).enumerate();
-        pieces.all(|(piece, of_piece)| !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
+        let has_end = self.outside == Outside::Error;
+        pieces
+            .all(|(piece, of_piece)| has_end && !are_between(piece) || of_piece.iter().all(|c| c.is_finite()))
     }
 
     /// True if each polynomial leads to the value at which the next one begins. Values are in rows,

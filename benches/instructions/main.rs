@@ -2,14 +2,15 @@
 //! are the same on every run. Emitted chains must not take more than committed here; those by hand
 //! are beside them.
 //!
-//! `cargo bench -p lagrange-benches --bench instructions` needs valgrind and
+//! `cargo bench -p lagrange-instructions` needs valgrind and
 //! `cargo install gungraun-runner`. The numbers are those of rustc 1.95 on x86-64 with glibc; a
 //! change of compiler may move them, and then they are committed anew.
 #![allow(missing_docs, unused_qualifications, reason = "in what the macros of gungraun write")]
 
 #[macro_use]
-#[path = "chains/declared.rs"]
+#[path = "../chains/declared.rs"]
 mod declared;
+#[path = "../handwritten.rs"]
 mod handwritten;
 
 use std::array::from_fn;
