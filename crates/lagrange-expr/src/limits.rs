@@ -27,6 +27,12 @@ pub const MAX_UNIT_EXPONENT: i64 = 99;
 /// Statements and terms that loops and sums stand for.
 pub const MAX_WRITTEN_OUT: u64 = 200_000;
 
+/// Parts in each other.
+pub const MAX_PARTS_NESTED: usize = 32;
+
+/// Placements of parts.
+pub const MAX_PLACED: usize = 20_000;
+
 /// Elements of arrays, most of which are fields of the emitted type and names in its methods.
 pub const MAX_ELEMENTS: u64 = 20_000;
 

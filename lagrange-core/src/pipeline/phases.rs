@@ -113,7 +113,8 @@ fn emitted(
     krate: &TokenStream,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let statements = (!declaration.bodies.is_empty()).then(|| emit::statements(declaration));
+    let has_statements = !declaration.bodies.is_empty() || !declaration.placed.is_empty();
+    let statements = has_statements.then(|| emit::statements(declaration));
     let mut items = emit::system(declaration, model, equations, statements.as_deref(), krate, report)?;
     for DerivedPart { declaration: of_part, mut reduced, equations: reduced_equations } in parts {
         // What the statements of the whole system stand for is said there.

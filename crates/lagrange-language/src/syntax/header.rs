@@ -55,6 +55,8 @@ fn declaration(
         bodies: Vec::new(),
         is_in_space: false,
         arrays: Vec::new(),
+        placed: Vec::new(),
+        unplaced: Vec::new(),
         counted: HashSet::default(),
         unreadable_words: HashSet::default(),
         lacks_names: false,

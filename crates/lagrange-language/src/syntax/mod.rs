@@ -46,6 +46,7 @@ mod mobilizers;
 mod names;
 mod options;
 mod parser;
+mod parts;
 pub mod print;
 mod ranges;
 mod recovery;
@@ -67,7 +68,7 @@ use ast::{Declaration, declared_bodies};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use identifiers::can_be_declared;
-pub use keywords::STRUCTURAL_FUNCTIONS;
+pub use keywords::{STRUCTURAL_FUNCTIONS, is_function};
 use lagrange_expr::diagnostics::Report;
 use parser::Parser;
 
