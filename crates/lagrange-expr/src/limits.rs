@@ -46,6 +46,9 @@ pub const MAX_POINTS: usize = 100_000;
 /// seconds.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
 
+/// Bytes of all files of parts together.
+pub const MAX_PART_BYTES: u64 = 1 << 20;
+
 /// Steps of Newton's method for an algebraic unknown.
 pub const MAX_ITERATIONS: i32 = 1_000;
 

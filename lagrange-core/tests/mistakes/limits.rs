@@ -9,8 +9,8 @@ use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
     MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS,
     MAX_EVENTS, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED,
-    MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS,
-    MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
+    MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED,
+    MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -99,6 +99,7 @@ fn excesses() -> Vec<Excess> {
         excess!(MAX_INLINED, calls + "potential = f19(x);"),
         excess!(MAX_POINTS, table(&format!("[{}]", points(MAX_POINTS + 1)))),
         excess!(MAX_FILE_BYTES, table("\"big.csv\"")),
+        excess!(MAX_PART_BYTES, format!("include \"big.lag\"; {coordinate}")),
         excess!(MAX_ITERATIONS, format!("{coordinate} {solved} potential = y;")),
         excess!(MAX_EVENTS, each(MAX_EVENTS + 1, "event e[i] = x - i, rising => stop;")),
         excess!(MAX_VELOCITIES, format!("coord x[{}];", MAX_VELOCITIES + 1)),
@@ -118,11 +119,15 @@ fn excesses() -> Vec<Excess> {
 /// Everything that is reported of a declaration, warnings of what is accepted included. Its files
 /// are larger than any may be.
 fn said(text: &str) -> Report {
-    let big = |_: &str| {
+    let big = |path: &str| {
+        if path.ends_with(".lag") {
+            let text = " ".repeat(MAX_PART_BYTES as usize + 1);
+            return Ok(FileText { path: String::new(), text });
+        }
         let text = decoded(vec![b'0'; MAX_FILE_BYTES as usize + 1])?;
         Ok(FileText { path: String::new(), text })
     };
-    let reported = match text.contains(".csv") {
+    let reported = match text.contains(".csv") || text.contains(".lag") {
         true => parse_with(text, &big).err().unwrap_or_default(),
         false => report(text),
     };

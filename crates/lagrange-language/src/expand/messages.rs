@@ -65,11 +65,12 @@ messages! {
     LIST_OUTSIDE_ARRAY = "a list of values belongs to an array of parts";
     LIST_OUTSIDE_ARRAY_HELP = "write `leg[i in 0..4]: Leg { … }`, or give a single value";
     ONE_ELEMENT_HELP = "for all of them, write `[i in 0..n]` after the name";
+    INCLUDE_INSIDE = "a file is included inside of a loop or a condition";
+    INCLUDE_INSIDE_HELP = "include it before: its parts can be placed everywhere";
     PART_INSIDE = "a part is declared inside of something else";
     PART_INSIDE_HELP = "declare it before: a part can be placed in other parts and in loops";
     RECURSION_HELP = "remove this placement, or place what it needs where the part is placed";
     NEEDS_NAME_HELP = "give the name of something declared, such as `leg: Leg { on: trunk; }`";
-    UNREAD_FILE = "this file was not read";
     unknown_part(name) = "unknown part `{name}`";
     declare_the_part(name) = "declare it, `part {name}(…) {{ … }}`";
     unknown_argument(argument, part) = "the part `{part}` has no argument `{argument}`";

@@ -36,7 +36,7 @@ impl<'d> Parts<'d> {
             match &statement.kind {
                 StatementKind::Block(Block::Part(part)) => parts.add(part, expressions, complaints),
                 StatementKind::Block(block) => {
-                    block.bodies().iter().for_each(|body| refuse(body, complaints))
+                    block.bodies().iter().for_each(|body| refuse(body, complaints));
                 }
                 _ => {}
             }
@@ -99,6 +99,10 @@ fn refuse(statements: &[Statement], complaints: &mut Complaints<'_>) {
                 StatementKind::Block(Block::Part(part)) => {
                     let error = complaints.report.error(part.name.span, messages::PART_INSIDE);
                     error.help(messages::PART_INSIDE_HELP);
+                }
+                StatementKind::Block(Block::Include(path)) => {
+                    let error = complaints.report.error(path.span, messages::INCLUDE_INSIDE);
+                    error.help(messages::INCLUDE_INSIDE_HELP);
                 }
                 StatementKind::Block(block) => pending.extend(block.bodies()),
                 _ => {}

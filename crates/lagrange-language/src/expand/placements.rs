@@ -175,7 +175,8 @@ fn check_arguments(placement: &Placement, part: &Part<'_>, site: &mut Site<'_, '
     let known = definition.arguments.iter().map(|argument| argument.name.text.as_str()).collect::<Vec<_>>();
     let before = site.complaints.report.diagnostics().len();
     for (given, _) in &placement.arguments {
-        if known.contains(&given.text.as_str()) {
+        // It may be one that could not be read.
+        if known.contains(&given.text.as_str()) || site.complaints.is_partial() {
             continue;
         }
         let help = match lagrange_expr::diagnostics::nearest(&given.text, known.iter().copied()) {

@@ -99,8 +99,10 @@ fn contains(outer: Origin, inner: Origin) -> bool {
     let ((Some([first, column]), last), (Some([line, at]), _)) = (ends(outer), ends(inner)) else {
         return false;
     };
+    // In the compiler, all tokens of an included file have one place.
+    let is_known = (first, column) != (last.line, last.column + 1);
     let is_behind = (line, at) >= (first, column) && (line, at) <= (last.line, last.column + 1);
-    is_behind && outer.start.file() == inner.start.file()
+    is_known && is_behind && outer.start.file() == inner.start.file()
 }
 
 /// Gives elements in messages the names of the declaration: `theta[2]`, not `theta_2`.

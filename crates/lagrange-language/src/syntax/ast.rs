@@ -71,6 +71,8 @@ pub struct Declaration {
     pub arrays: Vec<DeclaredArray>,
     /// Parts whose statements have taken the place of their placements, in order.
     pub placed: Vec<PlacedInstance>,
+    /// Files of parts that were read.
+    pub included: Vec<IncludedFile>,
     /// Names of parts that nothing places, although something should.
     pub unplaced: Vec<Name>,
     /// Names by which was counted where arrays were written out.
@@ -277,6 +279,19 @@ pub struct DeclaredArray {
     /// The part that it is a member of, and its name there. A member that is no array has one
     /// element without indices.
     pub member_of: Option<[String; 2]>,
+}
+
+/// A file of parts that was read.
+#[derive(Clone, Debug)]
+pub struct IncludedFile {
+    /// Path as it is written.
+    pub path: String,
+    /// Path under which the compiler finds it; empty if nobody waits for it to change.
+    pub watched: String,
+    /// The name of the file in places of its tokens, if these have places.
+    pub span_file: Option<String>,
+    /// Place in the declaration that includes it, also through other files.
+    pub root: Origin,
 }
 
 /// A part where it is placed.

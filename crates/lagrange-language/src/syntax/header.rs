@@ -56,6 +56,7 @@ fn declaration(
         is_in_space: false,
         arrays: Vec::new(),
         placed: Vec::new(),
+        included: Vec::new(),
         unplaced: Vec::new(),
         counted: HashSet::default(),
         unreadable_words: HashSet::default(),
