@@ -30,6 +30,9 @@ pub const MAX_WRITTEN_OUT: u64 = 200_000;
 /// Parts in each other.
 pub const MAX_PARTS_NESTED: usize = 32;
 
+/// Loops, conditions and parts in each other, as they are expanded: by recursion.
+pub const MAX_EXPANDED_NESTING: usize = 256;
+
 /// Placements of parts.
 pub const MAX_PLACED: usize = 20_000;
 

@@ -8,9 +8,10 @@ use std::time::Duration;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
     MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS,
-    MAX_EVENTS, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED,
-    MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED,
-    MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
+    MAX_EVENTS, MAX_EXPANDED_NESTING, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS,
+    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS,
+    MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES,
+    MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -80,6 +81,10 @@ fn excesses() -> Vec<Excess> {
     };
     let nested_parts = (0..MAX_PARTS_NESTED).map(|i| format!("part P{} {{ p: P{i} {{}} }}", i + 1));
     let nested_parts = nested_parts.collect::<String>();
+    let conditions = |i: usize| {
+        format!("part P{} {{ {} p: P{i} {{}} {} }}", i + 1, "if 1 > 0 {".repeat(40), "}".repeat(40))
+    };
+    let nested_conditions = (0..8).map(conditions).collect::<String>();
     let solved = format!("solve y: 0 = y - x, iterations: {};", MAX_ITERATIONS + 1);
     vec![
         excess!(MAX_NESTING, format!("let y = {}1{};", "(".repeat(nested), ")".repeat(nested))),
@@ -93,6 +98,10 @@ fn excesses() -> Vec<Excess> {
         excess!(
             MAX_PARTS_NESTED,
             format!("{coordinate} part P0 {{ param k; }} {nested_parts} p: P{MAX_PARTS_NESTED} {{}}")
+        ),
+        excess!(
+            MAX_EXPANDED_NESTING,
+            format!("{coordinate} part P0 {{ param k; }} {nested_conditions} p: P8 {{}}")
         ),
         excess!(MAX_PLACED, format!("{coordinate} part P {{ }} p[i in 0..{}]: P {{}}", MAX_PLACED + 1)),
         excess!(MAX_ELEMENTS, format!("param k[{}]; {coordinate}", MAX_ELEMENTS + 1)),

@@ -102,6 +102,7 @@ messages! {
     placed_twice(name) = "`{name}` is placed twice";
     no_parts(name, count) = "`{name}` cannot have {count} elements: an array has at least one";
     lacks_first(first, given) = "`{given}` is placed, but not `{first}`";
+    expanded_too_deep(most) = "loops, conditions and parts are nested more than {most} deep";
     too_deep(most) = "parts are nested more than {most} deep";
     too_many_parts(most) = "placements up to this one are more than {most}";
     placed_here(part, name) = "in the part `{part}`, placed here as `{name}`";

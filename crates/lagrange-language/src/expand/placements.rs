@@ -1,19 +1,19 @@
 //! Placements of parts: their names, their arguments, and the scope of their statements.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::complaints::Complaints;
 use super::counting::Counting;
 use super::defaults::element_of;
 use super::messages;
 use super::parts::{Part, Parts};
-use super::scopes::{Binding, PlacedPart, ScopeId, Scopes};
+use super::scopes::{Binding, PlacedId, PlacedPart, ScopeId, Scopes};
 use crate::syntax::ast::{
     ArrayExpression, AstId, Expression, Expressions, Name, PartDefinition, PlacedInstance, Placement,
     Statement,
 };
 use lagrange_expr::collections::{HashMap, HashSet, OrderedMap};
-use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::diagnostics::{Origin, nearest};
 use lagrange_expr::limits::{MAX_PARTS_NESTED, MAX_PLACED};
 use lagrange_expr::number::Number;
 
@@ -69,11 +69,10 @@ impl<'d> Placer<'d> {
         let address = std::ptr::from_ref(placement).addr();
         let is_new = self.checked.insert(address);
         let part = &self.part(placement, is_new, site)?.clone();
-        let (definition, interior) = (part.definition, part.interior.clone());
         if is_new && !check_arguments(placement, part, site) {
             self.reported.insert(address);
         }
-        if self.reported.contains(&address) || !is_possible(placement, part, scope, is_new, site) {
+        if self.reported.contains(&address) || !is_possible(placement, part, scope, site) {
             return None;
         }
         if self.placed.len() >= MAX_PLACED {
@@ -84,44 +83,12 @@ impl<'d> Placer<'d> {
             return None;
         }
         let indices = indices(placement, turn, scope, site)?;
-        let outer = site.scopes.part_of(scope);
-        let name = &placement.name;
-        if let Some(before) = site.scopes.elements(outer, &name.text)
-            && (before.contains_key(&indices)
-                || before.keys().next().is_some_and(|other| other.len() != indices.len()))
-        {
-            let message = messages::placed_twice(messages::written(&name.text, &indices));
-            if site.complaints.once_of(address) {
-                site.complaints.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
-            }
+        if is_taken(&placement.name, &indices, scope, site) {
             return None;
         }
-        if outer.is_none() && site.complaints.names.contains(&name.text) {
-            if site.complaints.once_of(address) {
-                let message = messages::part_and_name(&name.text);
-                site.complaints.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
-            }
-            return None;
-        }
-        let element = messages::element(&name.text, &indices);
-        let prefix = site.scopes.prefixed(scope, &element) + "_";
-        let around = site.scopes.around(scope).map_or_else(String::new, |part| part.written.clone());
-        let written = format!("{around}{}", messages::written(&name.text, &indices));
-        let origin = Origin::from(name.span).to(placement.part.span.into());
-        let array = self.arrays.get_or_insert_with(format!("{around}{}", name.text), || {
-            (indices.clone(), origin, written.clone())
-        });
-        array.0.iter_mut().zip(&indices).for_each(|(least, index)| *least = (*least).min(*index));
-        let (part, definition_origin) = (definition.name.text.clone(), definition.origin);
-        self.placed.push(PlacedInstance {
-            part,
-            definition: definition_origin,
-            name: written.clone(),
-            origin,
-        });
-        let placed =
-            PlacedPart { interior, prefix, written: written + ".", bindings: HashMap::default(), outer };
-        let (id, inside) = site.scopes.place(&name.text, indices, placed);
+        let placed = self.remember((placement, part), &indices, scope, site);
+        let (id, inside) = site.scopes.place(&placement.name.text, indices, placed);
+        let definition = part.definition;
         for argument in &definition.arguments {
             let given = placement.arguments.iter().find(|(name, _)| name.text == argument.name.text);
             let binding = match (given, argument.default) {
@@ -132,6 +99,32 @@ impl<'d> Placer<'d> {
             site.scopes.bind(id, &argument.name.text, binding);
         }
         Some((definition, inside))
+    }
+
+    /// Names a placed part, whose arguments are still unknown.
+    fn remember(
+        &mut self,
+        (placement, part): (&Placement, &Part<'_>),
+        indices: &[i64],
+        scope: ScopeId,
+        site: &Site<'_, '_>,
+    ) -> PlacedPart {
+        let name = &placement.name;
+        let prefix = site.scopes.prefixed(scope, &messages::element(&name.text, indices)) + "_";
+        let around = site.scopes.around(scope).map_or("", |part| part.written.as_str());
+        let written = format!("{around}{}", messages::written(&name.text, indices));
+        let origin = Origin::from(name.span).to(placement.part.span.into());
+        let first = || (indices.to_vec(), origin, written.clone());
+        let (least, ..) = self.arrays.get_or_insert_with(format!("{around}{}", name.text), first);
+        least.iter_mut().zip(indices).for_each(|(least, index)| *least = (*least).min(*index));
+        self.placed.push(PlacedInstance {
+            part: part.definition.name.text.clone(),
+            definition: part.definition.origin,
+            name: written.clone(),
+            origin,
+        });
+        let (interior, outer) = (part.interior.clone(), site.scopes.part_of(scope));
+        PlacedPart { interior, prefix, written: written + ".", bindings: HashMap::default(), outer }
     }
 
     fn part(&self, placement: &Placement, is_new: bool, site: &mut Site<'_, '_>) -> Option<&Part<'d>> {
@@ -179,7 +172,7 @@ fn check_arguments(placement: &Placement, part: &Part<'_>, site: &mut Site<'_, '
         if known.contains(&given.text.as_str()) || site.complaints.is_partial() {
             continue;
         }
-        let help = match lagrange_expr::diagnostics::nearest(&given.text, known.iter().copied()) {
+        let help = match nearest(&given.text, known.iter().copied()) {
             Some(nearest) => messages::did_you_mean(nearest),
             None => messages::arguments_are(&definition.name.text, &known),
         };
@@ -204,25 +197,38 @@ fn check_arguments(placement: &Placement, part: &Part<'_>, site: &mut Site<'_, '
 }
 
 /// True unless a part would contain itself, or parts are nested too deeply.
-fn is_possible(
-    placement: &Placement,
-    part: &Part<'_>,
-    scope: ScopeId,
-    is_new: bool,
-    site: &mut Site<'_, '_>,
-) -> bool {
-    let outer = site.scopes.part_of(scope);
-    let around = site.scopes.chain(outer).map(|placed| placed.interior.name.clone()).collect::<Vec<_>>();
+fn is_possible(placement: &Placement, part: &Part<'_>, scope: ScopeId, site: &mut Site<'_, '_>) -> bool {
     let name = &part.definition.name.text;
-    let message = match around.iter().any(|outer| outer.text == *name) {
+    let around = || site.scopes.chain(site.scopes.part_of(scope));
+    let message = match around().any(|outer| outer.interior.name.text == *name) {
         true => messages::recursion(name),
-        false if around.len() >= MAX_PARTS_NESTED => messages::too_deep(MAX_PARTS_NESTED),
+        false if around().count() >= MAX_PARTS_NESTED => messages::too_deep(MAX_PARTS_NESTED),
         false => return true,
     };
-    if is_new {
+    if site.complaints.once_of(std::ptr::from_ref(placement).addr()) {
         site.complaints.report.error(placement.part.span, message).help(messages::RECURSION_HELP);
     }
     false
+}
+
+/// True if a name with these indices is that of something else, which is reported.
+fn is_taken(name: &Name, indices: &[i64], scope: ScopeId, site: &mut Site<'_, '_>) -> bool {
+    let outer = site.scopes.part_of(scope);
+    let is_twin = |others: &BTreeMap<Vec<i64>, PlacedId>| {
+        let is_other_rank = others.keys().next().is_some_and(|other| other.len() != indices.len());
+        is_other_rank || others.contains_key(indices)
+    };
+    let message = if site.scopes.elements(outer, &name.text).is_some_and(is_twin) {
+        messages::placed_twice(messages::written(&name.text, indices))
+    } else if outer.is_none() && site.complaints.names.contains(&name.text) {
+        messages::part_and_name(&name.text)
+    } else {
+        return false;
+    };
+    if site.complaints.once_of(std::ptr::from_ref(name).addr()) {
+        site.complaints.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
+    }
+    true
 }
 
 fn indices(placement: &Placement, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) -> Option<Vec<i64>> {
@@ -230,8 +236,7 @@ fn indices(placement: &Placement, turn: Turn, scope: ScopeId, site: &mut Site<'_
     let indices = match written.collect::<Result<Vec<_>, _>>() {
         Ok(indices) => indices,
         Err(fault) => {
-            let counting = (site.expressions, &fault, (&*site.scopes, scope));
-            site.complaints.fault(counting.0, counting.1, counting.2);
+            site.complaints.fault(site.expressions, &fault, (&*site.scopes, scope));
             return None;
         }
     };

@@ -13,7 +13,7 @@ use crate::syntax::ast::{
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::limits::MAX_WRITTEN_OUT;
+use lagrange_expr::limits::{MAX_EXPANDED_NESTING, MAX_WRITTEN_OUT};
 use lagrange_expr::number::Number;
 
 /// A statement as it is meant once.
@@ -48,8 +48,16 @@ pub(super) fn unroll<'d>(
         unplaced: Vec::new(),
     };
     let placer = Placer::new(Parts::of(statements, expressions, complaints));
-    let mut unroller =
-        Unroller { unrolled, placer, expressions, scopes, complaints, turns: 0, is_too_long: false };
+    let mut unroller = Unroller {
+        unrolled,
+        placer,
+        expressions,
+        scopes,
+        complaints,
+        turns: 0,
+        is_too_long: false,
+        depth: 0,
+    };
     unroller.statements(statements, ScopeId::default());
     let Unroller { unrolled, placer, complaints, .. } = unroller;
     placer.report_gaps(complaints);
@@ -65,10 +73,16 @@ struct Unroller<'a, 'c, 'd> {
     /// Turns of loops so far.
     turns: u64,
     is_too_long: bool,
+    /// Loops, conditions and parts around what is expanded.
+    depth: usize,
 }
 
 impl<'d> Unroller<'_, '_, 'd> {
     fn statements(&mut self, statements: &'d [Statement], scope: ScopeId) {
+        if self.depth == MAX_EXPANDED_NESTING {
+            return self.report_too_deep(statements);
+        }
+        self.depth += 1;
         for statement in statements {
             match &statement.kind {
                 StatementKind::Block(Block::Repeat(repetition)) => self.repetition(repetition, scope),
@@ -85,6 +99,7 @@ impl<'d> Unroller<'_, '_, 'd> {
                 }
             }
         }
+        self.depth -= 1;
     }
 
     fn repetition(&mut self, repetition: &'d Repetition, scope: ScopeId) {
@@ -190,6 +205,16 @@ impl<'d> Unroller<'_, '_, 'd> {
 
     fn counting(&self) -> Counting<'_> {
         Counting { expressions: self.expressions, scopes: self.scopes, constants: &self.unrolled.constants }
+    }
+
+    /// Reports the first statement of those that are nested too deeply; once is enough.
+    fn report_too_deep(&mut self, statements: &[Statement]) {
+        if let Some(first) = statements.first()
+            && !std::mem::replace(&mut self.is_too_long, true)
+        {
+            let message = messages::expanded_too_deep(MAX_EXPANDED_NESTING);
+            self.complaints.report.error(first.origin, message).help(messages::RECURSION_HELP);
+        }
     }
 
     /// Once is enough.
