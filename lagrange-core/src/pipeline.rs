@@ -6,6 +6,7 @@
 //! replaces the requested items, so that only the mistake is reported.
 
 mod callables;
+mod included;
 mod numeric;
 mod orthogonal;
 mod phases;
@@ -17,8 +18,9 @@ use quote::quote;
 
 use crate::derive::StrategyChoice;
 use crate::emit;
+use included::name_included;
 use lagrange_expr::diagnostics::Report;
-use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::{Declaration, IncludedFile, PlacedInstance};
 use lagrange_language::syntax::parse_tokens;
 use lagrange_language::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
@@ -32,26 +34,56 @@ pub fn expand(tokens: TokenStream, krate: &TokenStream) -> TokenStream {
     expand_with(tokens, krate, &no_files)
 }
 
-/// Expands a declaration whose tables may be files.
+/// Expands a declaration that may name files, of tables and of parts.
 pub fn expand_with(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>) -> TokenStream {
     let mut report = Report::default();
-    let mut declaration = parse_tokens(tokens, &mut report);
-    if let Some(declaration) = &mut declaration {
-        read_files(declaration, read, &mut report);
+    let expanded = expanded(tokens.clone(), krate, read, &mut report);
+    if !expanded.included.is_empty() && !report.diagnostics().is_empty() {
+        name_included((&tokens.to_string(), &krate.to_string()), read, &expanded, &mut report);
     }
-    let attributes = declaration.as_ref().map(|declaration| declaration.attributes.clone());
-    let items = declaration.map(|declaration| items(declaration, krate, &mut report));
-    let diagnostics = emit::diagnostics(report.diagnostics(), &attributes.unwrap_or_default());
+    drop(tokens);
+    let Expanded { items, attributes, .. } = expanded;
+    let diagnostics = emit::diagnostics(report.diagnostics(), &attributes);
     quote!(#diagnostics #items)
 }
 
-fn items(declaration: Declaration, krate: &TokenStream, report: &mut Report) -> TokenStream {
+/// Items of a declaration, and what messages about it need.
+struct Expanded {
+    items: Option<TokenStream>,
+    attributes: TokenStream,
+    included: Vec<IncludedFile>,
+    placed: Vec<PlacedInstance>,
+}
+
+fn expanded(tokens: TokenStream, krate: &TokenStream, read: Reader<'_>, report: &mut Report) -> Expanded {
+    let mut declaration = parse_tokens(tokens, report);
+    if let Some(declaration) = &mut declaration {
+        read_files(declaration, read, report);
+    }
+    let attributes = declaration.as_ref().map(|declaration| declaration.attributes.clone());
+    let included = declaration.as_ref().map(|declaration| declaration.included.clone());
+    let (items, placed) = declaration.map(|declaration| items(declaration, krate, report)).unzip();
+    Expanded {
+        items,
+        attributes: attributes.unwrap_or_default(),
+        included: included.unwrap_or_default(),
+        placed: placed.unwrap_or_default(),
+    }
+}
+
+/// The items of a declaration, and the parts that it places.
+fn items(
+    declaration: Declaration,
+    krate: &TokenStream,
+    report: &mut Report,
+) -> (TokenStream, Vec<PlacedInstance>) {
     let (declaration, model) = model_of(declaration, report);
     let items = model.and_then(|mut model| {
         let (equations, parts) = equations_of(&declaration, &mut model, StrategyChoice::Cheapest, report)?;
         items_of((&declaration, &mut model, &equations), parts, krate, report)
     });
-    items.unwrap_or_else(|| emit::skeleton(&declaration, krate))
+    let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
+    (items, declaration.placed)
 }
 
 #[cfg(test)]

@@ -28,6 +28,7 @@ mod long_rope;
 mod methods;
 mod orientations;
 mod overdetermined;
+mod parts;
 mod pivots;
 mod plates;
 mod prepared;

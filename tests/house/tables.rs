@@ -96,11 +96,11 @@ const ALGEBRA: &[Layer] = &[
 
 const LANGUAGE: &[Layer] = &[
     Layer { modules: &["syntax"], purpose: "tokens to syntax tree and back to text" },
-    Layer { modules: &["expand"], purpose: "expansion of arrays, loops and sums" },
+    Layer { modules: &["expand"], purpose: "expansion of arrays, loops, sums and parts" },
     Layer {
         modules: &["inline", "tables"],
-        purpose: "inlining of functions that a declaration defines; table files, read through a reader \
-                  supplied by the caller",
+        purpose: "inlining of functions that a declaration defines; files of tables and of parts, read \
+                  through a reader supplied by the caller",
     },
     Layer {
         modules: &["bodies", "dimensions"],

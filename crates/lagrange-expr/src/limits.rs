@@ -27,6 +27,15 @@ pub const MAX_UNIT_EXPONENT: i64 = 99;
 /// Statements and terms that loops and sums stand for.
 pub const MAX_WRITTEN_OUT: u64 = 200_000;
 
+/// Parts in each other.
+pub const MAX_PARTS_NESTED: usize = 32;
+
+/// Loops, conditions and parts in each other, as they are expanded: by recursion.
+pub const MAX_EXPANDED_NESTING: usize = 256;
+
+/// Placements of parts.
+pub const MAX_PLACED: usize = 20_000;
+
 /// Elements of arrays, most of which are fields of the emitted type and names in its methods.
 pub const MAX_ELEMENTS: u64 = 20_000;
 
@@ -39,6 +48,9 @@ pub const MAX_POINTS: usize = 100_000;
 /// Bytes of a table file: enough for the largest table, and read by an unoptimised macro in
 /// seconds.
 pub const MAX_FILE_BYTES: u64 = 16 << 20;
+
+/// Bytes of all files of parts together.
+pub const MAX_PART_BYTES: u64 = 1 << 20;
 
 /// Steps of Newton's method for an algebraic unknown.
 pub const MAX_ITERATIONS: i32 = 1_000;

@@ -2,9 +2,9 @@
 //!
 //! 1. [`syntax`] reads a [`Declaration`](syntax::ast::Declaration), with all mistakes reported
 //!    together, and writes it as text again;
-//! 2. [`expand`] unrolls arrays, loops and sums;
-//! 3. [`inline`] replaces calls of declared functions by their bodies, and [`tables`] reads table
-//!    files;
+//! 2. [`tables`] reads the files of tables and of parts, and [`expand`] expands arrays, loops, sums
+//!    and parts;
+//! 3. [`inline`] replaces calls of declared functions by their bodies;
 //! 4. [`dimensions`] checks and converts units;
 //! 5. [`bodies`] translates statements about rigid bodies into plain ones.
 //!

@@ -14,6 +14,7 @@ use lagrange_language::dimensions::{check_dimensions, in_coherent_units};
 use lagrange_language::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
 use lagrange_language::inline::without_functions;
 use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::tables::name_files;
 
 /// A reduced type with its equations of motion.
 #[derive(Clone, Debug)]
@@ -27,7 +28,13 @@ pub struct DerivedPart {
 }
 
 /// The declaration in plain statements, and what it means; no model after an error.
-pub(super) fn model_of(mut declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
+pub(super) fn model_of(declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
+    let (declaration, model) = checked(declaration, report);
+    name_files(&declaration, report);
+    (declaration, model)
+}
+
+fn checked(mut declaration: Declaration, report: &mut Report) -> (Declaration, Option<Model>) {
     let (mistakes, is_written_out) = (report.diagnostics().len(), has_arrays(&mut declaration));
     let declaration = without_arrays(declaration, report);
     if report.diagnostics().len() > mistakes {
@@ -71,6 +78,7 @@ pub(super) fn equations_of(
 ) -> Option<(Equations, Vec<DerivedPart>)> {
     let equations = derived(declaration, model, choice, report);
     name_elements(declaration, report);
+    name_files(declaration, report);
     equations
 }
 
@@ -104,6 +112,7 @@ pub(super) fn items_of(
     let declaration = system.0;
     let items = emitted(system, parts, krate, report);
     name_elements(declaration, report);
+    name_files(declaration, report);
     items
 }
 
@@ -113,7 +122,8 @@ fn emitted(
     krate: &TokenStream,
     report: &mut Report,
 ) -> Option<TokenStream> {
-    let statements = (!declaration.bodies.is_empty()).then(|| emit::statements(declaration));
+    let has_statements = !declaration.bodies.is_empty() || !declaration.placed.is_empty();
+    let statements = has_statements.then(|| emit::statements(declaration));
     let mut items = emit::system(declaration, model, equations, statements.as_deref(), krate, report)?;
     for DerivedPart { declaration: of_part, mut reduced, equations: reduced_equations } in parts {
         // What the statements of the whole system stand for is said there.

@@ -1,5 +1,6 @@
 mod attributes;
 mod frames;
+mod included;
 mod limits;
 mod numbers;
 mod scenes;

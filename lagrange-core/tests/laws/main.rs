@@ -14,6 +14,7 @@ mod machines;
 mod magnitudes;
 mod mechanics;
 mod mechanisms;
+mod parts;
 mod pivots;
 mod polynomials;
 mod printing;

@@ -8,9 +8,10 @@ use std::time::Duration;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
     MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS,
-    MAX_EVENTS, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED,
-    MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS, MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT,
-    MAX_VELOCITIES, MAX_WRITTEN_OUT,
+    MAX_EVENTS, MAX_EXPANDED_NESTING, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS,
+    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS,
+    MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES,
+    MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -78,6 +79,12 @@ fn excesses() -> Vec<Excess> {
     let table = |points: &str| {
         format!("table f(x) = {points}, interpolation: linear, outside: clamp; {coordinate} force x = f(x);")
     };
+    let nested_parts = (0..MAX_PARTS_NESTED).map(|i| format!("part P{} {{ p: P{i} {{}} }}", i + 1));
+    let nested_parts = nested_parts.collect::<String>();
+    let conditions = |i: usize| {
+        format!("part P{} {{ {} p: P{i} {{}} {} }}", i + 1, "if 1 > 0 {".repeat(40), "}".repeat(40))
+    };
+    let nested_conditions = (0..8).map(conditions).collect::<String>();
     let solved = format!("solve y: 0 = y - x, iterations: {};", MAX_ITERATIONS + 1);
     vec![
         excess!(MAX_NESTING, format!("let y = {}1{};", "(".repeat(nested), ")".repeat(nested))),
@@ -88,10 +95,20 @@ fn excesses() -> Vec<Excess> {
         excess!(MAX_UNIT_EXPONENT, format!("param k: m^{};", MAX_UNIT_EXPONENT + 1)),
         excess!(MAX_WRITTEN_OUT, each(many as usize, "potential = x;")),
         excess!(MAX_WRITTEN_OUT, format!("{coordinate} potential = sum(i in 0..{many}, x);")),
+        excess!(
+            MAX_PARTS_NESTED,
+            format!("{coordinate} part P0 {{ param k; }} {nested_parts} p: P{MAX_PARTS_NESTED} {{}}")
+        ),
+        excess!(
+            MAX_EXPANDED_NESTING,
+            format!("{coordinate} part P0 {{ param k; }} {nested_conditions} p: P8 {{}}")
+        ),
+        excess!(MAX_PLACED, format!("{coordinate} part P {{ }} p[i in 0..{}]: P {{}}", MAX_PLACED + 1)),
         excess!(MAX_ELEMENTS, format!("param k[{}]; {coordinate}", MAX_ELEMENTS + 1)),
         excess!(MAX_INLINED, calls + "potential = f19(x);"),
         excess!(MAX_POINTS, table(&format!("[{}]", points(MAX_POINTS + 1)))),
         excess!(MAX_FILE_BYTES, table("\"big.csv\"")),
+        excess!(MAX_PART_BYTES, format!("include \"big.lag\"; {coordinate}")),
         excess!(MAX_ITERATIONS, format!("{coordinate} {solved} potential = y;")),
         excess!(MAX_EVENTS, each(MAX_EVENTS + 1, "event e[i] = x - i, rising => stop;")),
         excess!(MAX_VELOCITIES, format!("coord x[{}];", MAX_VELOCITIES + 1)),
@@ -111,11 +128,15 @@ fn excesses() -> Vec<Excess> {
 /// Everything that is reported of a declaration, warnings of what is accepted included. Its files
 /// are larger than any may be.
 fn said(text: &str) -> Report {
-    let big = |_: &str| {
+    let big = |path: &str| {
+        if path.ends_with(".lag") {
+            let text = " ".repeat(MAX_PART_BYTES as usize + 1);
+            return Ok(FileText { path: String::new(), text });
+        }
         let text = decoded(vec![b'0'; MAX_FILE_BYTES as usize + 1])?;
         Ok(FileText { path: String::new(), text })
     };
-    let reported = match text.contains(".csv") {
+    let reported = match text.contains(".csv") || text.contains(".lag") {
         true => parse_with(text, &big).err().unwrap_or_default(),
         false => report(text),
     };

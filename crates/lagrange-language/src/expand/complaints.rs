@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use super::counting::{IndexFault, Reason};
 use super::messages;
-use super::scopes::{ScopeId, Scopes};
+use super::paths::PathFault;
+use super::scopes::{Interior, PlacedPart, ScopeId, Scopes};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, nearest};
@@ -17,6 +18,8 @@ pub(super) struct Complaints<'a> {
     pub(super) names: &'a BTreeSet<String>,
     /// Expressions of which something was said.
     said: HashSet<AstId>,
+    /// Placements of which something was said.
+    placements: HashSet<usize>,
     /// Names of which was said that they are no constants.
     no_constants: HashSet<String>,
     /// True if what could not be read may be where a name is declared.
@@ -31,12 +34,18 @@ impl<'a> Complaints<'a> {
     ) -> Complaints<'a> {
         let is_partial = report.has_errors();
         let (said, no_constants) = (HashSet::default(), HashSet::default());
-        Complaints { report, declaration, names, said, no_constants, is_partial }
+        let placements = HashSet::default();
+        Complaints { report, declaration, names, said, placements, no_constants, is_partial }
     }
 
     /// True if what could not be read is not known of names.
     pub(super) fn is_partial(&self) -> bool {
         self.is_partial
+    }
+
+    /// True the first time of a placement, by its place in memory.
+    pub(super) fn once_of(&mut self, placement: usize) -> bool {
+        self.placements.insert(placement)
     }
 
     /// Reports something of an expression; nothing the second time.
@@ -52,11 +61,11 @@ impl<'a> Complaints<'a> {
         (scopes, scope): (&Scopes, ScopeId),
     ) {
         let origin = expressions.origin(fault.place);
-        let place = scopes.place(scope);
+        let place = scopes.place_of(scope);
         let (message, help) = match &fault.reason {
             Reason::Unreadable => return,
-            Reason::Name(name) if self.is_partial && !self.names.contains(name) => return,
-            Reason::Name(name) if self.names.contains(name) => {
+            Reason::Name(name) if self.is_partial && !self.knows(name, (scopes, scope)) => return,
+            Reason::Name(name) if self.knows(name, (scopes, scope)) => {
                 if !self.no_constants.insert(name.clone()) {
                     return;
                 }
@@ -65,7 +74,7 @@ impl<'a> Complaints<'a> {
             Reason::Name(name) if scopes.is_variable(name) => {
                 (messages::unknown_name(name), messages::in_its_loop(name))
             }
-            Reason::Name(name) => return self.unknown(name, fault.place, origin),
+            Reason::Name(name) => return self.unknown(name, (fault.place, origin), (scopes, scope)),
             Reason::Form => (messages::NO_INDEX.to_owned(), messages::INDEX_HELP.to_owned()),
             Reason::NoInteger(number) => {
                 (messages::no_integer(number, &place), messages::INDEX_HELP.to_owned())
@@ -111,7 +120,7 @@ impl<'a> Complaints<'a> {
         (message, help): (fn(&str) -> String, &str),
     ) {
         match &fault.reason {
-            Reason::Name(name) if self.names.contains(name) => {
+            Reason::Name(name) if self.knows(name, scope) => {
                 let origin = expressions.origin(fault.place);
                 if let Some(error) = self.once(fault.place, origin, message(name)) {
                     error.help(help);
@@ -121,27 +130,117 @@ impl<'a> Complaints<'a> {
         }
     }
 
+    /// True if a name is declared in the part around a scope, or outside of parts if there is none.
+    pub(super) fn knows(&self, name: &str, (scopes, scope): (&Scopes, ScopeId)) -> bool {
+        match scopes.around(scope) {
+            Some(part) => part.interior.knows(name),
+            None => self.names.contains(name),
+        }
+    }
+
     /// Reports a name that means nothing, unless it may be declared where the text could not be
     /// read.
-    pub(super) fn unknown(&mut self, name: &str, of: AstId, origin: Origin) {
-        self.unknown_as(name, messages::DECLARE_HELP.to_owned(), (of, origin));
+    pub(super) fn unknown(&mut self, name: &str, place: (AstId, Origin), scope: (&Scopes, ScopeId)) {
+        self.unknown_as(name, messages::DECLARE_HELP.to_owned(), place, scope);
     }
 
     /// Reports an unknown name with an index.
-    pub(super) fn unknown_array(&mut self, name: &str, of: AstId, origin: Origin) {
-        self.unknown_as(name, messages::declare_array(name), (of, origin));
+    pub(super) fn unknown_array(&mut self, name: &str, place: (AstId, Origin), scope: (&Scopes, ScopeId)) {
+        self.unknown_as(name, messages::declare_array(name), place, scope);
     }
 
-    fn unknown_as(&mut self, name: &str, declare: String, (of, origin): (AstId, Origin)) {
-        if self.declaration.lacks_names || self.declaration.unreadable_words.contains(&name.to_owned()) {
+    fn unknown_as(
+        &mut self,
+        name: &str,
+        declare: String,
+        (of, origin): (AstId, Origin),
+        (scopes, scope): (&Scopes, ScopeId),
+    ) {
+        if self.may_be_unread(name) {
             return;
         }
-        let help = match nearest(name, self.names.iter().map(String::as_str)) {
-            Some(nearest) => messages::did_you_mean(nearest),
-            None => declare,
+        let (message, help) = match scopes.around(scope) {
+            Some(part) => self.unknown_in(&part.interior, name),
+            None => {
+                let nearest = nearest(name, self.names.iter().map(String::as_str));
+                let help = nearest.map_or(declare, messages::did_you_mean);
+                (messages::unknown_name(name), help)
+            }
         };
-        if let Some(error) = self.once(of, origin, messages::unknown_name(name)) {
+        if let Some(error) = self.once(of, origin, message) {
             error.help(help);
         }
     }
+
+    /// True if a name may be declared where the text could not be read.
+    pub(super) fn may_be_unread(&self, name: &str) -> bool {
+        self.declaration.lacks_names || self.declaration.unreadable_words.contains(name)
+    }
+
+    /// The message for a name that is not known in a part, and what to do.
+    fn unknown_in(&self, part: &Interior, name: &str) -> (String, String) {
+        if self.names.contains(name) {
+            let help = messages::outside_help(name, &part.name.text);
+            return (messages::outside(name, &part.name.text), help);
+        }
+        let help = match nearest(name, part.names()) {
+            Some(nearest) => messages::did_you_mean(nearest),
+            None => messages::declare_in_part(name, &part.name.text),
+        };
+        (messages::unknown_in_part(name, &part.name.text), help)
+    }
+
+    /// Reports a path without a meaning. `of` is the expression, if it is one.
+    pub(super) fn path(
+        &mut self,
+        fault: &PathFault,
+        expressions: &Expressions,
+        of: Option<AstId>,
+        (scopes, scope): (&Scopes, ScopeId),
+    ) {
+        let (segment, message, help) = match fault {
+            PathFault::Index(fault, scope) => return self.fault(expressions, fault, (scopes, *scope)),
+            PathFault::Outside(segment) => match scopes.around(scope) {
+                Some(part) => {
+                    let (message, help) = self.unknown_in(&part.interior, &segment.text);
+                    (segment, message, help)
+                }
+                None => (segment, messages::unknown_name(&segment.text), messages::DECLARE_PART.to_owned()),
+            },
+            PathFault::NoMember(part, segment) => {
+                let part = scopes.placed(*part);
+                let (message, help) = no_member(part, &segment.text);
+                (segment, message, help)
+            }
+            PathFault::Unplaced(segment) => {
+                (segment, messages::unplaced(&segment.text), messages::UNPLACED_HELP.to_owned())
+            }
+            PathFault::NoElement(outer, segment, indices) => {
+                let elements = scopes.elements(*outer, &segment.text).into_iter().flat_map(|all| all.keys());
+                let known = elements.map(|known| messages::written(&segment.text, known)).collect::<Vec<_>>();
+                let message = messages::no_element(messages::written(&segment.text, indices));
+                (segment, message + &scopes.place_of(scope), messages::placed_are(&known))
+            }
+        };
+        if self.may_be_unread(&segment.text) {
+            return;
+        }
+        let error = match of {
+            Some(of) => self.once(of, segment.span.into(), message),
+            None => Some(self.report.error(segment.span, message)),
+        };
+        if let Some(error) = error {
+            error.help(help);
+        }
+    }
+}
+
+/// The message for a member that a placed part does not have, and what to do.
+fn no_member(part: &PlacedPart, member: &str) -> (String, String) {
+    let written = |name: &str| format!("{}{name}", part.written);
+    let help = match nearest(member, part.interior.names()) {
+        Some(nearest) => messages::did_you_mean(written(nearest)),
+        None => messages::members_are(&part.interior.name.text, part.interior.names()),
+    };
+    (messages::no_member(written(member), &part.interior.name.text), help)
 }

@@ -6,14 +6,16 @@
 
 use super::complaints::Complaints;
 use super::counting::Counting;
-use super::elements::{ElementNames, indices_of};
+use super::elements::{ElementNames, counted_indices, indices_of};
 use super::messages;
-use super::scopes::{ScopeId, Scopes};
+use super::paths::{Path, Segment, Target};
+use super::scopes::{BUILT_IN, Meaning, PlacedId, ScopeId, Scopes};
 use super::unrolling::{origin_of, values};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, Name, Range,
+    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, ExternalFunction, Name, Range,
 };
-use lagrange_expr::collections::HashMap;
+use crate::syntax::is_function;
+use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::Relation;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
@@ -26,11 +28,22 @@ pub(super) struct Copier<'a> {
     pub(super) elements: &'a ElementNames,
     pub(super) complaints: Complaints<'a>,
     constants: &'a HashMap<String, Number>,
-    /// For each expression in the text, true if anything in it can change.
-    changes: HashMap<AstId, bool>,
+    /// For each expression in the text, if anything in it can change.
+    changes: HashMap<AstId, Change>,
+    /// Functions of the user's crate that parts declare.
+    external: HashSet<String>,
     /// Terms so far.
     terms: u64,
     is_too_long: bool,
+}
+
+/// The places in which an expression can change.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Change {
+    Nowhere,
+    /// In parts, which do not know the names in it.
+    InParts,
+    Anywhere,
 }
 
 /// Something that is still to be done.
@@ -39,6 +52,8 @@ enum Task {
     Copy(AstId, ScopeId),
     /// Make an expression like this one of the copies of its operands.
     Make(AstId),
+    /// Make a call like this one, but of a function of this name.
+    Call(AstId, String),
     /// Add up that many copies.
     Total(usize, Origin),
 }
@@ -53,15 +68,37 @@ impl<'a> Copier<'a> {
     ) -> Copier<'a> {
         let mut changes = HashMap::default();
         for (id, expression) in expressions.iter() {
-            let is_changing = match expression {
-                // A variable, a parameter of a function or an array.
-                Expression::Name(name) => !complaints.names.contains(name) || elements.is_array(name),
-                Expression::Array(_) => true,
-                other => other.operands().iter().any(|operand| changes.get(operand) == Some(&true)),
+            let of_operands = || expression.operands().iter().filter_map(|id| changes.get(id)).max().copied();
+            let change = match expression {
+                Expression::Name(name) => {
+                    // A variable, a parameter of a function, an array or something in a part.
+                    let is_known = complaints.names.contains(name) && !elements.is_array(name);
+                    match (is_known && !scopes.is_scoped(name), BUILT_IN.contains(&name.as_str())) {
+                        (true, true) => Change::Nowhere,
+                        (true, false) => Change::InParts,
+                        (false, _) => Change::Anywhere,
+                    }
+                }
+                Expression::Array(_) => Change::Anywhere,
+                Expression::Component(_, name) if !name.indices.is_empty() => Change::Anywhere,
+                Expression::Call(function, _) if scopes.is_scoped(&function.text) => Change::Anywhere,
+                Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
+                _ => of_operands().unwrap_or(Change::Nowhere),
             };
-            changes.insert(id, is_changing);
+            changes.insert(id, change);
         }
-        Copier { expressions, scopes, elements, complaints, constants, changes, terms: 0, is_too_long: false }
+        let external = HashSet::default();
+        Copier {
+            expressions,
+            scopes,
+            elements,
+            complaints,
+            constants,
+            changes,
+            external,
+            terms: 0,
+            is_too_long: false,
+        }
     }
 
     pub(super) fn counting(&self) -> Counting<'_> {
@@ -81,6 +118,14 @@ impl<'a> Copier<'a> {
                     let operands = copies.split_off(copies.len().saturating_sub(expression.operands().len()));
                     copies.push(self.expressions.add(expression.with_operands(&operands), origin));
                 }
+                Task::Call(id, name) => {
+                    let (expression, origin) =
+                        (self.expressions.get(id).clone(), self.expressions.origin(id));
+                    let Expression::Call(mut function, arguments) = expression else { continue };
+                    let operands = copies.split_off(copies.len().saturating_sub(arguments.len()));
+                    function.text = name;
+                    copies.push(self.expressions.add(Expression::Call(function, operands), origin));
+                }
                 Task::Total(count, origin) => {
                     let terms = copies.split_off(copies.len().saturating_sub(count));
                     copies.push(self.total(&terms, origin));
@@ -97,15 +142,14 @@ impl<'a> Copier<'a> {
         if self.terms > MAX_WRITTEN_OUT {
             return Some(self.too_long(origin));
         }
-        if self.changes.get(&id) == Some(&false) {
+        let limit = if self.scopes.part_of(scope).is_some() { Change::Nowhere } else { Change::InParts };
+        if self.changes.get(&id).is_some_and(|change| *change <= limit) {
             return Some(id);
         }
         match self.expressions.get(id).clone() {
-            Expression::Name(name) => Some(self.name(id, &name, scope)),
-            Expression::Array(ArrayExpression::Element(name)) => {
-                let element = self.element(&name, scope).map(Expression::Name);
-                Some(self.expressions.add(element.unwrap_or(Expression::Invalid), origin))
-            }
+            Expression::Name(_)
+            | Expression::Component(..)
+            | Expression::Array(ArrayExpression::Element(_)) => self.path(id, scope, tasks),
             Expression::Array(ArrayExpression::Sum { variable, range, term }) => {
                 self.sum((&variable, &range, term), (scope, origin), tasks)
             }
@@ -130,64 +174,168 @@ impl<'a> Copier<'a> {
                 tasks.push(Task::Copy(branch, scope));
                 None
             }
-            other => {
-                tasks.push(Task::Make(id));
-                tasks.extend(other.operands().into_iter().rev().map(|operand| Task::Copy(operand, scope)));
+            Expression::Call(function, arguments) => {
+                let function = self.function(id, &function, scope);
+                tasks.push(Task::Call(id, function));
+                tasks.extend(arguments.into_iter().rev().map(|argument| Task::Copy(argument, scope)));
                 None
+            }
+            _ => self.operands(id, scope, tasks),
+        }
+    }
+
+    /// The copy of a name or a member of a part, or nothing if that takes what is left to do.
+    fn path(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
+        let origin = self.expressions.origin(id);
+        let Some(path) = Path::of(self.expressions, id, scope) else {
+            return self.operands(id, scope, tasks);
+        };
+        match path.target(self.counting()) {
+            Ok(Target::Value(value)) => {
+                Some(self.expressions.add(Expression::Number(Number::from(value)), origin))
+            }
+            Ok(Target::Hidden) => Some(id),
+            Ok(Target::Expression(value, scope)) => {
+                tasks.push(Task::Copy(value, scope));
+                None
+            }
+            Ok(Target::Declared(segment)) => Some(self.declared(id, &segment, scope)),
+            Ok(Target::Beyond) => self.operands(id, scope, tasks),
+            Ok(Target::Part(part)) => {
+                let (message, help) = self.part_as_value(part);
+                Some(self.invalid(id, message, &help))
+            }
+            Err(fault) => {
+                self.complaints.path(&fault, self.expressions, Some(id), (&self.scopes, scope));
+                Some(self.expressions.add(Expression::Invalid, origin))
             }
         }
     }
 
-    fn name(&mut self, id: AstId, name: &str, scope: ScopeId) -> AstId {
-        let origin = self.expressions.origin(id);
-        match self.scopes.find(scope, name) {
-            Some(Some(value)) => self.expressions.add(Expression::Number(Number::from(value)), origin),
-            None => match self.objection(name) {
-                Some((message, help)) => {
-                    // A list of values may have been meant as a vector.
-                    if !(self.elements.is_array(name) && self.complaints.is_partial())
-                        && let Some(error) = self.complaints.once(id, origin, message)
-                    {
-                        error.help(help);
-                    }
-                    self.expressions.add(Expression::Invalid, origin)
-                }
-                None => id,
-            },
-            Some(None) => id,
+    /// Copies the operands of an expression.
+    fn operands(&mut self, id: AstId, scope: ScopeId, tasks: &mut Vec<Task>) -> Option<AstId> {
+        // The index of something that has no elements, which is reported.
+        if let Expression::Array(ArrayExpression::Element(name)) = self.expressions.get(id).clone() {
+            let message = messages::no_array(&name.text);
+            return Some(self.invalid(id, message, &messages::no_array_help(&name.text)));
         }
+        if let Expression::Component(_, name) = self.expressions.get(id).clone()
+            && let Some(first) = name.indices.first()
+        {
+            let origin = self.expressions.origin(*first);
+            if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&name.text)) {
+                error.help(messages::no_array_help(&name.text));
+            }
+            return Some(self.expressions.add(Expression::Invalid, self.expressions.origin(id)));
+        }
+        let operands = self.expressions.get(id).operands();
+        tasks.push(Task::Make(id));
+        tasks.extend(operands.into_iter().rev().map(|operand| Task::Copy(operand, scope)));
+        None
+    }
+
+    /// The copy of something declared.
+    fn declared(&mut self, id: AstId, segment: &Segment, scope: ScopeId) -> AstId {
+        let origin = self.expressions.origin(id);
+        if !segment.indices.is_empty() {
+            let element = self.element(segment, scope).map(Expression::Name);
+            return self.expressions.add(element.unwrap_or(Expression::Invalid), origin);
+        }
+        let name = segment.text.as_str();
+        match self.objection(name) {
+            Some((message, help)) => {
+                // A list of values may have been meant as a vector.
+                if self.elements.is_array(name) && self.complaints.is_partial() {
+                    return self.expressions.add(Expression::Invalid, origin);
+                }
+                self.invalid(id, message, &help)
+            }
+            None if matches!(self.expressions.get(id), Expression::Name(same) if same == name) => id,
+            None => self.expressions.add(Expression::Name(name.to_owned()), origin),
+        }
+    }
+
+    /// True of a function of the user's crate that no part declared before.
+    pub(super) fn is_first_of(&mut self, function: &ExternalFunction) -> bool {
+        let key = format!("{} {}", function.name.text, function.parameters.len());
+        self.external.insert(key) || function.derivatives.is_some()
+    }
+
+    /// Reports an expression, which has no meaning.
+    fn invalid(&mut self, id: AstId, message: String, help: &str) -> AstId {
+        let origin = self.expressions.origin(id);
+        if let Some(error) = self.complaints.once(id, origin, message) {
+            error.help(help);
+        }
+        self.expressions.add(Expression::Invalid, origin)
+    }
+
+    /// The message for a part where a value is needed, and what to do.
+    pub(super) fn part_as_value(&self, part: PlacedId) -> (String, String) {
+        let part = self.scopes.placed(part);
+        let name = part.written.trim_end_matches('.');
+        let members = messages::members_are(&part.interior.name.text, part.interior.names());
+        (messages::part_as_value(name), members)
     }
 
     /// Returns the name of an element. An element that does not exist is reported.
-    pub(super) fn element(&mut self, name: &Name, scope: ScopeId) -> Option<String> {
+    pub(super) fn element(&mut self, array: &Segment, scope: ScopeId) -> Option<String> {
         let counting =
             Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
-        let (first, last) = (name.indices.first()?, name.indices.last()?);
+        let ((first, _), (last, _)) = (array.indices.first()?, array.indices.last()?);
         let origin = self.expressions.origin(*first).to(self.expressions.origin(*last));
-        let is_hidden = self.scopes.find(scope, &name.text).is_some();
-        if is_hidden || !self.elements.is_indexed(&name.text) {
-            if !is_hidden && !self.complaints.names.contains(&name.text) {
-                self.complaints.unknown_array(&name.text, *first, name.span.into());
-            } else if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&name.text)) {
-                error.help(messages::no_array_help(&name.text));
+        if !self.elements.is_indexed(&array.text) {
+            if !self.elements.is_declared(&array.text, self.complaints.names) {
+                self.complaints.unknown_array(
+                    &array.text,
+                    (*first, array.span.into()),
+                    (&self.scopes, scope),
+                );
+            } else if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&array.text))
+            {
+                error.help(messages::no_array_help(&array.text));
             }
             return None;
         }
-        let indices = indices_of(name, scope, counting, &mut self.complaints)?;
-        if let Some(text) = self.elements.text(&name.text, &indices) {
+        let indices = counted_indices(&array.indices, counting, &mut self.complaints)?;
+        if let Some(text) = self.elements.text(&array.text, &indices) {
             return Some(text.to_owned());
         }
-        let (message, help) = self.elements.objection(&name.text, &indices)?;
-        let message = format!("{message}{}", self.scopes.place(scope));
+        let (message, help) = self.elements.objection(&array.text, &indices)?;
+        let message = format!("{message}{}", self.scopes.place_of(scope));
         if let Some(error) = self.complaints.once(*first, origin, message) {
             error.help(help);
         }
         None
     }
 
+    /// The name of the function that a call in a scope means. One that is not known is reported.
+    fn function(&mut self, call: AstId, function: &Name, scope: ScopeId) -> String {
+        let (mut name, mut place) = (function.text.clone(), scope);
+        loop {
+            match self.scopes.member(self.scopes.part_of(place), &name) {
+                Meaning::Declared(text) => return text,
+                Meaning::Argument(value, outer) => match self.expressions.get(value) {
+                    Expression::Name(other) => (name, place) = (other.clone(), outer),
+                    _ => return name,
+                },
+                Meaning::Outside => {
+                    let is_external =
+                        self.scopes.around(place).is_some_and(|part| part.interior.external.contains(&name));
+                    if is_external || is_function(&name) || !self.complaints.names.contains(&name) {
+                        return name;
+                    }
+                    self.complaints.unknown(&name, (call, function.span.into()), (&self.scopes, place));
+                    return name;
+                }
+                Meaning::Placed | Meaning::Value(_) | Meaning::Hidden => return name,
+            }
+        }
+    }
+
     /// The numbers of elements behind the name of an array that is declared as a whole.
     pub(super) fn sizes(&mut self, name: &Name, scope: ScopeId) -> Option<Vec<i64>> {
-        if !self.elements.is_indexed(&name.text) {
+        if !self.elements.is_indexed(&self.scopes.prefixed(scope, &name.text)) {
             return None;
         }
         let counting =

@@ -1,7 +1,7 @@
 //! Indices as numbers.
 
 use super::messages;
-use super::scopes::{ScopeId, Scopes};
+use super::scopes::{Meaning, ScopeId, Scopes};
 use crate::syntax::ast::{
     ArrayExpression, AstId, BinaryOperator, Expression, Expressions, IndexCondition, TestKind,
 };
@@ -94,7 +94,9 @@ impl Counting<'_> {
             Expression::Binary(operator, _, left, right) => applied(*operator, of(left)?, of(right)?)?,
             Expression::Array(ArrayExpression::Element(name)) => {
                 let indices = name.indices.iter().map(|index| of(index)?.to_integer().ok_or(Reason::Form));
-                let element = messages::element(&name.text, &indices.collect::<Result<Vec<_>, _>>()?);
+                let indices = indices.collect::<Result<Vec<_>, _>>()?;
+                let array = self.array(&name.text, scope).ok_or(Reason::Name(name.text.clone()))?;
+                let element = messages::element(&array, &indices);
                 self.constants.get(&element).cloned().ok_or(Reason::Name(name.text.clone()))?
             }
             Expression::Invalid => return Err(Reason::Unreadable),
@@ -108,12 +110,29 @@ impl Counting<'_> {
         if value.is_short() { Ok(value) } else { Err(Reason::TooLarge) }
     }
 
-    fn named(self, name: &String, scope: ScopeId) -> Result<Number, Reason> {
-        match self.scopes.find(scope, name) {
-            Some(value) => value.map(Number::from),
-            None => self.constants.get(name).cloned(),
+    fn named(self, name: &str, scope: ScopeId) -> Result<Number, Reason> {
+        match self.scopes.meaning(scope, name) {
+            Meaning::Value(value) => Some(Number::from(value)),
+            Meaning::Declared(text) => self.constants.get(&text).cloned(),
+            Meaning::Argument(..) => self.scopes.number(scope, name).cloned(),
+            Meaning::Hidden | Meaning::Placed | Meaning::Outside => None,
         }
-        .ok_or(Reason::Name(name.clone()))
+        .ok_or_else(|| Reason::Name(name.to_owned()))
+    }
+
+    /// The name of an array in the expanded declaration, also behind arguments that stand for it.
+    fn array(self, name: &str, scope: ScopeId) -> Option<String> {
+        let (mut name, mut scope) = (name.to_owned(), scope);
+        loop {
+            match self.scopes.meaning(scope, &name) {
+                Meaning::Declared(text) => return Some(text),
+                Meaning::Argument(value, outer) => match self.expressions.get(value) {
+                    Expression::Name(other) => (name, scope) = (other.clone(), outer),
+                    _ => return None,
+                },
+                Meaning::Value(_) | Meaning::Hidden | Meaning::Placed | Meaning::Outside => return None,
+            }
+        }
     }
 }
 

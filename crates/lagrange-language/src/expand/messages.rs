@@ -56,7 +56,60 @@ messages! {
     element_twice(element) = "the name `{element}` is declared twice";
     declared_as_whole(name) = "all elements of `{name}` are already declared";
     array_and_name(name) = "`{name}` is declared both with an index and without";
-    same_text(text) = "an element and another name both become `{text}` when arrays are expanded";
+    same_text(text) =
+        "an element or a member and another name both become `{text}` when arrays and parts are expanded";
+
+    DECLARE_PART = "place a part of this name before: `leg: Leg { … }`";
+    ARRAY_OF_PARTS_HELP = "write the number of elements: `leg[i in 0..4]: Leg { … }`";
+    UNPLACED_HELP = "place it where the same conditions hold";
+    LIST_OUTSIDE_ARRAY = "a list of values belongs to an array of parts";
+    LIST_OUTSIDE_ARRAY_HELP = "write `leg[i in 0..4]: Leg { … }`, or give a single value";
+    ONE_ELEMENT_HELP = "for all of them, write `[i in 0..n]` after the name";
+    INCLUDE_INSIDE = "a file is included inside of a loop or a condition";
+    INCLUDE_INSIDE_HELP = "include it before: its parts can be placed everywhere";
+    PART_INSIDE = "a part is declared inside of something else";
+    PART_INSIDE_HELP = "declare it before: a part can be placed in other parts and in loops";
+    RECURSION_HELP = "remove this placement, or place what it needs where the part is placed";
+    NEEDS_NAME_HELP = "give the name of something declared, such as `leg: Leg { on: trunk; }`";
+    unknown_part(name) = "unknown part `{name}`";
+    declare_the_part(name) = "declare it, `part {name}(…) {{ … }}`";
+    unknown_argument(argument, part) = "the part `{part}` has no argument `{argument}`";
+    missing_argument(argument, part) = "the argument `{argument}` of the part `{part}` is missing";
+    give(argument) = "give it between the braces, `{argument}: e;`, or a default where the part is declared";
+    repeated_argument(name) = "the argument `{name}` is declared twice";
+    argument_as_name(name, part) = "`{name}` is an argument of the part `{part}` and is declared again in it";
+    late_argument(name) = "the argument `{name}` is declared further right";
+    late_argument_help(name) = "move `{name}` before this argument";
+    outside_statement(word) = "`{word}` is about the whole system and cannot be in a part";
+    outside_statement_help(word) = "move `{word}` outside of the part";
+    free_argument(name) = "`{name}` is an argument, and a joint `free` belongs where its body is declared";
+    free_argument_help(name) = "write `free {name};` outside of the part, with the name that the body has there";
+    outside(name, part) = "`{name}` is declared outside of the part `{part}`, which knows only its own names and arguments";
+    outside_help(name, part) = "add it to the arguments, `part {part}({name})`, and give it where the part is placed: `{name}: {name};`";
+    unknown_in_part(name, part) = "unknown name `{name}` in the part `{part}`";
+    declare_in_part(name, part) = "declare it in the part, or add it to the arguments, `part {part}({name})`";
+    unplaced(name) = "the part `{name}` is not placed here";
+    no_member(member, part) = "there is no `{member}`: the part `{part}` does not declare it";
+    no_part(name) = "`{name}` is not a placed part and has no members here";
+    no_part_help(name) = "write `{name}` alone, or place a part of this name: `{name}: Leg {{ … }}`";
+    part_as_value(part) = "`{part}` is a part and has no value";
+    needs_name(argument) = "the argument `{argument}` stands for an expression, and a name is needed here";
+    recursion(part) = "the part `{part}` contains itself";
+    contained_in(outer, inner) = "`{inner}` is placed in `{outer}` here";
+    part_twice(name) = "the part `{name}` is declared twice";
+    part_and_name(name) = "`{name}` is both a placed part and another name";
+    part_and_declared(name) = "`{name}` is both a part and another name";
+    placed_twice(name) = "`{name}` is placed twice";
+    no_parts(name, count) = "`{name}` cannot have {count} elements: an array has at least one";
+    lacks_first(first, given) = "`{given}` is placed, but not `{first}`";
+    expanded_too_deep(most) = "loops, conditions and parts are nested more than {most} deep";
+    too_deep(most) = "parts are nested more than {most} deep";
+    too_many_parts(most) = "placements up to this one are more than {most}";
+    placed_here(part, name) = "in the part `{part}`, placed here as `{name}`";
+    placed_here_twice(part, name) = "in the part `{part}`, placed here as `{name}` and once more";
+    placed_here_and(part, name, others) = "in the part `{part}`, placed here as `{name}` and {others} times more";
+    never_placed(name) = "the part `{name}` is never placed";
+    never_placed_help(name) = "place it, `name: {name} {{ … }}`, or begin its name with `_`";
 }
 
 /// Returns the name of an element in expanded declarations: `u_1_2`.
@@ -92,4 +145,30 @@ pub(super) fn list_length(given: usize, wanted: i64) -> String {
     let values = if given == 1 { "value is" } else { "values are" };
     let elements = if wanted == 1 { "element" } else { "elements" };
     format!("{given} {values} given for {wanted} {elements}")
+}
+
+/// Advice for a placed part that does not exist.
+pub(super) fn placed_are(known: &[String]) -> String {
+    match known {
+        [] => DECLARE_PART.to_owned(),
+        [only] => format!("only `{only}` is placed"),
+        [first, .., last] => format!("`{first}` to `{last}` are placed"),
+    }
+}
+
+/// Advice for a member that does not exist, with the first members that do.
+pub(super) fn members_are<'a>(part: &str, members: impl Iterator<Item = &'a str>) -> String {
+    let members = members.take(8).map(|member| format!("`{member}`")).collect::<Vec<_>>();
+    match members.is_empty() {
+        true => format!("the part `{part}` declares no names"),
+        false => format!("the part `{part}` declares {}", members.join(", ")),
+    }
+}
+
+/// Advice for an argument that does not exist.
+pub(super) fn arguments_are(part: &str, arguments: &[&str]) -> String {
+    match arguments {
+        [] => format!("the part `{part}` has no arguments"),
+        known => format!("its arguments are `{}`", known.join("`, `")),
+    }
 }

@@ -1,4 +1,4 @@
-//! Arrays, loops and sums, written out.
+//! Arrays, loops, sums and parts, written out.
 //!
 //! `theta[2]` becomes the name `theta_2`, `u[1][2]` becomes `u_1_2`, a loop becomes its statements,
 //! and a sum its terms. This is done before anything else is known of the declaration. The result
@@ -19,6 +19,9 @@ mod counting;
 mod defaults;
 mod elements;
 mod messages;
+mod parts;
+mod paths;
+mod placements;
 mod scopes;
 mod statements;
 #[cfg(test)]
@@ -37,10 +40,11 @@ use corners::{has_corners, loop_over_corners};
 use elements::ElementNames;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
-use scopes::Scopes;
+use scopes::{BUILT_IN, Scopes};
 use statements::written_out;
-use unrolling::unroll;
+use unrolling::{Unrolled, unroll};
 
+use warnings::say_where_placed;
 pub use warnings::{name_elements, once_for_each_array};
 
 /// Expands arrays, loops and sums. Mistakes in them are reported, and the result then has
@@ -68,24 +72,37 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     let statements = written.collect::<Vec<_>>();
     expressions.end_of_text();
     let (bodies, arrays) = (declared_bodies(&statements), elements.arrays());
-    Declaration { statements, expressions, bodies, arrays, counted, ..declaration }
+    let Unrolled { placed, unplaced, .. } = unrolled;
+    let written =
+        Declaration { statements, expressions, bodies, arrays, placed, unplaced, counted, ..declaration };
+    say_where_placed(&written, report);
+    written
 }
 
 /// True if there is anything to be written out.
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
-    let is_array = |expression: &Expression| matches!(expression, Expression::Array(_));
+    let is_array = |expression: &Expression| match expression {
+        Expression::Array(_) => true,
+        Expression::Component(_, name) => !name.indices.is_empty(),
+        _ => false,
+    };
     let mut expressions = declaration.expressions.iter();
     expressions.any(|(_, expression)| is_array(expression))
         || has_corners(declaration)
         || declaration.statements.iter_mut().any(|statement| {
             let is_several = matches!(statement.kind, StatementKind::Block(_));
-            is_several || statement.kind.names_mut().iter().any(|name| !name.indices.is_empty())
+            is_several
+                || statement
+                    .kind
+                    .names_mut()
+                    .iter()
+                    .any(|name| !(name.indices.is_empty() && name.members.is_empty()))
         })
 }
 
 /// The names that are declared anywhere, loops and their variables aside.
 fn names_of(statements: &[Statement]) -> BTreeSet<String> {
-    let mut names = BTreeSet::from(["t", "pi", "ground"].map(str::to_owned));
+    let mut names = BTreeSet::from(BUILT_IN.map(str::to_owned));
     let mut pending = vec![statements];
     while let Some(statements) = pending.pop() {
         for Statement { kind, .. } in statements {

@@ -1,65 +1,266 @@
-//! Variables of loops and their values, loop within loop.
+//! Scopes of names: variables of loops with their values, one in the other, and placed parts.
+//!
+//! A placed part begins anew: what is around it is known inside by its arguments only.
 
-/// The loops around a place; none by default.
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::collections::{HashMap, HashSet};
+use lagrange_expr::number::Number;
+
+/// Names with a meaning everywhere.
+pub(super) const BUILT_IN: [&str; 3] = ["t", "pi", "ground"];
+
+/// The loops and the placed part around a place; none by default.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub(super) struct ScopeId(Option<usize>);
 
-impl ScopeId {
-    /// True if no loop is around.
-    pub(super) fn is_outermost(self) -> bool {
-        self.0.is_none()
-    }
-}
+/// A placed part.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
+pub(super) struct PlacedId(usize);
 
 /// All scopes of a declaration.
 #[derive(Default)]
-pub(super) struct Scopes(Vec<LoopScope>);
+pub(super) struct Scopes {
+    scopes: Vec<Scope>,
+    placed: Vec<PlacedPart>,
+    /// Placed parts by the part around them, their name and their indices.
+    by_name: HashMap<(Option<PlacedId>, String), BTreeMap<Vec<i64>, PlacedId>>,
+    /// Names of placements and of what is in parts, which mean something else elsewhere.
+    scoped: HashSet<String>,
+    /// Parts that are placed anywhere.
+    interiors: HashSet<String>,
+}
 
-struct LoopScope {
+struct Scope {
     outer: ScopeId,
-    name: String,
-    /// `None` of a parameter of a function, which hides other names.
-    value: Option<i64>,
+    /// The innermost part around it.
+    part: Option<PlacedId>,
+    /// The variable of a loop; `None` of the inside of a part. Parameters of functions, which hide
+    /// other names, have no value.
+    variable: Option<(String, Option<i64>)>,
+}
+
+/// Names of a part, wherever it is placed.
+#[derive(Debug)]
+pub(super) struct Interior {
+    pub(super) name: Name,
+    /// Names of its arguments.
+    pub(super) arguments: BTreeSet<String>,
+    /// Names that its statements declare.
+    pub(super) declared: BTreeSet<String>,
+    /// Names of the parts that it places.
+    pub(super) placed: BTreeSet<String>,
+    /// Functions of the user's crate, which keep their names.
+    pub(super) external: BTreeSet<String>,
+}
+
+/// A part where it is placed.
+pub(super) struct PlacedPart {
+    pub(super) interior: Rc<Interior>,
+    /// Beginning of the names of its members: `leg_0_`.
+    pub(super) prefix: String,
+    /// The prefix as it is written: `leg[0].`.
+    pub(super) written: String,
+    /// Values of its arguments.
+    pub(super) bindings: HashMap<String, Binding>,
+    pub(super) outer: Option<PlacedId>,
+}
+
+/// The value of an argument.
+#[derive(Clone)]
+pub(super) struct Binding {
+    pub(super) value: AstId,
+    /// Scope of its names.
+    pub(super) scope: ScopeId,
+    /// Its number, if it is known at compile time.
+    pub(super) number: Option<Number>,
+}
+
+/// The meaning of a name in a scope.
+#[derive(Debug)]
+pub(super) enum Meaning {
+    /// A variable of a loop.
+    Value(i64),
+    /// A parameter of a function.
+    Hidden,
+    /// An argument of the part: an expression of another scope.
+    Argument(AstId, ScopeId),
+    /// A placed part, or an array of them.
+    Placed,
+    /// Anything else, under the name that it has in the expanded declaration.
+    Declared(String),
+    /// Nothing in this part.
+    Outside,
+}
+
+impl Interior {
+    /// True if a name means something in the part.
+    pub(super) fn knows(&self, name: &str) -> bool {
+        let sets = [&self.arguments, &self.declared, &self.placed, &self.external];
+        sets.into_iter().any(|names| names.contains(name)) || BUILT_IN.contains(&name)
+    }
+
+    /// Returns the names that mean something in the part, but for those of functions outside.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        [&self.arguments, &self.declared, &self.placed].into_iter().flatten().map(String::as_str)
+    }
 }
 
 impl Scopes {
     /// A scope in which a name has a value.
     pub(super) fn within(&mut self, outer: ScopeId, name: &str, value: i64) -> ScopeId {
-        self.add(outer, name, Some(value))
+        self.add(outer, self.part_of(outer), Some((name.to_owned(), Some(value))))
     }
 
     /// A scope in which a name means nothing that is known here.
     pub(super) fn hiding(&mut self, outer: ScopeId, name: &str) -> ScopeId {
-        self.add(outer, name, None)
+        self.add(outer, self.part_of(outer), Some((name.to_owned(), None)))
     }
 
-    fn add(&mut self, outer: ScopeId, name: &str, value: Option<i64>) -> ScopeId {
-        self.0.push(LoopScope { outer, name: name.to_owned(), value });
-        ScopeId(Some(self.0.len() - 1))
+    /// Places a part; returns the scope of its statements.
+    pub(super) fn place(&mut self, name: &str, indices: Vec<i64>, part: PlacedPart) -> (PlacedId, ScopeId) {
+        let id = PlacedId(self.placed.len());
+        self.scoped.insert(name.to_owned());
+        if self.interiors.insert(part.interior.name.text.clone()) {
+            let Interior { arguments, declared, placed, .. } = &*part.interior;
+            for name in [arguments, declared, placed].into_iter().flatten() {
+                self.scoped.insert(name.clone());
+            }
+        }
+        let key = (part.outer, name.to_owned());
+        match self.by_name.get_mut(&key) {
+            Some(elements) => drop(elements.insert(indices, id)),
+            None => drop(self.by_name.insert(key, BTreeMap::from([(indices, id)]))),
+        }
+        self.placed.push(part);
+        (id, self.add(ScopeId::default(), Some(id), None))
+    }
+
+    fn add(
+        &mut self,
+        outer: ScopeId,
+        part: Option<PlacedId>,
+        variable: Option<(String, Option<i64>)>,
+    ) -> ScopeId {
+        self.scopes.push(Scope { outer, part, variable });
+        ScopeId(Some(self.scopes.len() - 1))
+    }
+
+    /// Sets the value of an argument.
+    pub(super) fn bind(&mut self, part: PlacedId, name: &str, binding: Binding) {
+        if let Some(part) = self.placed.get_mut(part.0) {
+            part.bindings.insert(name.to_owned(), binding);
+        }
+    }
+
+    /// The innermost part around a scope.
+    pub(super) fn part_of(&self, scope: ScopeId) -> Option<PlacedId> {
+        self.scopes.get(scope.0?)?.part
+    }
+
+    /// Returns a placed part.
+    pub(super) fn placed(&self, id: PlacedId) -> &PlacedPart {
+        &self.placed[id.0]
+    }
+
+    /// Returns the part that is placed around a scope.
+    pub(super) fn around(&self, scope: ScopeId) -> Option<&PlacedPart> {
+        self.part_of(scope).map(|id| self.placed(id))
+    }
+
+    /// Returns a part and those around it, from the inside outwards.
+    pub(super) fn chain(&self, part: Option<PlacedId>) -> impl Iterator<Item = &PlacedPart> {
+        std::iter::successors(part.map(|id| self.placed(id)), |part| part.outer.map(|id| self.placed(id)))
+    }
+
+    /// Placed parts of one name, by their indices.
+    pub(super) fn elements(
+        &self,
+        outer: Option<PlacedId>,
+        name: &str,
+    ) -> Option<&BTreeMap<Vec<i64>, PlacedId>> {
+        self.by_name.get(&(outer, name.to_owned()))
+    }
+
+    /// True if a name means something else in a part than outside, or is that of a placed part.
+    pub(super) fn is_scoped(&self, name: &str) -> bool {
+        !self.placed.is_empty() && self.scoped.contains(name)
+    }
+
+    /// True if a loop is around a place, within the same part.
+    pub(super) fn is_in_loop(&self, scope: ScopeId) -> bool {
+        scope.0.and_then(|index| self.scopes.get(index)).is_some_and(|scope| scope.variable.is_some())
+    }
+
+    /// The name that something declared in a scope has in the expanded declaration.
+    pub(super) fn prefixed(&self, scope: ScopeId, name: &str) -> String {
+        self.around(scope).map_or_else(|| name.to_owned(), |part| format!("{}{name}", part.prefix))
     }
 
     /// The value of a name; `Some(None)` of what is hidden, `None` of what is declared outside of
     /// loops.
     pub(super) fn find(&self, scope: ScopeId, name: &str) -> Option<Option<i64>> {
-        self.outwards(scope).find(|scope| scope.name == name).map(|scope| scope.value)
+        let mut variables = self.outwards(scope).filter_map(|scope| scope.variable.as_ref());
+        variables.find(|(variable, _)| variable == name).map(|(_, value)| *value)
     }
 
-    /// `, for i = 2, j = 1`, or nothing outside of loops.
-    pub(super) fn place(&self, scope: ScopeId) -> String {
-        let values =
-            self.outwards(scope).filter_map(|scope| Some(format!("{} = {}", scope.name, scope.value?)));
+    /// The number that an argument stands for, if it is known at compile time.
+    pub(super) fn number(&self, scope: ScopeId, argument: &str) -> Option<&Number> {
+        self.around(scope)?.bindings.get(&argument.to_owned())?.number.as_ref()
+    }
+
+    /// The meaning of a name.
+    pub(super) fn meaning(&self, scope: ScopeId, name: &str) -> Meaning {
+        match self.find(scope, name) {
+            Some(Some(value)) => Meaning::Value(value),
+            Some(None) => Meaning::Hidden,
+            None => self.member(self.part_of(scope), name),
+        }
+    }
+
+    /// The meaning of a name in a part, or outside of all.
+    pub(super) fn member(&self, part: Option<PlacedId>, name: &str) -> Meaning {
+        let Some(part) = part else {
+            return match self.elements(None, name) {
+                Some(_) => Meaning::Placed,
+                None => Meaning::Declared(name.to_owned()),
+            };
+        };
+        let part = self.placed(part);
+        if let Some(binding) = part.bindings.get(&name.to_owned()) {
+            return Meaning::Argument(binding.value, binding.scope);
+        }
+        match &*part.interior {
+            interior if interior.placed.contains(name) => Meaning::Placed,
+            interior if interior.declared.contains(name) => {
+                Meaning::Declared(format!("{}{name}", part.prefix))
+            }
+            _ if BUILT_IN.contains(&name) => Meaning::Declared(name.to_owned()),
+            _ => Meaning::Outside,
+        }
+    }
+
+    /// `, for i = 2, j = 1` or `, in leg[0], for i = 2`; nothing outside of loops and parts.
+    pub(super) fn place_of(&self, scope: ScopeId) -> String {
+        let variables = self.outwards(scope).filter_map(|scope| scope.variable.as_ref());
+        let values = variables.filter_map(|(name, value)| Some(format!("{name} = {}", (*value)?)));
         let mut values = values.collect::<Vec<_>>();
         values.reverse();
-        if values.is_empty() { String::new() } else { format!(", for {}", values.join(", ")) }
+        let part = self.around(scope).map(|part| format!(", in `{}`", part.written.trim_end_matches('.')));
+        let values = if values.is_empty() { String::new() } else { format!(", for {}", values.join(", ")) };
+        part.unwrap_or_default() + &values
     }
 
     /// True if a name is that of a variable somewhere.
     pub(super) fn is_variable(&self, name: &str) -> bool {
-        self.0.iter().any(|scope| scope.name == name && scope.value.is_some())
+        let is_valued = |(variable, value): &(String, Option<i64>)| variable == name && value.is_some();
+        self.scopes.iter().any(|scope| scope.variable.as_ref().is_some_and(is_valued))
     }
 
-    fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = &LoopScope> {
-        let get = |id: ScopeId| id.0.and_then(|index| self.0.get(index));
+    fn outwards(&self, scope: ScopeId) -> impl Iterator<Item = &Scope> {
+        let get = |id: ScopeId| id.0.and_then(|index| self.scopes.get(index));
         std::iter::successors(get(scope), move |scope| get(scope.outer))
     }
 }

@@ -3,6 +3,7 @@
 use super::copies::Copier;
 use super::defaults::{element_of, fits, positions};
 use super::messages;
+use super::paths::{Path, Target};
 use super::scopes::ScopeId;
 use super::unrolling::Instance;
 use crate::syntax::ast::{
@@ -38,6 +39,11 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
 /// A statement without indices.
 fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Option<StatementKind> {
     let mut kind = kind.clone();
+    if let StatementKind::External(function) = &kind
+        && copier.scopes.around(scope).is_some()
+    {
+        return copier.is_first_of(function).then_some(kind);
+    }
     for name in kind.names_mut() {
         *name = mentioned(copier, name, scope)?;
     }
@@ -72,23 +78,53 @@ fn rename_parts(joint: &mut Mobilizer) {
 
 /// Returns the meaning of a name outside expressions.
 fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Name> {
-    if !name.indices.is_empty() {
-        return Some(element(name, copier.element(name, scope)?));
+    let mut path = Path::of_name(name, scope);
+    loop {
+        let (message, help) = match path.target(copier.counting()) {
+            Ok(Target::Declared(segment)) if !segment.indices.is_empty() => {
+                let of = Name { span: segment.span, ..name.clone() };
+                return Some(element(&of, copier.element(&segment, scope)?));
+            }
+            Ok(Target::Declared(segment)) => match copier.objection(&segment.text) {
+                Some(objection) => objection,
+                None => {
+                    let of = Name { span: segment.span, ..name.clone() };
+                    return Some(element(&of, segment.text));
+                }
+            },
+            Ok(Target::Expression(value, outer)) => match Path::of(copier.expressions, value, outer) {
+                Some(outside) => {
+                    path = outside;
+                    continue;
+                }
+                None => (messages::needs_name(&name.text), messages::NEEDS_NAME_HELP.to_owned()),
+            },
+            Ok(Target::Part(part)) => copier.part_as_value(part),
+            // A variable or something without members, of which nobody knows as a name.
+            Ok(Target::Value(_) | Target::Hidden | Target::Beyond) => match name.members.is_empty() {
+                true => return Some(name.clone()),
+                false => (messages::no_part(&name.text), messages::no_part_help(&name.text)),
+            },
+            Err(fault) => {
+                copier.complaints.path(&fault, copier.expressions, None, (&copier.scopes, scope));
+                return None;
+            }
+        };
+        copier.complaints.report.error(name.span, message).help(help);
+        return None;
     }
-    let Some((message, help)) = copier.objection(&name.text) else { return Some(name.clone()) };
-    copier.complaints.report.error(name.span, message).help(help);
-    None
 }
 
 /// The elements that a name declares, with their indices; itself if it declares no array.
 fn elements(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Vec<(Vec<i64>, Name)> {
+    let base = copier.scopes.prefixed(scope, &name.text);
     if name.indices.is_empty() {
-        return vec![(Vec::new(), name.clone())];
+        return vec![(Vec::new(), element(name, base))];
     }
     let sizes = copier.sizes(name, scope);
     let positions = sizes.as_deref().map(positions).unwrap_or_default();
     let named = |position: Vec<i64>| {
-        let text = messages::element(&name.text, &position);
+        let text = messages::element(&base, &position);
         (position, element(name, text))
     };
     positions.into_iter().map(named).collect()

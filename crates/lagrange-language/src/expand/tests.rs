@@ -1,3 +1,5 @@
+mod parts;
+
 use super::without_arrays;
 use crate::syntax::{parse_text, print};
 use lagrange_expr::diagnostics::Report;

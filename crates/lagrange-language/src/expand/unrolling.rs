@@ -4,13 +4,16 @@ use super::complaints::Complaints;
 use super::counting::Counting;
 use super::defaults::{element_of, positions};
 use super::messages;
+use super::parts::Parts;
+use super::placements::{Placer, Site};
 use super::scopes::{ScopeId, Scopes};
 use crate::syntax::ast::{
-    Block, Definition, Expressions, Name, Range, Repetition, Selection, Statement, StatementKind,
+    Block, Definition, Expressions, Name, PlacedInstance, Placement, Range, Repetition, Selection, Statement,
+    StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::limits::MAX_WRITTEN_OUT;
+use lagrange_expr::limits::{MAX_EXPANDED_NESTING, MAX_WRITTEN_OUT};
 use lagrange_expr::number::Number;
 
 /// A statement as it is meant once.
@@ -25,6 +28,10 @@ pub(super) struct Unrolled<'d> {
     pub(super) instances: Vec<Instance<'d>>,
     /// Values of constants and of elements of arrays of them.
     pub(super) constants: HashMap<String, Number>,
+    /// Parts that were placed.
+    pub(super) placed: Vec<PlacedInstance>,
+    /// Names of parts that should have been.
+    pub(super) unplaced: Vec<Name>,
 }
 
 /// Writes loops out.
@@ -34,36 +41,65 @@ pub(super) fn unroll<'d>(
     scopes: &mut Scopes,
     complaints: &mut Complaints<'_>,
 ) -> Unrolled<'d> {
-    let unrolled = Unrolled { instances: Vec::new(), constants: HashMap::default() };
-    let mut unroller = Unroller { unrolled, expressions, scopes, complaints, turns: 0, is_too_long: false };
+    let unrolled = Unrolled {
+        instances: Vec::new(),
+        constants: HashMap::default(),
+        placed: Vec::new(),
+        unplaced: Vec::new(),
+    };
+    let placer = Placer::new(Parts::of(statements, expressions, complaints));
+    let mut unroller = Unroller {
+        unrolled,
+        placer,
+        expressions,
+        scopes,
+        complaints,
+        turns: 0,
+        is_too_long: false,
+        depth: 0,
+    };
     unroller.statements(statements, ScopeId::default());
-    unroller.unrolled
+    let Unroller { unrolled, placer, complaints, .. } = unroller;
+    placer.report_gaps(complaints);
+    Unrolled { unplaced: placer.unplaced(), placed: placer.placed, ..unrolled }
 }
 
 struct Unroller<'a, 'c, 'd> {
     unrolled: Unrolled<'d>,
+    placer: Placer<'d>,
     expressions: &'a Expressions,
     scopes: &'a mut Scopes,
     complaints: &'a mut Complaints<'c>,
     /// Turns of loops so far.
     turns: u64,
     is_too_long: bool,
+    /// Loops, conditions and parts around what is expanded.
+    depth: usize,
 }
 
 impl<'d> Unroller<'_, '_, 'd> {
     fn statements(&mut self, statements: &'d [Statement], scope: ScopeId) {
+        if self.depth == MAX_EXPANDED_NESTING {
+            return self.report_too_deep(statements);
+        }
+        self.depth += 1;
         for statement in statements {
             match &statement.kind {
                 StatementKind::Block(Block::Repeat(repetition)) => self.repetition(repetition, scope),
                 StatementKind::Block(Block::Select(selection)) => self.selection(selection, scope),
+                StatementKind::Block(Block::Place(placement)) => {
+                    self.placement((statement, placement), scope);
+                }
+                StatementKind::Block(Block::Part(_) | Block::Include(_)) => {}
                 kind => {
-                    if let (StatementKind::Constants(list), true) = (kind, scope.is_outermost()) {
-                        list.iter().for_each(|definition| self.constant(definition));
+                    if let (StatementKind::Constants(list), false) = (kind, self.scopes.is_in_loop(scope)) {
+                        list.iter().for_each(|definition| self.constant(definition, scope));
                     }
                     self.unrolled.instances.push(Instance { statement, scope });
                 }
             }
         }
+        self.depth -= 1;
     }
 
     fn repetition(&mut self, repetition: &'d Repetition, scope: ScopeId) {
@@ -74,12 +110,60 @@ impl<'d> Unroller<'_, '_, 'd> {
         let Some(values) = values else { return };
         for value in values {
             // Loops may stand in loops.
-            self.turns += 1 + body.len() as u64;
-            if self.turns > MAX_WRITTEN_OUT {
-                return self.report_too_long(range);
+            if !self.has_room(body.len()) {
+                return self.report_too_long(origin_of(self.expressions, range));
             }
             let scope = self.scopes.within(scope, &variable.text, value);
             self.statements(body, scope);
+        }
+    }
+
+    /// Counts statements before they are written out; false if they become too many.
+    fn has_room(&mut self, statements: usize) -> bool {
+        self.turns += 1 + statements as u64;
+        self.turns <= MAX_WRITTEN_OUT
+    }
+
+    fn placement(&mut self, (statement, placement): (&'d Statement, &'d Placement), scope: ScopeId) {
+        let Some((variable, range)) = &placement.count else {
+            return self.placed((statement, placement), None, scope);
+        };
+        let Unrolled { constants, .. } = &self.unrolled;
+        let counting = Counting { expressions: self.expressions, scopes: self.scopes, constants };
+        let Some(values) = values(variable, range, (counting, scope), self.complaints) else { return };
+        let count = values.end.saturating_sub(values.start);
+        if count <= 0 {
+            let (name, origin) = (&placement.name.text, origin_of(self.expressions, range));
+            if let Some(error) =
+                self.complaints.once(range.from, origin, messages::no_parts(name, count.max(0)))
+            {
+                error.help(messages::ARRAY_OF_PARTS_HELP);
+            }
+        }
+        for (number, value) in (0..count).zip(values) {
+            if self.is_too_long {
+                return;
+            }
+            let scope = self.scopes.within(scope, &variable.text, value);
+            self.placed((statement, placement), Some((value, [number, count])), scope);
+        }
+    }
+
+    fn placed(
+        &mut self,
+        (statement, placement): (&'d Statement, &'d Placement),
+        turn: Option<(i64, [i64; 2])>,
+        scope: ScopeId,
+    ) {
+        let Unroller { unrolled, placer, expressions, scopes, complaints, .. } = self;
+        let body = placer.parts.find(&placement.part.text).map_or(0, |part| part.definition.body.len());
+        self.turns += 1 + body as u64;
+        if self.turns > MAX_WRITTEN_OUT {
+            return self.report_too_long(statement.origin);
+        }
+        let mut site = Site { expressions, constants: &unrolled.constants, scopes, complaints };
+        if let Some((part, inside)) = placer.place((statement, placement), turn, scope, &mut site) {
+            self.statements(&part.body, inside);
         }
     }
 
@@ -97,12 +181,12 @@ impl<'d> Unroller<'_, '_, 'd> {
     }
 
     /// Remembers a constant, if it is a number that indices can be made of.
-    fn constant(&mut self, definition: &Definition) {
-        let (name, outermost) = (&definition.name, ScopeId::default());
+    fn constant(&mut self, definition: &Definition, scope: ScopeId) {
+        let name = &definition.name;
         // A length is no number that indices can be made of.
         let is_plain = name.unit.as_ref().is_none_or(|unit| unit.is_coherent() && unit.dimension.is_none());
         let Some(value) = definition.value.filter(|_| is_plain) else { return };
-        let sizes = name.indices.iter().map(|size| self.counting().integer(*size, outermost));
+        let sizes = name.indices.iter().map(|size| self.counting().integer(*size, scope));
         let Ok(sizes) = sizes.collect::<Result<Vec<_>, _>>() else { return };
         let positions = positions(&sizes);
         self.turns += positions.len() as u64;
@@ -112,8 +196,9 @@ impl<'d> Unroller<'_, '_, 'd> {
         }
         for position in positions {
             let Some(value) = element_of(self.expressions, value, &position) else { continue };
-            if let Ok(number) = self.counting().number(value, outermost) {
-                self.unrolled.constants.insert(messages::element(&name.text, &position), number);
+            if let Ok(number) = self.counting().number(value, scope) {
+                let name = messages::element(&self.scopes.prefixed(scope, &name.text), &position);
+                self.unrolled.constants.insert(name, number);
             }
         }
     }
@@ -122,10 +207,19 @@ impl<'d> Unroller<'_, '_, 'd> {
         Counting { expressions: self.expressions, scopes: self.scopes, constants: &self.unrolled.constants }
     }
 
+    /// Reports the first statement of those that are nested too deeply; once is enough.
+    fn report_too_deep(&mut self, statements: &[Statement]) {
+        if let Some(first) = statements.first()
+            && !std::mem::replace(&mut self.is_too_long, true)
+        {
+            let message = messages::expanded_too_deep(MAX_EXPANDED_NESTING);
+            self.complaints.report.error(first.origin, message).help(messages::RECURSION_HELP);
+        }
+    }
+
     /// Once is enough.
-    fn report_too_long(&mut self, range: &Range) {
+    fn report_too_long(&mut self, origin: Origin) {
         if !std::mem::replace(&mut self.is_too_long, true) {
-            let origin = origin_of(self.expressions, range);
             self.complaints
                 .report
                 .error(origin, messages::too_many_statements(MAX_WRITTEN_OUT))
@@ -144,7 +238,7 @@ pub(super) fn values(
     let message = match counting.scopes.find(scope, &variable.text) {
         Some(Some(_)) => Some(messages::shadowed_variable(&variable.text)),
         Some(None) => Some(messages::variable_is_parameter(&variable.text)),
-        None if complaints.names.contains(&variable.text) => {
+        None if complaints.knows(&variable.text, (counting.scopes, scope)) => {
             Some(messages::variable_is_declared(&variable.text))
         }
         None => None,

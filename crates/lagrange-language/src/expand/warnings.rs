@@ -1,38 +1,108 @@
 //! Warnings about a declaration with expanded arrays, in the words of the original.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray};
+use super::messages;
+use crate::syntax::ast::{ArrayElement, Declaration, DeclaredArray, PlacedInstance};
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::diagnostics::{Diagnostic, Report, Severity};
+use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, Severity};
 
 /// Elements by their names in expanded declarations.
 type ElementsByName<'d> = HashMap<&'d str, (&'d DeclaredArray, &'d ArrayElement)>;
 
-/// Reports each mistake in a loop once, and as unused no constant by which was counted, nor an
-/// array of which an element is used.
+/// Reports each mistake in a loop or a part once. An array is used if one of its elements is, and a
+/// member of a part if it is used in one placement. So is anything by which was counted.
 pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
     let (elements, counted) = (elements(declaration), &declaration.counted);
     let unused =
         report.diagnostics().iter().filter_map(name_of_unused).map(str::to_owned).collect::<BTreeSet<_>>();
-    let mut places = BTreeSet::new();
+    let used_members = used_members(declaration, &unused);
+    let mut said = BTreeSet::new();
+    once_at_each_place(report);
     report.revise(|diagnostic| {
-        if diagnostic.severity == Severity::Error {
-            return places.insert(place(diagnostic));
-        }
         let Some(name) = name_of_unused(diagnostic).map(str::to_owned) else { return true };
         if counted.contains(&name) {
             return false;
         }
         let Some((array, _)) = elements.get(&&name[..]) else { return true };
-        let is_first = array.elements.first().is_some_and(|first| first.name == name);
-        let (element, whole) = (format!("`{name}`"), format!("`{}`", array.name.text));
+        let own = array.member_of.as_ref().map_or(&array.name.text, |[_, own]| own);
+        let is_first = match &array.member_of {
+            None => array.elements.first().is_some_and(|first| first.name == name),
+            Some(member) => said.insert(member) && !used_members.contains(&member) && !own.starts_with('_'),
+        };
+        let (element, whole) = (format!("`{name}`"), format!("`{own}`"));
         diagnostic.message = diagnostic.message.replace(&element, &whole);
-        diagnostic.severity = Severity::Unused(array.name.text.clone());
+        if let (Some(_), Some(help)) = (&array.member_of, &mut diagnostic.help) {
+            *help = help.replace(&format!("`_{name}`"), &format!("`_{own}`"));
+        }
+        diagnostic.severity = Severity::Unused(own.clone());
         is_first
-            && !counted.contains(&array.name.text)
+            && !counted.contains(own)
             && array.elements.iter().all(|element| unused.contains(&element.name))
     });
+    say_where_placed(declaration, report);
+    warn_of_unplaced(declaration, report);
+}
+
+/// Warns of parts that nothing places.
+fn warn_of_unplaced(declaration: &Declaration, report: &mut Report) {
+    if report.has_errors() {
+        return;
+    }
+    for name in &declaration.unplaced {
+        let warning = report.unused(&name.text, name.span, messages::never_placed(&name.text));
+        warning.help(messages::never_placed_help(&name.text));
+    }
+}
+
+/// Members of parts of which an element is used somewhere.
+fn used_members<'d>(declaration: &'d Declaration, unused: &BTreeSet<String>) -> BTreeSet<&'d [String; 2]> {
+    let is_used = |array: &&DeclaredArray| array.elements.iter().any(|one| !unused.contains(&one.name));
+    declaration.arrays.iter().filter(is_used).filter_map(|array| array.member_of.as_ref()).collect()
+}
+
+/// Keeps the first error at each place.
+fn once_at_each_place(report: &mut Report) {
+    let mut places = BTreeSet::new();
+    report.revise(|diagnostic| diagnostic.severity != Severity::Error || places.insert(place(diagnostic)));
+}
+
+/// Adds to mistakes in parts where these are placed, and reports each once.
+pub(super) fn say_where_placed(declaration: &Declaration, report: &mut Report) {
+    if declaration.placed.is_empty() {
+        return;
+    }
+    once_at_each_place(report);
+    let mut parts: BTreeMap<&str, (&PlacedInstance, usize)> = BTreeMap::new();
+    for instance in &declaration.placed {
+        parts.entry(&instance.part).or_insert((instance, 0)).1 += 1;
+    }
+    report.revise(|diagnostic| {
+        let found = parts.values().find(|(instance, _)| contains(instance.definition, diagnostic.origin));
+        let Some((instance, count)) = found else { return true };
+        let (part, name) = (&instance.part, &instance.name);
+        let note = match count {
+            1 => messages::placed_here(part, name),
+            2 => messages::placed_here_twice(part, name),
+            _ => messages::placed_here_and(part, name, count - 1),
+        };
+        if !diagnostic.related.iter().any(|(_, other)| *other == note) {
+            diagnostic.related(instance.origin, note);
+        }
+        true
+    });
+}
+
+/// True if a place is within another one; false where that is not known.
+fn contains(outer: Origin, inner: Origin) -> bool {
+    let ends = |origin: Origin| (origin.position(), origin.end.start());
+    let ((Some([first, column]), last), (Some([line, at]), _)) = (ends(outer), ends(inner)) else {
+        return false;
+    };
+    // In the compiler, all tokens of an included file have one place.
+    let is_known = (first, column) != (last.line, last.column + 1);
+    let is_behind = (line, at) >= (first, column) && (line, at) <= (last.line, last.column + 1);
+    is_known && is_behind && outer.start.file() == inner.start.file()
 }
 
 /// Gives elements in messages the names of the declaration: `theta[2]`, not `theta_2`.

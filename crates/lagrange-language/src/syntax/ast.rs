@@ -30,6 +30,7 @@ pub use id::AstId;
 pub use keywords::{Keyword, Soft};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
+use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::units::Unit;
 pub use mobilizers::ElementaryMotion;
 pub use mobilizers::JointLine;
@@ -37,8 +38,8 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    AllowedRange, Block, Definition, EmitItem, Limit, Reduction, ReductionItem, ReductionKind, Repetition,
-    Selection, Statement, StatementKind,
+    AllowedRange, Block, Definition, EmitItem, Limit, PartArgument, PartDefinition, Placement, Reduction,
+    ReductionItem, ReductionKind, Repetition, Selection, Statement, StatementKind,
 };
 pub use surfaces::{Contact, Surface, SurfaceKind};
 
@@ -70,6 +71,12 @@ pub struct Declaration {
     pub is_in_space: bool,
     /// Arrays whose elements have taken their place among the statements, in source order.
     pub arrays: Vec<DeclaredArray>,
+    /// Parts whose statements have taken the place of their placements, in order.
+    pub placed: Vec<PlacedInstance>,
+    /// Files of parts that were read.
+    pub included: Vec<IncludedFile>,
+    /// Names of parts that nothing places, although something should.
+    pub unplaced: Vec<Name>,
     /// Names by which was counted where arrays were written out.
     pub counted: HashSet<String>,
     /// The expressions that statements refer to.
@@ -271,6 +278,35 @@ pub struct DeclaredArray {
     pub sizes: Option<Vec<usize>>,
     /// Its elements, the last index changing fastest.
     pub elements: Vec<ArrayElement>,
+    /// The part that it is a member of, and its name there. A member that is no array has one
+    /// element without indices.
+    pub member_of: Option<[String; 2]>,
+}
+
+/// A file of parts that was read.
+#[derive(Clone, Debug)]
+pub struct IncludedFile {
+    /// Path as it is written.
+    pub path: String,
+    /// Path under which the compiler finds it; empty if nobody waits for it to change.
+    pub watched: String,
+    /// The name of the file in places of its tokens, if these have places.
+    pub span_file: Option<String>,
+    /// Place in the declaration that includes it, also through other files.
+    pub root: Origin,
+}
+
+/// A part where it is placed.
+#[derive(Clone, Debug)]
+pub struct PlacedInstance {
+    /// The part.
+    pub part: String,
+    /// The declaration of the part.
+    pub definition: Origin,
+    /// Its name as it is written, with those of the parts around it: `leg[0].foot`.
+    pub name: String,
+    /// The placement.
+    pub origin: Origin,
 }
 
 /// An element of an array.
@@ -311,12 +347,14 @@ pub struct Name {
     /// The unit of measurement behind the colon where it is declared; of a function, that of its
     /// value.
     pub unit: Option<Box<Unit>>,
+    /// Members behind dots, each with its indices: `.hip[1]` of `leg[0].hip[1]`.
+    pub members: Vec<Name>,
 }
 
 impl Name {
-    /// Creates a name without square brackets and unit.
+    /// Creates a name without square brackets, unit and members.
     pub fn new(text: impl Into<String>, span: Span) -> Name {
-        Name { text: text.into(), span, indices: Vec::new(), unit: None }
+        Name { text: text.into(), span, indices: Vec::new(), unit: None, members: Vec::new() }
     }
 }
 

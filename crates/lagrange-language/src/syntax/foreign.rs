@@ -84,8 +84,8 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["use", "import", "include", "from", "using", "extern"],
-        "nothing can be imported here",
-        "write `param name;` for a number from outside, and set that field at run time",
+        "only files of parts are included here",
+        "write `include \"parts/leg.lag\";` for these, or `param name;` for a number from outside",
     ),
     (
         &["impact", "collision", "bounce"],
@@ -104,8 +104,8 @@ const STRANGERS: &[(&[&str], &str, &str)] = &[
     ),
     (
         &["component", "block", "part", "parts", "subsystem", "connector", "instance"],
-        "a declaration is not divided into components",
-        "repeat bodies, coordinates and forces by arrays and loops: `for i in 0..n { … }`",
+        "components are called parts here",
+        "declare one, `part Wheel(r, on) { … }`, and place it: `front: Wheel { r: 0.3; on: axle; }`",
     ),
     (
         &["equation", "equations", "ode", "eom"],

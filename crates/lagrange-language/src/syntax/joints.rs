@@ -71,12 +71,13 @@ impl Parser<'_> {
         Ok(Some(name))
     }
 
-    /// The name of a body or a line.
+    /// The name of something declared, which may be a member of a part.
     pub(super) fn mentioned(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Name> {
         match cursor.ident() {
             Some(_) if !cursor.at_statement() => {
                 let name = self.name(cursor)?;
-                self.indexed(name, cursor)
+                let name = self.indexed(name, cursor)?;
+                self.with_members(name, cursor)
             }
             _ => Err(self.misplaced("a name", help, cursor)),
         }

@@ -71,7 +71,7 @@ pub(super) fn is_connective(word: &str) -> bool {
 }
 
 /// True if a name is that of a function of the language.
-pub(super) fn is_function(name: &str) -> bool {
+pub fn is_function(name: &str) -> bool {
     elementary::by_name(name).is_some() || STRUCTURAL_FUNCTIONS.iter().any(|(known, _)| *known == name)
 }
 

@@ -4,6 +4,7 @@ pub(super) mod arrays;
 pub(super) mod forms;
 pub(super) mod functions;
 pub(super) mod habits;
+pub(super) mod parts;
 pub(super) mod ranges;
 pub(super) mod scenes;
 pub(super) mod solve;
@@ -58,7 +59,7 @@ messages! {
     STATEMENT = "a statement";
     ATTRIBUTE_ON_STATEMENT = "attributes are not allowed here";
     ATTRIBUTE_ON_STATEMENT_HELP =
-        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `contact`, `output` and `reduce`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
+        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `contact`, `output`, `reduce` and `part`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
     MISSING_SEMICOLON = "missing `;` after this";
     LINE_END = "expected `;`, found `,`";
     MISSING_COMMA = "missing `,` before this";

@@ -47,6 +47,7 @@ mod mobilizers;
 mod names;
 mod options;
 mod parser;
+mod parts;
 pub mod print;
 mod ranges;
 mod recovery;
@@ -64,12 +65,12 @@ mod values;
 
 use proc_macro2::TokenStream;
 
-use ast::{Declaration, declared_bodies};
+use ast::{Declaration, Name, Statement, declared_bodies};
 use cursor::Cursor;
 use header::{default_header, header_ahead};
 pub use identifiers::can_be_declared;
-pub use keywords::STRUCTURAL_FUNCTIONS;
-use lagrange_expr::diagnostics::Report;
+pub use keywords::{STRUCTURAL_FUNCTIONS, is_function};
+use lagrange_expr::diagnostics::{Origin, Report};
 use parser::Parser;
 
 /// Reads the input of `system!`.
@@ -96,6 +97,33 @@ pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
         false => default_header(),
     };
     Some(with_statements(header, parser, cursor))
+}
+
+/// Reads the statements of a file that a declaration includes. Their expressions become some of the
+/// declaration's. Also returns the name of the file in places of its tokens, if these have any.
+pub fn parse_included(
+    (path, text): (&Name, &str),
+    declaration: &mut Declaration,
+    report: &mut Report,
+) -> (Vec<Statement>, Option<String>) {
+    let mut own = Report::default();
+    let Some(tokens) = text::tokens(text, &mut own) else {
+        text::report_at(path, text, &own, report);
+        return (Vec::new(), None);
+    };
+    let first = tokens.clone().into_iter().next().map(|token| Origin::from(token.span()));
+    let file = first.filter(|first| first.position().is_some()).map(|first| first.start.file());
+    let parser = &mut Parser::new(report);
+    parser.expressions = std::mem::take(&mut declaration.expressions);
+    parser.unreadable_words = std::mem::take(&mut declaration.unreadable_words);
+    let statements = parser.statements(&mut Cursor::new(tokens));
+    declaration.expressions = std::mem::take(&mut parser.expressions);
+    declaration.expressions.end_of_text();
+    declaration.unreadable_words = std::mem::take(&mut parser.unreadable_words);
+    declaration.lacks_names |= parser.lacks_names;
+    declaration.has_units |= parser.has_units;
+    declaration.has_dimensions |= parser.has_dimensions;
+    (statements, file)
 }
 
 fn with_statements(header: Declaration, parser: &mut Parser<'_>, cursor: &mut Cursor) -> Declaration {

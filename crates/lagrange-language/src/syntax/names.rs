@@ -9,6 +9,7 @@ use super::messages;
 use super::messages::forms::form;
 use super::messages::habits;
 use super::parser::{Parsed, Parser};
+use super::recovery::Turn;
 use super::units::at_unit;
 
 impl Parser<'_> {
@@ -16,6 +17,21 @@ impl Parser<'_> {
     pub(super) fn declared_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let name = self.free_name(cursor)?;
         self.indexed(name, cursor)
+    }
+
+    /// The members behind a name, `.hip[1]`.
+    pub(super) fn with_members(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
+        let mut whole = name;
+        self.turns(cursor, |parser, cursor| {
+            if !at_member(cursor) {
+                return Ok(Turn::Last);
+            }
+            cursor.skip_one();
+            let member = parser.name(cursor)?;
+            whole.members.push(parser.indexed(member, cursor)?);
+            Ok(Turn::Next)
+        })?;
+        Ok(whole)
     }
 
     /// Reads the name that a statement declares in front of its `=`.
@@ -111,4 +127,9 @@ fn can_follow_name(cursor: &Cursor) -> bool {
             .is_none_or(|token| matches!(token, TokenTree::Punct(punct) if ":;".contains(punct.as_char()))),
     };
     at_equals_past(1, cursor) || is_annotated()
+}
+
+/// True at a dot and a name.
+fn at_member(cursor: &Cursor) -> bool {
+    cursor.at('.') && matches!(cursor.peek_past(1), Some(TokenTree::Ident(_)))
 }

@@ -7,6 +7,7 @@ mod arrays;
 mod callables;
 mod expressions;
 mod numbers;
+mod parts;
 mod scenes;
 
 use super::ast::{
@@ -137,6 +138,9 @@ impl Printer<'_> {
             StatementKind::Reduce(reduction) => self.reduction(reduction),
             StatementKind::Block(Block::Repeat(repetition)) => self.repetition(repetition),
             StatementKind::Block(Block::Select(selection)) => self.selection(selection),
+            StatementKind::Block(Block::Part(part)) => self.part_definition(part),
+            StatementKind::Block(Block::Place(placement)) => self.placement(placement),
+            StatementKind::Block(Block::Include(path)) => self.text(&format!("include {:?};", path.text)),
             StatementKind::Scene(statement) => self.scene(statement),
         }
     }

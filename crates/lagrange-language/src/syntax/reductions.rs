@@ -67,6 +67,7 @@ impl Parser<'_> {
     fn reduction_item(&mut self, kind: ReductionKind, cursor: &mut Cursor) -> Parsed<ReductionItem> {
         let coordinate = self.name(cursor)?;
         let coordinate = self.indexed(coordinate, cursor)?;
+        let coordinate = self.with_members(coordinate, cursor)?;
         let value = cursor.eat_equals().map(|_| self.item_value(cursor));
         if value.is_none() && kind == ReductionKind::Frozen {
             let message = messages::frozen_without_value(&coordinate.text);

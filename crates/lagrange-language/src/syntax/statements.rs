@@ -5,7 +5,7 @@ mod loops;
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
-    Action, AstId, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
+    Action, AstId, Block, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
     SurfaceKind,
 };
 use super::cursor::Cursor;
@@ -17,6 +17,7 @@ use super::messages;
 use super::messages::forms::form;
 use super::messages::solve as words;
 use super::parser::{Declared, Parsed, Parser, Reported};
+use super::parts::{at_placement, path_length};
 
 impl Parser<'_> {
     /// Reads statements up to the end of the input. Those that cannot be read are reported and left
@@ -77,6 +78,9 @@ impl Parser<'_> {
     }
 
     fn statement_kind(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        if at_placement(cursor) {
+            return self.placement(cursor);
+        }
         let Some(keyword) = cursor.eat_ident() else {
             return Err(self.no_statement(cursor));
         };
@@ -127,6 +131,8 @@ impl Parser<'_> {
             "reduce" => Ok(StatementKind::Reduce(self.reduction(cursor)?)),
             "for" if at_loop(cursor) => self.repetition(cursor),
             "if" => self.selection(cursor),
+            "part" if cursor.ident().is_some() => self.part_definition(cursor),
+            "include" if matches!(cursor.peek(), Some(TokenTree::Literal(_))) => self.include(cursor),
             _ => match self.scene_statement(&keyword, cursor) {
                 Some(statement) => Ok(StatementKind::Scene(statement?)),
                 None => Err(self.unknown_statement(&keyword, cursor)),
@@ -197,7 +203,7 @@ impl Parser<'_> {
 
     /// `x = e`, `e at e` or `e along e`.
     fn force(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        if cursor.ident().is_some() && at_equals_past(1, cursor) {
+        if cursor.ident().is_some() && at_equals_past(path_length(cursor), cursor) {
             let name = self.mentioned(form("force"), cursor)?;
             return Ok(StatementKind::ForceOn(name, self.assigned(form("force"), cursor)?));
         }
@@ -251,7 +257,7 @@ fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
         StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
         StatementKind::External(function) => function.derivatives.is_some(),
-        StatementKind::Block(_) => true,
+        StatementKind::Block(block) => !matches!(block, Block::Include(_)),
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),
         StatementKind::Scene(statement) => {
             use SceneStatement::{Body, Connector, Contact, Mobilizer, Surface};

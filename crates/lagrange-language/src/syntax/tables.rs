@@ -161,7 +161,7 @@ impl Parser<'_> {
 }
 
 /// The contents of a string literal, if it is one.
-fn string(literal: &Literal) -> Option<Name> {
+pub(super) fn string(literal: &Literal) -> Option<Name> {
     let string = syn::parse2::<syn::LitStr>(TokenTree::Literal(literal.clone()).into()).ok()?;
     Some(Name::new(string.value(), literal.span()))
 }

@@ -170,6 +170,13 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             format!("for {} ({})", repetition.variable.text, body.collect::<Vec<_>>().join(" "))
         }
         StatementKind::Block(Block::Select(selection)) => format!("if {}", selection.branches.len()),
+        StatementKind::Block(Block::Part(part)) => {
+            format!("part {} {}", part.name.text, part.arguments.len())
+        }
+        StatementKind::Block(Block::Place(placement)) => {
+            format!("place {} {}", placement.name.text, placement.part.text)
+        }
+        StatementKind::Block(Block::Include(path)) => format!("include {}", path.text),
         StatementKind::Scene(scene) => bodies::scene(declaration, scene),
     }
 }

@@ -2,6 +2,7 @@
 
 use proc_macro2::TokenStream;
 
+use super::ast::Name;
 use super::messages;
 use lagrange_expr::diagnostics::Report;
 
@@ -15,6 +16,17 @@ pub(super) fn tokens(text: &str, report: &mut Report) -> Option<TokenStream> {
             report.error(error.span(), complaint(culprit)).help(help);
             None
         }
+    }
+}
+
+/// Reports what is no token in a file, where the file is named.
+pub(super) fn report_at(path: &Name, text: &str, mistakes: &Report, report: &mut Report) {
+    for mistake in mistakes.diagnostics() {
+        let before = text.get(..mistake.origin.start.byte_range().start).unwrap_or(text);
+        let line = before.matches('\n').count() + 1;
+        let column = before.rsplit('\n').next().map_or(0, |last| last.chars().count()) + 1;
+        let message = format!("{}:{line}:{column}: {}", path.text, mistake.message);
+        report.error(path.span, message).help(mistake.help.clone().unwrap_or_default());
     }
 }
 

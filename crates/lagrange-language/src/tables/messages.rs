@@ -12,6 +12,14 @@ messages! {
         "a file has a point on each line, such as `0.5, 1.25`; the first line may name the columns, and comments begin with `#`";
     DECIMAL_COMMA_HELP = "write decimals with a point: `1.5`";
 
+    INCLUDES_ITSELF_HELP = "remove this line: the parts of the file are known anyway";
+    TOO_MUCH_TEXT_HELP = "include fewer or smaller files of parts";
+    UNREADABLE_PARTS_HELP = "give the path from the folder of your `Cargo.toml`";
+    PARTS_ONLY = "an included file contains parts only";
+    PARTS_ONLY_HELP = "move this statement into a part, or into the declaration that includes the file";
+    includes_itself(path) = "`{path}` includes itself";
+    too_deep(most) = "files include each other more than {most} deep";
+    too_much_text(path, most) = "`{path}` cannot be included: all included files together are larger than {most} bytes";
     UNITS_HELP = "choose larger units";
     UTF_16 = "it is in UTF-16; save it as UTF-8";
     BINARY = "it contains NUL characters and is not UTF-8 text";

@@ -1,15 +1,18 @@
-//! Files of tables: read, and taken apart into numbers.
+//! Files that a declaration names: tables, taken apart into numbers, and parts.
 //!
 //! Nothing here touches a file system: the caller of the parser provides a reader of files. A file
-//! has a point on each line, its numbers separated by commas, semicolons, tabs or blanks. The first
-//! line may name the columns, and text behind `#` is a comment.
+//! of a table has a point on each line, its numbers separated by commas, semicolons, tabs or
+//! blanks. The first line may name the columns, and text behind `#` is a comment.
 
+mod includes;
 mod messages;
 
 #[cfg(test)]
 mod tests;
 
-use crate::syntax::ast::{Declaration, Name, StatementKind, TableFile, TableSource};
+use crate::syntax::ast::{Declaration, Name, StatementKind, TableDefinition, TableFile, TableSource};
+use includes::include_parts;
+pub use includes::name_files;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::limits::MAX_FILE_BYTES;
 
@@ -58,24 +61,37 @@ pub fn no_files(_: &str) -> Result<FileText, String> {
     Err(messages::NO_FILES.to_owned())
 }
 
-/// Reads the files that tables name. What is wrong with them is reported where they are named.
+/// Reads the files that a declaration includes, then those that tables name. What is wrong with
+/// them is reported where they are named.
 pub fn read_files(declaration: &mut Declaration, read: Reader<'_>, report: &mut Report) {
-    for statement in &mut declaration.statements {
-        if let StatementKind::Table(table) = &mut statement.kind
-            && let TableSource::File { path, contents } = &mut table.source
-        {
-            let columns = table.parameters.len() + 1;
-            *contents = match read(&path.text) {
-                Ok(file) => points(&file.text, columns, path, report)
-                    .map(|points| TableFile { path: file.path, points }),
-                Err(reason) => {
-                    let message = messages::unreadable(&path.text, &reason);
-                    report.error(path.span, message).help(messages::UNREADABLE_HELP);
-                    None
-                }
-            };
+    include_parts(declaration, read, report);
+    let mut pending = declaration.statements.iter_mut().collect::<Vec<_>>();
+    pending.reverse();
+    while let Some(statement) = pending.pop() {
+        match &mut statement.kind {
+            StatementKind::Block(block) => {
+                let (_, bodies) = block.parts_mut();
+                pending.extend(bodies.into_iter().flatten().rev());
+            }
+            StatementKind::Table(table) => read_table(table, read, report),
+            _ => {}
         }
     }
+}
+
+fn read_table(table: &mut TableDefinition, read: Reader<'_>, report: &mut Report) {
+    let TableSource::File { path, contents } = &mut table.source else { return };
+    let columns = table.parameters.len() + 1;
+    *contents = match read(&path.text) {
+        Ok(file) => {
+            points(&file.text, columns, path, report).map(|points| TableFile { path: file.path, points })
+        }
+        Err(reason) => {
+            let message = messages::unreadable(&path.text, &reason);
+            report.error(path.span, message).help(messages::UNREADABLE_HELP);
+            None
+        }
+    };
 }
 
 /// Returns the points in a text, each behind the number of its line; nothing but a report if one of

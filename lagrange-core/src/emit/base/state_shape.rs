@@ -96,5 +96,6 @@ fn rates(array: &DeclaredArray) -> DeclaredArray {
         name: Name::new(format!("{}_dot", array.name.text), array.name.span),
         sizes: array.sizes.clone(),
         elements: array.elements.iter().map(rate).collect(),
+        member_of: array.member_of.clone(),
     }
 }

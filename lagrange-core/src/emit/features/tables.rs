@@ -104,7 +104,8 @@ fn method(shape: &Shape<'_>, function: &Opaque, constant: &Ident) -> TokenStream
     }
 }
 
-/// Files that tables were read from, so that the crate is compiled again when one of them changes.
+/// Files that tables and parts were read from, so that the crate is compiled again when one of them
+/// changes.
 fn watched_files(shape: &Shape<'_>) -> TokenStream {
     let files = shape.declaration.statements.iter().filter_map(|statement| match &statement.kind {
         StatementKind::Table(table) => match &table.source {
@@ -113,7 +114,9 @@ fn watched_files(shape: &Shape<'_>) -> TokenStream {
         },
         _ => None,
     });
+    let included = shape.declaration.included.iter().map(|file| &file.watched);
     files
+        .chain(included.filter(|path| !path.is_empty()))
         .map(|path| {
             quote!(
                 const _: &[u8] = ::core::include_bytes!(#path);

@@ -61,7 +61,7 @@ pub enum Expression {
     Binary(BinaryOperator, Span, AstId, AstId),
     /// `f(a, b)`, or `a.f(b)` with the receiver as first argument.
     Call(Name, Vec<AstId>),
-    /// `a.x`
+    /// `a.x`, or `a.k[1]` of a part
     Component(AstId, Name),
     /// `if c { a } else { b }`; longer chains nest in `otherwise`.
     If {
@@ -85,7 +85,10 @@ impl Expression {
             Expression::Number(_) | Expression::Name(_) | Expression::Invalid => Vec::new(),
             Expression::Tuple(parts) | Expression::Call(_, parts) => parts.clone(),
             Expression::Array(array) => array.operands(),
-            Expression::Negate(of) | Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
+            Expression::Negate(of) | Expression::Quantity(of, _) => vec![*of],
+            Expression::Component(of, name) => {
+                [*of].into_iter().chain(name.indices.iter().copied()).collect()
+            }
             Expression::Binary(_, _, a, b) => vec![*a, *b],
             Expression::If { condition, then, otherwise } => {
                 vec![condition.left, condition.right, *then, *otherwise]
@@ -102,7 +105,9 @@ impl Expression {
             Expression::Array(array) => Expression::Array(array.with_operands(parts)),
             Expression::Negate(_) => Expression::Negate(parts[0]),
             Expression::Quantity(_, unit) => Expression::Quantity(parts[0], unit),
-            Expression::Component(_, name) => Expression::Component(parts[0], name),
+            Expression::Component(_, name) => {
+                Expression::Component(parts[0], Name { indices: parts[1..].to_vec(), ..name })
+            }
             Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
             Expression::If { mut condition, .. } => {
                 (condition.left, condition.right) = (parts[0], parts[1]);

@@ -34,6 +34,10 @@ pub enum Soft {
     Coordinates,
     /// A name and `in`.
     Loop,
+    /// A name, with or without parentheses, and braces.
+    Part,
+    /// Text in quotation marks.
+    Path,
 }
 
 impl Keyword {

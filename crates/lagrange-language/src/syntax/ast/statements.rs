@@ -5,6 +5,7 @@
 
 mod loops;
 mod names;
+mod parts;
 
 use proc_macro2::TokenStream;
 
@@ -18,6 +19,7 @@ use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
 pub use loops::{Block, Repetition, Selection};
+pub use parts::{PartArgument, PartDefinition, Placement};
 
 /// A statement and the stretch of source it covers.
 #[derive(Clone, Debug)]
@@ -58,7 +60,7 @@ pub struct Statement {
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
-///           | loop | choice | scene
+///           | loop | choice | part | placement | include | scene
 /// named     = NAME [ ":" unit ]
 /// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
 /// derivative = ( "derivative" | "second_derivative" | "third_derivative" | "by" NAME { "," NAME } ) ":" NAME ";"
@@ -81,6 +83,10 @@ pub struct Statement {
 /// condition = tests { "||" tests }
 /// tests     = test { "&&" test }
 /// test      = { "!" } ( "(" condition ")" | sum ( "<" | "<=" | ">" | ">=" | "==" | "!=" ) sum )
+/// part      = "part" NAME [ "(" argument { "," argument } ")" ] "{" { statement } "}" [ ";" ]
+/// argument  = NAME [ "=" sum ]
+/// placement = NAME { "[" sum "]" } [ "[" NAME "in" range "]" ] ":" NAME "{" { NAME ":" ( sum | list ) ";" } "}" [ ";" ]
+/// include   = "include" STRING ";"
 /// list      = "[" ( sum | list ) { "," ( sum | list ) } [ "," ] "]"
 /// ```
 ///
@@ -170,14 +176,14 @@ pub enum StatementKind {
     Emit(Vec<EmitItem>),
     /// `reduce Name { freeze x = e; small theta; }`
     Reduce(Reduction),
-    /// `for i in 0..n { … }` or `if i > 0 { … } else { … }`
+    /// `for i in 0..n { … }`, `if i > 0 { … } else { … }`, `part Leg { … }` or `leg: Leg { … }`
     Block(Block),
     /// A statement about rigid bodies.
     Scene(SceneStatement),
 }
 
 /// Words that begin statements, except those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 27] = [
+pub const KEYWORDS: [Keyword; 29] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
@@ -232,6 +238,10 @@ pub const KEYWORDS: [Keyword; 27] = [
     Keyword::new("reduce", "write `reduce Name { freeze x = 0; small theta; }`"),
     Keyword::new("for", "write `for i in 0..n { kinetic = e; }`, with any statements between the braces")
         .before(Soft::Loop),
+    Keyword::new("part", "write `part Wheel(r, on) { param m; }`, and place it: `front: Wheel { r: 0.3; on: axle; }`")
+        .before(Soft::Part),
+    Keyword::new("include", "write `include \"parts/wheel.lag\";`, with the path from the folder of your `Cargo.toml`")
+        .before(Soft::Path),
 ];
 
 impl StatementKind {
@@ -376,8 +386,9 @@ impl StatementKind {
 
     /// True if it declares something that is emitted and can be documented.
     pub fn is_documented(&self) -> bool {
+        let is_part = matches!(self, StatementKind::Block(Block::Part(_) | Block::Place(_)));
         // Even if the names could not be read.
-        self.names().1 != Reach::Expressions
+        is_part || self.names().1 != Reach::Expressions
     }
 
     fn names_within(&self, reaches: &[Reach]) -> Vec<&Name> {

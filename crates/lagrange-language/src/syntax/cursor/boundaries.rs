@@ -37,6 +37,14 @@ impl Cursor {
             Soft::Equation => name.is_some() && is_punct(self.peek_past(2), ':'),
             Soft::Alone => name.is_some() && is_punct(self.peek_past(2), ';'),
             Soft::Function => name.is_some() && as_group(self.peek_past(2), Delimiter::Parenthesis).is_some(),
+            Soft::Part => {
+                let braces = 2 + usize::from(as_group(self.peek_past(2), Delimiter::Parenthesis).is_some());
+                name.is_some() && as_group(self.peek_past(braces), Delimiter::Brace).is_some()
+            }
+            Soft::Path => {
+                let next = self.peek_past(1).map(ToString::to_string);
+                next.is_some_and(|next| next.starts_with('"'))
+            }
             Soft::Coordinates => {
                 let is_list = as_group(self.peek_past(1), Delimiter::Parenthesis).is_some();
                 (name.is_some() || is_list) && self.equals_past(2)

@@ -17,6 +17,11 @@ impl Parser<'_> {
     /// The name with the indices that stand behind it.
     pub(in crate::syntax) fn indexed(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<Name> {
         let brackets = cursor.read_brackets();
+        self.with_indices(name, &brackets)
+    }
+
+    /// The name with these indices.
+    pub(in crate::syntax) fn with_indices(&mut self, name: Name, brackets: &[Group]) -> Parsed<Name> {
         if let Some(first) = brackets.get(MAX_INDICES) {
             let message = arrays::too_many_indices(&name.text, brackets.len(), MAX_INDICES);
             return Err(self.fail_with_help(group_origin(first), message, arrays::TOO_MANY_INDICES_HELP));

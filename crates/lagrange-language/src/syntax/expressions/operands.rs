@@ -118,7 +118,8 @@ impl Parser<'_> {
         let name = self.name(cursor)?;
         match cursor.eat_group(Delimiter::Parenthesis) {
             None => {
-                let origin = receiver.origin.to(name.span.into());
+                let name = self.indexed(name, cursor)?;
+                let origin = receiver.origin.to(cursor.before());
                 Ok(self.add(Expression::Component(receiver.id, name), origin))
             }
             Some(group) => {

@@ -5,14 +5,22 @@ use super::expressions::dots;
 use crate::syntax::ast::{Name, Repetition, Selection, Statement};
 
 impl Printer<'_> {
-    /// A name with what stands in square brackets and behind a colon.
+    /// A name with what stands in square brackets, behind dots and behind a colon.
     pub(super) fn name(&mut self, name: &Name) {
+        self.indexed(name);
+        for member in &name.members {
+            self.text(".");
+            self.indexed(member);
+        }
+        self.unit(name);
+    }
+
+    pub(super) fn indexed(&mut self, name: &Name) {
         self.text(&name.text);
         for index in &name.indices {
             self.labelled("[", *index);
             self.text("]");
         }
-        self.unit(name);
     }
 
     /// The unit behind a name.
@@ -41,7 +49,7 @@ impl Printer<'_> {
         }
     }
 
-    fn block(&mut self, statements: &[Statement]) {
+    pub(super) fn block(&mut self, statements: &[Statement]) {
         self.text(" {");
         for statement in statements {
             self.text(" ");

@@ -142,7 +142,13 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
             std::iter::once(text(function.text.as_str())).chain(bracketed_list(arguments)).collect()
         }
         Expression::Component(vector, name) => {
-            vec![receiver(expressions, *vector), text(format!(".{}", name.text))]
+            let indices = name.indices.iter().flat_map(|index| {
+                [text("["), PrintedPiece::Expression(*index, PrintedBinding::Choice), text("]")]
+            });
+            [receiver(expressions, *vector), text(format!(".{}", name.text))]
+                .into_iter()
+                .chain(indices)
+                .collect()
         }
         Expression::If { condition, then, otherwise } => {
             choice(expressions, condition_pieces(condition), *then, *otherwise)

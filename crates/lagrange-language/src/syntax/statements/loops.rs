@@ -45,7 +45,12 @@ impl Parser<'_> {
         whole.map(|()| StatementKind::Block(Block::Select(selection)))
     }
 
-    fn statements_between_braces(&mut self, help: &str, cursor: &mut Cursor) -> Parsed<Vec<Statement>> {
+    /// Reads statements in braces.
+    pub(in crate::syntax) fn statements_between_braces(
+        &mut self,
+        help: &str,
+        cursor: &mut Cursor,
+    ) -> Parsed<Vec<Statement>> {
         let group = self.braces(help, cursor)?;
         let counts = std::mem::replace(&mut self.counts, false);
         let statements = self.inside(&group, |parser, cursor| Ok(parser.statements(cursor)));

@@ -1,6 +1,7 @@
-//! Loops and choices between statements, as written.
+//! Loops, choices and parts: statements in braces, as written.
 
 use super::Statement;
+use super::parts::{PartDefinition, Placement};
 use crate::syntax::ast::conditions::IndexCondition;
 use crate::syntax::ast::{AstId, Name, Range};
 
@@ -24,28 +25,35 @@ pub struct Selection {
     pub otherwise: Vec<Statement>,
 }
 
-/// Statements in braces, behind a loop or a choice.
+/// Statements that stand for others: those of loops, choices and parts.
 #[derive(Clone, Debug)]
 pub enum Block {
     /// A loop.
     Repeat(Box<Repetition>),
     /// A choice.
     Select(Selection),
+    /// A part.
+    Part(Box<PartDefinition>),
+    /// A placement of a part.
+    Place(Box<Placement>),
+    /// `include "parts/leg.lag";`, the path of a file of parts.
+    Include(Name),
 }
 
 impl Block {
-    /// Returns the statements between each pair of braces.
+    /// Returns the statements between each pair of braces, without those of parts.
     pub fn bodies(&self) -> Vec<&[Statement]> {
         match self {
             Block::Repeat(repetition) => vec![&repetition.body],
             Block::Select(Selection { branches, otherwise }) => {
                 branches.iter().map(|(_, body)| &body[..]).chain([&otherwise[..]]).collect()
             }
+            Block::Part(_) | Block::Place(_) | Block::Include(_) => Vec::new(),
         }
     }
 
-    /// Returns the expressions in front of the braces, and the statements between each pair of
-    /// them.
+    /// Returns the expressions in front of the braces or in a placement, and the statements between
+    /// each pair of braces.
     pub fn parts_mut(&mut self) -> (Vec<&mut AstId>, Vec<&mut Vec<Statement>>) {
         match self {
             Block::Repeat(repetition) => {
@@ -58,6 +66,12 @@ impl Block {
                 bodies.push(otherwise);
                 (conditions.into_iter().flatten().collect(), bodies)
             }
+            Block::Part(part) => {
+                let defaults = part.arguments.iter_mut().filter_map(|argument| argument.default.as_mut());
+                (defaults.collect(), vec![&mut part.body])
+            }
+            Block::Place(placement) => (placement.expressions_mut(), Vec::new()),
+            Block::Include(_) => (Vec::new(), Vec::new()),
         }
     }
 
