@@ -7,7 +7,7 @@ use super::counting::Counting;
 use super::defaults::element_of;
 use super::messages;
 use super::parts::{Part, Parts};
-use super::scopes::{Binding, PlacedId, PlacedPart, ScopeId, Scopes};
+use super::scopes::{ArgumentValue, PlacedId, PlacedPart, ScopeId, Scopes};
 use crate::syntax::ast::{
     ArrayExpression, AstId, Expression, Expressions, Name, PartDefinition, PlacedInstance, Placement,
     Statement,
@@ -252,7 +252,7 @@ fn indices(placement: &Placement, turn: Turn, scope: ScopeId, site: &mut Site<'_
 }
 
 /// The value of an argument: of a list the one at the place of the element.
-fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) -> Binding {
+fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) -> ArgumentValue {
     let mut chosen = value;
     if let Expression::Array(ArrayExpression::List(values)) = site.expressions.get(value) {
         let fault = match turn {
@@ -272,5 +272,5 @@ fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) ->
             turn.and_then(|(_, [number, _])| element_of(site.expressions, value, &[number])).unwrap_or(value);
     }
     let number = site.counting().number(chosen, scope).ok();
-    Binding { value: chosen, scope, number }
+    ArgumentValue { value: chosen, scope, number }
 }

@@ -64,13 +64,13 @@ pub(super) struct PlacedPart {
     /// The prefix as it is written: `leg[0].`.
     pub(super) written: String,
     /// Values of its arguments.
-    pub(super) bindings: HashMap<String, Binding>,
+    pub(super) bindings: HashMap<String, ArgumentValue>,
     pub(super) outer: Option<PlacedId>,
 }
 
 /// The value of an argument.
 #[derive(Clone)]
-pub(super) struct Binding {
+pub(super) struct ArgumentValue {
     pub(super) value: AstId,
     /// Scope of its names.
     pub(super) scope: ScopeId,
@@ -149,7 +149,7 @@ impl Scopes {
     }
 
     /// Sets the value of an argument.
-    pub(super) fn bind(&mut self, part: PlacedId, name: &str, binding: Binding) {
+    pub(super) fn bind(&mut self, part: PlacedId, name: &str, binding: ArgumentValue) {
         if let Some(part) = self.placed.get_mut(part.0) {
             part.bindings.insert(name.to_owned(), binding);
         }
