@@ -35,7 +35,7 @@ lagrange::system! {
 lagrange::system! {
     /// A ball above a floor.
     #[derive(Clone, Debug)]
-    struct Ball;
+    struct Ball<S>;
 
     param mu = 0.3, e = 0, r = 0.1;
     gravity = (0, 0, -9.81);
@@ -195,7 +195,7 @@ fn a_block_pushed_across_a_slope_curves_downhill() {
 fn a_ball_slides_along_a_parabola_until_it_rolls() {
     let (mu, stop) = (0.3, 2.5 / (3.5 * 0.3 * G));
     let start = flat(0.1, [2.0, 0.0, 0.0], [15.0, 0.0, 3.0]);
-    let run = Ball::default().simulate(start).until(2.0).tolerance(1e-12).run().expect("rolls");
+    let run = Ball::<f64>::default().simulate(start).until(2.0).tolerance(1e-12).run().expect("rolls");
     let [event] = run.events() else { panic!("{:?}", run.events()) };
     assert!((event.time - stop).abs() < 1e-11 && event.kind == EventKind::Stuck);
     let slowing = [0.8, 0.6].map(|part| mu * G * part);
@@ -204,7 +204,7 @@ fn a_ball_slides_along_a_parabola_until_it_rolls() {
     let y = -0.5 * slowing[1] * stop * stop + vy * (2.0 - stop);
     let last = run.last();
     assert_near([last[0], last[1], last[7], last[8]], [x, y, vx, vy], 1e-10);
-    let straight = Ball::default().simulate(flat(0.1, [3.0, 0.0, 0.0], [0.0; 3])).until(2.0).run();
+    let straight = Ball::<f64>::default().simulate(flat(0.1, [3.0, 0.0, 0.0], [0.0; 3])).until(2.0).run();
     assert!((straight.expect("rolls").last()[7] - 15.0 / 7.0).abs() < 1e-9);
 }
 
@@ -213,7 +213,7 @@ fn a_ball_slides_along_a_parabola_until_it_rolls() {
 #[test]
 fn a_ball_thrown_with_spin_leaves_by_the_law_of_impact() {
     for (mu, e) in [(0.05, 0.6), (0.6, 0.6), (0.1, 1.0), (0.3, 0.2)] {
-        let ball = Ball { mu, e, ..Ball::default() };
+        let ball: Ball<f64> = Ball { mu, e, ..Ball::default() };
         let start = flat(0.5, [2.0, 0.5, 1.0], [15.0, 0.0, 3.0]);
         let run = ball.simulate(start).until(0.45).tolerance(1e-12).run().expect("bounces");
         let hit = run.events().first().expect("an impact");
@@ -297,7 +297,8 @@ impl Random {
 fn balls_thrown_at_random_obey_the_law() {
     let mut random = Random(30);
     for case in 0..200 {
-        let ball = Ball { mu: random.within(0.02, 1.0), e: random.within(0.0, 0.9), ..Ball::default() };
+        let ball: Ball<f64> =
+            Ball { mu: random.within(0.02, 1.0), e: random.within(0.0, 0.9), ..Ball::default() };
         let v = std::array::from_fn(|_| random.within(-2.0, 2.0));
         let omega = std::array::from_fn(|_| random.within(-20.0, 20.0));
         let start = flat(random.within(0.1, 0.6), v, omega);
@@ -331,7 +332,7 @@ fn a_box_on_a_tilting_plane_starts_where_no_forces_hold_it() {
     let place = |t: f64| (-(0.1 * t).sin() + 0.5 * (0.1 * t).cos()) / 0.01;
     let end = 8.0;
     let way = G * (place(end) - place(start) - rate(start) * (end - start));
-    for heading in [0.0, 0.3, 1.1, 1.5707963267948966, 2.5, 4.0, 5.9] {
+    for heading in [0.0, 0.3, 1.1, std::f64::consts::FRAC_PI_2, 2.5, 4.0, 5.9] {
         let tilting = Tilting { heading, ..Tilting::default() };
         let run = tilting.simulate(flat(0.1, [0.0; 3], [0.0; 3])).until(end).outputs().run().expect("slides");
         let [event] = run.events() else { panic!("{heading}: {:?}", run.events()) };
@@ -374,6 +375,33 @@ fn a_box_rests_on_any_slope_that_is_not_too_steep() {
     }
 }
 
+/// They tumble over their corners and come to rest on a face, and their energy never rises.
+#[test]
+fn boxes_thrown_at_random_come_to_rest_on_a_face() {
+    for seed in 0..12 {
+        let mut random = Random(seed * 7919 + 17);
+        for _ in 0..5 {
+            random.within(0.0, 1.0);
+        }
+        let mu = random.within(0.05, 0.9);
+        let e = if seed % 3 == 0 { 0.0 } else { random.within(0.0, 0.6) };
+        let orientation: [f64; 4] = std::array::from_fn(|_| random.within(-1.0, 1.0));
+        let length = orientation.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let mut start = flat(0.5, [0.0; 3], [0.0; 3]);
+        start[3..7].copy_from_slice(&orientation.map(|part| part / length));
+        start[7..10].fill_with(|| random.within(-2.0, 2.0));
+        start[10..13].fill_with(|| random.within(-5.0, 5.0));
+        let thrown = Cuboid { mu, e, ..Cuboid::default() };
+        let run = thrown.simulate(start).until(8.0).tolerance(1e-8).energy().run();
+        let run = run.unwrap_or_else(|error| panic!("{seed}: {error}"));
+        let energy = run.column("energy").expect("a column");
+        assert!(energy.windows(2).all(|pair| pair[1] <= pair[0] + 1e-6), "{seed}: the energy rises");
+        let last = run.last();
+        assert!(last[7..].iter().all(|speed| speed.abs() < 1e-9), "{seed}: {last:?}");
+        assert!([0.2, 0.15, 0.1].iter().any(|half| (last[2] - half).abs() < 1e-9), "{seed}: {last:?}");
+    }
+}
+
 lagrange::system! {
     /// A puck that a force pulls which grows slowly and turns.
     #[derive(Clone, Debug)]
@@ -403,4 +431,40 @@ fn what_starts_slowly_while_its_drive_turns_is_not_stiff_for_long() {
         let found = later.simulate([0.0; 4]).from(since).until(since + 6.0).tolerance(1e-10).run();
         assert_near(found.expect("starts").last(), run.last(), 1e-7 + 1e-14 * since);
     }
+}
+
+lagrange::system! {
+    /// A block whose friction grows with its speed, as that of a damper.
+    #[derive(Clone, Debug)]
+    struct Damped<S>;
+
+    param c = 2;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = cos(t);
+    friction rub = dot(x), c * abs(dot(x));
+}
+
+/// The limit vanishes with the speed, and is negative by rounding where the block turns.
+#[test]
+fn friction_in_proportion_to_the_speed_is_a_damper() {
+    let speed = |t: f64| (2.0 * t.cos() + t.sin() - 2.0 * (-2.0 * t).exp()) / 5.0;
+    let run = Damped::<f64>::default().simulate([0.0; 2]).until(20.0).tolerance(1e-12).run().expect("turns");
+    assert_near([run.last()[1]], [speed(20.0)], 1e-10);
+    let single: Damped<f32> = Damped { c: 2.0, ..Damped::default() };
+    let run = single.simulate([0.0; 2]).until(20.0).run().expect("turns");
+    assert_near([f64::from(run.last()[1])], [speed(20.0)], 1e-4);
+}
+
+/// A ball slides until it rolls in single precision, too.
+#[test]
+fn a_ball_rolls_in_single_precision() {
+    let ball: Ball<f32> = Ball { mu: 0.3, ..Ball::default() };
+    let mut start = [0.0_f32; 13];
+    (start[2], start[3], start[7], start[8]) = (0.1, 1.0, 2.0, -1.0);
+    let run = ball.simulate(start).until(1.0).run().expect("rolls");
+    let [event] = run.events() else { panic!("{:?}", run.events()) };
+    assert_eq!(event.kind, EventKind::Stuck);
+    let [vx, vy] = [run.last()[7], run.last()[8]].map(f64::from);
+    assert_near([vx, vy], [10.0 / 7.0, -5.0 / 7.0], 1e-5);
 }

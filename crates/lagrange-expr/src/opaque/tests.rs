@@ -176,8 +176,8 @@ fn tables_with_points_at_the_limits_of_numbers_hold_finite_numbers_or_are_refuse
     let table = Table::curve(&close, Interpolation::Linear, Outside::Extend);
     assert_eq!((table.axes[0].density, table.is_finite()), (0.0, true));
     assert_eq!(table.value(&[0], &[1.125 * least]), 1.0);
-    // Values rise by 1e300 from one row to the next, slopes behind the last column by 1.25e300. Three
-    // times as much in a length of 1.8e-8 is more than a number can be for the slopes alone.
+    // Values rise by 1e300 from one row to the next, slopes behind the last column by 1.25e300.
+    // Three times as much in a length of 1.8e-8 is more than a number can be for the slopes alone.
     let surface = |outside| {
         let knots = [vec![0.0, 1.8e-8], vec![0.0, 1.0, 2.0]];
         let rows = [vec![0.0; 3], vec![0.0, 0.0, 1e300]];

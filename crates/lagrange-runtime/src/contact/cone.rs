@@ -134,7 +134,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
                 rules[k + 1] = found[1];
             }
         }
-        let reactions = array::from_fn(|k| forces[k] / self.units[k]);
+        // Rounding of nothing would be a limit.
+        let reactions = array::from_fn(|k| match rules[k] {
+            Rule::Absent => S::ZERO,
+            _ => forces[k] / self.units[k],
+        });
         Settled { rules, reactions }
     }
 

@@ -5,7 +5,9 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Checks limits of friction that do not hold forces of constraints.
+    /// Checks limits of friction that do not hold forces of constraints. A limit that is small
+    /// beside the forces at its friction may be negative: `abs(v)` continues as v beyond v = 0, up
+    /// to the event that ends it there.
     ///
     /// # Errors
     /// If one is negative whatever contacts press with.
@@ -23,11 +25,19 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             let limits =
                 [(self.kinetic[k], &self.kinetic_slopes[k]), (self.fixed[k], &self.static_slopes[k])];
             let negative = limits.into_iter().find_map(|(free, slopes)| negative(side, free, slopes, modes));
-            if let Some(value) = negative {
+            if let Some(value) = negative.filter(|value| self.is_felt(k, -*value)) {
                 return Err(StepFailure::FrictionLimit { friction: M::REACTIONS[k], value });
             }
         }
         Ok(())
+    }
+
+    /// True if this limit, or growth of a limit with the force of a contact, is more than rounding
+    /// beside the forces that friction k would have to hold.
+    fn is_felt(&self, k: usize, limit: S) -> bool {
+        let response = self.size_of(k, &self.responses[k]);
+        let force = if response > S::ZERO { self.acceleration_of(k) / response } else { S::ZERO };
+        limit > S::epsilon().sqrt() * force.min(S::ONE)
     }
 }
 

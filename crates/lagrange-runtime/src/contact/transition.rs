@@ -89,13 +89,16 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
         let modes = self.system.modes();
         let is_still = core::array::from_fn(|j| position.is_still[j] && (j == k || holds(modes[j])));
         let resumed = self.resume(terms, self.v, position.is_touching, is_still)?;
-        if resumed.modes == modes {
+        // Directions of other friction may be new, which is no event.
+        if resumed.modes[k] == modes[k] {
             let mut q = self.q;
-            let is_open = |j: usize| modes[j] == Mode::Contact(Contact::Open);
+            let is_open = |j: usize| resumed.modes[j] == Mode::Contact(Contact::Open);
             let are_touching = core::array::from_fn(|j| is_open(j) && position.is_touching[j]);
-            let are_closed = modes.map(|mode| mode == Mode::Contact(Contact::Closed));
+            let are_closed = resumed.modes.map(|mode| mode == Mode::Contact(Contact::Closed));
             part(self.system, self.t, terms, &mut q, (are_touching, are_closed));
-            return Ok(Response::new(Action::Replace(join::<M>(&q, &self.v))));
+            let action = Action::Replace(join::<M>(&q, &resumed.velocities));
+            let system = (resumed.modes != modes).then(|| self.system.in_modes(resumed.modes));
+            return Ok(Response { system, ..Response::new(action) });
         }
         let none = Impact { impulse: M::Scalar::ZERO, energy_loss: M::Scalar::ZERO };
         let at = self.t + resumed.rest[k];

@@ -28,15 +28,15 @@ pub(super) struct Stiffness {
     below: u32,
 }
 
-/// Stiffness that halves within so many steps passes by itself.
+/// Stiffness that doubles or halves within so many steps passes by itself.
 const PASSING: f64 = 2e3;
 /// An earlier limit is forgotten after so many steps.
 const FORGOTTEN: u64 = 20 * MOST_AT_LIMIT as u64;
 
-/// A limit of stability that has been observed, beside which later ones are seen to grow.
+/// A limit of stability that has been observed, beside which later ones are seen to change.
 ///
-/// Friction in a plane turns a slip velocity s at the rate limit/(m |s|), which falls as the body
-/// speeds up. Steps at the limit of stability then grow from one to the next, and there are few.
+/// Friction in a plane turns a slip velocity s at the rate limit/(m |s|). As the body starts or
+/// stops, steps at the limit of stability change from one to the next, and there are few.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fading<S> {
     /// The number of a step, and the longest stable one there.
@@ -48,8 +48,8 @@ impl<S: Scalar> Fading<S> {
     /// Nothing has been observed.
     pub(super) const UNKNOWN: Self = Fading { first: None, last: 0 };
 
-    /// True if the longest stable step, after so many steps, has grown fast enough since the first
-    /// observation, or if this is the first.
+    /// True if the longest stable step, after so many steps, has changed fast enough since the
+    /// first observation, or if this is the first.
     pub(super) fn is_fading(&mut self, steps: u64, limit: S) -> bool {
         let known = self.first.filter(|_| steps - self.last <= FORGOTTEN);
         self.last = steps;
@@ -57,11 +57,11 @@ impl<S: Scalar> Fading<S> {
             self.first = Some((steps, limit));
             return true;
         };
-        let growth = limit / narrow;
-        if growth > S::from_f64(2.0) {
+        let change = (limit / narrow).max(narrow / limit);
+        if change > S::from_f64(2.0) {
             self.first = Some((steps, limit));
         }
-        growth - S::ONE > S::from_f64((steps - first) as f64 / PASSING)
+        change - S::ONE > S::from_f64((steps - first) as f64 / PASSING)
     }
 }
 
