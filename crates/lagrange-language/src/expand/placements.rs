@@ -255,22 +255,34 @@ fn indices(placement: &Placement, turn: Turn, scope: ScopeId, site: &mut Site<'_
 fn binding(value: AstId, turn: Turn, scope: ScopeId, site: &mut Site<'_, '_>) -> ArgumentValue {
     let mut chosen = value;
     if let Expression::Array(ArrayExpression::List(values)) = site.expressions.get(value) {
-        let fault = match turn {
-            None => Some((messages::LIST_OUTSIDE_ARRAY.to_owned(), messages::LIST_OUTSIDE_ARRAY_HELP)),
-            Some((_, [_, count])) if usize::try_from(count) != Ok(values.len()) => {
-                Some((messages::list_length(values.len(), count), messages::LIST_HELP))
+        if let Some((place, message, help)) = list_fault(value, values, turn, site.expressions) {
+            let origin = site.expressions.origin(place);
+            if let Some(error) = site.complaints.once(value, origin, message) {
+                error.help(help);
             }
-            Some(_) => None,
-        };
-        let origin = site.expressions.origin(value);
-        if let Some((message, help)) = fault
-            && let Some(error) = site.complaints.once(value, origin, message)
-        {
-            error.help(help);
         }
         chosen =
             turn.and_then(|(_, [number, _])| element_of(site.expressions, value, &[number])).unwrap_or(value);
     }
     let number = site.counting().number(chosen, scope).ok();
     ArgumentValue { value: chosen, scope, number }
+}
+
+/// A mistake in a list of values for an array of parts: its place, the message and the help.
+fn list_fault(
+    list: AstId,
+    values: &[AstId],
+    turn: Turn,
+    expressions: &Expressions,
+) -> Option<(AstId, String, &'static str)> {
+    let Some((_, [_, count])) = turn else {
+        return Some((list, messages::LIST_OUTSIDE_ARRAY.to_owned(), messages::LIST_OUTSIDE_ARRAY_HELP));
+    };
+    if usize::try_from(count) != Ok(values.len()) {
+        return Some((list, messages::list_length(values.len(), count), messages::LIST_HELP));
+    }
+    let is_list =
+        |value: &&AstId| matches!(expressions.get(**value), Expression::Array(ArrayExpression::List(_)));
+    let inner = values.iter().find(is_list)?;
+    Some((*inner, messages::LIST_IN_LIST.to_owned(), messages::LIST_HELP))
 }

@@ -5,9 +5,10 @@ use crate::scalar::Scalar;
 use crate::system::StepFailure;
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Checks limits of friction that do not hold forces of constraints. A limit that is small
-    /// beside the forces at its friction may be negative: `abs(v)` continues as v beyond v = 0, up
-    /// to the event that ends it there.
+    /// Checks limits of friction that do not hold forces of constraints.
+    ///
+    /// A limit may be negative if it is small beside the forces at its friction. Where v changes
+    /// its sign, `abs(v)` continues as v up to the event.
     ///
     /// # Errors
     /// If one is negative whatever contacts press with.
@@ -32,8 +33,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         Ok(())
     }
 
-    /// True if this limit, or growth of a limit with the force of a contact, is more than rounding
-    /// beside the forces that friction k would have to hold.
+    /// True if this limit is more than rounding beside the forces that friction k would have to
+    /// hold. It may be the growth of a limit with the force of a contact.
     fn is_felt(&self, k: usize, limit: S) -> bool {
         let response = self.size_of(k, &self.responses[k]);
         let force = if response > S::ZERO { self.acceleration_of(k) / response } else { S::ZERO };
