@@ -63,6 +63,37 @@ fn quadruped_by_hand() -> String {
         emit { statements, no inverse_dynamics }"
 }
 
+/// Boxes whose corners touch the ground.
+const BOXES: &str = "
+    gravity = (0, -9.81);
+    part Box(at, w = 0.4) {
+        coord x, y, phi;
+        body case { mass: 1; shape: rectangle(w, 0.3); center: (x + at, y); angle: phi; }
+        contact foot = case on ground { friction: 0.3; }
+        output load = foot[0].normal + foot[3].normal;
+    }
+    chest[i in 0..2]: Box { at: i; }";
+
+/// The same without parts.
+fn boxes_by_hand() -> String {
+    let mut text = "gravity = (0, -9.81);".to_owned();
+    for i in 0..2 {
+        let case = "
+            coord B_x, B_y, B_phi;
+            body B_case { mass: 1; shape: rectangle(0.4, 0.3); center: (B_x + AT, B_y); angle: B_phi; }
+            contact B_foot = B_case on ground { friction: 0.3; }
+            output B_load = B_foot[0].normal + B_foot[3].normal;";
+        text.push_str(&case.replace("B_", &format!("chest_{i}_")).replace("AT", &i.to_string()));
+    }
+    text
+}
+
+#[test]
+fn corners_in_parts_touch_as_those_written_by_hand() {
+    let (composed, flat) = (format!("struct S; {BOXES}"), format!("struct S; {}", boxes_by_hand()));
+    assert_eq!(emitted(&composed), emitted(&flat));
+}
+
 /// What is emitted of a correct text if members are called as in the expanded text.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|mut system| {

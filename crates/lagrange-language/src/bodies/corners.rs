@@ -33,6 +33,11 @@ pub(super) fn corner(
     found.map(|position| corners[position])
 }
 
+/// Returns the number of corners of a shape.
+pub(super) fn corner_count(translation: &mut Translation<'_>, shape: Option<&Outline>) -> usize {
+    corners_of(&mut translation.terms(), shape).len()
+}
+
 /// The number as that of one of so many corners.
 fn position(number: f64, count: usize) -> Option<usize> {
     (0..count).find(|&position| position as f64 == number)

@@ -1,5 +1,6 @@
 //! Round bodies and points of bodies that touch, with their motion.
 
+use super::corners::corner_count;
 use super::expressions::{plain_expression, scene_point};
 use super::kinematics::point_of_body;
 use super::messages;
@@ -28,7 +29,7 @@ pub(super) struct Touching {
 pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> Option<Touching> {
     let (name, object) = (&contact.name, contact.object);
     let mistakes = translation.report.diagnostics().len();
-    report_without_corners(translation, object);
+    report_without_corners(translation, name, object);
     let touching = match translation.space {
         Some(_) => touching_link(translation, object),
         None => touching_body(translation, object),
@@ -39,27 +40,33 @@ pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> 
     if touching.is_none() && translation.report.diagnostics().len() == mistakes {
         report_no_body(translation, name, object);
     }
-    if let Some(Touching { body, radius: None, .. }) = touching
+    if let Some(Touching { radius: None, .. }) = touching
         && contact.radius.is_none()
     {
-        report_without_radius(translation, name, body, object);
+        report_without_radius(translation, name, object);
     }
     touching.filter(|_| translation.report.diagnostics().len() == mistakes)
 }
 
 /// Reports a body that stands for its centre although it has a shape.
-fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, body: usize, object: AstId) {
+fn report_without_radius(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
     let Expression::Name(name) = translation.expressions.get(object).clone() else { return };
-    let is_whole = translation.body_named(object).is_some() || translation.link_named(object).is_some();
-    let shape = match &translation.space {
-        Some(space) => space.links[body].shape.as_ref(),
-        None => translation.bodies[body].shape.as_ref(),
+    let Some(shape) = shape_named(translation, object).filter(|shape| shape.variant != "PointMass") else {
+        return;
     };
-    let is_extended = shape.is_some_and(|shape| shape.variant != "PointMass");
-    if is_whole && is_extended {
-        let origin = translation.expressions.origin(object);
-        let error = translation.report.error(origin, words::no_outline(&contact.text, &name));
-        error.help(words::NO_OUTLINE_HELP);
+    let (message, help) = match corner_count(translation, Some(&shape)) {
+        0 => (words::no_outline(&contact.text, &name), words::NO_OUTLINE_HELP.to_owned()),
+        count => (words::corners_of_another(&contact.text, &name), words::loop_over_corners(count)),
+    };
+    let origin = translation.expressions.origin(object);
+    translation.report.error(origin, message).help(help);
+}
+
+/// The shape of the body that this is the name of.
+fn shape_named(translation: &Translation<'_>, object: AstId) -> Option<Outline> {
+    match &translation.space {
+        Some(space) => space.links[translation.link_named(object)?].shape.clone(),
+        None => translation.bodies[translation.body_named(object)?].shape.clone(),
     }
 }
 
@@ -74,15 +81,21 @@ fn report_no_body(translation: &mut Translation<'_>, contact: &Name, object: Ast
     translation.report.error(origin, words::no_body_touches(&contact.text)).help(help);
 }
 
-/// Reports `case.corners` of what has none.
-fn report_without_corners(translation: &mut Translation<'_>, object: AstId) {
+/// Reports `case.corners` of a body that has none, or that is declared inside of a part or outside
+/// of it, apart from the contact.
+fn report_without_corners(translation: &mut Translation<'_>, contact: &Name, object: AstId) {
     let Expression::Component(body, part) = translation.expressions.get(object).clone() else { return };
     let is_body = translation.body_named(body).is_some() || translation.link_named(body).is_some();
     if let Expression::Name(name) = translation.expressions.get(body).clone()
         && is_body
         && part.text == "corners"
     {
-        translation.report.error(part.span, messages::no_corners(&name)).help(messages::NO_CORNERS_HELP);
+        let shape = shape_named(translation, body);
+        let (message, help) = match corner_count(translation, shape.as_ref()) {
+            0 => (messages::no_corners(&name), messages::NO_CORNERS_HELP.to_owned()),
+            count => (words::corners_of_another(&contact.text, &name), words::loop_over_corners(count)),
+        };
+        translation.report.error(part.span, message).help(help);
     }
 }
 

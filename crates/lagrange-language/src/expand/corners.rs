@@ -19,13 +19,20 @@ type CornerCounts = HashMap<String, usize>;
 
 /// True if a contact is one of several corners.
 pub(super) fn has_corners(declaration: &Declaration) -> bool {
-    let counts = corner_counts(&declaration.statements);
-    let mut pending = vec![&declaration.statements[..]];
+    any_corners(&declaration.statements, &declaration.expressions)
+}
+
+fn any_corners(statements: &[Statement], expressions: &Expressions) -> bool {
+    let counts = corner_counts(statements);
+    let mut pending = vec![statements];
     while let Some(statements) = pending.pop() {
         for Statement { kind, .. } in statements {
             match kind {
+                StatementKind::Block(Block::Part(part)) if any_corners(&part.body, expressions) => {
+                    return true;
+                }
                 StatementKind::Block(block) => pending.extend(block.bodies()),
-                kind if corners_of(kind, &declaration.expressions, &counts).is_some() => return true,
+                kind if corners_of(kind, expressions, &counts).is_some() => return true,
                 _ => {}
             }
         }
@@ -33,7 +40,7 @@ pub(super) fn has_corners(declaration: &Declaration) -> bool {
     false
 }
 
-/// Replaces contacts of corners by loops.
+/// Replaces contacts of corners by loops. A part knows its own bodies only.
 pub(super) fn loop_over_corners(statements: &mut [Statement], expressions: &mut Expressions) {
     let counts = corner_counts(statements);
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
@@ -41,7 +48,10 @@ pub(super) fn loop_over_corners(statements: &mut [Statement], expressions: &mut 
         if let Some((body, count)) = corners_of(&statement.kind, expressions, &counts) {
             repeat(statement, body, count, expressions);
         } else if let StatementKind::Block(block) = &mut statement.kind {
-            pending.extend(block.parts_mut().1.into_iter().flatten());
+            match block {
+                Block::Part(part) => loop_over_corners(&mut part.body, expressions),
+                block => pending.extend(block.parts_mut().1.into_iter().flatten()),
+            }
         }
     }
 }

@@ -22,6 +22,9 @@ messages! {
     no_outline(contact, name) =
         "the contact `{contact}` is of `{name}`, whose shape has neither a radius nor corners";
     NO_OUTLINE_HELP = "write a point of it, `name.point(X, Y)`, or the radius around its centre, `radius: r;`";
+    corners_of_another(contact, name) =
+        "the contact `{contact}` is of all corners of `{name}`, which is not declared beside it";
+    loop_over_corners(count) = "write a loop: `for k in 0..{count} {{ contact foot[k] = case.corner(k) on ground {{ … }} }}`";
     ground_touches(contact) = "in the contact `{contact}` the ground cannot touch anything";
     GROUND_TOUCHES_HELP = "write the body that moves first: `contact name = wheel on ground;`";
     no_surface(contact, name, found) = "the contact `{contact}` needs a surface, but `{name}` is {found}";
