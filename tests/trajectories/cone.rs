@@ -433,6 +433,32 @@ fn what_starts_slowly_while_its_drive_turns_is_not_stiff_for_long() {
     }
 }
 
+lagrange::system! {
+    /// A block whose friction grows with its speed, as that of a damper.
+    #[derive(Clone, Debug)]
+    struct Damped<S>;
+
+    param c = 2;
+    coord x;
+    kinetic = 1/2 * dot(x)^2;
+    force x = cos(t);
+    friction rub = dot(x), c * abs(dot(x));
+}
+
+/// The limit vanishes with the speed, and is negative by rounding where the block turns.
+#[test]
+fn friction_in_proportion_to_the_speed_is_a_damper() {
+    for start in [0.0, 1.0, -0.5] {
+        let speed = |t: f64| (2.0 * t.cos() + t.sin() + (5.0 * start - 2.0) * (-2.0 * t).exp()) / 5.0;
+        let damped = Damped::<f64>::default();
+        let run = damped.simulate([0.0, start]).until(20.0).tolerance(1e-12).run().expect("turns");
+        assert_near([run.last()[1]], [speed(20.0)], 1e-10);
+        let single: Damped<f32> = Damped { c: 2.0, ..Damped::default() };
+        let run = single.simulate([0.0, start as f32]).until(20.0).run().expect("turns");
+        assert_near([f64::from(run.last()[1])], [speed(20.0)], 1e-4);
+    }
+}
+
 /// A ball slides until it rolls in single precision, too.
 #[test]
 fn a_ball_rolls_in_single_precision() {

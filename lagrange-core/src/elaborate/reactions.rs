@@ -156,7 +156,10 @@ fn slip_velocities(elaborator: &mut Elaborator<'_>, friction: &ast::Friction) ->
             return evaluator.refuse(syntax, message, messages::SLIP_OF_COMPONENTS_HELP);
         }
     }
-    for &velocity in components {
+    // Bodies may be unable to slip along one of two axes, as links that move in a plane.
+    let zero = evaluator.graph.number(0);
+    let is_still = components.iter().all(|&velocity| velocity == zero);
+    for &velocity in components.iter().filter(|&&velocity| is_still || velocity != zero) {
         check_slip(elaborator, name, (syntax, velocity))?;
     }
     // To stick is to keep the slip velocity, whose rate must then be known.

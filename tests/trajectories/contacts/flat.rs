@@ -178,3 +178,38 @@ fn a_rod_that_slides_down_leaves_the_wall() {
         assert!((height - 2.0 / 3.0 * half * lean.cos()).abs() < 1e-9, "{height}");
     }
 }
+
+/// Declares a block that slides along one axis of the floor only.
+macro_rules! guided {
+    ($name:ident, $axis:tt) => {
+        lagrange::system! {
+            #[derive(Clone, Debug)]
+            struct $name;
+
+            param mu = 0.3;
+            gravity = (0, 0, -9.81);
+            frame slider;
+            body block { mass: 2; shape: cuboid(0.2, 0.1, 0.1); }
+            prismatic s = ground to slider { axis: $axis; }
+            prismatic z = slider to block { axis: (0, 0, 1); }
+            contact foot = block.point(0, 0, -0.05) on ground { friction: mu; }
+        }
+    };
+}
+
+guided!(Lengthwise, (1, 0, 0));
+guided!(Crosswise, (0, 1, 0));
+
+/// It falls, slides with the friction that the impact has left, and stops.
+#[test]
+fn blocks_that_are_guided_along_one_axis_slide_along_it() {
+    let fall = (0.4 / G).sqrt();
+    let left = 2.0 - 0.3 * G * fall;
+    let way = 2.0 * fall + left * left / (0.6 * G);
+    let lengthwise = Lengthwise::default().simulate([0.0, 0.25, 2.0, 0.0]).until(3.0).tolerance(1e-10).run();
+    let crosswise = Crosswise::default().simulate([0.0, 0.25, -2.0, 0.0]).until(3.0).tolerance(1e-10).run();
+    let (lengthwise, crosswise) = (lengthwise.expect("stops"), crosswise.expect("stops"));
+    assert_near(lengthwise.last(), [way, 0.05, 0.0, 0.0], 1e-11);
+    assert_near(crosswise.last(), [-way, 0.05, 0.0, 0.0], 1e-11);
+    assert_eq!(lengthwise.events().last().expect("stuck").kind, EventKind::Stuck);
+}

@@ -71,7 +71,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 
     /// Returns the solution of Newton's method, refined to full accuracy and the shortest forces.
-    pub(super) fn in_plane(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
+    fn in_plane(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let found = self.in_cone(choices)?;
         self.fitting(choices, found.rules).or(Some(found))
     }

@@ -51,7 +51,9 @@ use crate::tolerance::BALANCED_BY_SEARCH;
 /// Newton's method is started so often, each time after twice as many sweeps.
 const MOST_STARTS: u32 = 10;
 /// Steps of Newton's method from each start.
-const MOST_STEPS: u32 = 60;
+const MOST_STEPS: u32 = 24;
+/// Short steps next to the shortest forces.
+const MOST_SHORT_STEPS: u32 = 60;
 /// The part of the root of rounding that is added to the diagonal, so that undetermined steps are
 /// short.
 const DAMPING: f64 = 0.1;
@@ -186,7 +188,11 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     fn descend(&self, forces: &mut [S; K], kind: Step) -> bool {
         let mut present = (*forces, size(&self.errors(forces)));
         let mut best = present;
-        for _ in 0..MOST_STEPS {
+        let most = match kind {
+            Step::Newton => MOST_STEPS,
+            Step::Short => MOST_SHORT_STEPS,
+        };
+        for _ in 0..most {
             if best.1 <= S::epsilon() * self.scale(&best.0) {
                 break;
             }

@@ -143,8 +143,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         ended: Option<(usize, Choice<S>)>,
     ) -> Result<[Mode; K], StepFailure<S>> {
         let mut choices = [Choice::Only(Rule::Smooth); K];
-        let forces = Forces::under(self, modes);
-        let is_giving_way = ended.is_some_and(|(_, choice)| choice == Choice::GiveWay);
+        let giving_way =
+            ended.filter(|(_, choice)| *choice == Choice::GiveWay).map(|_| Forces::under(self, modes));
         for k in 0..K {
             choices[k] = match modes[k] {
                 Mode::Smooth => Choice::Only(Rule::Smooth),
@@ -154,7 +154,9 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 }
                 Mode::Contact(_) if position.is_touching[k] && position.is_still[k] => Choice::Touch,
                 Mode::Contact(_) => Choice::Only(Rule::Absent),
-                Mode::Friction(_) if is_giving_way && forces.gives_way(modes, k) => Choice::GiveWay,
+                Mode::Friction(_) if giving_way.as_ref().is_some_and(|forces| forces.gives_way(modes, k)) => {
+                    Choice::GiveWay
+                }
                 Mode::Friction(_) if position.is_still[k] => Choice::Rest,
                 Mode::Friction(_) => {
                     let slip = self.slip(k, is_planar(modes, k));

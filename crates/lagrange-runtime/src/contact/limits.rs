@@ -7,6 +7,9 @@ use crate::system::StepFailure;
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Checks limits of friction that do not hold forces of constraints.
     ///
+    /// A limit may be negative if it is small beside the forces at its friction. Where v changes
+    /// its sign, `abs(v)` continues as v up to the event.
+    ///
     /// # Errors
     /// If one is negative whatever contacts press with.
     pub(super) fn check_limits<M>(&self, modes: &[Mode; K]) -> Result<(), StepFailure<S>>
@@ -23,11 +26,19 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             let limits =
                 [(self.kinetic[k], &self.kinetic_slopes[k]), (self.fixed[k], &self.static_slopes[k])];
             let negative = limits.into_iter().find_map(|(free, slopes)| negative(side, free, slopes, modes));
-            if let Some(value) = negative {
+            if let Some(value) = negative.filter(|value| self.is_felt(k, -*value)) {
                 return Err(StepFailure::FrictionLimit { friction: M::REACTIONS[k], value });
             }
         }
         Ok(())
+    }
+
+    /// True if this limit is more than rounding beside the forces that friction k would have to
+    /// hold. It may be the growth of a limit with the force of a contact.
+    fn is_felt(&self, k: usize, limit: S) -> bool {
+        let response = self.size_of(k, &self.responses[k]);
+        let force = if response > S::ZERO { self.acceleration_of(k) / response } else { S::ZERO };
+        limit > S::epsilon().sqrt() * force.min(S::ONE)
     }
 }
 

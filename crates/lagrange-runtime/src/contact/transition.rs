@@ -2,9 +2,10 @@
 
 use super::choice::{Choice, Rule};
 use super::forces::reactions;
-use super::guards::has_event;
+use super::guards::{has_event, nothing};
 use super::initial_modes::{Position, holds};
 use super::project::{close, correct, halt, part};
+use super::reaction_forces::Balance;
 use super::resume::{Instant, SHORT};
 use super::slip::{is_planar, length, present_direction};
 use super::{Contact, ContactSystem, Friction, Heading, Mode, Terms};
@@ -132,7 +133,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             return Ok(Response { system, ..Response::new(Action::Continue) });
         }
         let mut is_held = modes.map(holds);
-        is_held[k] = modes[k] != FREE || self.position(&terms, &self.v).is_still[k];
+        is_held[k] =
+            modes[k] != FREE || self.position(&terms, &self.v).is_still[k] && self.would_stick(k, &terms);
         for j in (0..K).filter(|&j| is_planar(&modes, j)) {
             is_held[j] |= is_held[k] && modes[j] != FREE && self.is_stopping(j, &terms);
             is_held[j + 1] |= is_held[j];
@@ -152,6 +154,15 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             _ => EventKind::Slipped,
         };
         Ok(self.answer(settled, &v, kind))
+    }
+
+    /// True if friction k, which is without a limit up to now, has one where its slip velocity is
+    /// zero. It would otherwise be halted again and again.
+    fn would_stick(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> bool {
+        let (mut v, modes) = (self.v, self.system.modes());
+        halt(terms, &mut v, core::array::from_fn(|j| j == k || j == k + 1 && is_planar(&modes, k)));
+        let halted = self.terms(&v);
+        Balance::of_forces(&halted).fixed(k, &reactions(&halted, &modes)) > nothing()
     }
 
     /// The modes with friction k in its present direction, if it acts in a plane and is not about

@@ -178,6 +178,11 @@ fn slip_velocities_are_linear_in_the_velocities() {
         let found = mistake(&format!("friction slide = {slip}, 1;"));
         assert!(found.contains("is not linear in the velocities"), "{slip}: {found}");
     }
+    for slip in ["(dot(x), 0)", "(0, dot(x))"] {
+        model(&format!("friction slide = {slip}, 1;"));
+    }
+    let found = mistake("friction slide = (0, 0), 1;");
+    assert!(found.contains("does not depend on any velocity"), "{found}");
     let found = mistake("friction slide = x, 1;");
     assert!(found.contains("does not depend on any velocity"), "{found}");
 }
