@@ -45,6 +45,9 @@ hints! {
     pub trait EmitsParameterJacobian {} for fn parameter_jacobian in ParameterJacobian:
         "the declaration of `{Self}` does not emit `parameter_jacobian`",
         "add `emit {{ parameter_jacobian }}` to the declaration";
+    pub trait EmitsSystemMatrix {} for fn system_matrix in SystemMatrix:
+        "the declaration of `{Self}` does not emit `system_matrix`",
+        "add `emit {{ system_matrix }}` to the declaration";
     pub trait EmitsBias {} for fn bias in Bias:
         "the declaration of `{Self}` does not emit `bias`",
         "add `emit {{ bias }}` to the declaration";
@@ -145,7 +148,7 @@ macro_rules! __hints {
             Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
             KernelF64 as _, KineticEnergy as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
             MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
-            Start as _, Statements as _, TangentJacobian as _, Taylor as _,
+            Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

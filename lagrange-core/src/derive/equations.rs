@@ -296,8 +296,13 @@ fn jacobians(
     let state = [model.positions(), model.velocities()].concat();
     let constants = model.parameters.iter().chain(&model.inputs).map(|parameter| parameter.symbol);
     let constants = constants.collect::<Vec<_>>();
+    let with_inputs = [&state[..], &constants[model.parameters.len()..]].concat();
     let derived = |product| {
-        let arguments = if product == Product::ParameterJacobian { &constants } else { &state };
+        let arguments = match product {
+            Product::ParameterJacobian => &constants,
+            Product::SystemMatrix => &with_inputs,
+            _ => &state,
+        };
         let slopes = derivatives.by(model, arguments).concat();
         (product, solution.balanced(&mut model.graph, &slopes))
     };

@@ -6,7 +6,7 @@ use super::messages::states as words;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::model::{Coordinate, Product};
+use crate::model::Coordinate;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
@@ -86,12 +86,6 @@ pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
             let error = elaborator.evaluator.report.error(state.name.span, words::without_equation(text));
             error.help(words::equation_of(text));
         }
-    }
-    let Some(first) = elaborator.states.first() else { return };
-    let wanted = elaborator.wanted.iter().rev().find(|(product, ..)| *product == Product::TangentJacobian);
-    if let Some(&(_, true, span)) = wanted {
-        let error = elaborator.evaluator.report.error(span, words::TANGENT_JACOBIAN);
-        error.related(Origin::from(first.name.span), words::STATE_IS_HERE).help(words::TANGENT_JACOBIAN_HELP);
     }
 }
 

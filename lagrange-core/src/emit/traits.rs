@@ -13,6 +13,7 @@ use super::features::contacts::contact_impl;
 use super::features::events::event_members;
 use super::features::kernel::kernel_impl;
 use super::features::lanes::with_lanes;
+use super::features::linearised::linearised_impl;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
@@ -35,7 +36,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let constrained = constrained_impl(shape, members);
     let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
     let (switched, kernel) = (switched_impl(shape, members), kernel_impl(shape, members));
-    let taylor = taylor_impl(shape, members);
+    let (taylor, linearised) = (taylor_impl(shape, members), linearised_impl(shape, members));
     // With constraints there is only a skeleton of it.
     let is_whole = members.prepared.is_some() && members.constrained.is_empty();
     let prepared = is_whole.then(|| {
@@ -44,7 +45,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let separable = members.is_separable.then(|| separable_impl(shape, &name));
         quote!(#canonical #separable)
     });
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor)
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised)
 }
 
 /// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no

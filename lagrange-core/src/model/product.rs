@@ -23,6 +23,7 @@ pub enum Product {
     Jacobian,
     TangentJacobian,
     ParameterJacobian,
+    SystemMatrix,
     Prepared,
     Kernel,
     Lanes,
@@ -74,8 +75,12 @@ pub enum Extent {
     Velocities,
     /// One for each position and each velocity.
     State,
-    /// Two for each velocity: displacements of the positions, and changes of the velocities.
+    /// Displacements of the positions, changes of the first-order states and of the velocities.
     Tangent,
+    /// One for each of the tangent, each component of an output and each constraint.
+    LinearRows,
+    /// One for each of the tangent and each input.
+    LinearColumns,
     /// One for each constraint.
     Constraints,
     /// One for each parameter and each input.
@@ -118,7 +123,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 26] = [
+const ROWS: [ProductRow; 27] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -285,8 +290,8 @@ const ROWS: [ProductRow; 26] = [
             arguments: ProductArguments::Whole,
             returns: ProductShape::Matrix(Extent::Tangent, Extent::Tangent),
             docs: &[
-                "Matrix of the linearised equations of motion, in rows, by displacements of the positions",
-                "and changes of the velocities: `jacobian` without the lengths of quaternions.",
+                "Matrix of the linearised equations of motion, in rows, by displacements of the positions,",
+                "changes of the states and of the velocities: `jacobian` without the lengths of quaternions.",
             ],
         }),
     },
@@ -300,6 +305,19 @@ const ROWS: [ProductRow; 26] = [
             docs: &[
                 "Derivatives of `rhs` by the fields in the order of `PARAMETERS`, in rows: entry `[i][j]`",
                 "is that of its entry `i` by field `j`.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::SystemMatrix,
+        name: "system_matrix",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Whole,
+            returns: ProductShape::Matrix(Extent::LinearRows, Extent::LinearColumns),
+            docs: &[
+                "System matrix [A B; C D; G 0] of the linearised system, in rows: `tangent_jacobian` and the",
+                "derivatives by the inputs, then those of the outputs and of the constraint velocities.",
             ],
         }),
     },
@@ -354,7 +372,10 @@ impl Product {
 
     /// True for derivatives of the right-hand side.
     pub fn is_derivative(self) -> bool {
-        matches!(self, Product::Jacobian | Product::TangentJacobian | Product::ParameterJacobian)
+        matches!(
+            self,
+            Product::Jacobian | Product::TangentJacobian | Product::ParameterJacobian | Product::SystemMatrix
+        )
     }
 
     /// True if only systems with rigid bodies have it. No method has its name.

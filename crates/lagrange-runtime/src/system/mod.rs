@@ -8,6 +8,7 @@ mod constraint_values;
 mod event;
 mod kernel;
 mod lanes;
+mod linearised;
 mod mechanical;
 mod message;
 mod out_of_range;
@@ -28,6 +29,7 @@ pub(crate) use self::event::MOST_LOCATED;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
 pub use self::kernel::KernelSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
+pub use self::linearised::{LinearisedSystem, MatrixLayout};
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
@@ -42,6 +44,8 @@ pub(crate) use self::rate_name::WithSuffix;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{EventSource, StepFailure};
 pub use self::taylor::{MAX_ORDER, Products, SeriesSolver, TaylorSystem};
+#[cfg(feature = "linear")]
+pub(crate) use self::undefined::Acceleration;
 pub use self::undefined::{Component, Undefined};
 pub use self::violation::{Violated, Violation};
 pub use self::wrapper::Wrapper;

@@ -153,7 +153,7 @@ impl Display for Component {
 }
 
 /// The acceleration that is the rate of a velocity.
-struct Acceleration(Component);
+pub(crate) struct Acceleration(pub(crate) Component);
 
 impl Display for Acceleration {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {

@@ -28,10 +28,6 @@ messages! {
         "Lagrange's equations apply to coordinates, not to states: use states in a `force`, `potential` or `dissipation`, or make this one a `coord`";
     PLACE_HELP =
         "virtual work and constraints displace coordinates, not states: make this one a `coord`, or write its effect as a `force`";
-    TANGENT_JACOBIAN = "`tangent_jacobian` cannot be combined with states";
-    TANGENT_JACOBIAN_HELP =
-        "it has rows for displacements and velocities only; `jacobian` also has one for each state";
-    STATE_IS_HERE = "this is a state";
     SMALL_HELP = "a state can be frozen at a value, but its equation cannot be expanded";
     small(name) = "the state `{name}` cannot be small";
     assigned_rate(name) = "the rate of the state `{name}` follows from its equation";

@@ -23,7 +23,7 @@ pub(in crate::emit) struct Shape<'a> {
     /// Parameters and inputs in declaration order, parameters first.
     pub(in crate::emit) fields: Vec<&'a Name>,
     /// Names of the inputs among them.
-    inputs: HashSet<&'a str>,
+    pub(in crate::emit) inputs: HashSet<&'a str>,
     /// Positions in state order.
     pub(in crate::emit) coordinates: Vec<&'a Name>,
     /// Number of first-order states, which are the last of the positions.

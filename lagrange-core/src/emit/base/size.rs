@@ -124,8 +124,12 @@ pub fn report_hopeless_model(declaration: &Declaration, model: &Model, report: &
     }
     let (state, fields) =
         (model.coordinates.len() + model.speeds.len(), model.parameters.len() + model.inputs.len());
-    let jacobians =
-        [(Product::Jacobian, state), (Product::TangentJacobian, state), (Product::ParameterJacobian, fields)];
+    let jacobians = [
+        (Product::Jacobian, state),
+        (Product::TangentJacobian, state),
+        (Product::ParameterJacobian, fields),
+        (Product::SystemMatrix, state + model.inputs.len()),
+    ];
     let wanted = jacobians.into_iter().filter(|(product, _)| model.products.contains(product));
     let entries = wanted.map(|(_, columns)| state.saturating_mul(columns)).fold(0, usize::saturating_add);
     let has_matrix = model.products.contains(&Product::MassMatrix);

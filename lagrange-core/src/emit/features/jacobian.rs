@@ -3,7 +3,7 @@
 //! Positions q are displaced to q + N(q) δ, and with them velocities to v + ε. Where velocities are
 //! rates of coordinates, δ̇ = ε. Of a unit quaternion δ is a small turn along the turned axes,
 //! which turn with ω: δ̇ = ε − ω × δ. Accelerations follow by the chain rule, ε̇ = ∂a/∂q N δ +
-//! ∂a/∂v ε.
+//! ∂a/∂z z + ∂a/∂v ε, and so do the rates of first-order states z.
 //!
 //! Source: Sola, Deray, Atchuthan, "A micro Lie theory for state estimation in robotics", 2018,
 //! §IV.
@@ -21,33 +21,57 @@ pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> 
     entries
 }
 
-/// The matrix that [δ, ε] changes with, from the rows ∂a/∂y of the accelerations.
+/// The matrix that [δ, z, ε] changes with, from the rows ∂a/∂y of the accelerations.
 pub(in crate::emit) fn by_displacements(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
-    let (positions, n) = (model.coordinates.len(), model.speeds.len());
-    let mut entries = rates_of_displacements(model);
-    let rates = model.position_rates();
+    linearised(model, accelerations, &[])
+}
+
+/// That matrix with a column for each input, from the rows of the accelerations by the state and
+/// the inputs.
+pub(super) fn linearised(model: &mut Model, accelerations: &[ExprId], inputs: &[ExprId]) -> Vec<ExprId> {
+    let zeros = vec![model.graph.number(0); inputs.len()];
+    let mut entries = Vec::new();
+    for row in rates_of_displacements(model) {
+        entries.extend(row);
+        entries.extend(&zeros);
+    }
+    let rates = model.states().map(|state| state.rate).collect::<Vec<_>>();
+    let arguments = [model.positions(), model.velocities(), inputs.to_vec()].concat();
+    let mut rows = jacobian(&mut model.graph, &rates, &arguments).concat();
+    rows.extend(accelerations);
+    entries.extend(along_displacements(model, &rows, arguments.len()));
+    entries
+}
+
+/// Turns derivatives by positions into those by displacements: ∂f/∂q N replaces ∂f/∂q in each row,
+/// and the entries behind it stay.
+pub(super) fn along_displacements(model: &mut Model, rows: &[ExprId], columns: usize) -> Vec<ExprId> {
+    let n = model.speeds.len();
+    let positions = model.coordinates.iter().filter(|coordinate| !coordinate.is_state);
+    let rates = positions.map(|position| position.rate).collect::<Vec<_>>();
     let velocities = model.velocities();
     // N
     let directions = jacobian(&mut model.graph, &rates, &velocities);
-    for row in accelerations.chunks_exact(positions + n) {
-        let (by_positions, by_velocities) = row.split_at(positions);
+    let mut entries = Vec::new();
+    for row in rows.chunks_exact(columns) {
+        let (by_positions, others) = row.split_at(rates.len());
         for column in 0..n {
             let products = by_positions.iter().zip(&directions);
             let products = products.map(|(&slope, direction)| model.graph.multiply(slope, direction[column]));
             let products = products.collect::<Vec<_>>();
             entries.push(model.graph.total(products));
         }
-        entries.extend(by_velocities);
+        entries.extend(others);
     }
     entries
 }
 
 /// The rows of δ̇.
-fn rates_of_displacements(model: &mut Model) -> Vec<ExprId> {
-    let (velocities, n) = (model.velocities(), model.speeds.len());
+fn rates_of_displacements(model: &mut Model) -> Vec<Vec<ExprId>> {
+    let (velocities, n, states) = (model.velocities(), model.speeds.len(), model.states().count());
     let graph = &mut model.graph;
-    let mut rows = vec![vec![graph.number(0); 2 * n]; n];
-    rows.iter_mut().enumerate().for_each(|(i, row)| row[n + i] = graph.number(1));
+    let mut rows = vec![vec![graph.number(0); 2 * n + states]; n];
+    rows.iter_mut().enumerate().for_each(|(i, row)| row[n + states + i] = graph.number(1));
     for first in model.orientations.iter().map(|orientation| orientation.velocity) {
         for axis in 0..3 {
             let [next, last] = [first + (axis + 1) % 3, first + (axis + 2) % 3];
@@ -55,7 +79,7 @@ fn rates_of_displacements(model: &mut Model) -> Vec<ExprId> {
             rows[first + axis][last] = graph.negate(velocities[next]);
         }
     }
-    rows.concat()
+    rows
 }
 
 /// The derivatives of ẏ by parameters and inputs from the rows of the accelerations.

@@ -10,6 +10,7 @@ mod items;
 pub(super) mod jacobian;
 pub(super) mod kernel;
 pub(super) mod lanes;
+pub(super) mod linearised;
 pub(in crate::emit) mod missing;
 pub(super) mod orientations;
 pub(super) mod ports;

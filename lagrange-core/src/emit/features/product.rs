@@ -1,6 +1,7 @@
 //! Emission of each product: arguments and result for a system, from its row.
 
 use super::jacobian::{by_displacements, by_fields, by_state};
+use super::linearised::system_matrix;
 use crate::derive::Equations;
 use crate::emit::base::method::{Arguments, Returns};
 use crate::emit::base::shape::Shape;
@@ -24,14 +25,19 @@ pub(in crate::emit) fn plan(
 ) -> Option<Plan> {
     let ProductMethod { docs, .. } = product.row().method.as_ref()?;
     let moving = equations.structure.mass.depends_on_velocities;
-    let (arguments, returns) = signature(product, shape, moving)?;
+    let (arguments, mut returns) = signature(product, shape, moving)?;
     let found = equations.product(product, model)?;
     let roots = match product {
         Product::Jacobian => by_state(model, &found),
         Product::TangentJacobian => by_displacements(model, &found),
         Product::ParameterJacobian => by_fields(model, &found),
+        Product::SystemMatrix => system_matrix(model, equations, &found),
         _ => found,
     };
+    // How an output is written tells the number of its components nearly always.
+    if let (Product::SystemMatrix, Returns::Matrix(rows, columns)) = (product, &mut returns) {
+        *rows = roots.len() / *columns;
+    }
     Some(Plan { docs, arguments, returns, roots })
 }
 
@@ -50,10 +56,14 @@ pub(in crate::emit) fn signature(
         ProductArguments::Motion => Arguments::Motion,
         ProductArguments::Whole => Arguments::Whole,
     };
+    let tangent = 2 * shape.velocities.len() + shape.states;
+    let outputs = shape.outputs.iter().map(|(_, components)| components).sum::<usize>();
     let count = |extent| match extent {
         Extent::Velocities => shape.velocities.len(),
         Extent::State => shape.coordinates.len() + shape.velocities.len(),
-        Extent::Tangent => 2 * shape.velocities.len(),
+        Extent::Tangent => tangent,
+        Extent::LinearRows => tangent + outputs + shape.constraints.len(),
+        Extent::LinearColumns => tangent + shape.inputs.len(),
         Extent::Constraints => shape.constraints.len(),
         Extent::Fields => shape.fields.len(),
     };

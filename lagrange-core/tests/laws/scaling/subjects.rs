@@ -310,7 +310,8 @@ impl Subject {
         let lengths = |powers: &[i32]| powers.iter().map(|power| [0, *power]).collect::<Vec<_>>();
         match extent {
             Extent::Velocities => lengths(&self.coordinates),
-            Extent::State | Extent::Tangent => lengths(&self.coordinates.repeat(2)),
+            Extent::State | Extent::Tangent | Extent::LinearColumns => lengths(&self.coordinates.repeat(2)),
+            Extent::LinearRows => [self.units(Extent::Tangent), self.units(Extent::Constraints)].concat(),
             Extent::Constraints => lengths(&self.constraints),
             Extent::Fields => self.parameters.iter().map(|(_, unit)| *unit).collect(),
         }
