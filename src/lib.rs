@@ -34,6 +34,7 @@
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
+//! | `linear` (feature) | equilibria, linear models, modes |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
@@ -51,10 +52,10 @@
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
 //! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` let
 //! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
-//! threads and processes. `draw` makes pictures and films of rigid bodies, in the plane and in
-//! space. `trade` measures what every digit costs on a system. `double` adds numbers of 106 bits.
-//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive at run
-//! time.
+//! threads and processes. `linear` finds equilibria, linear models and modes. `draw` makes pictures
+//! and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on
+//! a system. `double` adds numbers of 106 bits. `symbolic` re-exports the computer algebra as
+//! `lagrange::symbolic`, for tools that derive at run time.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -78,6 +79,9 @@ pub use lagrange_draw as draw;
 #[cfg(feature = "ensemble")]
 #[doc(inline)]
 pub use lagrange_runtime::ensemble::{self, Ensembles};
+#[cfg(feature = "linear")]
+#[doc(inline)]
+pub use lagrange_runtime::linear;
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};

@@ -202,6 +202,10 @@ const RUNTIME: &[Layer] = &[
         purpose: "the simulation builder (`std`); recorded columns, CSV and Parquet",
     },
     Layer {
+        modules: &["linear"],
+        purpose: "equilibria and steady motions, linear models with names, modes, controllers",
+    },
+    Layer {
         modules: &["ensemble"],
         purpose: "many simulations on threads, with results independent of scheduling; final states, \
                   reductions, resumable files",

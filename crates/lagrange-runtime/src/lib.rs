@@ -15,6 +15,7 @@
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
 //! | [`run`] | the one loop |
 //! | `simulate` (`std`) | the front door |
+//! | `linear` (feature) | equilibria, linear models, modes |
 //! | `ensemble` (feature) | many motions |
 #![no_std]
 #![deny(unsafe_code)]
@@ -31,6 +32,8 @@ pub mod event;
 pub mod inertia;
 pub mod integrate;
 mod linalg;
+#[cfg(feature = "linear")]
+pub mod linear;
 pub mod root;
 pub mod run;
 pub mod scalar;

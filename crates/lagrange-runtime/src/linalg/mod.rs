@@ -1,7 +1,14 @@
-//! Small dense linear algebra in arrays of fixed size, without heap.
+//! Small dense linear algebra: in arrays of fixed size, without heap; for linear models, whose size
+//! is known at run time, in vectors.
 
+#[cfg(feature = "linear")]
+pub(crate) mod dense;
+#[cfg(feature = "linear")]
+pub(crate) mod eigenvalues;
 pub(crate) mod orthogonal;
 pub(crate) mod pivoted;
 pub(crate) mod ranked;
 pub(crate) mod singular;
+#[cfg(feature = "linear")]
+pub(crate) mod singular_values;
 pub(crate) mod vector;

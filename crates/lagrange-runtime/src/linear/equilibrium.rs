@@ -1,0 +1,410 @@
+//! Equilibria and steady motions by a damped Newton method.
+//!
+//! Unknowns are displacements δ of the positions, first-order states z and, on request, inputs u.
+//! At given velocities, accelerations and rates of states must vanish, and constraints must hold:
+//!
+//! ```text
+//! a(q, z, v, u) = 0,    ż(q, z, v, u) = 0,    c(q) = 0.
+//! ```
+//!
+//! Multipliers are not among the unknowns, since the accelerations satisfy A a = 0 at rest with
+//! them eliminated. There are then more equations than unknowns. They are consistent at a solution,
+//! so that the least-squares steps of Gauss and Newton converge quadratically. If a coordinate
+//! changes nothing, as the place of a cart on a level track, there are fewer independent equations.
+//! The shortest step then leads to a nearby equilibrium. Rows are scaled by their derivatives, and
+//! unknowns by their magnitude or one. Sources: Nocedal, Wright, *Numerical Optimization*, 2nd ed.,
+//! §10.3, §11.2; Deuflhard, *Newton Methods for Nonlinear Problems*, §4.
+//!
+//! Example: of a pendulum with g = l = 1, θ̈ = −sin θ. From θ = 1 a step leads to 1 − tan 1 =
+//! −0.557, then to 0.0659, −9.6·10⁻⁵ and 2.9·10⁻¹³, each of which shortens the residual.
+
+use std::borrow::ToOwned;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+use super::error::{Equation, EquilibriumCause, EquilibriumError, Undetermined};
+use super::names::{freedoms, tangent_names};
+use super::tangent::{Blocks, first_undefined};
+use crate::linalg::dense::DenseMatrix;
+use crate::linalg::singular_values::{SingularValues, dot, length};
+use crate::scalar::{Number, Scalar};
+use crate::system::{
+    Component, ControlledSystem, LinearisedSystem, StateVector, displaced, join, normalised, split,
+};
+
+/// Steps after which a search ends.
+const MAX_STEPS: u32 = 100;
+/// Halvings after which a step counts as leading nowhere.
+const MAX_HALVINGS: u32 = 20;
+/// Beside the largest derivative, those of a whole equation that are smaller are rounding.
+const FLAT: f64 = 1e-10;
+
+/// A search for an equilibrium near a state.
+#[must_use = "a search does nothing before `solve`"]
+pub struct EquilibriumSearch<'a, M: LinearisedSystem> {
+    system: &'a M,
+    time: M::Scalar,
+    start: EquilibriumGuess<M>,
+    held: Vec<String>,
+    trimmed: Vec<String>,
+    /// Returns the system with other inputs, if some are unknowns.
+    with_inputs: Option<fn(&M, &[M::Scalar]) -> M>,
+}
+
+/// An equilibrium or a steady motion.
+#[derive(Clone, Debug)]
+pub struct Equilibrium<M: LinearisedSystem> {
+    /// The state, with the velocities that the search was given.
+    pub state: M::State,
+    /// The inputs in the order of their declaration; empty if none were trimmed.
+    pub inputs: Vec<M::Scalar>,
+    /// Number of steps that were taken.
+    pub iterations: u32,
+    /// Number of independent directions in which equilibria adjoin this one: 0 if it is isolated.
+    pub freedom: usize,
+}
+
+impl<M: LinearisedSystem + ControlledSystem> Equilibrium<M> {
+    /// Returns the system with the inputs that were found; with its own if none were trimmed.
+    #[must_use]
+    pub fn system(&self, of: &M) -> M {
+        match self.inputs.is_empty() {
+            true => of.with_inputs(of.inputs()),
+            false => with_inputs(of, &self.inputs),
+        }
+    }
+}
+
+fn with_inputs<M: ControlledSystem>(system: &M, values: &[M::Scalar]) -> M {
+    let mut inputs = M::InputVector::ZERO;
+    inputs.as_mut().copy_from_slice(values);
+    system.with_inputs(inputs.into())
+}
+
+/// The state and the inputs that a search tries.
+struct EquilibriumGuess<M: LinearisedSystem> {
+    y: M::State,
+    inputs: Vec<M::Scalar>,
+}
+
+/// The equations at a point, linearised.
+struct LocalEquations {
+    /// Derivatives of the equations by the unknowns, which are in units of their scales; the
+    /// largest in each row is about one.
+    jacobian: DenseMatrix,
+    /// Values of the equations.
+    residuals: Vec<f64>,
+    /// Factors of the rows.
+    weights: Vec<f64>,
+    /// Magnitudes of the unknowns.
+    scales: Vec<f64>,
+}
+
+impl LocalEquations {
+    fn weighted(&self, residuals: &[f64]) -> Vec<f64> {
+        residuals.iter().zip(&self.weights).map(|(residual, weight)| residual * weight).collect()
+    }
+}
+
+impl<'a, M> EquilibriumSearch<'a, M>
+where
+    M: LinearisedSystem,
+    M::Scalar: Into<f64>,
+{
+    pub(super) fn near(system: &'a M, near: M::State) -> Self {
+        EquilibriumSearch {
+            system,
+            time: M::Scalar::ZERO,
+            start: EquilibriumGuess { y: near, inputs: Vec::new() },
+            held: Vec::new(),
+            trimmed: Vec::new(),
+            with_inputs: None,
+        }
+    }
+
+    /// Sets the time, which is 0 otherwise. It matters only if the equations contain it; it stands
+    /// still during the search.
+    pub fn at(self, time: M::Scalar) -> Self {
+        EquilibriumSearch { time, ..self }
+    }
+
+    /// Holds coordinates and first-order states of these names at their values.
+    pub fn hold(mut self, names: &[&str]) -> Self {
+        self.held.extend(names.iter().map(|name| (*name).to_owned()));
+        self
+    }
+
+    /// Makes inputs of these names unknowns, too, from their present values.
+    pub fn trim(mut self, names: &[&str]) -> Self
+    where
+        M: ControlledSystem,
+    {
+        self.trimmed.extend(names.iter().map(|name| (*name).to_owned()));
+        let inputs: M::InputVector = self.system.inputs().into();
+        self.start.inputs = inputs.as_ref().to_vec();
+        self.with_inputs = Some(with_inputs);
+        self
+    }
+
+    /// Searches.
+    ///
+    /// # Errors
+    /// If Newton's method finds no equilibrium, or something there is not finite.
+    pub fn solve(self) -> Result<Equilibrium<M>, EquilibriumError<M>> {
+        let mut point =
+            EquilibriumGuess { y: normalised::<M>(&self.start.y), inputs: self.start.inputs.clone() };
+        let mut iterations = 0;
+        let found = self.iterate(&mut point, &mut iterations);
+        let EquilibriumGuess { y: state, inputs } = point;
+        match found {
+            Ok(freedom) => Ok(Equilibrium { state, inputs, iterations, freedom }),
+            Err(cause) => Err(EquilibriumError { cause, state, inputs, iterations }),
+        }
+    }
+
+    /// Moves the point to an equilibrium; the number of directions in which others adjoin it.
+    fn iterate(
+        &self,
+        point: &mut EquilibriumGuess<M>,
+        iterations: &mut u32,
+    ) -> Result<usize, EquilibriumCause<M::Scalar>> {
+        let unknowns = self.unknowns()?;
+        self.check_start(point)?;
+        let (mut here, mut is_near) = (self.linearised(point, &unknowns)?, false);
+        loop {
+            let target = here.weighted(&here.residuals);
+            let was_near = is_near;
+            is_near = target.iter().all(|entry| entry.abs() <= self.tolerance());
+            let Some(values) = SingularValues::of(&here.jacobian) else {
+                return Err(EquilibriumCause::Derivative(Undetermined::of::<M>((0, 0))));
+            };
+            let step = values.shortest(&target, self.rounding().sqrt());
+            let next = self.shortened(point, &here, &unknowns, &step);
+            let next = next.filter(|_| *iterations < MAX_STEPS);
+            // Near a solution the last steps go on as long as they help.
+            match next {
+                Some((next, is_better)) if !(is_near && was_near && !is_better) => *point = next,
+                _ if is_near => {
+                    self.check_end(point)?;
+                    return Ok(unknowns.len() - values.rank(self.rounding().sqrt()));
+                }
+                _ => return Err(self.left(&here)),
+            }
+            *iterations += 1;
+            here = self.linearised(point, &unknowns)?;
+        }
+    }
+
+    /// Columns of the system matrix for the unknowns.
+    fn unknowns(&self) -> Result<Vec<usize>, EquilibriumCause<M::Scalar>> {
+        let names = tangent_names::<M>();
+        let positions = &names[..freedoms::<M>() + M::FIRST_ORDER_STATES];
+        let inputs = M::LAYOUT.inputs.iter().map(ToString::to_string).collect::<Vec<_>>();
+        for (wanted, known) in [(&self.held, positions), (&self.trimmed, &inputs)] {
+            if let Some(name) = wanted.iter().find(|name| !known.contains(name)) {
+                let (name, known) = (name.clone(), known.to_vec());
+                return Err(EquilibriumCause::UnknownName { name, known });
+            }
+        }
+        let free = (0..positions.len()).filter(|&index| !self.held.contains(&positions[index]));
+        let trimmed = (0..inputs.len()).filter(|&index| self.trimmed.contains(&inputs[index]));
+        Ok(free.chain(trimmed.map(|index| names.len() + index)).collect())
+    }
+
+    fn ask<R>(&self, point: &EquilibriumGuess<M>, ask: impl FnOnce(&M) -> R) -> R {
+        match self.with_inputs {
+            Some(with_inputs) => ask(&with_inputs(self.system, &point.inputs)),
+            None => ask(self.system),
+        }
+    }
+
+    fn check_start(&self, point: &EquilibriumGuess<M>) -> Result<(), EquilibriumCause<M::Scalar>> {
+        let undefined = self.ask(point, |system| {
+            let rates = system.rhs(self.time, &point.y);
+            system.undefined(self.time, &point.y, &rates)
+        });
+        undefined.map_or(Ok(()), |undefined| Err(EquilibriumCause::Undefined(undefined.with_names_of::<M>())))
+    }
+
+    /// The values of all equations: accelerations, rates of first-order states, constraints on
+    /// positions.
+    fn residuals(&self, point: &EquilibriumGuess<M>) -> Vec<f64> {
+        let (q, v) = split::<M>(&point.y);
+        let states = M::COORDINATES.len() - M::FIRST_ORDER_STATES;
+        self.ask(point, |system| {
+            let rates = system.rhs(self.time, &point.y);
+            let [positions, _] = system.residuals(self.time, &q, &v);
+            let held = positions.as_ref().iter().zip(M::LAYOUT.are_holonomic);
+            let held = held.filter(|(_, is_holonomic)| **is_holonomic).map(|(residual, _)| residual);
+            let (states, accelerations) = rates.as_ref()[states..].split_at(M::FIRST_ORDER_STATES);
+            accelerations.iter().chain(states).chain(held).map(|&value| value.into()).collect()
+        })
+    }
+
+    /// Their names.
+    fn equation(index: usize) -> Equation {
+        let n = freedoms::<M>();
+        if index < n {
+            return Equation::Acceleration(
+                Component::of_velocity::<M>(index).unwrap_or(Component::Index(index)),
+            );
+        }
+        let states = &M::COORDINATES[M::COORDINATES.len() - M::FIRST_ORDER_STATES..];
+        if let Some(name) = states.get(index - n) {
+            return Equation::Rate(name);
+        }
+        let held = M::LAYOUT.constraints.iter().zip(M::LAYOUT.are_holonomic);
+        let mut held = held.filter(|(_, is_holonomic)| **is_holonomic);
+        Equation::Constraint(held.nth(index - n - states.len()).map_or("", |(name, _)| name))
+    }
+
+    fn linearised(
+        &self,
+        point: &EquilibriumGuess<M>,
+        unknowns: &[usize],
+    ) -> Result<LocalEquations, EquilibriumCause<M::Scalar>> {
+        let blocks = self.ask(point, |system| Blocks::of(system, self.time, &point.y));
+        if let Some(place) = first_undefined(&blocks.matrix) {
+            return Err(EquilibriumCause::Derivative(Undetermined::of::<M>(place)));
+        }
+        let (first, n) = (blocks.velocities(), blocks.freedoms);
+        let rates = blocks.matrix.part(&(first..first + n).chain(n..first).collect::<Vec<_>>(), unknowns);
+        let gradients = (0..M::LAYOUT.are_holonomic.len()).filter(|&index| M::LAYOUT.are_holonomic[index]);
+        let gradients = gradients.map(|index| blocks.constraint_row(index)).collect::<Vec<_>>();
+        // Gradients of constraints by displacements are those of their rates by velocities.
+        let gradient = |row: usize, unknown: usize| match unknown < n {
+            true => blocks.matrix[(gradients[row], first + unknown)],
+            false => 0.0,
+        };
+        let scales = self.scales(point, unknowns);
+        let count = rates.rows();
+        let scaled = DenseMatrix::from_fn(count + gradients.len(), unknowns.len(), |i, j| {
+            let slope = if i < count { rates[(i, j)] } else { gradient(i - count, unknowns[j]) };
+            slope * scales[j]
+        });
+        let largest = scaled.largest();
+        let weight = |row: usize| {
+            let size = scaled.row(row).iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
+            let size = if size > FLAT * largest { size } else { largest };
+            if size > 0.0 { 1.0 / size } else { 1.0 }
+        };
+        let weights = (0..scaled.rows()).map(weight).collect::<Vec<_>>();
+        let jacobian =
+            DenseMatrix::from_fn(scaled.rows(), scaled.columns(), |i, j| weights[i] * scaled[(i, j)]);
+        Ok(LocalEquations { jacobian, residuals: self.residuals(point), weights, scales })
+    }
+
+    /// The magnitude of each unknown, at least one. Displacements of orientations are angles.
+    fn scales(&self, point: &EquilibriumGuess<M>, unknowns: &[usize]) -> Vec<f64> {
+        let (n, states) = (freedoms::<M>(), M::FIRST_ORDER_STATES);
+        let tangent = 2 * n + states;
+        let value = |unknown: &usize| match *unknown {
+            input if input >= tangent => point.inputs[input - tangent].into(),
+            state if state >= n => point.y.as_ref()[M::COORDINATES.len() - states + state - n].into(),
+            position if M::VELOCITIES.is_empty() => point.y.as_ref()[position].into(),
+            position => match M::COORDINATES.iter().position(|name| *name == M::RATES_OF[position]) {
+                Some(position) => point.y.as_ref()[position].into(),
+                None => 1.0,
+            },
+        };
+        unknowns.iter().map(|unknown| value(unknown).abs().max(1.0)).collect()
+    }
+
+    /// The point beyond the step, or a part of it that brings the equations closer to zero; with
+    /// true if it halves their distance.
+    fn shortened(
+        &self,
+        point: &EquilibriumGuess<M>,
+        here: &LocalEquations,
+        unknowns: &[usize],
+        step: &[f64],
+    ) -> Option<(EquilibriumGuess<M>, bool)> {
+        let before = length(&here.weighted(&here.residuals));
+        // The decrease of |W r| that the linear equations foresee.
+        let foreseen = here.jacobian.times(&DenseMatrix::from_fn(step.len(), 1, |i, _| step[i])).column(0);
+        let slope = dot(&foreseen, &here.weighted(&here.residuals)) / before;
+        let mut part = 1.0;
+        for _ in 0..MAX_HALVINGS {
+            let next = self.moved(point, here, unknowns, step, part);
+            let after = length(&here.weighted(&self.residuals(&next)));
+            if after <= before - 1e-4 * part * slope && after < before {
+                return Some((next, 2.0 * after <= before));
+            }
+            part /= 2.0;
+        }
+        None
+    }
+
+    /// The point less this part of the step.
+    fn moved(
+        &self,
+        point: &EquilibriumGuess<M>,
+        here: &LocalEquations,
+        unknowns: &[usize],
+        step: &[f64],
+        part: f64,
+    ) -> EquilibriumGuess<M> {
+        let (n, states) = (freedoms::<M>(), M::FIRST_ORDER_STATES);
+        let (mut q, v) = split::<M>(&point.y);
+        let (mut displacement, mut inputs) = (M::Velocities::ZERO, point.inputs.clone());
+        let first_state = M::COORDINATES.len() - states;
+        for ((&unknown, step), scale) in unknowns.iter().zip(step).zip(&here.scales) {
+            let change = M::Scalar::from_f64(-part * step * scale);
+            if unknown < n {
+                displacement.as_mut()[unknown] = change;
+            } else if unknown < n + states {
+                let state = &mut q.as_mut()[first_state + unknown - n];
+                *state = *state + change;
+            } else {
+                let input = &mut inputs[unknown - 2 * n - states];
+                *input = *input + change;
+            }
+        }
+        let q = displaced(self.system, self.time, &q, [(M::Scalar::ONE, &displacement)]);
+        EquilibriumGuess { y: join::<M>(&q, &v), inputs }
+    }
+
+    /// The equation that is violated most.
+    fn left(&self, here: &LocalEquations) -> EquilibriumCause<M::Scalar> {
+        let weighted = here.weighted(&here.residuals);
+        let worse =
+            |best: usize, row: usize| if weighted[row].abs() > weighted[best].abs() { row } else { best };
+        let row = (0..weighted.len()).fold(0, worse);
+        EquilibriumCause::Left {
+            equation: Self::equation(row),
+            residual: M::Scalar::from_f64(here.residuals[row]),
+            is_changed: here.jacobian.row(row).iter().any(|slope| *slope != 0.0),
+        }
+    }
+
+    /// Checks that velocities satisfy the constraints, and that with them nothing changes.
+    fn check_end(&self, point: &mut EquilibriumGuess<M>) -> Result<(), EquilibriumCause<M::Scalar>> {
+        let mut y = point.y;
+        self.ask(point, |system| system.admit(self.time, &mut y)).map_err(EquilibriumCause::NotAdmitted)?;
+        point.y = y;
+        let (_, v) = split::<M>(&point.y);
+        if v.as_ref().iter().all(|v| *v == M::Scalar::ZERO) {
+            return Ok(());
+        }
+        let blocks = self.ask(point, |system| Blocks::of(system, self.time, &point.y));
+        let (first, n) = (blocks.velocities(), blocks.freedoms);
+        for (index, row) in (first..first + n).chain(n..first).enumerate() {
+            let terms = v.as_ref().iter().enumerate().map(|(j, &v)| blocks.matrix[(row, j)] * v.into());
+            let (rate, size) =
+                terms.fold((0.0, 0.0), |(rate, size), term: f64| (rate + term, size + term.abs()));
+            if rate.abs() > self.rounding().sqrt() * size {
+                return Err(EquilibriumCause::Unsteady { equation: Self::equation(index), rate });
+            }
+        }
+        Ok(())
+    }
+
+    fn rounding(&self) -> f64 {
+        M::Scalar::epsilon().into()
+    }
+
+    /// A distance, relative to the scales of the unknowns, at which rounding may end the search.
+    fn tolerance(&self) -> f64 {
+        self.rounding().powf(2.0 / 3.0)
+    }
+}

@@ -1,0 +1,147 @@
+//! The linear model of a system at a state.
+
+use std::string::String;
+use std::vec::Vec;
+
+use super::corner::corner;
+use super::error::{LinearisationError, NotConverged, Undetermined};
+use super::modes::Modes;
+use super::names::{Components, tangent_names};
+use super::tangent::{Blocks, TangentSpace, first_undefined};
+use crate::linalg::dense::DenseMatrix;
+use crate::system::LinearisedSystem;
+
+/// The linear model ẋ = A x + B u, y = C x + D u of a system near a state, with names on rows and
+/// columns.
+///
+/// Here x, u and y are deviations of states, inputs and outputs. States are displacements,
+/// first-order states and velocities, without those that follow from constraints. If the state is
+/// no equilibrium and no steady motion, deviations are from the motion through it, at that instant.
+#[derive(Clone, PartialEq, Debug)]
+pub struct LinearModel {
+    a: DenseMatrix,
+    b: DenseMatrix,
+    c: DenseMatrix,
+    d: DenseMatrix,
+    states: Vec<String>,
+    inputs: &'static [&'static str],
+    outputs: &'static [&'static str],
+    components: Components,
+}
+
+impl LinearModel {
+    pub(super) fn of<M>(
+        system: &M,
+        t: M::Scalar,
+        mut y: M::State,
+    ) -> Result<LinearModel, LinearisationError<M::Scalar>>
+    where
+        M: LinearisedSystem,
+        M::Scalar: Into<f64>,
+    {
+        let rates = system.rhs(t, &y);
+        if let Some(undefined) = system.undefined(t, &y, &rates) {
+            return Err(LinearisationError::Undefined(undefined.with_names_of::<M>()));
+        }
+        system.admit(t, &mut y).map_err(LinearisationError::NotAdmitted)?;
+        if let Some(surface) = corner(system, t, &y) {
+            return Err(LinearisationError::Corner { surface });
+        }
+        let blocks = Blocks::of(system, t, &y);
+        if let Some(place) = first_undefined(&blocks.matrix) {
+            return Err(LinearisationError::Derivative(Undetermined::of::<M>(place)));
+        }
+        let space = TangentSpace::new(&blocks, M::LAYOUT.are_holonomic);
+        Ok(LinearModel::on(&blocks, &space, tangent_names::<M>(), M::LAYOUT.inputs, M::LAYOUT.outputs))
+    }
+
+    fn on(
+        blocks: &Blocks,
+        space: &TangentSpace,
+        names: Vec<String>,
+        inputs: &'static [&'static str],
+        outputs: &'static [&'static str],
+    ) -> LinearModel {
+        let all = (0..blocks.tangent).collect::<Vec<_>>();
+        let of_outputs = (blocks.tangent..blocks.tangent + blocks.outputs).collect::<Vec<_>>();
+        let on_basis = |rows: &[usize]| blocks.matrix.part(rows, &all).times(&space.basis);
+        let by_inputs = |rows: &[usize]| {
+            let through = blocks.matrix.part(rows, &all).times(&space.by_inputs);
+            blocks.matrix.part(rows, &blocks.inputs()).plus(1.0, &through)
+        };
+        LinearModel {
+            a: on_basis(&space.free),
+            b: by_inputs(&space.free),
+            c: on_basis(&of_outputs),
+            d: by_inputs(&of_outputs),
+            states: space.free.iter().map(|&index| names[index].clone()).collect(),
+            inputs,
+            outputs,
+            components: Components { names, displacements: blocks.freedoms, basis: space.basis.clone() },
+        }
+    }
+
+    /// Returns A: the rates of the states by the states.
+    #[must_use]
+    pub fn a(&self) -> &DenseMatrix {
+        &self.a
+    }
+
+    /// Returns B: the rates of the states by the inputs.
+    #[must_use]
+    pub fn b(&self) -> &DenseMatrix {
+        &self.b
+    }
+
+    /// Returns C: the outputs by the states.
+    #[must_use]
+    pub fn c(&self) -> &DenseMatrix {
+        &self.c
+    }
+
+    /// Returns D: the outputs by the inputs.
+    #[must_use]
+    pub fn d(&self) -> &DenseMatrix {
+        &self.d
+    }
+
+    /// Returns the names of the states: of the rows of A and B and of the columns of A and C.
+    #[must_use]
+    pub fn states(&self) -> &[String] {
+        &self.states
+    }
+
+    /// Returns the names of the inputs: of the columns of B and D.
+    #[must_use]
+    pub fn inputs(&self) -> &[&'static str] {
+        self.inputs
+    }
+
+    /// Returns the names of the outputs: of the rows of C and D.
+    #[must_use]
+    pub fn outputs(&self) -> &[&'static str] {
+        self.outputs
+    }
+
+    /// Returns the names of all displacements, first-order states and velocities, those that follow
+    /// from constraints among them: of the rows of [`basis`](Self::basis).
+    #[must_use]
+    pub fn components(&self) -> &[String] {
+        &self.components.names
+    }
+
+    /// Returns the matrix T of all displacements, first-order states and velocities T x, which
+    /// satisfy the constraints to first order. It is the unit matrix without constraints.
+    #[must_use]
+    pub fn basis(&self) -> &DenseMatrix {
+        &self.components.basis
+    }
+
+    /// Computes the eigenvalues of A with frequencies, damping ratios and shapes.
+    ///
+    /// # Errors
+    /// If the iteration for the eigenvalues does not converge; no such matrix is known.
+    pub fn modes(&self) -> Result<Modes, NotConverged> {
+        Modes::of(&self.a, &self.components)
+    }
+}

@@ -1,0 +1,8 @@
+//! Equilibria, linear models and modes, beside closed forms and other tools.
+#![cfg(feature = "linear")]
+
+mod constrained;
+mod equilibria;
+mod models;
+mod modes;
+mod refusals;
