@@ -1,8 +1,10 @@
 //! Equilibria, linear models and modes, beside closed forms and other tools.
 #![cfg(feature = "linear")]
 
+mod bicycle;
 mod constrained;
 mod equilibria;
 mod models;
 mod modes;
 mod refusals;
+mod regulators;

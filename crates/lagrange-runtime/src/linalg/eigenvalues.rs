@@ -23,6 +23,19 @@ const STEPS_OF_A_CYCLE: usize = 10;
 /// The real and the imaginary part of an eigenvalue.
 pub(crate) type Eigenvalue = (f64, f64);
 
+impl DenseMatrix {
+    /// Computes the real and imaginary parts of the eigenvalues. Complex ones are in pairs, that with
+    /// the positive imaginary part first. `None` if an entry is not finite.
+    ///
+    /// # Panics
+    /// If the matrix is not square.
+    #[must_use]
+    pub fn eigenvalues(&self) -> Option<Vec<(f64, f64)>> {
+        assert_eq!(self.rows(), self.columns(), "eigenvalues are those of square matrices");
+        eigenvalues(self)
+    }
+}
+
 /// Computes the eigenvalues of a square matrix, complex ones in pairs with the positive imaginary
 /// part first. `None` if an entry is not finite, or without convergence.
 pub(crate) fn eigenvalues(a: &DenseMatrix) -> Option<Vec<Eigenvalue>> {

@@ -1,4 +1,4 @@
-//! Linear analysis: equilibria and steady motions, linear models, modes.
+//! Linear analysis: equilibria and steady motions, linear models, modes, regulators.
 //!
 //! All derivatives are emitted, by `emit { system_matrix }`; nothing is approximated by differences
 //! of functions. Computations on matrices are in double precision.
@@ -52,12 +52,14 @@ mod error;
 mod model;
 mod modes;
 mod names;
+mod regulator;
 mod tangent;
 
 pub use self::equilibrium::{Equilibrium, EquilibriumSearch};
 pub use self::error::{Equation, EquilibriumCause, EquilibriumError, LinearisationError, NotConverged};
 pub use self::model::LinearModel;
 pub use self::modes::{Eigenmode, Modes, Stability};
+pub use self::regulator::{Regulator, RegulatorError, WeakestDirection};
 pub use crate::linalg::dense::DenseMatrix;
 
 use crate::simulate::InitialState;

@@ -7,6 +7,7 @@ use super::corner::corner;
 use super::error::{LinearisationError, NotConverged, Undetermined};
 use super::modes::Modes;
 use super::names::{Components, tangent_names};
+use super::regulator::{Regulator, RegulatorError, WeakestDirection, regulator, weakest};
 use super::tangent::{Blocks, TangentSpace, first_undefined};
 use crate::linalg::dense::DenseMatrix;
 use crate::system::LinearisedSystem;
@@ -143,5 +144,19 @@ impl LinearModel {
     /// If the iteration for the eigenvalues does not converge; no such matrix is known.
     pub fn modes(&self) -> Result<Modes, NotConverged> {
         Modes::of(&self.a, &self.components)
+    }
+
+    /// Computes the feedback u = −K x that minimises ∫ (xᵀQx + uᵀRu) dt.
+    ///
+    /// # Errors
+    /// If weights are not symmetric and positive, or if no feedback stabilises the system.
+    pub fn lqr(&self, q: &DenseMatrix, r: &DenseMatrix) -> Result<Regulator, RegulatorError> {
+        regulator((&self.a, &self.b), (q, r), &self.states)
+    }
+
+    /// Returns the combination of states that the inputs move least; `None` without states.
+    #[must_use]
+    pub fn weakest_direction(&self) -> Option<WeakestDirection> {
+        weakest(&self.a, &self.b, &self.states, |_| true)
     }
 }

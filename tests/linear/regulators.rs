@@ -1,0 +1,167 @@
+//! Regulators and controllability, and eigenvalues, beside NumPy and SciPy (`tools/linear.py`).
+
+use std::f64::consts::PI;
+
+use lagrange::linear::{DenseMatrix, LinearModel, Linearise, RegulatorError};
+
+lagrange::system! {
+    /// A cart that carries a pole, pushed by a force; the angle is measured from below.
+    #[derive(Clone, Debug)]
+    struct CartPole;
+
+    param cart = 1.0, pole = 0.1, l = 0.5, g = 9.81;
+    coord x, theta;
+    input u, twist;
+    kinetic = 1/2 * cart * dot(x)^2 + kinetic_energy(pole, dot((x + l*sin(theta), -l*cos(theta))));
+    potential = -pole * g * l * cos(theta);
+    force x = u;
+    force theta = twist;
+    emit { system_matrix }
+}
+
+lagrange::system! {
+    /// Two equal pendulums on a cart without mass of its own beside theirs: only their sum is moved.
+    #[derive(Debug)]
+    struct Twins;
+
+    coord x, a, b;
+    input u;
+    kinetic = 1/2 * dot(x)^2;
+    kinetic = kinetic_energy(1, dot((x + sin(a), cos(a)))) + kinetic_energy(1, dot((x + sin(b), cos(b))));
+    potential = 9.81 * (cos(a) + cos(b));
+    force x = u;
+    emit { system_matrix }
+}
+
+lagrange::system! {
+    /// The cart with its force alone.
+    #[derive(Clone, Debug)]
+    struct Pushed;
+
+    param cart = 1.0, pole = 0.1, l = 0.5, g = 9.81;
+    coord x, theta;
+    input u;
+    kinetic = 1/2 * cart * dot(x)^2 + kinetic_energy(pole, dot((x + l*sin(theta), -l*cos(theta))));
+    potential = -pole * g * l * cos(theta);
+    force x = u;
+    emit { system_matrix }
+}
+
+fn upright() -> LinearModel {
+    let pushed = Pushed::default();
+    let found = pushed.equilibrium([0.0, 3.0, 0.0, 0.0]).solve().expect("an equilibrium");
+    assert!((found.state[1] - PI).abs() < 1e-15 && found.freedom == 1, "{found:?}");
+    pushed.linearise(0.0, found.state).expect("smooth")
+}
+
+#[test]
+fn a_balanced_pole_has_the_gains_of_scipy() {
+    let model = upright();
+    let mut rows = 0;
+    for line in include_str!("riccati.csv").lines() {
+        let numbers = line.split(',').map(|text| text.parse().expect("a number")).collect::<Vec<f64>>();
+        let (q, r) = (DenseMatrix::diagonal(&numbers[..4]), DenseMatrix::diagonal(&numbers[4..5]));
+        let regulator = model.lqr(&q, &r).expect("a regulator");
+        for (k, wanted) in numbers[5..].iter().enumerate() {
+            let found = regulator.gain[(0, k)];
+            assert!((found - wanted).abs() < 1e-9 * wanted.abs(), "{line}: {found} {wanted}");
+        }
+        // The Riccati equation is satisfied up to the rounding of its terms.
+        let (a, b, x) = (model.a(), model.b(), &regulator.cost);
+        let residual = a.transposed().times(x).plus(1.0, &x.times(a)).plus(1.0, &q);
+        let residual = residual.plus(-1.0, &x.times(b).times(&regulator.gain));
+        let size = x.largest() * (a.largest() + regulator.gain.largest()) + q.largest();
+        assert!(residual.largest() < 1e-13 * size, "{line}: {} of {size}", residual.largest());
+        let poles = regulator.closed_loop.eigenvalues().expect("eigenvalues");
+        assert!(poles.iter().all(|(real, _)| *real < 0.0), "{poles:?}");
+        rows += 1;
+    }
+    assert_eq!(rows, 5);
+}
+
+#[test]
+fn the_regulator_balances_the_nonlinear_system() {
+    use lagrange::Simulate;
+    let gain = upright().lqr(&DenseMatrix::identity(4), &DenseMatrix::identity(1)).expect("a regulator").gain;
+    let law = |_: &Pushed, _: f64, state: PushedState| {
+        let state: [f64; 4] = state.into();
+        let x = [state[0], state[1] - PI, state[2], state[3]];
+        PushedInputs { u: -(0..4).map(|k| gain[(0, k)] * x[k]).sum::<f64>() }
+    };
+    let motion = Pushed::default().simulate([0.2, PI - 0.3, 0.0, 0.0]).until(30.0).drive(law).run();
+    let [x, theta, ..] = motion.expect("a motion").last();
+    assert!(x.abs() < 1e-6 && (theta - PI).abs() < 1e-6, "{x} {theta}");
+}
+
+#[test]
+fn equal_pendulums_have_a_direction_that_nothing_moves() {
+    let model = Twins::default().linearise(0.0, [0.0; 6]).expect("smooth");
+    let weakest = model.weakest_direction().expect("states");
+    assert!(!weakest.is_controllable() && weakest.distance < 1e-14, "{weakest}");
+    assert!((weakest.eigenvalue.0.abs() - 9.81_f64.sqrt()).abs() < 1e-14, "{weakest}");
+    let share = |name: &str| {
+        let found = weakest.direction.iter().find(|(state, _)| state == name);
+        found.unwrap_or_else(|| panic!("{name}")).1
+    };
+    assert!((share("a") - share("b")).abs() < 1e-12 && share("x") < 1e-12 && share("a") > 0.1, "{weakest}");
+    let error =
+        model.lqr(&DenseMatrix::identity(6), &DenseMatrix::identity(1)).expect_err("nothing moves it");
+    assert!(matches!(error, RegulatorError::NotStabilisable(_)), "{error}");
+    assert!(error.to_string().contains("`a`") && error.to_string().contains("`b`"), "{error}");
+    assert!(upright().weakest_direction().expect("states").is_controllable());
+}
+
+#[test]
+fn units_of_inputs_do_not_matter_to_controllability() {
+    let model = CartPole::default().linearise(0.0, [0.0, PI, 0.0, 0.0]).expect("smooth");
+    let with_both = model.weakest_direction().expect("states").distance;
+    let alone = upright().weakest_direction().expect("states").distance;
+    // A second input makes nothing less controllable.
+    assert!(with_both >= alone * (1.0 - 1e-12) && alone > 1e-3, "{with_both} {alone}");
+}
+
+/// Numbers from −1/2 to 1/2 by Knuth's linear congruences.
+struct Generator(u64);
+
+impl Generator {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / 2.0_f64.powi(53) - 0.5
+    }
+
+    /// A full, sparse, badly scaled or antisymmetric matrix of one to six rows.
+    fn matrix(&mut self, index: usize) -> DenseMatrix {
+        let n = 1 + index % 6;
+        let a = DenseMatrix::from_fn(n, n, |_, _| self.next());
+        let entry = |i: usize, j: usize| match index / 6 % 4 {
+            1 if i != j && a[(i, j)] < 0.2 => 0.0,
+            2 => a[(i, j)] * 2.0_f64.powi(8 * (i as i32 - j as i32)),
+            3 => a[(i, j)] - a[(j, i)],
+            _ => a[(i, j)],
+        };
+        DenseMatrix::from_fn(n, n, entry)
+    }
+}
+
+#[test]
+fn a_thousand_matrices_have_the_eigenvalues_of_numpy() {
+    let (mut generator, mut worst, mut rows) = (Generator(1), 0.0_f64, 0);
+    for (index, line) in include_str!("eigenvalues.csv").lines().enumerate() {
+        let numbers = line.split(',').map(|text| text.parse().expect("a number")).collect::<Vec<f64>>();
+        let matrix = generator.matrix(index);
+        let mut found = matrix.eigenvalues().expect("eigenvalues");
+        assert_eq!(found.len(), matrix.rows());
+        found.retain(|(_, imaginary)| *imaginary >= 0.0);
+        let size = found.iter().fold(0.0, |most: f64, (real, imaginary)| most.max(real.hypot(*imaginary)));
+        for wanted in numbers.chunks_exact(2) {
+            let distance = |(real, imaginary): &(f64, f64)| (real - wanted[0]).hypot(imaginary - wanted[1]);
+            let nearest = found.iter().map(distance).fold(f64::INFINITY, f64::min);
+            worst = worst.max(nearest / size);
+        }
+        // Two equal ones may be a pair here and two real ones there.
+        assert!(2 * found.len() >= numbers.len() - 2, "{index}: {found:?} {line}");
+        rows += 1;
+    }
+    println!("the largest relative difference is {worst:e}");
+    assert!(worst < 1e-10 && rows == 1000, "{worst} {rows}");
+}
