@@ -19,7 +19,7 @@ const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", 
 const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
 
 /// Pages that keep to plain English.
-const PAGES: [&str; 17] = [
+const PAGES: [&str; 18] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "README.md",
@@ -28,6 +28,7 @@ const PAGES: [&str; 17] = [
     "docs/gallery/README.md",
     "docs/integration.md",
     "docs/invariants.md",
+    "docs/linear.md",
     "docs/peers.md",
     "docs/performance.md",
     "docs/robots.md",

@@ -147,7 +147,7 @@ fn first_order_states_and_inputs_are_unknowns() {
 
 #[test]
 fn an_orientation_turns_until_the_mass_centre_is_below() {
-    let hanging = Hanging::default();
+    let hanging = Hanging;
     let near = [0.1, 0.9, 0.2, -0.1, 0.0, 0.0, 0.0];
     let found = hanging.equilibrium(near).solve().expect("an equilibrium");
     let (q, w) = lagrange::system::split::<Hanging>(&found.state);

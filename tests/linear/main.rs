@@ -1,7 +1,6 @@
 //! Equilibria, linear models and modes, beside closed forms and other tools.
 #![cfg(feature = "linear")]
 
-mod bicycle;
 mod constrained;
 mod equilibria;
 mod models;

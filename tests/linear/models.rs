@@ -111,7 +111,7 @@ fn all_blocks_are_slopes_of_rates_and_outputs() {
 
 #[test]
 fn orientations_change_by_rotations_about_the_axes_of_the_body() {
-    let hanging = Hanging::default();
+    let hanging = Hanging;
     let found = hanging.equilibrium([0.1, 0.9, 0.2, -0.1, 0.0, 0.0, 0.0]).solve().expect("an equilibrium");
     let model = hanging.linearise(0.0, found.state).expect("smooth");
     assert_eq!((model.a().rows(), model.outputs().len()), (6, 3));

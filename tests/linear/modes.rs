@@ -44,6 +44,27 @@ lagrange::system! {
     emit { system_matrix }
 }
 
+lagrange::system! {
+    /// A place whose acceleration is an angle, which turns freely: four integrators in a row, in
+    /// coordinates that mix the two.
+    #[derive(Debug)]
+    struct Integrators;
+
+    coord a, b;
+    let (x, angle) = (a + 0.3 * b, b - 0.7 * a);
+    kinetic = 1/2 * (dot(x)^2 + dot(angle)^2);
+    force a = angle;
+    force b = 0.3 * angle;
+    emit { system_matrix }
+}
+
+#[test]
+fn integrators_in_a_row_are_not_decided() {
+    // Rounding moves four equal eigenvalues by its fourth root.
+    let modes = Integrators.linearise(0.0, [0.0; 4]).expect("smooth").modes().expect("eigenvalues");
+    assert_eq!(modes.stability(), Stability::Undecided, "{modes}");
+}
+
 #[test]
 fn a_chain_has_sines_for_shapes() {
     let chain = Chain::default();
@@ -133,7 +154,7 @@ fn equal_frequencies_have_independent_shapes() {
 
 #[test]
 fn a_rotation_that_nothing_resists_has_zero_eigenvalues() {
-    let hanging = Hanging::default();
+    let hanging = Hanging;
     let found = hanging.equilibrium([0.1, 0.9, 0.2, -0.1, 0.0, 0.0, 0.0]).solve().expect("an equilibrium");
     let modes = hanging.linearise(0.0, found.state).expect("smooth").modes().expect("eigenvalues");
     assert_eq!(modes.stability(), Stability::Undecided, "{modes}");

@@ -20,7 +20,8 @@ lagrange::system! {
 }
 
 lagrange::system! {
-    /// Two equal pendulums on a cart without mass of its own beside theirs: only their sum is moved.
+    /// Two equal pendulums on a cart without mass of its own beside theirs: only their sum is
+    /// moved.
     #[derive(Debug)]
     struct Twins;
 

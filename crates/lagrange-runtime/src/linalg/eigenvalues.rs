@@ -24,8 +24,8 @@ const STEPS_OF_A_CYCLE: usize = 10;
 pub(crate) type Eigenvalue = (f64, f64);
 
 impl DenseMatrix {
-    /// Computes the real and imaginary parts of the eigenvalues. Complex ones are in pairs, that with
-    /// the positive imaginary part first. `None` if an entry is not finite.
+    /// Computes the real and imaginary parts of the eigenvalues. Complex ones are in pairs, that
+    /// with the positive imaginary part first. `None` if an entry is not finite.
     ///
     /// # Panics
     /// If the matrix is not square.

@@ -38,7 +38,9 @@ fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: us
     let passes = |t: M::Scalar, y: &M::State| {
         let mut values = [M::Scalar::ONE; crate::system::MOST_LOCATED];
         sided.event_values(t, y, &mut values[..M::EVENTS.len()]);
-        !(values[event] > M::Scalar::ZERO)
+        // NaN passes, too.
+        let is_kept = values[event] > M::Scalar::ZERO;
+        !is_kept
     };
     let step = M::Scalar::epsilon().sqrt();
     let reach = |value: M::Scalar| step * value.abs().max(M::Scalar::ONE);

@@ -29,7 +29,7 @@ use crate::linalg::dense::DenseMatrix;
 use crate::linalg::singular_values::{SingularValues, dot, length};
 use crate::scalar::{Number, Scalar};
 use crate::system::{
-    Component, ControlledSystem, LinearisedSystem, StateVector, displaced, join, normalised, split,
+    Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, displaced, join, normalised, split,
 };
 
 /// Steps after which a search ends.
@@ -48,8 +48,11 @@ pub struct EquilibriumSearch<'a, M: LinearisedSystem> {
     held: Vec<String>,
     trimmed: Vec<String>,
     /// Returns the system with other inputs, if some are unknowns.
-    with_inputs: Option<fn(&M, &[M::Scalar]) -> M>,
+    with_inputs: Option<WithInputs<M>>,
 }
+
+/// Returns a system with other inputs.
+type WithInputs<M> = fn(&M, &[<M as OdeSystem>::Scalar]) -> M;
 
 /// An equilibrium or a steady motion.
 #[derive(Clone, Debug)]
@@ -388,11 +391,14 @@ where
         }
         let blocks = self.ask(point, |system| Blocks::of(system, self.time, &point.y));
         let (first, n) = (blocks.velocities(), blocks.freedoms);
-        for (index, row) in (first..first + n).chain(n..first).enumerate() {
-            let terms = v.as_ref().iter().enumerate().map(|(j, &v)| blocks.matrix[(row, j)] * v.into());
-            let (rate, size) =
-                terms.fold((0.0, 0.0), |(rate, size), term: f64| (rate + term, size + term.abs()));
-            if rate.abs() > self.rounding().sqrt() * size {
+        let rows = (first..first + n).chain(n..first).collect::<Vec<_>>();
+        let slopes = blocks.matrix.part(&rows, &(0..n).collect::<Vec<_>>());
+        let speeds = v.as_ref().iter().fold(0.0, |sum, v| sum + v.abs().into());
+        for index in 0..rows.len() {
+            let row = slopes.row(index);
+            let rate = row.iter().zip(v.as_ref()).fold(0.0, |sum, (slope, &v)| sum + slope * v.into());
+            let size = row.iter().fold(FLAT * slopes.largest(), |most, slope| most.max(slope.abs()));
+            if rate.abs() > self.rounding().sqrt() * size * speeds {
                 return Err(EquilibriumCause::Unsteady { equation: Self::equation(index), rate });
             }
         }

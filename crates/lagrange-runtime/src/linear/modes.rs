@@ -2,10 +2,10 @@
 //! on stability.
 //!
 //! Rounding leaves an eigenvalue uncertain by about n ε |A| / |yᴴx|. Here y and x are the unit left
-//! and right eigenvectors of the balanced matrix. Real parts below that are not
-//! distinguished from zero. Where eigenvectors coincide, yᴴx vanishes and rounding changes
-//! eigenvalues by about √ε |A|. Sources: Golub, Van Loan, *Matrix Computations*, 4th ed., §7.2.2,
-//! §7.6.1; Wilkinson, *The Algebraic Eigenvalue Problem*, §2.
+//! and right eigenvectors of the balanced matrix. Real parts below that are not distinguished from
+//! zero. Where k eigenvectors coincide, yᴴx vanishes and rounding changes eigenvalues by about
+//! ε^(1/k) |A|. Sources: Golub, Van Loan, *Matrix Computations*, 4th ed., §7.2.2, §7.6.1;
+//! Wilkinson, *The Algebraic Eigenvalue Problem*, §2.
 
 use std::fmt::{Display, Formatter, Result as Written};
 use std::string::String;
@@ -21,6 +21,12 @@ use crate::linalg::singular_values::{dot, length};
 const STEPS: usize = 3;
 /// Beside the matrix, what is left of (A − λ) x for an eigenvector x is smaller.
 const RESIDUAL: f64 = 1e-8;
+
+/// Beside the matrix, the diameter of several eigenvalues that may be one but for rounding.
+const CLUSTER: f64 = 1e-3;
+
+/// Displacements of a shape that are smaller beside its other components are rounding.
+const MOTIONLESS: f64 = 1e-12;
 
 /// The verdict of the linear theory on an equilibrium or a steady motion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -90,7 +96,8 @@ impl Modes {
     /// The modes of ẋ = A x.
     pub(super) fn of(a: &DenseMatrix, components: &Components) -> Result<Modes, NotConverged> {
         let (a, scales) = balanced(a.clone());
-        let mut found = eigenvalues(&a).ok_or(NotConverged)?;
+        let all = eigenvalues(&a).ok_or(NotConverged)?;
+        let mut found = all.clone();
         found.retain(|(_, imaginary)| *imaginary >= 0.0);
         found.sort_by(|one, other| {
             let sizes = one.0.hypot(one.1).total_cmp(&other.0.hypot(other.1));
@@ -100,8 +107,9 @@ impl Modes {
         let (mut right, mut left) = (Eigenvectors::new(a.clone()), Eigenvectors::new(a.transposed()));
         for (real, imaginary) in found {
             let (x, y) = (right.next((real, imaginary)), left.next((real, -imaginary)));
-            let cosine = x.product(&y).hypot(x.conjugate_product(&y)).max(f64::EPSILON.sqrt());
-            let uncertainty = a.rows() as f64 * f64::EPSILON * a.largest() / cosine;
+            let cosine = x.product(&y).hypot(x.conjugate_product(&y));
+            let part = (f64::EPSILON / cosine).min(of_cluster(&all, (real, imaginary), a.largest()));
+            let uncertainty = a.rows() as f64 * part * a.largest();
             let shape = modes.shape(&x, &scales);
             modes.modes.push(Eigenmode { real, imaginary, shape, uncertainty });
         }
@@ -119,10 +127,10 @@ impl Modes {
         let size = |index: usize| real[index].hypot(imaginary[index]);
         // Of equal ones the first, though rounding may make another one larger.
         let larger = |best: usize, index| if size(index) > size(best) * (1.0 + 1e-9) { index } else { best };
-        let mut largest = (0..*displacements).fold(0, larger);
-        if !(size(largest) > 0.0) {
-            largest = (0..real.len()).fold(0, larger);
-        }
+        let of_all = (0..real.len()).fold(0, larger);
+        let of_displacements = (0..*displacements).fold(0, larger);
+        let moves = size(of_displacements) > MOTIONLESS * size(of_all);
+        let largest = if *displacements > 0 && moves { of_displacements } else { of_all };
         let (a, b) = (real[largest] / size(largest), imaginary[largest] / size(largest));
         let turned = |index: usize| {
             let (x, y) = (real[index] / size(largest), imaginary[index] / size(largest));
@@ -177,6 +185,7 @@ impl Display for Modes {
                 self.components.names.iter().zip(&mode.shape).take(self.components.displacements.max(1));
             for (name, (real, imaginary)) in all.filter(|(_, (x, y))| x.hypot(*y) > 0.01) {
                 let angle = imaginary.atan2(*real).to_degrees().round() + 0.0;
+                let angle = if angle == -180.0 { 180.0 } else { angle };
                 write!(f, " {name} {:.2}", real.hypot(*imaginary))?;
                 if angle != 0.0 {
                     write!(f, "∠{angle}°")?;
@@ -186,6 +195,14 @@ impl Display for Modes {
         }
         write!(f, "{}", self.stability())
     }
+}
+
+/// The part of the matrix by which rounding moves an eigenvalue among close ones, k in all:
+/// ε^(1/k), if they share an eigenvector.
+fn of_cluster(all: &[(f64, f64)], eigenvalue: (f64, f64), size: f64) -> f64 {
+    let distance = |other: &&(f64, f64)| (eigenvalue.0 - other.0).hypot(eigenvalue.1 - other.1);
+    let close = all.iter().filter(|other| distance(other) <= CLUSTER * size).count();
+    f64::EPSILON.powf(1.0 / close.max(1) as f64)
 }
 
 /// A vector of complex numbers.
@@ -276,7 +293,7 @@ impl Eigenvectors {
             let all = factors.solve(&[&x.real[..], &x.imaginary].concat());
             let (real, imaginary) = all.split_at(n);
             x = ComplexVector { real: real.to_vec(), imaginary: imaginary.to_vec() }.normalised();
-            x = equal.iter().fold(x, |x, unit| x.without(unit)).normalised();
+            x = equal.iter().fold(x, ComplexVector::without).normalised();
         }
         x
     }

@@ -1,7 +1,7 @@
 //! Linear-quadratic regulators, and how well inputs move what they must stabilise.
 //!
-//! The feedback u = −K x that minimises ∫ (xᵀQx + uᵀRu) dt is K = R⁻¹BᵀX, where X is the
-//! stabilising solution of AᵀX + XA − XGX + Q = 0 with G = BR⁻¹Bᵀ. The matrix sign S of the
+//! The feedback u = −K x minimises ∫ (xᵀQx + uᵀRu) dt for K = R⁻¹BᵀX. Here X is the stabilising
+//! solution of AᵀX + XA − XGX + Q = 0 with G = BR⁻¹Bᵀ. The matrix sign S of the
 //! Hamiltonian matrix H = [A −G; −Q −Aᵀ] determines it: (S + I) [I; X] = 0. S is the limit of Z ←
 //! (cZ + (cZ)⁻¹)/2 from H, with c = |det Z|^(−1/2n). One step of Newton's method removes what
 //! rounding leaves; its Lyapunov equation is solved by the same iteration. Sources: Roberts,
@@ -15,9 +15,9 @@
 //! sign is H/2. Then (S + I) [1; X] = [3/2 − X/2; −3/2 + X/2] vanishes for X = 3. The feedback u =
 //! −3 x leads to the pole −2.
 //!
-//! An eigenvalue λ is controllable if [A − λI, B] has full rank, and its smallest singular value is
-//! the distance from where it is not (Hautus, *Controllability and observability conditions of
-//! linear autonomous systems*, Indag. Math. 31 (1969) 443–448; Eising, *Between controllable and
+//! An eigenvalue λ is controllable if [A − λI, B] has full rank (Hautus, *Controllability and
+//! observability conditions of linear autonomous systems*, Indag. Math. 31 (1969) 443–448). Its
+//! smallest singular value is the distance from where it is not (Eising, *Between controllable and
 //! uncontrollable*, Syst. Control Lett. 4 (1984) 263–264).
 
 use std::fmt::{Display, Formatter, Result as Written};

@@ -12,6 +12,7 @@ lagrange::system! {
     potential = pi * x;
     constraint line = y - x;
     event end = x - 1, rising => stop;
+    emit { system_matrix }
 }
 
 lagrange::system! {

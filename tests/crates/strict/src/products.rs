@@ -20,7 +20,7 @@ lagrange::system! {
     torque c * sin(t) on q5 - q4;
     output tip = p5;
     output reach = norm(p5);
-    emit { bias, latex, momentum_rates, jacobian, prepared, kernel, lanes }
+    emit { bias, latex, momentum_rates, jacobian, system_matrix, prepared, kernel, lanes }
 }
 
 lagrange::system! {
@@ -31,7 +31,7 @@ lagrange::system! {
     param m = 1.0, c = 1.0, k = 1.0;
     coord x, y;
     lagrangian = -m * c^2 * sqrt(1 - (dot(x)^2 + dot(y)^2) / c^2) - 1/2 * k * (x^2 + y^2);
-    emit { momentum_rates, jacobian, no parameter_jacobian }
+    emit { momentum_rates, jacobian, system_matrix, no parameter_jacobian }
 }
 
 lagrange::system! {

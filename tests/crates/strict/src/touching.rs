@@ -36,6 +36,7 @@ lagrange::system! {
     constraint string = hypot(x, y) - l;
     stabilise = 10;
     event slack = string, rising => stop;
+    emit { system_matrix }
 }
 
 lagrange::system! {
