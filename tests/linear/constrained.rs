@@ -37,6 +37,21 @@ lagrange::system! {
 }
 
 lagrange::system! {
+    /// A plate on three parallel rods of the same length.
+    #[derive(Debug)]
+    struct Plate;
+
+    param l = 1, g = 9.81;
+    coord x, y, a;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(a)^2);
+    potential = g * y;
+    constraint left = (x - cos(a) + 1)^2 + (y - sin(a) - l)^2 - l^2;
+    constraint middle = x^2 + (y - l)^2 - l^2;
+    constraint right = (x + cos(a) - 1)^2 + (y + sin(a) - l)^2 - l^2;
+    emit { system_matrix }
+}
+
+lagrange::system! {
     /// A skate on ice: its knife allows no slip across.
     #[derive(Debug)]
     struct Skate;
@@ -98,6 +113,23 @@ fn an_upright_rod_is_unstable_and_a_level_one_has_another_free_coordinate() {
     assert_eq!(modes.stability(), Stability::Unstable);
     let level = rod.linearise(0.0, [rod.l, 0.0, 0.0, 0.0]).expect("smooth");
     assert_eq!(level.states(), ["y", "y_dot"]);
+}
+
+#[test]
+fn single_precision_gives_its_own_digits() {
+    let rod = Rod::<f32> { push: 8.0, ..Rod::default() };
+    let found = rod.equilibrium([0.1_f32, -0.6, 0.0, 0.0]).solve().expect("an equilibrium");
+    let total = (rod.m * rod.g).hypot(rod.push);
+    assert!((found.state[0] - rod.l * rod.push / total).abs() < 2.0 * f32::EPSILON, "{found:?}");
+    let model = rod.linearise(0.0, found.state).expect("smooth");
+    assert!((model.a()[(1, 0)] + f64::from(total / (rod.m * rod.l))).abs() < 1e-4, "{model:?}");
+}
+
+#[test]
+fn constraints_that_follow_from_others_have_no_derivatives() {
+    // Three parallel rods carry a plate: any two would do.
+    let error = Plate::default().linearise(0.0, [0.0; 6]).expect_err("the forces are not determined");
+    assert!(error.to_string().contains("constraints that depend on each other"), "{error}");
 }
 
 #[test]

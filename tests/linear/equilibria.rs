@@ -157,3 +157,27 @@ fn an_orientation_turns_until_the_mass_centre_is_below() {
     // It may turn about the vertical.
     assert_eq!(found.freedom, 1);
 }
+
+#[test]
+fn searches_from_anywhere_end_at_equilibria_or_say_where_they_stopped() {
+    let rods = DoublePendulum { pull: 3.0, ..DoublePendulum::<f64>::default() };
+    let mut found = 0;
+    for i in 0..20 {
+        for j in 0..20 {
+            let near = [0.1 + 0.31 * f64::from(i), -3.0 + 0.31 * f64::from(j), 0.0, 0.0];
+            match rods.equilibrium(near).solve() {
+                Ok(rest) => {
+                    let [.., a, b] = rods.rhs(0.0, &rest.state);
+                    // The rounding of the angles, times the largest slope of an acceleration.
+                    let angle = rest.state[0].abs().max(rest.state[1].abs()).max(1.0);
+                    let rounding = 25.0 * angle * f64::EPSILON;
+                    assert!(a.abs() < rounding && b.abs() < rounding, "{near:?}: {a} {b} at {angle}");
+                    found += 1;
+                }
+                Err(error) => assert!(error.to_string().contains("remains"), "{near:?}: {error}"),
+            }
+        }
+    }
+    println!("{found} of 400");
+    assert!(found > 380, "{found}");
+}

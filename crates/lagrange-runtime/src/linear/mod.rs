@@ -63,16 +63,17 @@ pub use self::regulator::{Regulator, RegulatorError, WeakestDirection};
 pub use crate::linalg::dense::DenseMatrix;
 
 use crate::simulate::InitialState;
-use crate::system::LinearisedSystem;
+use crate::system::{LinearisedSystem, MechanicalSystem};
 
-/// Lets every system with a system matrix be analysed near an equilibrium.
-pub trait Linearise: LinearisedSystem + Sized
-where
-    Self::Scalar: Into<f64>,
-{
+/// Lets every system with a [system matrix](LinearisedSystem) be analysed near an equilibrium.
+pub trait Linearise: MechanicalSystem + Sized {
     /// Searches for an equilibrium near a state, or for a steady motion if its velocities are not
     /// zero: they are kept. Continue with [`solve`](EquilibriumSearch::solve).
-    fn equilibrium(&self, near: impl InitialState<Self::State>) -> EquilibriumSearch<'_, Self> {
+    fn equilibrium(&self, near: impl InitialState<Self::State>) -> EquilibriumSearch<'_, Self>
+    where
+        Self: LinearisedSystem,
+        Self::Scalar: Into<f64>,
+    {
         EquilibriumSearch::near(self, near.into_state())
     }
 
@@ -85,9 +86,13 @@ where
         &self,
         t: Self::Scalar,
         state: impl InitialState<Self::State>,
-    ) -> Result<LinearModel, LinearisationError<Self::Scalar>> {
+    ) -> Result<LinearModel, LinearisationError<Self::Scalar>>
+    where
+        Self: LinearisedSystem,
+        Self::Scalar: Into<f64>,
+    {
         LinearModel::of(self, t, state.into_state())
     }
 }
 
-impl<M: LinearisedSystem> Linearise for M where M::Scalar: Into<f64> {}
+impl<M: MechanicalSystem> Linearise for M {}

@@ -66,10 +66,7 @@ impl LinearModel {
         let all = (0..blocks.tangent).collect::<Vec<_>>();
         let of_outputs = (blocks.tangent..blocks.tangent + blocks.outputs).collect::<Vec<_>>();
         let on_basis = |rows: &[usize]| blocks.matrix.part(rows, &all).times(&space.basis);
-        let by_inputs = |rows: &[usize]| {
-            let through = blocks.matrix.part(rows, &all).times(&space.by_inputs);
-            blocks.matrix.part(rows, &blocks.inputs()).plus(1.0, &through)
-        };
+        let by_inputs = |rows: &[usize]| blocks.matrix.part(rows, &blocks.inputs());
         LinearModel {
             a: on_basis(&space.free),
             b: by_inputs(&space.free),

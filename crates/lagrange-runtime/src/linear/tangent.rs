@@ -61,17 +61,17 @@ pub(super) fn first_undefined(matrix: &DenseMatrix) -> Option<(usize, usize)> {
 }
 
 /// Directions in which a state can change on its constraints, to first order. All displacements,
-/// states and velocities are `basis` times the free ones, plus `by_inputs` times the inputs.
+/// states and velocities are `basis` times the free ones. Inputs occur in no constraint, as their
+/// rates are unknown.
 pub(super) struct TangentSpace {
     /// Indices of the free entries among all.
     pub(super) free: Vec<usize>,
     pub(super) basis: DenseMatrix,
-    pub(super) by_inputs: DenseMatrix,
 }
 
 impl TangentSpace {
     /// Constraints on positions restrict displacements by ∂ċ/∂v δ = 0. All constraints restrict
-    /// velocities by ∂ċ/∂v ε + ∂ċ/∂q δ + ∂ċ/∂z z + ∂ċ/∂u u = 0.
+    /// velocities by ∂ċ/∂v ε + ∂ċ/∂q δ = 0.
     pub(super) fn new(blocks: &Blocks, are_holonomic: &[bool]) -> TangentSpace {
         let (n, tangent) = (blocks.freedoms, blocks.tangent);
         let first = blocks.velocities();
@@ -83,19 +83,14 @@ impl TangentSpace {
         let of_positions =
             Eliminated::new(blocks.matrix.part(&rows[..holonomic], &velocities), (n, holonomic));
         // The velocities first, then everything that they depend on.
-        let all = velocities.into_iter().chain(0..first).chain(blocks.inputs()).collect::<Vec<_>>();
+        let all = velocities.into_iter().chain(0..n).collect::<Vec<_>>();
         let of_velocities = Eliminated::new(blocks.matrix.part(&rows, &all), (n, holonomic));
         let is_free = |entry: &usize| match entry.checked_sub(first) {
             Some(velocity) => !of_velocities.depends(velocity),
             None => *entry >= n || !of_positions.depends(*entry),
         };
         let free = (0..tangent).filter(is_free).collect::<Vec<_>>();
-        let inputs = blocks.matrix.columns() - tangent;
-        let mut space = TangentSpace {
-            basis: DenseMatrix::zeros(tangent, free.len()),
-            by_inputs: DenseMatrix::zeros(tangent, inputs),
-            free,
-        };
+        let mut space = TangentSpace { basis: DenseMatrix::zeros(tangent, free.len()), free };
         space.fill(&of_positions, &of_velocities, n, first);
         space
     }
@@ -116,13 +111,10 @@ impl TangentSpace {
                     Some(velocity) => of_velocities.matrix[(row, velocity)],
                     None => 0.0,
                 };
-                let through = (0..first).fold(direct, |sum, other| {
+                let through = (0..n).fold(direct, |sum, other| {
                     sum + of_velocities.matrix[(row, n + other)] * self.basis[(other, column)]
                 });
                 self.basis[(first + pivot, column)] = -through;
-            }
-            for input in 0..self.by_inputs.columns() {
-                self.by_inputs[(first + pivot, input)] = -of_velocities.matrix[(row, n + first + input)];
             }
         }
     }
