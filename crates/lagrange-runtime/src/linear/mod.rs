@@ -12,11 +12,11 @@
 //!     struct Pendulum;
 //!     param l = 0.5, g = 9.81, c = 0.1;
 //!     coord theta;
-//!     input torque;
+//!     input u;
 //!     kinetic = 1/2 * (l * dot(theta))^2;
 //!     potential = -g * l * cos(theta);
 //!     dissipation = 1/2 * c * dot(theta)^2;
-//!     force theta = torque;
+//!     force theta = u;
 //!     output height = -l * cos(theta);
 //!     emit { system_matrix }
 //! }
@@ -26,7 +26,7 @@
 //! assert!((upright.state[0] - std::f64::consts::PI).abs() < 1e-15);
 //!
 //! let model = pendulum.linearise(0.0, upright.state)?;
-//! assert_eq!((model.states(), model.inputs()), (&["theta".into(), "theta_dot".into()][..], &["torque"][..]));
+//! assert_eq!((model.states(), model.inputs()), (&["theta".into(), "theta_dot".into()][..], &["u"][..]));
 //! assert!((model.a()[(1, 0)] - 9.81 / 0.5).abs() < 1e-13);
 //! assert_eq!(model.modes()?.stability(), Stability::Unstable);
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -24,13 +24,13 @@ use crate::scalar::Number;
 ///     kinetic = 1/2 * m * dot(x)^2;
 ///     potential = 1/2 * k * x^2;
 ///     force x = u;
-///     output acceleration = ddot(x);
+///     output shaking = ddot(x);
 ///     emit { system_matrix }
 /// }
 ///
 /// let matrix = Oscillator::default().system_matrix(0.0, &[0.0, 0.0]);
 /// assert_eq!(matrix, [[0.0, 1.0, 0.0], [-4.0, 0.0, 0.5], [-4.0, 0.0, 0.5]]);
-/// assert_eq!(Oscillator::LAYOUT.outputs, ["acceleration"]);
+/// assert_eq!(Oscillator::LAYOUT.outputs, ["shaking"]);
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not know the derivatives of its equations",

@@ -82,7 +82,7 @@ lagrange::system! {
     gravity = (0, -9.81);
     body rod { mass: m; shape: slender_rod(l); center: (x, y); angle: a; }
     pin hinge = rod.point(-l / 2, 0) to (0, 0);
-    emit { motion, drawing }
+    emit { motion, drawing, system_matrix }
 }
 
 /// The height of a road.
