@@ -30,9 +30,15 @@ lagrange::system! {
     #[derive(Debug)]
     pub struct Bicycle;
 
-    const w = 1.02, c = 0.08, tilt = pi/10, g = 9.81, rr = 0.3, rf = 0.35;
-    const mr = 2, mb = 85, mh = 4, mf = 3;
-    coord x, y, psi, phi, delta, theta, rear, front;
+    // Wheel base, trail, tilt of the steer axis and radii; of the rear wheel r, the rider with the
+    // rear frame b, the front frame h and the front wheel f: masses, places and moments of inertia.
+    const w: m = 1.02, c: m = 0.08, tilt: rad = pi/10, g: m/s^2 = 9.81, rr: m = 0.3, rf: m = 0.35;
+    const mr: kg = 2, mb: kg = 85, mh: kg = 4, mf: kg = 3;
+    const xb: m = 0.3, zb: m = -0.9, xh: m = 0.9, zh: m = -0.7;
+    const irx: kg*m^2 = 0.0603, iry: kg*m^2 = 0.12, ifx: kg*m^2 = 0.1405, ify: kg*m^2 = 0.28;
+    const ibx: kg*m^2 = 9.2, iby: kg*m^2 = 11, ibz: kg*m^2 = 2.8, ibxz: kg*m^2 = 2.4;
+    const ihx: kg*m^2 = 0.05892, ihy: kg*m^2 = 0.06, ihz: kg*m^2 = 0.00708, ihxz: kg*m^2 = -0.00756;
+    coord x: m, y: m, psi: rad, phi: rad, delta: rad, theta: rad, rear: rad, front: rad;
 
     // The plane of the rear wheel: ahead, across and downwards in it.
     let ahead = (cos(psi), sin(psi), 0);
@@ -45,7 +51,7 @@ lagrange::system! {
     let bx = cos(theta) * ahead - sin(theta) * below;
     let bz = sin(theta) * ahead + cos(theta) * below;
     let wb = turning + dot(theta) * across;
-    let rider = hub + 0.3 * bx + (rr - 0.9) * bz;
+    let rider = hub + xb * bx + (rr + zb) * bz;
 
     // The steer axis, and axes that are turned about it.
     let steer = sin(tilt) * bx + cos(tilt) * bz;
@@ -56,19 +62,19 @@ lagrange::system! {
     let hz = cos(tilt) * steer - sin(tilt) * forward;
     let wh = wb + dot(delta) * steer;
     let foot = hub + (w + c) * bx + rr * bz;
-    let fork = foot + (0.9 - w - c) * hx - 0.7 * hz;
+    let fork = foot + (xh - w - c) * hx + zh * hz;
     let axle = foot - c * hx - rf * hz;
 
     kinetic = 1/2 * mr * inner(dot(hub), dot(hub)) + 1/2 * mb * inner(dot(rider), dot(rider));
     kinetic = 1/2 * mh * inner(dot(fork), dot(fork)) + 1/2 * mf * inner(dot(axle), dot(axle));
     let wr = turning + dot(rear) * across;
-    kinetic = 1/2 * (0.0603 * inner(wr, wr) + (0.12 - 0.0603) * inner(wr, across)^2);
+    kinetic = 1/2 * (irx * inner(wr, wr) + (iry - irx) * inner(wr, across)^2);
     let (b1, b2, b3) = (inner(wb, bx), inner(wb, across), inner(wb, bz));
-    kinetic = 1/2 * (9.2 * b1^2 + 11 * b2^2 + 2.8 * b3^2) + 2.4 * b1 * b3;
+    kinetic = 1/2 * (ibx * b1^2 + iby * b2^2 + ibz * b3^2) + ibxz * b1 * b3;
     let (h1, h2, h3) = (inner(wh, hx), inner(wh, hy), inner(wh, hz));
-    kinetic = 1/2 * (0.05892 * h1^2 + 0.06 * h2^2 + 0.00708 * h3^2) - 0.00756 * h1 * h3;
+    kinetic = 1/2 * (ihx * h1^2 + ihy * h2^2 + ihz * h3^2) + ihxz * h1 * h3;
     let wf = wh + dot(front) * hy;
-    kinetic = 1/2 * (0.1405 * inner(wf, wf) + (0.28 - 0.1405) * inner(wf, hy)^2);
+    kinetic = 1/2 * (ifx * inner(wf, wf) + (ify - ifx) * inner(wf, hy)^2);
     potential = -g * (mr * hub.z + mb * rider.z + mh * fork.z + mf * axle.z);
 
     // The wheels roll on their lowest points, in the plane of each wheel the farthest down.
