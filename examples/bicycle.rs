@@ -30,8 +30,8 @@ lagrange::system! {
     #[derive(Debug)]
     pub struct Bicycle;
 
-    // Wheel base, trail, tilt of the steer axis and radii; of the rear wheel r, the rider with the
-    // rear frame b, the front frame h and the front wheel f: masses, places and moments of inertia.
+    // Wheel base, trail, tilt of the steer axis, and radii of the wheels. Then masses, places and
+    // moments of inertia: rear wheel r, rear frame with rider b, front frame h, front wheel f.
     const w: m = 1.02, c: m = 0.08, tilt: rad = pi/10, g: m/s^2 = 9.81, rr: m = 0.3, rf: m = 0.35;
     const mr: kg = 2, mb: kg = 85, mh: kg = 4, mf: kg = 3;
     const xb: m = 0.3, zb: m = -0.9, xh: m = 0.9, zh: m = -0.7;
