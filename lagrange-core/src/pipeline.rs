@@ -77,12 +77,12 @@ fn items(
     krate: &TokenStream,
     report: &mut Report,
 ) -> (TokenStream, Vec<PlacedInstance>) {
-    let (declaration, model) = model_of(declaration, report);
+    let (mut declaration, model) = model_of(declaration, report);
     let items = model.and_then(|mut model| {
         let (equations, parts) = equations_of(&declaration, &mut model, StrategyChoice::Cheapest, report)?;
         items_of((&declaration, &mut model, &equations), parts, krate, report)
     });
-    let items = items.unwrap_or_else(|| emit::skeleton(&declaration, krate));
+    let items = items.unwrap_or_else(|| emit::skeleton(&mut declaration, krate));
     (items, declaration.placed)
 }
 

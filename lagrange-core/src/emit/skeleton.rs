@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use super::base::members::{Lanes, Members, Prepared, PreparedFields, Taylor};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
+use super::base::size::drop_excess;
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
 use super::features::kernel::kernel_constants;
 use super::features::prepared::METHODS_OF_PREPARED;
@@ -37,7 +38,8 @@ const NOT_DERIVED: &str = "Not derived: the declaration has errors.";
 /// Returns the items of a system that could not be derived. They have the same types and methods,
 /// so that the code that uses them causes no further errors. They never run, since the mistakes are
 /// errors.
-pub fn skeleton(declaration: &Declaration, krate: &TokenStream) -> TokenStream {
+pub fn skeleton(declaration: &mut Declaration, krate: &TokenStream) -> TokenStream {
+    drop_excess(&mut declaration.statements);
     let (system, reduced) = (skeleton_of_type(declaration, krate), skeletons_of_reduced(declaration, krate));
     quote!(#system #reduced)
 }

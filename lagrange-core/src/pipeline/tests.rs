@@ -239,6 +239,14 @@ fn a_mass_matrix_of_two_million_entries_is_refused_before_it_is_derived() {
 }
 
 #[test]
+fn the_skeleton_of_a_system_that_is_too_large_is_within_the_limits() {
+    let outputs = (0..=5_000).map(|i| format!("output y{i} = x;")).collect::<String>();
+    let refused = expanded(&format!("coord x; kinetic = dot(x)^2; {outputs} param k;"));
+    assert!(refused.contains("compile_error") && refused.contains("more than 5000"));
+    assert!(refused.contains("fn y4999 ") && !refused.contains("fn y5000 ") && refused.contains("pub k "));
+}
+
+#[test]
 fn zeros_of_a_large_mass_matrix_count_for_nothing() {
     let coordinates = (0..300).map(|i| format!("coord x{i}; kinetic = dot(x{i})^2;")).collect::<String>();
     let emitted = expanded(&coordinates);

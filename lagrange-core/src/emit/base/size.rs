@@ -13,7 +13,7 @@ use lagrange_expr::limits::{
     MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DEPENDENT_CONSTRAINTS, MAX_EVENTS, MAX_OPERATIONS, MAX_OUTPUTS,
     MAX_STATES, MAX_VELOCITIES,
 };
-use lagrange_language::syntax::ast::{Declaration, Name, StatementKind};
+use lagrange_language::syntax::ast::{Declaration, Name, Statement, StatementKind};
 
 /// Seconds of an unoptimised `cargo check` for a unit of size.
 const SECONDS_TO_CHECK: f64 = 45e-6;
@@ -48,27 +48,52 @@ pub(in crate::emit) fn report_cost(declaration: &Declaration, Size(size): Size, 
     report.expensive(declaration.name.span, message).help(messages::expensive_help());
 }
 
+/// A kind of declared names, of which there are limits.
+struct Kind {
+    plural: &'static str,
+    /// The names of the kind that a statement declares.
+    names: fn(&StatementKind) -> Vec<&Name>,
+    most: usize,
+    help: &'static str,
+}
+
+const KINDS: [Kind; 5] = [
+    Kind { plural: "velocities", names: velocities, most: MAX_VELOCITIES, help: messages::FEWER_HELP },
+    Kind { plural: "states", names: states, most: MAX_STATES, help: messages::FEWER_HELP },
+    Kind { plural: "constraints", names: constraints, most: MAX_CONSTRAINTS, help: messages::FEWER_HELP },
+    Kind { plural: "outputs", names: outputs, most: MAX_OUTPUTS, help: messages::FEWER_OUTPUTS_HELP },
+    Kind { plural: "events", names: events, most: MAX_EVENTS, help: messages::FEWER_EVENTS_HELP },
+];
+
 /// Reports more of a kind than can be derived, at the first one too many, before anything is found
 /// out about them.
 pub fn report_too_many(declaration: &Declaration, report: &mut Report) -> Option<()> {
-    let names = |of: fn(&StatementKind) -> Vec<&Name>| {
-        declaration.statements.iter().flat_map(|statement| of(&statement.kind)).collect::<Vec<_>>()
-    };
-    let kinds = [
-        (names(velocities), "velocities", MAX_VELOCITIES, messages::FEWER_HELP),
-        (names(states), "states", MAX_STATES, messages::FEWER_HELP),
-        (names(constraints), "constraints", MAX_CONSTRAINTS, messages::FEWER_HELP),
-        (names(outputs), "outputs", MAX_OUTPUTS, messages::FEWER_OUTPUTS_HELP),
-        (names(events), "events", MAX_EVENTS, messages::FEWER_EVENTS_HELP),
-    ];
-    let excess = kinds.into_iter().find(|(names, _, most, _)| names.len() > *most);
-    let Some((names, kind, most, help)) = excess else { return Some(()) };
-    let message = match kind {
-        "events" => messages::too_many_events(most),
-        _ => messages::too_many(names.len(), kind, most),
-    };
-    report.error(names[most].span, message).help(help);
-    None
+    for Kind { plural, names, most, help } in KINDS {
+        let names = declaration.statements.iter().flat_map(|statement| names(&statement.kind));
+        let names = names.collect::<Vec<_>>();
+        let Some(first) = names.get(most) else { continue };
+        let message = match plural {
+            "events" => messages::too_many_events(most),
+            _ => messages::too_many(names.len(), plural, most),
+        };
+        report.error(first.span, message).help(help);
+        return None;
+    }
+    Some(())
+}
+
+/// Drops statements behind those that declare as much as can be derived. A refused declaration may
+/// have many more, for each of which its skeleton would have members.
+pub(in crate::emit) fn drop_excess(statements: &mut Vec<Statement>) {
+    let mut counts = KINDS.map(|_| 0);
+    statements.retain(|statement| {
+        let mut counted = KINDS.iter().zip(&mut counts);
+        counted.all(|(kind, count)| {
+            let (own, before) = ((kind.names)(&statement.kind).len(), *count);
+            *count += own;
+            own == 0 || before < kind.most
+        })
+    });
 }
 
 fn velocities(kind: &StatementKind) -> Vec<&Name> {
