@@ -48,7 +48,7 @@ pub enum StrategyChoice {
     /// The one with the lower counted cost.
     #[default]
     Cheapest,
-    /// A given one; the mass matrix instead of a sum of squares if the kinetic energy is not one.
+    /// A given one; the mass matrix if that finds no solution.
     Always(Strategy),
 }
 
@@ -89,15 +89,9 @@ pub(super) struct Candidates<'a> {
 
 impl Candidates<'_> {
     pub(super) fn solve(mut self, choice: StrategyChoice) -> Result<Solved, SingularMassMatrix> {
-        let choice = match choice {
-            StrategyChoice::Always(Strategy::SumOfSquares) if !self.has_squares_only() => {
-                StrategyChoice::Always(Strategy::MassMatrix)
-            }
-            StrategyChoice::Cheapest if self.model.accuracy == Accuracy::Strict => {
-                return self.most_accurate();
-            }
-            choice => choice,
-        };
+        if choice == StrategyChoice::Cheapest && self.model.accuracy == Accuracy::Strict {
+            return self.most_accurate();
+        }
         let mut best = None;
         let mut costs = [None; 3];
         // The mass matrix last, since it is not worth writing down its factors if it is large.
@@ -119,7 +113,13 @@ impl Candidates<'_> {
                 best = Some((solution, strategy, cost));
             }
         }
-        best.map(|(solution, strategy, _)| (solution, strategy, costs)).ok_or(SingularMassMatrix)
+        match (best, choice) {
+            (Some((solution, strategy, _)), _) => Ok((solution, strategy, costs)),
+            (None, StrategyChoice::Always(Strategy::ArticulatedBody | Strategy::SumOfSquares)) => {
+                self.solve(StrategyChoice::Always(Strategy::MassMatrix))
+            }
+            (None, _) => Err(SingularMassMatrix),
+        }
     }
 
     /// Returns the most accurate solution. Systems without coupling need no elimination. Otherwise

@@ -8,7 +8,7 @@ use lagrange_core::expr::evaluate;
 use lagrange_core::model::{Model, Product};
 use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::symbol::Role;
-use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
+use proptest::prelude::{prop_assert, prop_assert_eq, prop_assume, proptest};
 
 use crate::machines::{Machine, machines};
 use crate::trees::trees;
@@ -190,6 +190,32 @@ fn is_positive_definite(matrix: &[f64], n: usize) -> bool {
     })
 }
 
+/// Sliders on an arm in space. Whichever moves first, its rotations leave squares of all others.
+const SLIDERS_ON_AN_ARM: &str = "
+    param m1 = 0.2, l1 = 0.3; coord q1;
+    let p1 = (l1*sin(q1), -l1*cos(q1), 0);
+    kinetic = kinetic_energy(m1, dot(p1));
+    param m2 = 0.2; coord q2;
+    let p2 = p1 + (q2*sin(q1), -q2*cos(q1), q2/3);
+    kinetic = kinetic_energy(m2, dot((p2 + p1)/2)) + kinetic_energy(1/4, dot(p2));
+    param m4 = 1.4; coord q4;
+    let p4 = p2 + (q4*sin(q1), -q4*cos(q1), q4/3);
+    kinetic = kinetic_energy(m4*5, dot(p4)) + 1/2*m4*dot(q4)^2;
+    param m5 = 1.7, l5 = 0.8; coord q5;
+    let p5 = p4 + (q5*sin(q1), -q5*cos(q1), q5/3);
+    kinetic = kinetic_energy(m5, dot((p5 + p4)/2)) + 1/2*m5*l5^2/12*dot(q1)^2 + kinetic_energy(1/4, dot(p5));
+";
+
+#[test]
+fn squares_that_fill_in_leave_the_mass_matrix_to_be_solved() {
+    let (q, v) = (vec![0.3, 0.5, -0.4, 0.7], vec![1.0, -0.2, 0.6, 0.1]);
+    let machine = Machine { text: SLIDERS_ON_AN_ARM.to_owned(), t: 0.0, q, v };
+    let [squares, dense] = [Strategy::SumOfSquares, Strategy::MassMatrix]
+        .map(|strategy| Laboratory::new(&machine, StrategyChoice::Always(strategy)));
+    assert_eq!(squares.strategy, Strategy::MassMatrix);
+    assert_eq!(squares.acceleration(), dense.acceleration());
+}
+
 proptest! {
     #![proptest_config(crate::one_in(5))]
 
@@ -225,7 +251,8 @@ proptest! {
         let squares = StrategyChoice::Always(Strategy::SumOfSquares);
         for machine in [tree.strict(), tree] {
             let laboratory = Laboratory::new(&machine, squares);
-            prop_assert_eq!(laboratory.strategy, Strategy::SumOfSquares);
+            // Squares of few trees fill in so much that the mass matrix is shorter.
+            prop_assume!(laboratory.strategy == Strategy::SumOfSquares);
             let found = laboratory.acceleration();
             prop_assert!(agree(&dense, &found, ROUNDED_IN_TREES, 0.0), "{dense:?} or {found:?}");
         }
