@@ -118,10 +118,11 @@ impl<'v, 'n> View<'v, 'n> {
                 _ => terms.push(self.term(id, coefficient)),
             }
         }
+        terms.sort_by_cached_key(|term| self.place_of_term(term));
+        let mut terms = collected(terms);
         if !number.is_zero() || terms.is_empty() {
             terms.push(WrittenTerm { coefficient: number, factors: Vec::new() });
         }
-        terms.sort_by_cached_key(|term| self.place_of_term(term));
         lead_with_positive(&mut terms);
         terms
     }
@@ -215,6 +216,21 @@ fn lead_with_positive(terms: &mut [WrittenTerm]) {
     if let Some(first) = terms.iter().position(|term| !term.coefficient.is_negative()) {
         terms[..=first].rotate_right(1);
     }
+}
+
+/// Adds up neighbours that differ in their coefficients only, as of `x` and an opened `2*x + y`.
+fn collected(terms: Vec<WrittenTerm>) -> Vec<WrittenTerm> {
+    let mut collected: Vec<WrittenTerm> = Vec::with_capacity(terms.len() + 1);
+    for term in terms {
+        match collected.last_mut() {
+            Some(last) if last.factors == term.factors => {
+                last.coefficient = &last.coefficient + &term.coefficient;
+            }
+            _ => collected.push(term),
+        }
+    }
+    collected.retain(|term| !term.coefficient.is_zero());
+    collected
 }
 
 /// Adds up integer exponents of neighbours with the same base.
