@@ -16,7 +16,7 @@ pub use assemble::{kernel, system};
 pub use base::attributes::attributes_of_struct;
 pub use base::docs::{documentation, equations_latex};
 pub use base::fingerprint::fingerprint;
-pub use base::sides::on_sides;
+pub use base::sides::{NamedRoots, on_sides};
 pub use base::size::{report_hopeless_model, report_too_many};
 pub use base::statements::statements;
 pub use diagnostics::diagnostics;

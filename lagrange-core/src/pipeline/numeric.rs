@@ -5,7 +5,7 @@ use super::phases::DerivedPart;
 use super::second_way::{is_regular, motion};
 use super::system::Derived;
 use crate::derive::Equations;
-use crate::emit::on_sides;
+use crate::emit::{NamedRoots, on_sides};
 use crate::model::{Model, Product};
 use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise, run_with};
 use lagrange_expr::collections::HashMap;
@@ -103,7 +103,7 @@ impl NumericSystem {
         let solutions =
             unknowns.iter().map(|unknown| NewtonProgram::new(&mut graph, unknown, model.accuracy)).collect();
         let mut lowered = |roots: &[ExprId]| {
-            let roots = on_sides(&mut graph, &mut labels, &equations.switches, roots);
+            let NamedRoots { roots, labels } = on_sides(&mut graph, &labels, &equations.switches, roots);
             optimise(&lower(&graph, &roots, &labels), model.accuracy)
         };
         let default = |default: Option<ExprId>| {

@@ -12,7 +12,7 @@ use super::members::{Members, PreparedFields};
 use super::method::{ArgumentNames, Arguments, Method, Returns};
 use super::refusal::Refusal;
 use super::shape::{Shape, doc};
-use super::sides::on_sides;
+use super::sides::{NamedRoots, on_sides};
 use super::size::Size;
 use crate::derive::Equations;
 use crate::model::Model;
@@ -120,13 +120,18 @@ impl<'a> MethodWriter<'a> {
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> (TokenStream, OperationCounts) {
         let roots = self.on_sides(roots);
-        self.lowered_as_declared(&roots, arguments, collect)
+        self.lowered_for(EmittedType::System, &roots, arguments, collect)
     }
 
     /// Expressions on the sides of the switches that the system is on.
-    pub(in crate::emit) fn on_sides(&mut self, roots: &[ExprId]) -> Vec<ExprId> {
+    pub(in crate::emit) fn on_sides(&mut self, roots: &[ExprId]) -> NamedRoots {
         let switches = &self.equations.switches[..self.shape.switches.len()];
-        on_sides(&mut self.model.graph, &mut self.labels, switches, roots)
+        on_sides(&mut self.model.graph, &self.labels, switches, roots)
+    }
+
+    /// Expressions with conditions, kinks and jumps as they are declared.
+    pub(in crate::emit) fn as_declared(&self, roots: &[ExprId]) -> NamedRoots {
+        NamedRoots { roots: roots.to_vec(), labels: self.labels.clone() }
     }
 
     /// Program with conditions, kinks and jumps as they are declared.
@@ -136,13 +141,13 @@ impl<'a> MethodWriter<'a> {
         arguments: Arguments,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> (TokenStream, OperationCounts) {
-        self.lowered_for(EmittedType::System, roots, arguments, collect)
+        self.lowered_for(EmittedType::System, &self.as_declared(roots), arguments, collect)
     }
 
     /// Lowers to a body of the type for numbers side by side.
     pub(in crate::emit) fn lowered_in_lanes(
         &mut self,
-        roots: &[ExprId],
+        roots: &NamedRoots,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> (TokenStream, OperationCounts) {
         self.lowered_for(EmittedType::Lanes, roots, Arguments::Whole, collect)
@@ -151,14 +156,14 @@ impl<'a> MethodWriter<'a> {
     fn lowered_for(
         &mut self,
         emitted_type: EmittedType<'_>,
-        roots: &[ExprId],
+        NamedRoots { roots, labels }: &NamedRoots,
         arguments: Arguments,
         collect: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> (TokenStream, OperationCounts) {
         if self.size.is_hopeless() {
             return (TokenStream::new(), OperationCounts::default());
         }
-        let program = optimise(&lower(&self.model.graph, roots, &self.labels), self.model.accuracy);
+        let program = optimise(&lower(&self.model.graph, roots, labels), self.model.accuracy);
         let counts = OperationCounts::of(&program);
         self.size.add(counts, roots.len());
         (self.body(&program, arguments, emitted_type, collect), counts)

@@ -38,7 +38,7 @@ pub(in crate::emit) fn write_lanes(writer: &mut MethodWriter<'_>) -> Result<(), 
     let rates = [writer.model.position_rates(), writer.equations.accelerations.clone()].concat();
     let roots = writer.on_sides(&rates);
     let (rhs, counts) =
-        writer.lowered_in_lanes(&roots, |results| Returns::Vector(roots.len()).collect(results));
+        writer.lowered_in_lanes(&roots, |results| Returns::Vector(results.len()).collect(results));
     let sides = write_sides(writer);
     let docs = format!("An evaluation takes {}.", docs::counts_text(counts));
     writer.members.lanes = Some(Lanes { rhs, sides, docs });
@@ -52,7 +52,7 @@ fn write_sides(writer: &mut MethodWriter<'_>) -> Option<TokenStream> {
         return None;
     }
     let values = switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
-    let (sides, _) = writer.lowered_in_lanes(&values, |results| {
+    let (sides, _) = writer.lowered_in_lanes(&writer.as_declared(&values), |results| {
         let sign = local("sign");
         quote!([#(#sign(#results)),*])
     });

@@ -77,7 +77,7 @@ fn programs(writer: &mut MethodWriter<'_>, form: Form) -> Result<SeriesPrograms,
     }
     let velocities = unexpanded.iter().map(|(_, of)| *of);
     let roots = rates.iter().copied().chain(velocities).chain(residuals.iter().copied());
-    let roots = writer.on_sides(&roots.collect::<Vec<_>>());
+    let roots = writer.on_sides(&roots.collect::<Vec<_>>()).roots;
     let functions = function_rates(&mut writer.model.graph, &roots);
     let mut all = [state.clone(), roots].concat();
     all.extend(functions.iter().flat_map(|(value, rate)| [*value, *rate]));
