@@ -1,5 +1,7 @@
 //! Functions of the user's crate, called by emitted code.
 
+use lagrange::integrate::RungeKutta4;
+use lagrange::system::MechanicalSystem;
 use lagrange::{Scalar, Simulate};
 
 /// y = x²/2 + cos x
@@ -127,4 +129,61 @@ fn jacobians_go_through_functions_of_two_arguments() {
         }
     }
     assert_eq!(wing.twice(0.0, &q, &v), 0.3);
+}
+
+/// Without a value below zero.
+fn three_halves(depth: f64) -> f64 {
+    depth.powf(1.5)
+}
+
+fn five_thirds(speed: f64) -> f64 {
+    speed.powf(5.0 / 3.0)
+}
+
+lagrange::system! {
+    /// Balls that bounce on soft ground in air, and one between two walls.
+    struct Bouncing;
+    function three_halves(x);
+    function five_thirds(x);
+    param k = 1000, g = 9.81, c = 0.1, gap = 0.3;
+    coord x, y, z;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+    potential = g * (x + y);
+    force x = if x < 0 { k * three_halves(-x) } else { 0 };
+    force y = k * three_halves(max(0, -y)) - c * sign(dot(y)) * five_thirds(abs(dot(y)));
+    force z = (if z > gap { -k * three_halves(z - gap) } else { 0 })
+        + (if 2*z < -gap { k * three_halves(-gap - 2*z) } else { 0 });
+}
+
+lagrange::system! {
+    /// The same with the formulas.
+    struct BouncingByFormulas;
+    let three_halves(x) = x^(3/2);
+    let five_thirds(x) = x^(5/3);
+    param k = 1000, g = 9.81, c = 0.1, gap = 0.3;
+    coord x, y, z;
+    kinetic = 1/2 * (dot(x)^2 + dot(y)^2 + dot(z)^2);
+    potential = g * (x + y);
+    force x = if x < 0 { k * three_halves(-x) } else { 0 };
+    force y = k * three_halves(max(0, -y)) - c * sign(dot(y)) * five_thirds(abs(dot(y)));
+    force z = (if z > gap { -k * three_halves(z - gap) } else { 0 })
+        + (if 2*z < -gap { k * three_halves(-gap - 2*z) } else { 0 });
+}
+
+/// The end of a motion with many bounces, in adaptive and in equal steps.
+fn ends<M: MechanicalSystem<Scalar = f64, State = [f64; 6]>>(system: &M) -> [[f64; 6]; 2] {
+    let run = || system.simulate([0.5, 0.4, 0.0, 0.0, 0.1, 1.0]).until(3.0).ends_only();
+    let adaptive = run().tolerance(1e-12).run().expect("adaptive steps cross");
+    let fixed = run().method(RungeKutta4 { step: 1e-3 }).run().expect("equal steps cross");
+    [adaptive.last(), fixed.last()]
+}
+
+#[test]
+fn functions_without_values_beyond_a_surface_are_crossed() {
+    let (called, written) = (ends(&Bouncing::default()), ends(&BouncingByFormulas::default()));
+    for ((called, written), bound) in called.iter().zip(written).zip([1e-9, 1e-5]) {
+        for (called, written) in called.iter().zip(written) {
+            assert!((called - written).abs() < bound, "{called} for {written}");
+        }
+    }
 }

@@ -11,6 +11,7 @@
 //! | of fractional powers, roots and logarithms | its magnitude |
 //! | of `asin` and `acos` | the nearest number from −1 to 1 |
 //! | of tables with `outside: error` | the nearest number between their ends |
+//! | of functions of the user's crate | as much before the surface as it would be beyond |
 //!
 //! On the sides themselves the values are those of the declaration, NaN included, and they are
 //! continuous across the surfaces. What is singular at its surface, as |x|^(−1/2) is, has no value
@@ -86,12 +87,54 @@ impl<'a> Domains<'a> {
                 };
                 Some(apply(graph, function, &mapped))
             }
-            Node::Opaque(function, arguments) => self.within_table(graph, id, (&function, &arguments), &map),
+            Node::Opaque(function, arguments) if function.table().is_some() => {
+                self.within_table(graph, id, (&function, &arguments), &map)
+            }
+            Node::Opaque(function, arguments) if has_domain(graph, id) => {
+                let kept = arguments.iter().map(|&argument| self.kept_on_side(graph, id, argument, &map));
+                let kept = kept.collect::<Vec<_>>();
+                Some(graph.opaque(function, &kept))
+            }
             _ => None,
         }
     }
 
-    /// Rebuilds a call of a table that ends; `None` for other functions.
+    /// Returns an argument of a function without a formula, whose domain nobody knows. Beyond
+    /// surfaces it has values that it has on the side: those of the declaration if it turns back at
+    /// the surface, as |x| does, and reflected ones if it is a multiple of the distance.
+    fn kept_on_side(
+        &self,
+        graph: &mut Graph,
+        id: ExprId,
+        argument: ExprId,
+        map: &impl Fn(ExprId) -> ExprId,
+    ) -> ExprId {
+        let mut kept = map(argument);
+        for side in self.surfaces(graph, id, argument) {
+            let inside = match slope_along(graph, argument, side.value) {
+                Some(slope) => {
+                    let change = graph.scale(&slope * &Number::from(-2), side.value);
+                    graph.add(kept, change)
+                }
+                None if self.turns_back(graph, argument, side) => argument,
+                None => continue,
+            };
+            kept = beyond(graph, side, inside, kept);
+        }
+        kept
+    }
+
+    /// True if an expression depends on a surface as magnitudes, minima and maxima do.
+    fn turns_back(&self, graph: &Graph, id: ExprId, side: Side) -> bool {
+        let of_side = |part: &ExprId| self.sides.get(part).is_some_and(|own| own.value == side.value);
+        let mut parts = graph.reachable(&[id]).into_iter().filter(of_side).peekable();
+        parts.peek().is_some()
+            && parts.all(|part| {
+                matches!(graph.node(part), Node::Call(Function::Abs | Function::Min | Function::Max, _))
+            })
+    }
+
+    /// Rebuilds a call of a table that ends; `None` for other tables.
     fn within_table(
         &self,
         graph: &mut Graph,
@@ -324,6 +367,22 @@ fn multiple(graph: &Graph, e: ExprId, f: ExprId) -> Option<Number> {
     (e.len() == f.len() && *a == &ratio * b && e.iter().zip(f).all(is_multiple)).then_some(ratio)
 }
 
+/// Returns the number r for which e − r f does not change in motion.
+fn slope_along(graph: &mut Graph, e: ExprId, f: ExprId) -> Option<Number> {
+    let moving = |graph: &Graph, id: ExprId| {
+        let terms = match graph.node(id) {
+            Node::Sum { terms, .. } => terms.to_vec(),
+            _ => vec![(id, Number::ONE)],
+        };
+        terms.into_iter().find(|(term, _)| !graph.dependencies(*term).is_constant_in_motion())
+    };
+    let ((term, a), (other, b)) = (moving(graph, e)?, moving(graph, f)?);
+    let slope = &a * &b.reciprocal()?;
+    let multiple = graph.scale(-&slope, f);
+    let rest = graph.add(e, multiple);
+    (term == other && graph.dependencies(rest).is_constant_in_motion()).then_some(slope)
+}
+
 /// True if a factor is a power whose exponent is not a number.
 fn has_power(graph: &Graph, factors: &[(ExprId, Number)]) -> bool {
     factors.iter().any(|(base, _)| matches!(graph.node(*base), Node::Call(Function::Power, _)))
@@ -331,8 +390,7 @@ fn has_power(graph: &Graph, factors: &[(ExprId, Number)]) -> bool {
 
 /// True if a node has an argument that must lie in a domain.
 fn has_domain(graph: &Graph, id: ExprId) -> bool {
-    is_restricted(graph, id)
-        || matches!(graph.node(id), Node::Opaque(function, _) if function.table().is_some())
+    is_restricted(graph, id) || matches!(graph.node(id), Node::Opaque(function, _) if !function.is_solution())
 }
 
 /// Chooses `inside` beyond a surface.
