@@ -13,6 +13,7 @@
 
 mod domains;
 mod one_sided;
+mod poles;
 
 pub use one_sided::one_sided;
 
