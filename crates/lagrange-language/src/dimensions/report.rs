@@ -73,7 +73,10 @@ fn report_contradiction(
     report: &mut Report,
 ) {
     let Contradiction { equation, missing } = contradiction;
-    if let Some((above, below, unit)) = unit_below(checker, expression, missing) {
+    let of_names = inferences(checker, contradiction);
+    let definitions = of_names.iter().filter_map(|(number, _)| checker.solver.equations[*number].expression);
+    let mut suspects = [expression].into_iter().chain(definitions);
+    if let Some((above, below, unit)) = suspects.find_map(|id| unit_below(checker, id, missing)) {
         let text = unit.to_string();
         let error = report.error(unit.origin, messages::unit_below(&below, &text));
         error.help(messages::unit_below_help((&above, &below), &text));
@@ -91,7 +94,7 @@ fn report_contradiction(
     if reason.start.start().line != origin.start.start().line {
         error.related(reason, messages::REASON_IS_HERE);
     }
-    for (place, note) in chain(checker, contradiction) {
+    for (place, note) in notes(checker, &of_names) {
         error.related(place, note);
     }
     error.help(match square {
@@ -168,7 +171,8 @@ fn advice(checker: &Checker<'_>, contradiction: &Contradiction, expression: AstI
     }
 }
 
-/// The numbers and the unit of `1/2 [kg]`, which is 1/(2 kg), where half a kilogram would fit.
+/// The numbers and the unit of `1/2 [kg]`, which is 1/(2 kg), where half a kilogram would fit: a
+/// power of kg² is missing.
 fn unit_below<'a>(
     checker: &Checker<'a>,
     expression: AstId,
@@ -182,8 +186,8 @@ fn unit_below<'a>(
         };
         let Expression::Quantity(below, unit) = expressions.get(*right) else { return None };
         let above = last_factor(expressions, *left)?;
-        let is_meant = *missing == unit.dimension.power(&Number::TWO);
-        is_meant.then(|| (number(above), number(*below), &**unit))
+        let powers = [2, -2, 4, -4].map(|power| unit.dimension.power(&Number::from(power)));
+        powers.contains(missing).then(|| (number(above), number(*below), &**unit))
     })
 }
 
@@ -225,9 +229,9 @@ fn unit_of(checker: &Checker<'_>, unknown: Unknown) -> Option<String> {
     })
 }
 
-/// Why names have the dimensions that they have, as far as these are not declared: the last reason
-/// first.
-fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, String)> {
+/// Equations by which names have the dimensions that they have, as far as these are not declared,
+/// with the names: the last one first.
+fn inferences(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(usize, Unknown)> {
     let solver = &checker.solver;
     let equation = &contradiction.equation;
     let mut pending = equation.found.over(&equation.expected).unknowns.into_keys().collect::<Vec<_>>();
@@ -242,7 +246,13 @@ fn chain(checker: &Checker<'_>, contradiction: &Contradiction) -> Vec<(Origin, S
         pending.extend(of_unknown.found.over(&of_unknown.expected).unknowns.into_keys());
     }
     numbers.sort_by(|a, b| b.cmp(a));
-    let notes = numbers.into_iter().take(MAX_NOTES).filter_map(|(number, unknown)| {
+    numbers
+}
+
+/// Notes on the first of these, each at its place.
+fn notes(checker: &Checker<'_>, inferences: &[(usize, Unknown)]) -> Vec<(Origin, String)> {
+    let solver = &checker.solver;
+    let notes = inferences.iter().take(MAX_NOTES).filter_map(|&(number, unknown)| {
         let of_unknown = &solver.equations[number];
         let dimension = solver.dimension(&Exponents::of(unknown))?;
         let place = of_unknown.expression.map(|id| checker.expressions.origin(id))?;

@@ -9,6 +9,7 @@ use super::scopes::{Interior, PlacedPart, ScopeId, Scopes};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, nearest};
+use lagrange_expr::units::meaning;
 
 /// The reports, and the names known for them.
 pub(super) struct Complaints<'a> {
@@ -69,7 +70,11 @@ impl<'a> Complaints<'a> {
                 if !self.no_constants.insert(name.clone()) {
                     return;
                 }
-                (messages::no_constant(name), messages::constant_help(name))
+                let help = match meaning(name) {
+                    Some(_) => messages::index_or_unit(name),
+                    None => messages::constant_help(name),
+                };
+                (messages::no_constant(name), help)
             }
             Reason::Name(name) if scopes.is_variable(name) => {
                 (messages::unknown_name(name), messages::in_its_loop(name))

@@ -30,6 +30,7 @@ messages! {
     too_many_elements(most) = "arrays up to this one have more than {most} elements";
     no_constant(name) = "`{name}` cannot be an index, which must be known at compile time";
     constant_help(name) = "declare it as an integer, `const {name} = 3;`, or use the variable of a loop";
+    index_or_unit(name) = "declare it as an integer, `const {name} = 3;`, or write a unit behind a colon, `: {name}`";
     no_integer(number, place) = "the index {number} is not an integer{place}";
     division_by_zero(place) = "this index contains a division by zero{place}";
     unknown_name(name) = "unknown name `{name}`";

@@ -6,6 +6,7 @@ use super::ast::{AllowedRange, Limit, Name};
 use super::cursor::Cursor;
 use super::messages::ranges as words;
 use super::parser::{Parsed, Parser, Reported};
+use lagrange_expr::units::meaning;
 
 /// A bound, and true if it is the lower one.
 type Comparison = (bool, Limit);
@@ -58,7 +59,12 @@ impl Parser<'_> {
             false => Some(self.limit(true, cursor)?),
         };
         if !cursor.at_pair('.', '.') {
-            return Err(self.fail_with_help(cursor.since(start), words::NO_DOTS, words::RANGE_HELP));
+            let unit = match cursor.taken_since(start) {
+                [TokenTree::Ident(word)] => Some(word.to_string()).filter(|word| meaning(word).is_some()),
+                _ => None,
+            };
+            let help = unit.map_or_else(|| words::RANGE_HELP.to_owned(), words::range_or_unit);
+            return Err(self.fail_with_help(cursor.since(start), words::NO_DOTS, help));
         }
         cursor.skip_one();
         // The sign of equality belongs to the range if it follows at once.

@@ -109,8 +109,10 @@ fn operator_mistake(cursor: &Cursor) -> Option<Mistake> {
     if cursor.at_word("as") {
         return mistake(messages::CONVERSION, messages::CONVERSION_HELP);
     }
-    if cursor.group(Delimiter::Bracket).is_some() {
-        return mistake(messages::INDEX, messages::INDEX_HELP);
+    if let Some(group) = cursor.group(Delimiter::Bracket) {
+        let first = group.stream().into_iter().next();
+        let is_unit = first.is_some_and(|word| meaning(&word.to_string()).is_some());
+        return mistake(messages::INDEX, if is_unit { units::BRACKETS_HELP } else { messages::INDEX_HELP });
     }
     match character(cursor)? {
         ':' if cursor.at_pair(':', ':') => mistake(messages::PATH, messages::PATH_HELP),

@@ -9,6 +9,7 @@ messages! {
     RANGE_HELP =
         "write `in 0..` for at least 0, `in 0..=1` for 0 to 1, `> 0` for positive numbers, or `> 0 <= 1`";
     NO_DOTS = "a range has two dots between its bounds";
+    range_or_unit(unit) = "a unit follows a colon, as in `: {unit}`; a range is `in 0..` or `in 0..=1`";
     NO_BOUND = "this range lacks a bound";
     SAME_SIDE = "a range has one lower and one upper bound";
     INTERVAL = "intervals are written with two dots";

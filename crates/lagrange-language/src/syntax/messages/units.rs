@@ -9,6 +9,7 @@ messages! {
     UNIT = "a unit";
     UNIT_HELP =
         "units are made of names such as `kg`, `mm` or `N` with `*`, `/` and powers: `kg*m^2/s`, or `1` for plain numbers";
+    BRACKETS_HELP = "a unit in brackets follows a number: `0.5 [kg]`";
     NOT_EXACT = "this root of a unit is not an exact number of SI units";
     NOT_EXACT_HELP = "take roots of SI units without prefixes, such as `m^(1/2)`";
     LARGE_EXPONENT = "this power of a unit is too large";
