@@ -1,7 +1,8 @@
 """Eigenvalues by NumPy and Riccati equations by SciPy, beside which the feature `linear` is tested.
 
 Writes `tests/linear/eigenvalues.csv`: those of 1,000 matrices, one a line, as real and imaginary parts in turns; and
-`tests/linear/riccati.csv`: weights of the states and of the input, then the gains of the upright cart-pole of `tests/linear/regulators.rs`.
+`tests/linear/riccati.csv`: weights of the states and of the input, then the gains of the upright cart-pole of `tests/linear/regulators.rs`; and
+`tests/linear/designs.csv`: of the same, the kind, the period, four weights and one, then the gain, or A and B over a period.
 Matrices come from a generator that the tests repeat. Takes seconds.
 
     pip install numpy scipy
@@ -11,7 +12,7 @@ Matrices come from a generator that the tests repeat. Takes seconds.
 from pathlib import Path
 
 import numpy as np
-from scipy.linalg import solve_continuous_are
+from scipy.linalg import expm, solve_continuous_are, solve_discrete_are
 
 TARGET = Path(__file__).parent.parent / "tests" / "linear"
 
@@ -52,6 +53,27 @@ def cart_pole():
     return a, b
 
 
+def designs():
+    """Sampled models, their regulators and Kalman gains, and Kalman gains in continuous time; the position of the tip is measured."""
+    a, b = cart_pole()
+    c = np.array([[1, -0.5, 0, 0]])
+    weights = [([1, 1, 1, 1], 1), ([10, 100, 1, 1], 0.1), ([1e-4] * 4, 1e4), ([1, 0, 0, 0], 1)]
+    for period in [0.01, 0.1, 1.0]:
+        both = expm(period * np.block([[a, b], [np.zeros((1, 5))]]))
+        ad, bd = both[:4, :4], both[:4, 4:]
+        yield ["held", period, 0, 0, 0, 0, 0, *ad.flatten(), *bd.flatten()]
+        for q, r in weights:
+            q_matrix, r_matrix = np.diag(np.array(q, float)), np.array([[float(r)]])
+            x = solve_discrete_are(ad, bd, q_matrix, r_matrix)
+            yield ["regulator", period, *q, r, *np.linalg.solve(r_matrix + bd.T @ x @ bd, bd.T @ x @ ad).flatten()]
+            if all(q):
+                p = solve_discrete_are(ad.T, c.T, q_matrix, r_matrix)
+                yield ["observer", period, *q, r, *(ad @ p @ c.T @ np.linalg.inv(r_matrix + c @ p @ c.T)).flatten()]
+    for q, r in weights[:3]:
+        p = solve_continuous_are(a.T, c.T, np.diag(np.array(q, float)), np.array([[float(r)]]))
+        yield ["observer", 0, *q, r, *(p @ c.T / r).flatten()]
+
+
 def main():
     generator = Generator()
     lines = []
@@ -67,6 +89,8 @@ def main():
         gain = (b.T @ x / r)[0]
         lines.append(",".join(repr(float(value)) for value in [*q, r, *gain]))
     (TARGET / "riccati.csv").write_text("\n".join(lines) + "\n")
+    lines = [",".join([kind, *(repr(float(value)) for value in values)]) for kind, *values in designs()]
+    (TARGET / "designs.csv").write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use lagrange::linear::{DenseMatrix, LinearModel, Linearise, RegulatorError};
+use lagrange::linear::{DenseMatrix, DesignError, LinearModel, Linearise};
 
 lagrange::system! {
     /// A cart that carries a pole, pushed by a force; the angle is measured from below.
@@ -31,6 +31,7 @@ lagrange::system! {
     kinetic = kinetic_energy(1, dot((x + sin(a), cos(a)))) + kinetic_energy(1, dot((x + sin(b), cos(b))));
     potential = 9.81 * (cos(a) + cos(b));
     force x = u;
+    output place = x;
     emit { system_matrix }
 }
 
@@ -45,6 +46,7 @@ lagrange::system! {
     kinetic = 1/2 * cart * dot(x)^2 + kinetic_energy(pole, dot((x + l*sin(theta), -l*cos(theta))));
     potential = -pole * g * l * cos(theta);
     force x = u;
+    output tip = x + l*sin(theta);
     emit { system_matrix }
 }
 
@@ -81,6 +83,85 @@ fn a_balanced_pole_has_the_gains_of_scipy() {
 }
 
 #[test]
+fn sampled_models_regulators_and_observers_are_those_of_scipy() {
+    let model = upright();
+    let (mut counts, mut worst) = ([0; 3], 0.0_f64);
+    for line in include_str!("designs.csv").lines() {
+        let (kind, numbers) = line.split_once(',').expect("a kind");
+        let numbers = numbers.split(',').map(|text| text.parse().expect("a number")).collect::<Vec<f64>>();
+        let (period, wanted) = (numbers[0], &numbers[6..]);
+        let (w, v) = (DenseMatrix::diagonal(&numbers[1..5]), DenseMatrix::diagonal(&numbers[5..6]));
+        let sampled = model.sampled(period).expect("no overflow");
+        let (kind, found) = match kind {
+            "held" => (0, [sampled.a.clone(), sampled.b.clone()].to_vec()),
+            "regulator" => (1, [sampled.lqr(&w, &v).expect("a regulator").gain].to_vec()),
+            _ if period == 0.0 => (2, [model.observer(&w, &v).expect("an observer").gain].to_vec()),
+            _ => (2, [sampled.observer(&w, &v).expect("an observer").gain].to_vec()),
+        };
+        let found = found.iter().flat_map(|m| (0..m.rows()).flat_map(|i| m.row(i).to_vec()));
+        let size = wanted.iter().fold(0.0, |most: f64, wanted| most.max(wanted.abs()));
+        let errors = found.zip(wanted).map(|(found, wanted)| (found - wanted).abs() / size);
+        let error = errors.fold(0.0, f64::max);
+        // With weights eight orders of magnitude apart, costs span fourteen.
+        let bound = if numbers[5] == 1e4 { 1e-5 } else { 1e-9 };
+        assert!(error < bound, "{line}: {error:e}");
+        worst = worst.max(error / bound);
+        counts[kind] += 1;
+    }
+    println!("the largest relative difference is {worst:e} of its bound");
+    assert_eq!(counts, [3, 12, 12]);
+}
+
+#[test]
+fn an_observer_and_a_regulator_balance_together() {
+    let sampled = upright().sampled(0.02).expect("no overflow");
+    let (states, one) = (DenseMatrix::identity(4), DenseMatrix::identity(1));
+    let regulator = sampled.lqr(&states, &one).expect("a regulator");
+    let observer = sampled.observer(&states, &one).expect("an observer");
+    // The error of the estimate does not depend on the feedback.
+    let (mut x, mut estimate) =
+        (DenseMatrix::from_rows(&[[0.1], [0.2], [0.0], [0.0]]), DenseMatrix::zeros(4, 1));
+    for _ in 0..3000 {
+        let u = regulator.gain.times(&estimate).scaled(-1.0);
+        let by_input = sampled.b.times(&u);
+        let seen = sampled.c.times(&x.plus(-1.0, &estimate));
+        estimate = sampled.a.times(&estimate).plus(1.0, &by_input).plus(1.0, &observer.gain.times(&seen));
+        x = sampled.a.times(&x).plus(1.0, &by_input);
+    }
+    assert!(x.largest() < 1e-9 && estimate.largest() < 1e-9, "{x:?} {estimate:?}");
+    for (poles, matrix) in [("closed loop", &regulator.closed_loop), ("errors", &observer.error_dynamics)] {
+        let found = matrix.eigenvalues().expect("eigenvalues");
+        assert!(found.iter().all(|(real, imaginary)| real.hypot(*imaginary) < 1.0), "{poles}: {found:?}");
+    }
+}
+
+#[test]
+fn what_outputs_do_not_show_is_named() {
+    let model = Twins::default().linearise(0.0, [0.0; 6]).expect("smooth");
+    let hidden = model.least_observed_direction().expect("states");
+    assert!(!hidden.is_controllable(), "{hidden}");
+    let error =
+        model.observer(&DenseMatrix::identity(6), &DenseMatrix::identity(1)).expect_err("nothing shows it");
+    assert!(
+        error.to_string().starts_with("no observer follows the system: the outputs do not show"),
+        "{error}"
+    );
+    let sampled = model.sampled(0.1).expect("no overflow");
+    let error =
+        sampled.lqr(&DenseMatrix::identity(6), &DenseMatrix::identity(1)).expect_err("nothing moves it");
+    assert!(
+        error.to_string().starts_with("no feedback stabilises the system: the inputs do not move"),
+        "{error}"
+    );
+    let weights = DenseMatrix::identity(6);
+    let error = model.observer(&weights, &weights).expect_err("of another size");
+    assert_eq!(error.to_string(), "the intensities of the noise must have 1 rows and columns");
+    for period in [f64::NAN, f64::INFINITY, 1e6] {
+        assert!(model.sampled(period).is_none(), "{period}");
+    }
+}
+
+#[test]
 fn the_regulator_balances_the_nonlinear_system() {
     use lagrange::Simulate;
     let gain = upright().lqr(&DenseMatrix::identity(4), &DenseMatrix::identity(1)).expect("a regulator").gain;
@@ -107,7 +188,7 @@ fn equal_pendulums_have_a_direction_that_nothing_moves() {
     assert!((share("a") - share("b")).abs() < 1e-12 && share("x") < 1e-12 && share("a") > 0.1, "{weakest}");
     let error =
         model.lqr(&DenseMatrix::identity(6), &DenseMatrix::identity(1)).expect_err("nothing moves it");
-    assert!(matches!(error, RegulatorError::NotStabilisable(_)), "{error}");
+    assert!(matches!(error, DesignError::OutOfReach(_)), "{error}");
     assert!(error.to_string().contains("`a`") && error.to_string().contains("`b`"), "{error}");
     assert!(upright().weakest_direction().expect("states").is_controllable());
 }

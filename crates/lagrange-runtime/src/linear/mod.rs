@@ -1,4 +1,4 @@
-//! Linear analysis: equilibria and steady motions, linear models, modes, regulators.
+//! Linear analysis: equilibria and steady motions, linear models, modes, regulators, observers.
 //!
 //! All derivatives are emitted, by `emit { system_matrix }`; nothing is approximated by differences
 //! of functions. Computations on matrices are in double precision.
@@ -53,13 +53,18 @@ mod model;
 mod modes;
 mod names;
 mod regulator;
+mod riccati;
+mod sampled;
 mod tangent;
+mod weakest;
 
 pub use self::equilibrium::{Equilibrium, EquilibriumSearch};
 pub use self::error::{Equation, EquilibriumCause, EquilibriumError, LinearisationError, NotConverged};
 pub use self::model::LinearModel;
 pub use self::modes::{Eigenmode, Modes, Stability};
-pub use self::regulator::{Regulator, RegulatorError, WeakestDirection};
+pub use self::regulator::{DesignError, DesignMatrix, Observer, Regulator};
+pub use self::sampled::SampledModel;
+pub use self::weakest::{Channel, WeakestDirection};
 pub use crate::linalg::dense::DenseMatrix;
 
 use crate::simulate::InitialState;

@@ -7,8 +7,10 @@ use super::corner::corner;
 use super::error::{LinearisationError, NotConverged, Undetermined};
 use super::modes::Modes;
 use super::names::{Components, tangent_names};
-use super::regulator::{Regulator, RegulatorError, WeakestDirection, regulator, weakest};
+use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
+use super::sampled::{SampledModel, held};
 use super::tangent::{Blocks, TangentSpace, first_undefined};
+use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
 use crate::system::LinearisedSystem;
 
@@ -147,13 +149,42 @@ impl LinearModel {
     ///
     /// # Errors
     /// If weights are not symmetric and positive, or if no feedback stabilises the system.
-    pub fn lqr(&self, q: &DenseMatrix, r: &DenseMatrix) -> Result<Regulator, RegulatorError> {
-        regulator((&self.a, &self.b), (q, r), &self.states)
+    pub fn lqr(&self, q: &DenseMatrix, r: &DenseMatrix) -> Result<Regulator, DesignError> {
+        regulator(self.plant(), &self.b, q, r)
+    }
+
+    /// Computes the stationary Kalman–Bucy filter `ẋ = A x + B u + L (y − C x − D u)`. White noise
+    /// of the intensities W and V disturbs the states and the outputs.
+    ///
+    /// # Errors
+    /// If intensities are not symmetric and positive, or if the outputs do not show a mode that
+    /// grows.
+    pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
+        observer(self.plant(), &self.c, w, v)
+    }
+
+    /// Returns the model in discrete time of inputs that are held for a period. `None` if the
+    /// period is not a number, or so long that the matrices overflow.
+    #[must_use]
+    pub fn sampled(&self, period: f64) -> Option<SampledModel> {
+        let (a, b) = held(&self.a, &self.b, period)?;
+        let (c, d, states) = (self.c.clone(), self.d.clone(), self.states.clone());
+        Some(SampledModel { period, a, b, c, d, states })
     }
 
     /// Returns the combination of states that the inputs move least; `None` without states.
     #[must_use]
     pub fn weakest_direction(&self) -> Option<WeakestDirection> {
-        weakest(&self.a, &self.b, &self.states, |_| true)
+        weakest(&self.a, &self.b, &self.states, Channel::Inputs, |_| true)
+    }
+
+    /// Returns the combination of states that the outputs show least; `None` without states.
+    #[must_use]
+    pub fn least_observed_direction(&self) -> Option<WeakestDirection> {
+        weakest(&self.a.transposed(), &self.c.transposed(), &self.states, Channel::Outputs, |_| true)
+    }
+
+    fn plant(&self) -> Plant<'_> {
+        Plant { time: Time::Continuous, a: &self.a, states: &self.states }
     }
 }
