@@ -19,8 +19,12 @@ use super::reaction_forces::Balance;
 use super::rules::Rules;
 use super::slip::{is_planar, length};
 use super::{Friction, Mode, Terms};
+use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
+
+/// A slip velocity stops by itself if friction slows it down by this part of what it could.
+const STOPPING: f64 = 0.5;
 
 /// Computes the reactions of a system in these modes. Open contacts have none. The forces of closed
 /// contacts and sticking friction keep gaps closed and slip velocities zero. Slipping friction is
@@ -119,6 +123,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
         let reactions = self.within.as_ref().unwrap_or(&self.reactions);
         let is_held = matches!(modes[k], Mode::Friction(Friction::Sticks));
         is_held && self.left(modes, k, reactions) <= S::epsilon().sqrt() * self.balance.fixed(k, reactions)
+    }
+
+    /// True if the slip velocity of friction k, which slips in a plane, goes back by no more than a
+    /// part of what its friction does to it. It would otherwise soon be zero.
+    pub(super) fn lingers(&self, terms: &Terms<S, N, K>, k: usize) -> bool {
+        let (slip, force) = (terms.slip(k, true), [self.reactions[k], self.reactions[k + 1]]);
+        let rate = [k, k + 1].map(|k| self.balance.rate(k, &self.reactions));
+        let slowing = S::from_f64(STOPPING) * self.balance.response(k) * length(&force);
+        dot(&slip, &rate) > -(slowing * length(&slip))
     }
 
     /// Returns the distance of these forces to the limit of reaction k.

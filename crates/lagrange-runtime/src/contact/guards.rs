@@ -39,8 +39,9 @@ pub(super) fn has_event(mode: Mode) -> bool {
 /// - the margin of sticking friction to the static limit.
 ///
 /// Friction in a plane also ends where its direction has turned by 60°, to start anew in its
-/// present direction. Functions of forces fall through zero a few roundings later than the forces
-/// do.
+/// present direction. It ends as well where it is slow and stays so: the slower it is, the faster
+/// its direction would turn. Functions of forces fall through zero a few roundings later than the
+/// forces do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -48,6 +49,9 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     let forces = Forces::under(terms, modes);
     let reactions = &forces.reactions;
     let value = |k: usize| match modes[k] {
+        // What parts does not touch: right after a contact has opened, a gap within a step may be
+        // negative by the error of the method.
+        Mode::Contact(Contact::Open) if terms.rates[k] > S::ZERO => terms.gaps[k].abs(),
         Mode::Contact(Contact::Open) => terms.gaps[k],
         Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) => forces.margin(modes, k),
         Mode::Friction(Friction::Slips) => nothing::<S>() - forces.balance.fixed(k, reactions),
@@ -55,6 +59,10 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
             Some(direction) => -dot(&terms.slip(k, true), &direction),
             None => S::ZERO,
         },
+        Mode::Friction(Friction::SlipsTowards(heading, pace)) if forces.lingers(terms, k) => {
+            let advance = terms.advance(k, true, Friction::SlipsTowards(heading, pace));
+            advance.min(length(&terms.slip(k, true)) - S::from_f64(0.5) * pace.value::<S>())
+        }
         Mode::Friction(friction) => terms.advance(k, is_planar(modes, k), friction),
         Mode::Across(_) | Mode::Smooth => S::ONE,
     };
@@ -127,7 +135,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
         let [x, y] = self.slip(k, is_planar);
         let along = match friction {
             Friction::SlipsBackwards => -x,
-            Friction::SlipsTowards(heading) => {
+            Friction::SlipsTowards(heading, _) => {
                 let [cos, sin] = heading.components::<S>();
                 x * cos + y * sin
             }

@@ -188,7 +188,8 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
                 (Mode::Friction(_), Rule::Slips(along)) if is_limited && is_planar(modes, k) => {
                     let across =
                         if let Rule::Slips(across) = settled.rules[k + 1] { across } else { S::ZERO };
-                    Mode::Friction(Friction::SlipsTowards(Heading::new([along, across])))
+                    let heading = Heading::new([along, across]);
+                    Mode::Friction(Friction::SlipsTowards(heading, position.paces[k]))
                 }
                 (kind, rule) => mode(kind, rule, is_limited),
             };

@@ -54,6 +54,8 @@
 //! - **Slipping in a plane starts along its acceleration.** Friction turns a slip velocity s
 //!   towards its steady direction at the rate limit/(m |s|), which no explicit method follows near
 //!   rest. Up to 10⁻⁶ of the terms of s that direction is taken instead.
+//! - **Slipping in a plane that lingers below half of that speed stops**, unless friction is about
+//!   to stop it anyway. It starts anew, along its acceleration, if friction cannot hold.
 //! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
 //! - **Time runs forwards**: what was before an impact or before something came to rest does not
 //!   follow from what is after it.
@@ -118,8 +120,9 @@ pub enum Friction {
     SlipsForwards,
     /// Slips with negative slip velocity: the force is positive.
     SlipsBackwards,
-    /// Slips in a plane, about this direction: the force is opposite to the slip velocity.
-    SlipsTowards(Heading),
+    /// Slips in a plane, about this direction: the force is opposite to the slip velocity. Below
+    /// half of this speed the slip velocity has no direction any more, and stops.
+    SlipsTowards(Heading, Pace),
     /// Starts to slip in a plane. Below this speed the slip velocity has no direction yet: the
     /// force is opposite to the slip acceleration.
     GivesWay(Pace),

@@ -14,7 +14,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
             Friction::SlipsForwards | Friction::GivesWay(_) | Friction::Sticks => [S::ONE, S::ZERO],
             Friction::SlipsBackwards => [-S::ONE, S::ZERO],
-            Friction::SlipsTowards(heading) => heading.components(),
+            Friction::SlipsTowards(heading, _) => heading.components(),
         };
         if !is_planar {
             return Some(heading);

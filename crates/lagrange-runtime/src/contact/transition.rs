@@ -1,7 +1,7 @@
 //! Transitions at the end of a mode.
 
 use super::choice::{Choice, Rule};
-use super::forces::reactions;
+use super::forces::{Forces, reactions};
 use super::guards::{has_event, nothing};
 use super::initial_modes::{Position, holds};
 use super::project::{close, correct, halt, part};
@@ -140,10 +140,12 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             is_held[j + 1] |= is_held[j];
         }
         halt(&terms, &mut self.v, is_held);
-        // What is held may leave nothing else that moves.
-        let mut position = self.held(&self.terms(&self.v));
+        // What is held may leave nothing else that moves, and may not have come to rest: where
+        // rates all but depend on each other, no small change of the velocities stops it.
+        let halted = self.terms(&self.v);
+        let mut position = self.held(&halted);
         for j in (0..K).filter(|&j| is_held[j] && !matches!(modes[j], Mode::Contact(_))) {
-            position.is_still[j] = true;
+            position.is_still[j] |= !self.moves(j, &halted);
         }
         let mut v = self.v;
         let settled = self.settle(&mut v, &mut position, None)?;
@@ -184,7 +186,8 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             };
             if j == k || is_fast {
                 let heading = Heading::new(present_direction(terms.slip(j, true))?);
-                turned[j] = Mode::Friction(Friction::SlipsTowards(heading));
+                let pace = terms.pace(j, [self.t, self.elapsed], &self.v);
+                turned[j] = Mode::Friction(Friction::SlipsTowards(heading, pace));
             }
         }
         Some(turned)
@@ -193,16 +196,34 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
     /// True if friction k, which acts in a plane, would stop within a time that is not resolved.
     fn is_stopping(&self, k: usize, terms: &Terms<M::Scalar, N, K>) -> bool {
         let modes = self.system.modes();
-        let forces = reactions(terms, &modes);
+        let found = Forces::under(terms, &modes);
+        let forces = found.reactions;
         let (slip, noise) = (terms.slip(k, true), terms.slip_noise(k, self.t, &self.v));
-        if matches!(modes[k], Mode::Friction(Friction::GivesWay(_))) {
-            let advance = -dot(&slip, &[forces[k], forces[k + 1]]);
-            return advance <= noise * length(&[forces[k], forces[k + 1]]);
+        match modes[k] {
+            Mode::Friction(Friction::GivesWay(_)) => {
+                let advance = -dot(&slip, &[forces[k], forces[k + 1]]);
+                return advance <= noise * length(&[forces[k], forces[k + 1]]);
+            }
+            Mode::Friction(Friction::SlipsTowards(_, pace))
+                if length(&slip) <= M::Scalar::from_f64(0.5) * pace.value::<M::Scalar>() + noise
+                    && found.lingers(terms, k) =>
+            {
+                return true;
+            }
+            _ => {}
         }
         let instant = HOP_TIME.part::<M::Scalar>() * self.t.abs();
         let time = (M::Scalar::from_f64(SHORT) * self.elapsed).max(instant);
         let slowing = [k, k + 1].map(|row| terms.acceleration_under(row, &forces));
         length(&slip) <= length(&slowing) * time + noise
+    }
+
+    /// True if the slip velocity of friction j, or of its other component, is more than rounding.
+    fn moves(&self, j: usize, terms: &Terms<M::Scalar, N, K>) -> bool {
+        let modes = self.system.modes();
+        let first = if matches!(modes[j], Mode::Across(_)) { j - 1 } else { j };
+        let noise = terms.slip_noise(j, self.t, &self.v);
+        length(&terms.slip(first, is_planar(&modes, first))) > noise
     }
 
     /// Returns the gaps and rates that are zero, including those that are held at zero.

@@ -233,7 +233,12 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     ) -> NextEvent<M, StepFailure<M::Scalar>> {
         let (from, to) = (self.stepper.last_time(), self.stepper.time());
         loop {
-            let next = self.events.look(self.current.system(), &mut self.stepper, self.end)?;
+            // Behind the event the step is not part of the motion: functions may be anything there.
+            let next = match self.events.look(self.current.system(), &mut self.stepper, self.end) {
+                Ok(next) => next,
+                Err(cause @ StepFailure::Slides { .. }) => return Err(cause),
+                Err(_) => return Ok(None),
+            };
             let next = next.filter(|(_, other)| is_at_once(time, *other, from, to));
             let Some((origin, _)) = next else { return Ok(None) };
             let Some(event) = self.events.take(origin) else { return Ok(None) };

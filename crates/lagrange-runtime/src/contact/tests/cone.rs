@@ -183,7 +183,7 @@ fn a_block_holds_half_of_its_weight_and_starts_the_way_it_is_pushed() {
 
 #[test]
 fn friction_is_opposite_to_the_slip_velocity_and_ends_where_it_turns() {
-    let towards = Friction::SlipsTowards(Heading::new([1.0, 0.0]));
+    let towards = Friction::SlipsTowards(Heading::new([1.0, 0.0]), Pace::ZERO);
     let modes = |friction| [CLOSED, Mode::Friction(friction), Mode::Across(friction)];
     let terms = pushed(0.25, [0.6, 0.8]);
     for friction in [towards, Friction::SlipsForwards, Friction::Slips] {
@@ -243,7 +243,7 @@ fn what_starts_beside_what_slides_presses_everywhere() {
             let terms = sliding(0.5 + excess, 1e-5);
             let modes = core::array::from_fn(|k| {
                 let friction = match slides >> (k / 3) & 1 {
-                    1 => Friction::SlipsTowards(Heading::new([1.0, 0.0])),
+                    1 => Friction::SlipsTowards(Heading::new([1.0, 0.0]), Pace::ZERO),
                     _ => Friction::GivesWay(Pace::new(2e-5)),
                 };
                 [CLOSED, Mode::Friction(friction), Mode::Across(friction)][k % 3]
