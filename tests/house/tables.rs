@@ -295,6 +295,7 @@ const IMPORT: &[Layer] = &[
         modules: &["names", "robot", "rotation"],
         purpose: "identifiers; links and joints as data; quarter turns",
     },
+    Layer { modules: &["mobility"], purpose: "directions in which points of links can move" },
     Layer { modules: &["declaration"], purpose: "robots as readable declarations" },
     Layer { modules: &["urdf"], purpose: "URDF files to robots, reporting every mistake; the entry point" },
 ];

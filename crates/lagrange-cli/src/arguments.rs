@@ -31,6 +31,11 @@ Options:
       --name NAME     name the struct (urdf)
       --free          let the base move freely (urdf)
       --inputs        drive each joint by an input (urdf)
+      --limits        stop joints at their limits, and inputs at their efforts (urdf)
+      --friction      give joints their dry friction (urdf)
+      --contacts      let spheres that collide touch the ground (urdf)
+      --corners LINK  let corners of boxes that a link collides as touch the ground, too;
+                      once for each link (urdf)
       --trust-inertia accept moments of inertia that no body has (urdf)
   -h, --help          print this
   -V, --version       print the version
@@ -110,6 +115,9 @@ impl Action {
             (Action::Write(Text::C(precision)), "single") => *precision = Precision::Single,
             (Action::Urdf(options), "free") => options.is_free = true,
             (Action::Urdf(options), "inputs") => options.has_inputs = true,
+            (Action::Urdf(options), "limits") => options.has_limits = true,
+            (Action::Urdf(options), "friction") => options.has_friction = true,
+            (Action::Urdf(options), "contacts") => options.has_contacts = true,
             (Action::Urdf(options), "trust-inertia") => options.trusts_inertia = true,
             _ => return false,
         }
@@ -135,14 +143,14 @@ pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
             Arg::Short('h') | Arg::Long("help") => return Ok(Request::Help),
             Arg::Short('o') | Arg::Long("output") => output = Some(PathBuf::from(parser.value()?)),
             Arg::Value(file) => inputs.push(PathBuf::from(file)),
-            Arg::Long("name") if matches!(action, Action::Urdf(_)) => {
-                let name = parser.value()?.string()?;
-                if let Action::Urdf(options) = &mut action {
-                    options.name = Some(name);
-                }
-            }
             Arg::Long(flag) if action.set(flag) => {}
-            other => return Err(other.unexpected()),
+            other => match (&mut action, other) {
+                (Action::Urdf(options), Arg::Long("name")) => options.name = Some(parser.value()?.string()?),
+                (Action::Urdf(options), Arg::Long("corners")) => {
+                    options.corners.push(parser.value()?.string()?);
+                }
+                (_, other) => return Err(other.unexpected()),
+            },
         }
     }
     match (&action, inputs.len()) {

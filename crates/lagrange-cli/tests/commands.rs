@@ -129,6 +129,12 @@ fn robots_are_imported() {
     let expected = fs::read_to_string(format!("{robots}/every_joint.rs")).expect("a declaration");
     assert_eq!(output(&result), expected);
     assert!(errors(&result).contains("every_joint.urdf:"), "warnings have lines: {}", errors(&result));
+    let walker = format!("{robots}/walker.urdf");
+    let standing = ["urdf", &walker, "--free", "--inputs", "--limits", "--friction", "--contacts"];
+    let expected = fs::read_to_string(format!("{robots}/walker_standing.rs")).expect("a declaration");
+    assert_eq!(output(&run(&standing)), expected);
+    let corners = output(&run(&["urdf", &walker, "--free", "--corners", "trunk"]));
+    assert_eq!(corners.matches("contact trunk_corner[").count(), 8, "{corners}");
     let broken = run_on("<robot name='r'><link/></robot>", &["urdf", "-"]);
     assert_eq!((broken.status.code(), output(&broken).as_str()), (Some(1), ""));
     assert!(errors(&broken).contains("<stdin>:1:17"), "{}", errors(&broken));
@@ -151,7 +157,7 @@ fn files_that_cannot_be_read_or_written_are_named() {
 
 #[test]
 fn commands_without_meaning_name_what_is_wrong() {
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 9] = [
         (&[], "a command is missing"),
         (&["solve"], "unknown command `solve`"),
         (&["check"], "the name of a file is missing"),
@@ -159,6 +165,7 @@ fn commands_without_meaning_name_what_is_wrong() {
         (&["rust", "a", "--latex"], "invalid option '--latex'"),
         (&["c", "a", "--name", "b"], "invalid option '--name'"),
         (&["rust", "a", "-o"], "missing argument"),
+        (&["rust", "a", "--limits"], "invalid option '--limits'"),
         (&["--verbose"], "invalid option '--verbose'"),
     ];
     for (arguments, message) in cases {

@@ -56,7 +56,7 @@ pub const MAX_PART_BYTES: u64 = 1 << 20;
 pub const MAX_ITERATIONS: i32 = 1_000;
 
 /// Events of a declaration.
-pub const MAX_EVENTS: usize = 32;
+pub const MAX_EVENTS: usize = 64;
 
 /// Events and switches together that runs can look for; more switches are stepped across.
 pub const MAX_LOCATED: usize = 64;

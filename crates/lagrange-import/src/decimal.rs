@@ -48,6 +48,11 @@ impl Decimal {
         Decimal::parse(&format!("{value:e}")).unwrap_or_else(Decimal::zero)
     }
 
+    /// A number that was computed from others, without the digits that roundings changed.
+    pub(crate) fn rounded(value: f64) -> Decimal {
+        Decimal::parse(&format!("{value:.14e}")).unwrap_or_else(Decimal::zero)
+    }
+
     pub(crate) fn zero() -> Decimal {
         Decimal { digits: "0".to_owned(), is_negative: false, value: 0.0 }
     }

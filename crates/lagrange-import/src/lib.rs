@@ -8,6 +8,7 @@
 mod decimal;
 mod declaration;
 mod mistakes;
+mod mobility;
 mod names;
 mod robot;
 mod rotation;

@@ -23,8 +23,10 @@ pub(crate) struct Link {
     pub(crate) name: String,
     /// None of a link without mass.
     pub(crate) inertial: Option<Inertial>,
-    /// Visual shapes in words, as far as they are primitives.
+    /// Shapes, as far as they are primitives.
     pub(crate) shapes: Vec<Shape>,
+    /// True if it collides as a mesh or another shape that is no primitive.
+    pub(crate) collides_as_mesh: bool,
     /// Offset of the declaration in the file.
     pub(crate) place: usize,
 }
@@ -46,9 +48,18 @@ pub(crate) struct Inertial {
 #[derive(Clone, Debug)]
 pub(crate) struct Shape {
     pub(crate) is_visual: bool,
-    pub(crate) solid: String,
+    pub(crate) solid: Solid,
+    /// In the order of the language.
+    pub(crate) dimensions: Vec<Decimal>,
     pub(crate) at: [Decimal; 3],
     pub(crate) turned: [Decimal; 3],
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Solid {
+    Box,
+    Cylinder,
+    Sphere,
 }
 
 #[derive(Clone, Debug)]
@@ -120,7 +131,19 @@ pub(crate) struct Mimic {
     pub(crate) offset: Decimal,
 }
 
+/// The motion of a joint: factor · that of an independent one + offset.
+pub(crate) struct Following {
+    pub(crate) leader: usize,
+    pub(crate) factor: f64,
+    pub(crate) offset: f64,
+}
+
 impl Link {
+    /// Primitives that are collided with.
+    pub(crate) fn collisions(&self) -> impl Iterator<Item = &Shape> {
+        self.shapes.iter().filter(|shape| !shape.is_visual)
+    }
+
     /// True if the link resists turns about every axis.
     pub(crate) fn has_all_moments(&self) -> bool {
         let Some(inertial) = &self.inertial else { return false };
@@ -133,6 +156,17 @@ impl Link {
 }
 
 impl Robot {
+    /// Follows joints that mimic each other up to the one that mimics none.
+    pub(crate) fn following(&self, joint: usize) -> Following {
+        let mut following = Following { leader: joint, factor: 1.0, offset: 0.0 };
+        while let Some(mimic) = &self.joints[following.leader].mimic {
+            following.offset += following.factor * mimic.offset.value();
+            following.factor *= mimic.multiplier.value();
+            following.leader = mimic.joint;
+        }
+        following
+    }
+
     /// For each link, whether it or anything that it carries has mass.
     pub(crate) fn carries_mass(&self) -> Vec<bool> {
         let mut carries = self.links.iter().map(|link| link.inertial.is_some()).collect::<Vec<_>>();

@@ -49,6 +49,21 @@ pub(crate) fn transposed(rotation: Rotation) -> Rotation {
     [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[column][row]))
 }
 
+pub(crate) fn product(a: Rotation, b: Rotation) -> Rotation {
+    let columns = transposed(b).map(|column| applied(a, column));
+    transposed(columns)
+}
+
+pub(crate) fn applied(rotation: Rotation, vector: [f64; 3]) -> [f64; 3] {
+    rotation.map(|row| (0..3).map(|column| row[column] * vector[column]).sum())
+}
+
+/// Turns about an axis of length one.
+pub(crate) fn about(axis: [f64; 3], angle: f64) -> Rotation {
+    let to_axis = from_z_to(axis);
+    product(product(to_axis, roll_pitch_yaw([0.0, 0.0, angle])), transposed(to_axis))
+}
+
 /// The roll, pitch and yaw of a rotation; where pitch is a quarter turn, the roll is zero.
 pub(crate) fn angles_of(rotation: Rotation) -> [f64; 3] {
     let [[xx, xy, _], [yx, yy, _], [zx, zy, zz]] = rotation;

@@ -7,6 +7,7 @@
 mod by_hand;
 mod flat;
 mod moving;
+mod robot;
 mod round;
 
 const G: f64 = 9.81;

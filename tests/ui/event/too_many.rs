@@ -37,6 +37,38 @@ lagrange::system! {
     event e30 = x - 30, rising => record;
     event e31 = x - 31, rising => record;
     event e32 = x - 32, rising => record;
+    event e33 = x - 33, rising => record;
+    event e34 = x - 34, rising => record;
+    event e35 = x - 35, rising => record;
+    event e36 = x - 36, rising => record;
+    event e37 = x - 37, rising => record;
+    event e38 = x - 38, rising => record;
+    event e39 = x - 39, rising => record;
+    event e40 = x - 40, rising => record;
+    event e41 = x - 41, rising => record;
+    event e42 = x - 42, rising => record;
+    event e43 = x - 43, rising => record;
+    event e44 = x - 44, rising => record;
+    event e45 = x - 45, rising => record;
+    event e46 = x - 46, rising => record;
+    event e47 = x - 47, rising => record;
+    event e48 = x - 48, rising => record;
+    event e49 = x - 49, rising => record;
+    event e50 = x - 50, rising => record;
+    event e51 = x - 51, rising => record;
+    event e52 = x - 52, rising => record;
+    event e53 = x - 53, rising => record;
+    event e54 = x - 54, rising => record;
+    event e55 = x - 55, rising => record;
+    event e56 = x - 56, rising => record;
+    event e57 = x - 57, rising => record;
+    event e58 = x - 58, rising => record;
+    event e59 = x - 59, rising => record;
+    event e60 = x - 60, rising => record;
+    event e61 = x - 61, rising => record;
+    event e62 = x - 62, rising => record;
+    event e63 = x - 63, rising => record;
+    event e64 = x - 64, rising => record;
 }
 
 fn main() {}

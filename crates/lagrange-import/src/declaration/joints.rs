@@ -102,7 +102,8 @@ impl Writer<'_> {
         self.document(placed.joint);
         if placed.parent == GROUND && is_plainly_floating(placed.joint) {
             self.page.line(&format!("free {};", placed.child));
-            return self.motions.push(free_motion(Some(&placed.joint.name), &placed.child));
+            let motion = free_motion(Some(&placed.joint.name), &placed.child);
+            return self.declared.motions.push(motion);
         }
         let moves = self.component_names(placed, ["x", "y", "z"]);
         let ball = self.identifiers.take(&placed.joint.name, "joint", &FREE[6..]);
@@ -128,7 +129,8 @@ impl Writer<'_> {
     }
 
     fn motion(&mut self, placed: &Placed<'_>, positions: Vec<String>, velocities: usize) {
-        self.motions.push(Motion { joint: Some(placed.joint.name.clone()), positions, velocities });
+        let joint = Some(placed.joint.name.clone());
+        self.declared.motions.push(Motion { joint, positions, velocities });
     }
 
     fn component_names(&mut self, placed: &Placed<'_>, endings: [&str; 3]) -> [String; 3] {

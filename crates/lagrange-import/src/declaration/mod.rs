@@ -4,8 +4,10 @@
 //! language has no comments and one line for each statement, so the text is laid out here
 //! ([`layout`]). The caller checks that it is parsed as intended.
 
+mod contacts;
 mod joints;
 mod layout;
+mod stops;
 mod words;
 
 use crate::decimal::Decimal;
@@ -22,6 +24,14 @@ pub(crate) struct Style {
     pub(crate) is_free: bool,
     /// True if each coordinate gets an input that is a force on it.
     pub(crate) has_inputs: bool,
+    /// True if limits of joints become stops, and limits of efforts clamp inputs.
+    pub(crate) has_limits: bool,
+    /// True if joints have their dry friction.
+    pub(crate) has_friction: bool,
+    /// True if spheres that collide touch the ground.
+    pub(crate) has_contacts: bool,
+    /// Links of which corners of boxes that collide do.
+    pub(crate) cornered: Vec<usize>,
 }
 
 /// A moving part: a joint, or the base.
@@ -36,12 +46,19 @@ pub struct Motion {
 }
 
 /// A declaration.
+#[derive(Default)]
 pub(crate) struct Declared {
     /// With the macro around it.
     pub(crate) text: String,
     /// Statements within the macro.
     pub(crate) statements: String,
     pub(crate) motions: Vec<Motion>,
+    /// Joints whose limits leave no range.
+    pub(crate) rangeless: Vec<usize>,
+    /// Links of which something that collides keeps its height.
+    pub(crate) level: Vec<usize>,
+    /// Number of events and dry frictions.
+    pub(crate) event_count: usize,
 }
 
 /// Statements so far, and the names in them.
@@ -53,7 +70,7 @@ struct Writer<'r> {
     links: Vec<String>,
     /// Coordinates of joints that have a single one.
     coordinates: Vec<Option<String>>,
-    motions: Vec<Motion>,
+    declared: Declared,
     /// For each link, whether it never moves.
     at_rest: Vec<bool>,
 }
@@ -68,11 +85,18 @@ pub(crate) fn declaration(robot: &Robot, style: &Style) -> Declared {
     }
     writer.mimics();
     if style.has_inputs {
-        writer.inputs();
+        writer.inputs(style.has_limits);
     }
-    let Writer { page, motions, .. } = writer;
+    if style.has_limits {
+        writer.stops();
+    }
+    if style.has_friction {
+        writer.friction();
+    }
+    writer.contacts(style);
+    let Writer { page, declared, .. } = writer;
     let statements = page.text();
-    Declared { text: format!("lagrange::system! {{\n{statements}}}\n"), statements, motions }
+    Declared { text: format!("lagrange::system! {{\n{statements}}}\n"), statements, ..declared }
 }
 
 impl<'r> Writer<'r> {
@@ -96,7 +120,8 @@ impl<'r> Writer<'r> {
             false => robot.fixed_in_root(),
         };
         let coordinates = vec![None; robot.joints.len()];
-        Writer { robot, page: Page::default(), identifiers, links, coordinates, motions: Vec::new(), at_rest }
+        let (page, declared) = (Page::default(), Declared::default());
+        Writer { robot, page, identifiers, links, coordinates, declared, at_rest }
     }
 
     fn head(&mut self, style: &Style) {
@@ -120,7 +145,7 @@ impl<'r> Writer<'r> {
             return self.page.line(&format!("weld {GROUND} to {name};"));
         }
         self.page.line(&format!("free {name};"));
-        self.motions.push(free_motion(None, &name));
+        self.declared.motions.push(free_motion(None, &name));
     }
 
     /// A link, and the joint that places it.
@@ -214,22 +239,28 @@ impl<'r> Writer<'r> {
         }
     }
 
-    /// Motors at all coordinates that do not follow others.
-    fn inputs(&mut self) {
+    /// Motors at all coordinates that do not follow others. They give no more than their efforts if
+    /// these limit them.
+    fn inputs(&mut self, are_limited: bool) {
         let joints = self.robot.joints.iter().zip(self.coordinates.clone());
-        let driven =
-            joints.filter(|(joint, _)| joint.mimic.is_none()).filter_map(|(_, coordinate)| coordinate);
-        let driven = driven
-            .map(|coordinate| (self.identifiers.take(&format!("u_{coordinate}"), "input", &[]), coordinate));
+        let driven = joints
+            .filter(|(joint, _)| joint.mimic.is_none())
+            .filter_map(|(joint, coordinate)| Some((coordinate?, joint.limit.effort.as_ref())));
+        let driven = driven.map(|(coordinate, effort)| {
+            let input = self.identifiers.take(&format!("u_{coordinate}"), "input", &[]);
+            let force = match effort.filter(|effort| are_limited && effort.value() > 0.0) {
+                Some(effort) => format!("max(-{effort}, min({effort}, {input}))"),
+                None => input.clone(),
+            };
+            (input, format!("force {coordinate} = {force};"))
+        });
         let driven = driven.collect::<Vec<_>>();
         if driven.is_empty() {
             return;
         }
         self.page.gap();
         self.page.list("input", &driven.iter().map(|(input, _)| input.clone()).collect::<Vec<_>>());
-        driven
-            .iter()
-            .for_each(|(input, coordinate)| self.page.line(&format!("force {coordinate} = {input};")));
+        driven.iter().for_each(|(_, force)| self.page.line(force));
     }
 }
 

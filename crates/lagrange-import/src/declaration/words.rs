@@ -2,7 +2,7 @@
 
 use super::layout::vector;
 use crate::decimal::Decimal;
-use crate::robot::{Joint, Kind, Limit, Shape};
+use crate::robot::{Joint, Kind, Limit, Shape, Solid};
 use crate::rotation::angle;
 
 /// Units of a coordinate, of the force on it and of its rate, where there is a single one.
@@ -73,5 +73,10 @@ fn placed(shape: &Shape, [at, turned]: [&str; 2]) -> String {
     };
     let at = given(at, &shape.at, vector(&shape.at));
     let turned = given(turned, &shape.turned, vector(shape.turned.each_ref().map(angle)));
-    format!("{}{at}{turned}", shape.solid)
+    let solid = match shape.solid {
+        Solid::Box => "cuboid",
+        Solid::Cylinder => "solid_cylinder",
+        Solid::Sphere => "solid_sphere",
+    };
+    format!("{solid}{}{at}{turned}", vector(&shape.dimensions))
 }

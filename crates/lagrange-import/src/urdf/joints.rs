@@ -105,7 +105,19 @@ fn limit<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Limit {
     source.allow_only(child, &attributes, &[]);
     let [lower, upper, effort, velocity] =
         attributes.map(|attribute| source.optional_number(child, attribute));
-    let limit = Limit { lower, upper, effort, velocity };
+    let mut limit = Limit { lower, upper, effort, velocity };
+    match attribute_of(node, "type") {
+        Some("continuous") if limit.lower.is_some() || limit.upper.is_some() => {
+            source.warning(child, messages::CONTINUOUS_LIMITS);
+            (limit.lower, limit.upper) = (None, None);
+        }
+        // One without the other: its default is zero.
+        Some("revolute" | "prismatic") if limit.lower.is_some() != limit.upper.is_some() => {
+            limit.lower.get_or_insert_with(Decimal::zero);
+            limit.upper.get_or_insert_with(Decimal::zero);
+        }
+        _ => {}
+    }
     if let (Some(lower), Some(upper)) = (&limit.lower, &limit.upper)
         && lower.value() > upper.value()
     {

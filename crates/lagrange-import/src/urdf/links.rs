@@ -7,18 +7,18 @@ use super::collector::Source;
 use super::messages;
 use super::source::{attribute_of, elements, tagged};
 use crate::decimal::Decimal;
-use crate::robot::{Inertial, Link, Shape};
+use crate::robot::{Inertial, Link, Shape, Solid};
 use crate::rotation::{roll_pitch_yaw, turned_tensor};
 
 const ENTRIES: [&str; 6] = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"];
 /// Entries of a tensor below this, for each kilogram, belong to distances of a nanometre: what is
 /// left of numbers that cancel.
 const NEGLIGIBLE: f64 = 1e-18;
-/// Solids with the attributes of their dimensions and the name that they have in the language.
-const SOLIDS: [(&str, &[&str], &str); 3] = [
-    ("box", &["size"], "cuboid"),
-    ("cylinder", &["radius", "length"], "solid_cylinder"),
-    ("sphere", &["radius"], "solid_sphere"),
+/// Solids with the attributes of their dimensions.
+const SOLIDS: [(&str, &[&str], Solid); 3] = [
+    ("box", &["size"], Solid::Box),
+    ("cylinder", &["radius", "length"], Solid::Cylinder),
+    ("sphere", &["radius"], Solid::Sphere),
 ];
 
 pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
@@ -27,7 +27,9 @@ pub(super) fn link<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Link {
     let is_shape = |child: &Node<'_, '_>| ["visual", "collision"].contains(&child.tag_name().name());
     let shapes = elements(node).filter(is_shape).filter_map(|child| shape(source, child)).collect();
     let name = attribute_of(node, "name").unwrap_or_default().to_owned();
-    Link { name, inertial, shapes, place: node.range().start }
+    let mut link = Link { name, inertial, shapes, collides_as_mesh: false, place: node.range().start };
+    link.collides_as_mesh = tagged(node, "collision").count() > link.collisions().count();
+    link
 }
 
 /// `None` of a link without mass, or after a mistake.
@@ -69,20 +71,18 @@ fn shape<'d>(source: &mut Source<'d>, node: Node<'_, 'd>) -> Option<Shape> {
     let geometry = source.required_child(node, "geometry", "<geometry><box size=\"x y z\"/></geometry>")?;
     let kinds = SOLIDS.map(|(tag, ..)| tag);
     source.allow_only(geometry, &[], &[kinds[0], kinds[1], kinds[2], "mesh", "capsule"]);
-    let Some((solid, attributes, word)) = SOLIDS
+    let Some((element, attributes, solid)) = SOLIDS
         .iter()
-        .find_map(|(tag, attributes, word)| Some((tagged(geometry, tag).next()?, *attributes, *word)))
+        .find_map(|(tag, attributes, solid)| Some((tagged(geometry, tag).next()?, *attributes, *solid)))
     else {
         if elements(geometry).next().is_none() {
             source.error(geometry, messages::NO_GEOMETRY);
         }
         return None;
     };
-    source.allow_only(solid, attributes, &[]);
-    let dimensions = dimensions(source, solid, attributes)?;
-    let words = dimensions.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let solid = format!("{word}({})", words.join(", "));
-    Some(Shape { is_visual: node.tag_name().name() == "visual", solid, at, turned })
+    source.allow_only(element, attributes, &[]);
+    let dimensions = dimensions(source, element, attributes)?;
+    Some(Shape { is_visual: node.tag_name().name() == "visual", solid, dimensions, at, turned })
 }
 
 /// Positive numbers, in the order of the attributes.

@@ -46,6 +46,19 @@ messages! {
     HELD = "it moves no mass, so its motion is undetermined: its coordinate is held at zero";
     MIMIC_LEFT_OUT = "it has no coordinate, so its <mimic> is ignored";
     MIMICS_NONE = "the joint that it mimics has no coordinate";
+    CONTINUOUS_LIMITS = "a continuous joint turns without end, so `lower` and `upper` are ignored";
+    NO_RANGE = "its limits leave no range, so they do not become stops";
+    NO_EFFORT = "its effort is not positive, so its input is not limited";
+    NEGATIVE_FRICTION = "the dry friction is negative, so the motion would gain energy";
+    FRICTION_LEFT_OUT = "the dry friction of a joint with several coordinates is ignored";
+    BOX_LEFT_OUT = "it collides as a box, which does not become a contact";
+    BOX_LEFT_OUT_HELP = "`--corners LINK` makes contacts of the corners of its boxes";
+    SHAPE_LEFT_OUT = "it collides as a cylinder or a mesh, which does not become a contact";
+    SHAPE_LEFT_OUT_HELP = "declare points of it: `contact name = link.point(X, Y, Z) on ground { friction: mu; }`";
+    NOTHING_TOUCHES = "no link that moves collides as a sphere";
+    LEVEL = "what it collides as keeps its height, so it does not become a contact";
+    NO_CORNERS = "it has no box that moves and collides, so there are no corners to touch";
+    FEWER_EVENTS_HELP = "import fewer limits, friction or contacts, or remove some from the file";
     MIMIC_HELP = "revolute, continuous and prismatic joints that move a mass have one";
     element(tag, name) = "{tag} {}", quoted(name);
     missing_element(tag) = "<{tag}> is missing";
@@ -58,6 +71,9 @@ messages! {
     unknown_version(version) = "unknown URDF version {}", quoted(version);
     repeated(tag, line) = "this name already belongs to the {tag} in line {line}";
     unknown_link(role, name) = "unknown {role} link {}", quoted(name);
+    too_many_events(count, most) =
+        "its limits, friction and contacts are {count} events, and a system can have at most {most}";
+    unknown_cornered(name) = "unknown link {} of `--corners`", quoted(name);
     unknown_joint(name) = "unknown joint {} to mimic", quoted(name);
     in_loop(link) = "joints form a loop through link {}, away from the base", quoted(link);
     unknown_kind(kind) = "unknown joint type {}", quoted(kind);

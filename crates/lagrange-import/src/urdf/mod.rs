@@ -48,7 +48,13 @@
 //! | `floating` | `free` if that is the same, otherwise three `prismatic` joints `NAME_x`, `NAME_y`, `NAME_z` and a `ball` joint `NAME` |
 //! | `fixed` | `weld` |
 //! | orientations, as `rpy` or as `quat_xyzw` of any length | `turned`; angles within 1e-9 of quarter turns are fractions of `pi`. Entries of rotations within 1e-9 of 0, 1 and −1 are these numbers where all of their row or column are |
-//! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate: limits of a motion are events, dry friction is a `friction` statement, which are for a person to decide about |
+//! | `<limit>`, friction of `<dynamics>` | documentation of the coordinate. `lower` and `upper` are zero if only the other one is given; continuous joints have none |
+//! | `lower` and `upper`, with [`Options::has_limits`] | `event NAME_lower = q - lower, falling => impact(0);`, and a `start` between them if zero is not. Joints that mimic others have their stops there, as far as they are tighter |
+//! | `effort`, with [`Options::has_limits`] and [`Options::has_inputs`] | bounds of the input within the force |
+//! | friction of `<dynamics>`, with [`Options::has_friction`] | `friction NAME_friction = dot(q), value;` |
+//! | spheres of `<collision>`, with [`Options::has_contacts`] | `contact LINK_touch = link.point(x, y, z) on ground { friction: mu; radius: r; }`, with a parameter for the coefficient of friction |
+//! | boxes of `<collision>` of the links in [`Options::corners`] | `contact LINK_corner[0] = link.point(x, y, z) on ground { friction: mu; }`, and seven more |
+//! | other boxes, cylinders and meshes of `<collision>`, with [`Options::has_contacts`] | a warning |
 //! | damping of `<dynamics>` | `damping` |
 //! | `<mimic>` | a constraint between the two coordinates |
 //! | boxes, cylinders and spheres of `<visual>` and `<collision>` | `visual` of a body, which is what pictures show of it; what is collided with, and what is seen of a link without mass, are comments. Meshes are left out |
@@ -74,6 +80,7 @@ mod links;
 mod messages;
 mod source;
 mod tree;
+mod wishes;
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
@@ -98,6 +105,16 @@ pub struct Options {
     pub is_free: bool,
     /// True if each coordinate gets an input that is a force on it, as of a motor.
     pub has_inputs: bool,
+    /// True if limits of joints become stops, contacts of the coordinate without restitution. With
+    /// inputs, limits of efforts clamp these.
+    pub has_limits: bool,
+    /// True if dry friction of joints becomes `friction`.
+    pub has_friction: bool,
+    /// True if spheres that collide become contacts with the ground.
+    pub has_contacts: bool,
+    /// Names of links in the file. The corners of the boxes that they collide as become contacts
+    /// with the ground.
+    pub corners: Vec<String>,
     /// True if inertia that no body has becomes parameters, of which the compiler warns, instead of
     /// a mistake.
     pub trusts_inertia: bool,
@@ -124,15 +141,24 @@ pub fn import(text: &str, options: &Options) -> Result<Import, Vec<Mistake>> {
     let Some(robot) = robot(&mut source, document.root_element(), options) else {
         return Err(source.into_mistakes());
     };
+    let cornered = robot.links.iter().enumerate().filter(|(_, link)| options.corners.contains(&link.name));
     let style = Style {
         name: options.name.clone().unwrap_or_else(|| type_name(&robot.name)),
         is_free: options.is_free,
         has_inputs: options.has_inputs,
+        has_limits: options.has_limits,
+        has_friction: options.has_friction,
+        has_contacts: options.has_contacts,
+        cornered: cornered.map(|(link, _)| link).collect(),
     };
-    let Declared { text, statements, motions } = declaration(&robot, &style);
+    let declared = declaration(&robot, &style);
+    wishes::report_written(&mut source, &robot, &declared);
+    let Declared { text, statements, motions, .. } = declared;
     // What is written is read once, so that nobody is handed what the language refuses.
     let without_moment = robot.first_without_moment(options.is_free);
-    if let Err(report) = accepted(&statements, without_moment.is_some()) {
+    if source.error_count() == 0
+        && let Err(report) = accepted(&statements, without_moment.is_some())
+    {
         match without_moment {
             Some(link) => inertia::report_missing(&mut source, &robot, link, &report),
             None => source.error(document.root_element(), messages::not_accepted(report.to_string())),
@@ -188,6 +214,7 @@ fn robot<'d>(source: &mut Source<'d>, root: Node<'_, 'd>, options: &Options) -> 
         return None;
     }
     tree::settle(source, &mut robot, options.is_free);
+    wishes::report(source, &robot, options);
     (source.error_count() == 0).then_some(robot)
 }
 

@@ -14,7 +14,7 @@ lagrange::system! {
         inertia: (0.15794778357198624, 0.14095174008818223, 0.14510047633983159,
             0.014664969187444858, 0.00008515567055911622, 0.00014009148909852672);
     }
-    /// From -1 to 1 rad; at most 10 N m and 2 rad/s.
+    /// At most 10 N m and 2 rad/s.
     revolute joint1 = trunk to link1 { at: (-0.132, -0.227, -0.141); turned: (0.11, 0.651, 0.35); axis: (0, 1, 0); }
 
     body link2 { mass: 1.07; centroid: (-0.0284, 0.00852, 0.0374); inertia: (0.1102, 0.1829, 0.1243); }
@@ -27,7 +27,7 @@ lagrange::system! {
         inertia: (0.16011629103693636, 0.13689279930322407, 0.11079090965983952,
             -0.012728019016592068, -0.012864540836813765, -0.0065776676029583245);
     }
-    /// From -1 to 1 rad; at most 10 N m and 2 rad/s.
+    /// At most 10 N m and 2 rad/s.
     revolute joint4 = link1 to link4 { at: (0.188, -0.151, 0.296); turned: (pi, -pi/2, 0); axis: (0, 1, 0); }
 
     body link3 {
@@ -123,7 +123,7 @@ lagrange::system! {
     weld link15 to link19 { at: (0.294, -0.176, 0.148); turned: (1, 1.4, 1.82); }
 
     body link20 { mass: 1.2; centroid: (0.245, 0.0549, 0.0438); inertia: (0.1181, 0.1384, 0.0663); }
-    /// From -1 to 1 rad; at most 10 N m and 2 rad/s.
+    /// At most 10 N m and 2 rad/s.
     revolute joint20 = link19 to link20 { at: (-0.175, 0.208, 0.292); turned: (pi, pi, pi/2); }
 
     body link21 {
@@ -191,7 +191,7 @@ lagrange::system! {
     revolute joint23 = link19 to link23 { at: (0.0906, -0.765, -0.275); turned: (pi, -pi, -pi); axis: (1, 0, 0); }
 
     body link26 { mass: 2.98; centroid: (-0.0085, -0.0773, 0.0576); inertia: (0.1275, 0.141, 0.1393); }
-    /// From -1 to 1 rad; at most 10 N m and 2 rad/s.
+    /// At most 10 N m and 2 rad/s.
     revolute joint26 = link23 to link26 {
         at: (-0.000468, 0.238, -0.174);
         turned: (0, pi/2, -pi);

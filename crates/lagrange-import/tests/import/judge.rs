@@ -17,6 +17,10 @@ pub(crate) fn options(bits: usize) -> Options {
         has_inputs: bits & 2 != 0,
         trusts_inertia: bits & 4 != 0,
         name: (bits & 8 != 0).then(|| "Other".to_owned()),
+        has_limits: bits & 2 != 0,
+        has_friction: bits & 4 != 0,
+        has_contacts: bits & 8 != 0,
+        corners: if bits & 24 == 24 { vec!["sled".to_owned()] } else { Vec::new() },
     }
 }
 

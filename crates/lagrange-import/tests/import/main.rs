@@ -8,4 +8,5 @@ mod files;
 mod judge;
 mod mistakes;
 mod reference;
+mod touching;
 mod writing;

@@ -40,6 +40,8 @@ fn declarations_are_written_as_they_were_read_and_judged() {
     assert_golden("tilted_plane.rs", &imported("tilted_plane.urdf", &Options::default()).declaration);
     let options = Options { is_free: true, has_inputs: true, ..Options::default() };
     assert_golden("tree_of_30_free.rs", &imported("tree_of_30.urdf", &options).declaration);
+    let options = Options { has_limits: true, has_friction: true, has_contacts: true, ..options };
+    assert_golden("walker_standing.rs", &imported("walker.urdf", &options).declaration);
 }
 
 #[test]
@@ -71,7 +73,7 @@ fn declarations_are_as_wide_as_a_screen_and_end_no_line_in_a_blank() {
 }
 
 /// A robot of one link on a joint.
-fn robot(link: &str, joint: &str) -> String {
+pub(crate) fn robot(link: &str, joint: &str) -> String {
     format!(
         r#"<robot name="r"><link name="base"/><link name="arm"><inertial><mass value="1"/>
         <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>{link}</link>

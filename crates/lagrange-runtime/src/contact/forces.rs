@@ -125,8 +125,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Forces<'a, S, N, K> {
         is_held && self.left(modes, k, reactions) <= S::epsilon().sqrt() * self.balance.fixed(k, reactions)
     }
 
-    /// True if the slip velocity of friction k, which slips in a plane, goes back by no more than a
-    /// part of what its friction does to it. It would otherwise soon be zero.
+    /// True if slip k in a plane goes back by no more than a part of what its friction alone would
+    /// take. It would otherwise soon be zero.
     pub(super) fn lingers(&self, terms: &Terms<S, N, K>, k: usize) -> bool {
         let (slip, force) = (terms.slip(k, true), [self.reactions[k], self.reactions[k + 1]]);
         let rate = [k, k + 1].map(|k| self.balance.rate(k, &self.reactions));

@@ -140,7 +140,7 @@ impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Instant<'_, M, N, K
             is_held[j + 1] |= is_held[j];
         }
         halt(&terms, &mut self.v, is_held);
-        // What is held may leave nothing else that moves, and may not have come to rest: where
+        // What is held may leave nothing else that moves, and may not have come to rest. Where
         // rates all but depend on each other, no small change of the velocities stops it.
         let halted = self.terms(&self.v);
         let mut position = self.held(&halted);

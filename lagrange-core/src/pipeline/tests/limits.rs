@@ -1,5 +1,6 @@
 //! Limits that several kinds of statements share.
 
+use crate::limits::MAX_EVENTS;
 use crate::pipeline::parse;
 
 #[test]
@@ -9,11 +10,15 @@ fn dry_friction_counts_as_an_event_and_smooth_friction_does_not() {
         (0..count).map(|i| format!("event e{i} = x - {i}, rising => record;")).collect()
     };
     let (dry, smooth) = ("friction dry = dot(x), 1;", "friction smooth = dot(x), 1, smooth: 1;");
-    for text in [format!("{smooth} {}", events(32)), format!("{dry} {}", events(31))] {
+    for text in [format!("{smooth} {}", events(MAX_EVENTS)), format!("{dry} {}", events(MAX_EVENTS - 1))] {
         assert!(parse(&format!("{point}{text}")).is_ok(), "{text}");
     }
-    for text in [events(33), format!("{dry} {}", events(32)), format!("{} {dry}", events(32))] {
+    for text in [
+        events(MAX_EVENTS + 1),
+        format!("{dry} {}", events(MAX_EVENTS)),
+        format!("{} {dry}", events(MAX_EVENTS)),
+    ] {
         let report = parse(&format!("{point}{text}")).expect_err("too many events").to_string();
-        assert!(report.contains("a system can have at most 32 events"), "{report}");
+        assert!(report.contains("a system can have at most 64 events"), "{report}");
     }
 }
