@@ -95,6 +95,11 @@ pub use lagrange_runtime::{
 #[doc = include_str!("../README.md")]
 struct Readme;
 
+/// Keeps the examples of the page true.
+#[cfg(all(doctest, feature = "std"))]
+#[doc = include_str!("../docs/contacts.md")]
+struct ContactsAndFriction;
+
 /// Keeps the example of the page true.
 #[cfg(all(doctest, feature = "linear"))]
 #[doc = include_str!("../docs/linear.md")]
