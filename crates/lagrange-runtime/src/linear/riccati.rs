@@ -17,9 +17,14 @@
 //! # In discrete time
 //!
 //! The equation is X = AᵀX(I + GX)⁻¹A + Q. Its stabilising solution is the limit of H under
-//! doubling, from H = Q: with W = I + GH, A ← AW⁻¹A, G ← G + AW⁻¹GAᵀ and H ← H + AᵀHW⁻¹A. After k
-//! rounds it is the cost of 2ᵏ steps. Policy iteration removes what rounding leaves: the next cost
-//! is that of u = −K x with the gain K of the last one. Sources: Chu, Fan, Lin, Wang, *Structure-preserving
+//! doubling, from H = Q:
+//!
+//! ```text
+//! W = I + GH,   A ← AW⁻¹A,   G ← G + AW⁻¹GAᵀ,   H ← H + AᵀHW⁻¹A.
+//! ```
+//!
+//! After k rounds it is the cost of 2ᵏ steps. Policy iteration removes what rounding leaves: the
+//! next cost is that of u = −K x with the gain K of the last one. Sources: Chu, Fan, Lin, Wang, *Structure-preserving
 //! algorithms for periodic discrete-time algebraic Riccati equations*, Int. J. Control 77 (2004)
 //! 767–788; Hewer, *An iterative technique for the computation of the steady state gains for the
 //! discrete optimal regulator*, IEEE Trans. Autom. Control 16 (1971) 382–384.
