@@ -21,6 +21,7 @@ Commands:
   c FILE            write the equations of motion as C
   urdf FILE         write the declaration of a robot that a URDF file describes
 
+A file holds one declaration, alone or in `lagrange::system! { … }`.
 A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:

@@ -1,5 +1,6 @@
-//! A file that holds a declaration.
+//! A file that holds a declaration, alone or in `lagrange::system! { … }`.
 
+use std::borrow::Cow;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
@@ -49,7 +50,24 @@ impl Source {
             let file = files::read(&self.folder, path)?;
             Ok(FileText { path: String::new(), ..file })
         };
-        parse_with(&self.text, &table)
+        parse_with(&without_macro(&self.text), &table)
+    }
+}
+
+/// Blanks the macro around a declaration, as files of Rust and imported robots have it. Everything
+/// else keeps its place.
+fn without_macro(text: &str) -> Cow<'_, str> {
+    let inside = || {
+        let path = text.trim_start().trim_start_matches("::").strip_prefix("lagrange::system!")?;
+        path.trim_start().strip_prefix('{')?.trim_end().strip_suffix('}')
+    };
+    match inside() {
+        Some(inside) => {
+            let before = text.find('{').map_or(0, |brace| brace + 1);
+            let lines = text[..before].chars().map(|c| if c == '\n' { c } else { ' ' });
+            Cow::Owned(lines.collect::<String>() + inside)
+        }
+        None => Cow::Borrowed(text),
     }
 }
 

@@ -133,6 +133,8 @@ fn robots_are_imported() {
     let standing = ["urdf", &walker, "--free", "--inputs", "--limits", "--friction", "--contacts"];
     let expected = fs::read_to_string(format!("{robots}/walker_standing.rs")).expect("a declaration");
     assert_eq!(output(&run(&standing)), expected);
+    let checked = run_on(&output(&run(&standing)), &["check", "-"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", errors(&checked));
     let corners = output(&run(&["urdf", &walker, "--free", "--corners", "trunk"]));
     assert_eq!(corners.matches("contact trunk_corner[").count(), 8, "{corners}");
     let broken = run_on("<robot name='r'><link/></robot>", &["urdf", "-"]);
@@ -176,4 +178,19 @@ fn commands_without_meaning_name_what_is_wrong() {
     assert!(written(&["--help"]).contains("Exit codes"));
     assert!(written(&["rust", "--help"]).contains("Exit codes"));
     assert!(written(&["--version"]).starts_with("lagrange "));
+}
+
+#[test]
+fn a_declaration_may_stand_in_its_macro() {
+    let text = fs::read_to_string(data("mistakes.lag")).expect("a declaration");
+    let listing = |text: &str| errors(&run_on(text, &["check", "-"]));
+    let wrapped = listing(&format!("\n::lagrange::system! {{\n{text}}}\n"));
+    // Two lines further down.
+    let place = |listing: &str| {
+        let place = listing.lines().find_map(|line| line.trim().strip_prefix("--> <stdin>:"));
+        place.map(str::to_owned).expect("a place")
+    };
+    let line = |place: &str| place.split(':').next().and_then(|line| line.parse::<u32>().ok());
+    let (alone, moved) = (place(&listing(&text)), place(&wrapped));
+    assert_eq!(line(&moved), line(&alone).map(|line| line + 2), "{wrapped}");
 }
