@@ -6,18 +6,18 @@
 
 use super::complaints::Complaints;
 use super::counting::Counting;
-use super::elements::{ElementNames, counted_indices, indices_of};
+use super::elements::ElementNames;
+use super::indices::{counted_indices, indices_of};
 use super::messages;
 use super::paths::{Path, Segment, Target};
 use super::scopes::{BUILT_IN, Meaning, PlacedId, ScopeId, Scopes};
 use super::unrolling::{origin_of, values};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, ExternalFunction, Name, Range,
+    ArrayExpression, AstId, BinaryOperator, Expression, Expressions, ExternalFunction, Name, Range,
 };
 use crate::syntax::is_function;
 use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::Relation;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
 use lagrange_expr::number::Number;
 
@@ -169,9 +169,11 @@ impl<'a> Copier<'a> {
                 tasks.push(Task::Copy(branch, scope));
                 None
             }
-            Expression::If { condition, then, otherwise } if self.is_of_indices(&condition, scope) => {
-                let branch = if self.holds(&condition, scope) { then } else { otherwise };
-                tasks.push(Task::Copy(branch, scope));
+            Expression::If { condition, then, otherwise } => {
+                let Some(holds) = self.counting().decided(&condition, scope) else {
+                    return self.operands(id, scope, tasks);
+                };
+                tasks.push(Task::Copy(if holds { then } else { otherwise }, scope));
                 None
             }
             Expression::Call(function, arguments) => {
@@ -384,30 +386,6 @@ impl<'a> Copier<'a> {
             [first, others @ ..] => {
                 others.iter().fold(*first, |sum, term| self.expressions.add(add(sum, *term), origin))
             }
-        }
-    }
-
-    /// True if a condition is made of numbers that are known here, of variables among them, and not
-    /// of the motion.
-    fn is_of_indices(&self, condition: &Condition, scope: ScopeId) -> bool {
-        let sides = [condition.left, condition.right];
-        let is_variable = |id: &AstId| match self.expressions.get(*id) {
-            Expression::Name(name) => matches!(self.scopes.find(scope, name), Some(Some(_))),
-            _ => false,
-        };
-        let parts = |side: &AstId| self.expressions.parts(*side);
-        sides.iter().any(|side| parts(side).iter().any(is_variable))
-            && sides.iter().all(|side| self.counting().number(*side, scope).is_ok())
-    }
-
-    fn holds(&self, condition: &Condition, scope: ScopeId) -> bool {
-        let number = |side| self.counting().number(side, scope).ok();
-        let order = number(condition.left).cmp(&number(condition.right));
-        match condition.relation {
-            Relation::Less => order.is_lt(),
-            Relation::LessEqual => order.is_le(),
-            Relation::Greater => order.is_gt(),
-            Relation::GreaterEqual => order.is_ge(),
         }
     }
 

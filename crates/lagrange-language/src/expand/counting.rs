@@ -3,7 +3,7 @@
 use super::messages;
 use super::scopes::{Meaning, ScopeId, Scopes};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Expression, Expressions, IndexCondition, TestKind,
+    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IndexCondition, TestKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::number::Number;
@@ -83,6 +83,21 @@ impl Counting<'_> {
             }
         }
         Ok(false)
+    }
+
+    /// Returns the value of a condition on variables and other numbers that are known here; `None`
+    /// of one on the motion.
+    pub(super) fn decided(self, condition: &Condition, scope: ScopeId) -> Option<bool> {
+        let sides = [condition.left, condition.right];
+        let is_variable = |id: &AstId| match self.expressions.get(*id) {
+            Expression::Name(name) => matches!(self.scopes.find(scope, name), Some(Some(_))),
+            _ => false,
+        };
+        if !sides.iter().any(|side| self.expressions.parts(*side).iter().any(is_variable)) {
+            return None;
+        }
+        let [left, right] = sides.map(|side| self.number(side, scope).ok());
+        Some(condition.relation.holds(left?, right?))
     }
 
     fn value(self, id: AstId, scope: ScopeId, values: &HashMap<AstId, Number>) -> Result<Number, Reason> {

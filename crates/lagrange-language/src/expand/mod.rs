@@ -12,12 +12,14 @@
 //! Loops in loops may stand for any number of statements, for which there is a bound, as for all
 //! terms together.
 
+mod collecting;
 mod complaints;
 mod copies;
 mod corners;
 mod counting;
 mod defaults;
 mod elements;
+mod indices;
 mod messages;
 mod parts;
 mod paths;
@@ -34,10 +36,10 @@ use std::collections::BTreeSet;
 use crate::syntax::ast::{
     ArrayExpression, Declaration, Expression, Expressions, Statement, StatementKind, declared_bodies,
 };
+use collecting::declared_elements;
 use complaints::Complaints;
 use copies::Copier;
 use corners::{has_corners, loop_over_corners};
-use elements::ElementNames;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
 use scopes::{BUILT_IN, Scopes};
@@ -61,7 +63,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
     let before = complaints.report.diagnostics().len();
     let mut scopes = Scopes::default();
     let unrolled = unroll(&statements, &expressions, &mut scopes, &mut complaints);
-    let elements = ElementNames::of(&unrolled, &expressions, &scopes, &mut complaints);
+    let elements = declared_elements(&unrolled, &expressions, &scopes, &mut complaints);
     let mut silent = Report::default();
     // What follows from mistakes in names is not said.
     if complaints.report.diagnostics().len() > before {
