@@ -36,7 +36,7 @@ lagrange::system! {
     pub struct Quadruped;
 
     /// Stiffness of the joints, roll, pitch and knee; angles at which they are relaxed; damping.
-    param k1 = 60, k2 = 60, k3 = 60, pitch = 0.8, knee = -1.5, c = 4;
+    param k1: N*m/rad = 60, k2: N*m/rad = 60, k3: N*m/rad = 60, pitch: rad = 0.8, knee: rad = -1.5, c: N*m*s/rad = 4;
     /// Coefficient of friction of the feet.
     param mu = 0.6;
     gravity = (0, 0, -9.81);
@@ -49,14 +49,14 @@ lagrange::system! {
 
     /// A leg: `front` is 1 or −1, `left` is 1 or −1.
     part Leg(trunk, front, left, k1, k2, k3, pitch0, knee0, c, mu) {
-        body hip { mass: 0.767; centroid: (-0.004773402868318123 * front, 0.0016974837027379402 * left, -0.0000928161668839635); inertia: (0.0005399915178106258, 0.0009981369647855932, 0.0006582847478620599, -0.0000021220993324641458 * front * left, 0.000001065392550195567 * front, -0.0000014027352647979139 * left); }
-        body thigh { mass: 1.2409999999999999; centroid: (-0.0034717808219178084, -0.02302074939564867 * left, -0.030354875100725223); inertia: (0.005996333341208702, 0.006001339409970024, 0.0010991471651674457, 0.00009030533435616439 * left, -0.00029910392372602736, 0.0008351509180338437 * left); }
-        body calf { mass: 0.194; centroid: (0.004350103092783504, -0.0007739690721649483 * left, -0.13520618556701028); inertia: (0.001394581937371134, 0.0014155052951752578, 0.00004348372739175258, 0.0000005096540206185566 * left, 0.00000014759587628866708, 0.000011313958762886598 * left); visual { solid_cylinder(0.012, 0.213), at: (0, 0, -0.1065); solid_sphere(0.022), at: (0, 0, -0.213); } }
-        revolute roll = trunk to hip { at: (0.1934 * front, 0.0465 * left, 0); axis: (1, 0, 0); damping: c; }
-        revolute pitch = hip to thigh { at: (0, 0.0955 * left, 0); axis: (0, 1, 0); damping: c; }
+        body hip { mass: 0.767; centroid: (-0.004773402868318123 [m] * front, 0.0016974837027379402 [m] * left, -0.0000928161668839635); inertia: (0.0005399915178106258, 0.0009981369647855932, 0.0006582847478620599, -0.0000021220993324641458 [kg*m^2] * front * left, 0.000001065392550195567 [kg*m^2] * front, -0.0000014027352647979139 [kg*m^2] * left); }
+        body thigh { mass: 1.2409999999999999; centroid: (-0.0034717808219178084, -0.02302074939564867 [m] * left, -0.030354875100725223); inertia: (0.005996333341208702, 0.006001339409970024, 0.0010991471651674457, 0.00009030533435616439 [kg*m^2] * left, -0.00029910392372602736, 0.0008351509180338437 [kg*m^2] * left); }
+        body calf { mass: 0.194; centroid: (0.004350103092783504, -0.0007739690721649483 [m] * left, -0.13520618556701028); inertia: (0.001394581937371134, 0.0014155052951752578, 0.00004348372739175258, 0.0000005096540206185566 [kg*m^2] * left, 0.00000014759587628866708, 0.000011313958762886598 [kg*m^2] * left); visual { solid_cylinder(0.012, 0.213), at: (0, 0, -0.1065); solid_sphere(0.022), at: (0, 0, -0.213); } }
+        revolute roll = trunk to hip { at: (0.1934 [m] * front, 0.0465 [m] * left, 0); axis: (1, 0, 0); damping: c; }
+        revolute pitch = hip to thigh { at: (0, 0.0955 [m] * left, 0); axis: (0, 1, 0); damping: c; }
         revolute knee = thigh to calf { at: (0, 0, -0.213); axis: (0, 1, 0); damping: c; }
         potential = 1/2 * (k1 * roll^2 + k2 * (pitch - pitch0)^2 + k3 * (knee - knee0)^2);
-        contact foot = calf.point(0, 0, -0.213) on ground { friction: mu; radius: 0.022; }
+        contact foot = calf.point(0, 0, -0.213 [m]) on ground { friction: mu; radius: 0.022; }
         let moment = hip.center * 0.767 + thigh.center * 1.2409999999999999 + calf.center * 0.194;
         output normal = foot.normal;
         output friction = norm(foot.friction);
