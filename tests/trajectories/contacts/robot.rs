@@ -33,7 +33,7 @@ fn gaps(state: &WalkerState) -> [f64; 12] {
 /// The normal force and the two friction forces of each foot. All forces press and are within their
 /// limits.
 fn feet(walker: &Walker, t: f64, state: &WalkerState) -> [[f64; 3]; 4] {
-    let reactions = walker.reactions(t, &state.clone().coordinates(), &state.clone().velocities());
+    let reactions = walker.reactions(t, &state.coordinates(), &state.velocities());
     let feet = std::array::from_fn(|foot| std::array::from_fn(|axis| reactions[11 + 3 * foot + axis]));
     assert!(reactions[..10].iter().all(|stop| *stop >= 0.0), "{t}: {reactions:?}");
     assert!(reactions[10].abs() <= FRICTION[1] + TOLERANCE, "{t}: {reactions:?}");
@@ -50,7 +50,7 @@ fn a_robot_that_is_dropped_stands_on_its_feet_within_the_limits_of_its_file() {
     assert!(gaps(&state).iter().all(|gap| *gap > 0.0), "it starts between the limits");
     (state.trunk_z, state.trunk_qx, state.trunk_qw) = (0.35, 0.05, (1.0_f64 - 0.05 * 0.05).sqrt());
     for _ in 0..5 {
-        let run = walker.simulate(state.clone()).from(t).until(t + 0.2).every(0.005).tolerance(TOLERANCE);
+        let run = walker.simulate(state).from(t).until(t + 0.2).every(0.005).tolerance(TOLERANCE);
         let run = run.run().expect("it moves");
         for (time, state) in run.iter() {
             let gaps = gaps(&WalkerState::from(state));
@@ -60,7 +60,7 @@ fn a_robot_that_is_dropped_stands_on_its_feet_within_the_limits_of_its_file() {
         walker = run.system_at_end().expect("a system").clone();
         feet(&walker, t, &state);
     }
-    let speed = state.clone().velocities().iter().fold(0.0_f64, |speed, v| speed.max(v.abs()));
+    let speed = state.velocities().iter().fold(0.0_f64, |speed, v| speed.max(v.abs()));
     assert!(speed < 1e-12, "it is at rest: {speed}");
     assert_eq!((walker.lift_lower, walker.lift_friction), (Contact::Closed, Friction::Sticks));
     let feet = feet(&walker, t, &state);
@@ -74,7 +74,7 @@ fn motors_give_their_efforts_and_no_more() {
     let pushed = |u: f64| {
         let walker = Walker { u_fl_hip: u, ..Walker::default() };
         let state = walker.start();
-        walker.acceleration(0.0, &state.clone().coordinates(), &state.velocities())
+        walker.acceleration(0.0, &state.coordinates(), &state.velocities())
     };
     assert_eq!(pushed(6.0), pushed(1e3));
     assert_eq!(pushed(-6.0), pushed(f64::NEG_INFINITY));
