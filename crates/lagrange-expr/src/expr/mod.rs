@@ -57,7 +57,7 @@ pub enum Relation {
 
 impl Relation {
     /// True if it holds between two values; never with NaN.
-    pub fn holds<T: PartialOrd>(self, left: T, right: T) -> bool {
+    pub fn holds<T: PartialOrd + Copy>(self, left: T, right: T) -> bool {
         match self {
             Relation::Less => left < right,
             Relation::LessEqual => left <= right,
