@@ -128,8 +128,7 @@ proptest! {
         );
     }
 
-    /// Which of two opposite sums stands in a product, and in which order, depends on what was read
-    /// first.
+    /// Order of reading decides about the order and the sign of a sum in a product.
     #[test]
     fn writing_what_was_read_changes_no_more_than_order_and_signs(steps in steps(14)) {
         let mut graph = Graph::new();

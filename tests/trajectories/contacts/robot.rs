@@ -11,7 +11,7 @@ mod compiled {
 }
 use compiled::{Walker, WalkerState};
 
-/// Of the trunk, the legs, the mast and its weight.
+/// Weight of the trunk, the legs, the mast and its load.
 const WEIGHT: f64 = G * (4.0 + 4.0 * 0.3 + 0.5 + 0.2);
 /// Coefficient of friction of the feet, and the dry friction of the mast: its own, and half of that
 /// of the weight that follows it at half of its speed.

@@ -53,7 +53,7 @@ struct Collector<'a, 'c> {
     complaints: &'a mut Complaints<'c>,
     /// Names without indices in loops of which that was said.
     repeated: HashSet<String>,
-    /// ElementNames of arrays that are declared as a whole so far.
+    /// Elements of arrays that are declared as a whole so far.
     count: u64,
 }
 

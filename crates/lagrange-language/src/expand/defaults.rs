@@ -1,4 +1,4 @@
-//! ElementNames of arrays that are declared as a whole: how many there are, and which value belongs
+//! Elements of arrays that are declared as a whole: how many there are, and which value belongs
 //! to which.
 
 use super::complaints::Complaints;

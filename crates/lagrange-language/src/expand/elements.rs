@@ -32,7 +32,7 @@ pub(super) struct Plain {
     pub(super) written: String,
 }
 
-/// ElementNames of one array.
+/// Elements of one array.
 pub(super) struct Array {
     pub(super) name: Name,
     /// Its name as it is written, with the part that it is a member of.

@@ -40,9 +40,9 @@ pub struct Observer {
 /// Matrices by which a regulator or an observer is chosen.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum DesignMatrix {
-    /// DesignMatrix of the states in the cost.
+    /// Weights of the states in the cost.
     States,
-    /// DesignMatrix of the inputs in the cost.
+    /// Weights of the inputs in the cost.
     Inputs,
     /// Intensities of disturbances of the states.
     Disturbances,
@@ -77,7 +77,7 @@ pub enum DesignError {
         /// The matrix.
         matrix: DesignMatrix,
     },
-    /// DesignMatrix of states or intensities of disturbances are not symmetric with eigenvalues
+    /// Weights of states or intensities of disturbances are not symmetric with eigenvalues
     /// from 0 on. Or weights of inputs or intensities of noise are not symmetric with positive
     /// eigenvalues.
     NotPositive {
