@@ -12,6 +12,7 @@ mod constraints;
 mod contacts;
 mod control;
 mod declarations;
+mod discrete;
 mod display_units;
 mod events;
 mod external_functions;

@@ -20,6 +20,9 @@ pub enum Role {
     /// A first-order state, a position that no velocity displaces; the number is its index among
     /// all positions.
     State(u32),
+    /// A state that only events change, and that is constant between them; the number is its index
+    /// among all positions.
+    Discrete(u32),
     /// A generalised velocity: the rate of a coordinate, or a component of an angular velocity.
     Velocity(u32),
     /// The rate of the velocity with the same index.

@@ -159,7 +159,8 @@ fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
 }
 
 fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
-    if model.events.iter().any(|event| matches!(event.action, Action::Assign(_))) {
+    let assigns = model.events.iter().any(|event| matches!(event.action, Action::Assign(_)));
+    if assigns || !model.clocks.is_empty() {
         return Vec::new();
     }
     let velocities = model.velocities();
@@ -174,7 +175,8 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
         .filter(|&(_, v)| is_free(v) && !constrained.contains(&velocities[v]))
         .map(|(i, _)| Conserved::Momentum(i))
         .collect::<Vec<_>>();
-    let changing = Dependencies::TIME | Dependencies::INPUT | Dependencies::STATE;
+    let states = Dependencies::STATE | Dependencies::DISCRETE;
+    let changing = Dependencies::TIME | Dependencies::INPUT | states;
     let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);
     let is_unforced = (0..velocities.len()).all(is_free) && model.reactions.is_empty();
     if is_steady && is_unforced && constraints_do_no_work(model) {

@@ -16,7 +16,7 @@ use super::smoothness::{check_smoothness, without_kinks};
 use super::solve::check_names_of_solvers;
 use super::stabilisation::check_stabilisation;
 use super::start::{check_starts, initial_state};
-use super::states::{check_states, positions_of_states, report_states_in_momenta};
+use super::states::{check_states, positions_of_states, report_states_in_momenta, warn_of_constant_states};
 use super::tables::{check_names_of_derivatives, check_tables};
 use crate::model::{Energies, Model, Product, Reduction, Speed};
 use lagrange_algebra::calculus::{AccelerationTerms, Rates, gradient};
@@ -44,6 +44,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
         return None;
     }
     elaborator.evaluator.scope.report_unused(elaborator.evaluator.report);
+    warn_of_constant_states(&mut elaborator);
     report_uncalled(&mut elaborator.evaluator);
     let reductions = std::mem::take(&mut elaborator.reductions);
     Some((into_model(elaborator, energies, lagrangian), reductions))
@@ -327,6 +328,7 @@ fn into_model(mut elaborator: Elaborator<'_>, energies: Energies, lagrangian: Ex
         implied: elaborator.implied,
         stabilisation: elaborator.stabilisation.map(|(rate, _)| rate),
         events: elaborator.events.into_iter().map(|(event, _)| event).collect(),
+        clocks: elaborator.clocks.into_iter().map(|(clock, _)| clock).collect(),
         reactions: elaborator.reactions.into_iter().map(|(reaction, _)| reaction).collect(),
         outputs: elaborator.outputs,
         scene: elaborator.scene,

@@ -11,28 +11,29 @@ use super::scope::NameKind;
 use super::staged::Staged;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{
-    Action, Availability, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output, Parameter,
-    Product, Reaction, Reduction, Scene, Speed,
+    Action, Availability, Clock, Constraint, Coordinate, Event, GibbsFunction, Load, Orientation, Output,
+    Parameter, Product, Reaction, Reduction, Scene, Speed,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Report, nearest};
 use lagrange_expr::expr::evaluate;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_language::bodies::Plain;
-use lagrange_language::syntax::ast::{self, AstId, Declaration, Name};
+use lagrange_language::syntax::ast::{self, AstId, Declaration, Name, StateKind};
 
 /// Quantities that only the equations of motion determine.
 pub(super) const UNKNOWNS: &[Dependencies] =
     &[Dependencies::ACCELERATION, Dependencies::MULTIPLIER, Dependencies::REACTION];
 
 /// Dependencies that a constant value must not have, the most telling first.
-const CHANGING: [Dependencies; 8] = [
+const CHANGING: [Dependencies; 9] = [
     Dependencies::MULTIPLIER,
     Dependencies::REACTION,
     Dependencies::ACCELERATION,
     Dependencies::VELOCITY,
     Dependencies::COORDINATE,
     Dependencies::STATE,
+    Dependencies::DISCRETE,
     Dependencies::INPUT,
     Dependencies::TIME,
 ];
@@ -48,6 +49,7 @@ pub(super) struct SourceTerm {
 pub(super) struct DeclaredState {
     pub(super) name: Name,
     pub(super) position: ExprId,
+    pub(super) kind: StateKind,
     /// Place of its equation, if there is one.
     pub(super) equation: Option<Span>,
 }
@@ -89,6 +91,7 @@ pub(super) struct Elaborator<'a> {
     pub(super) stabilisation: Option<(ExprId, Span)>,
     /// Events, with where their names stand.
     pub(super) events: Vec<(Event, Span)>,
+    pub(super) clocks: Vec<(Clock, Span)>,
     /// Contacts and friction, with where their names stand.
     pub(super) reactions: Vec<(Reaction, Span)>,
     pub(super) outputs: Vec<Output>,
@@ -130,6 +133,7 @@ impl<'a> Elaborator<'a> {
             constrained: HashMap::default(),
             stabilisation: None,
             events: Vec::new(),
+            clocks: Vec::new(),
             reactions: Vec::new(),
             outputs: Vec::new(),
             staged: Staged::default(),

@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod tests;
 
+use proc_macro2::Span;
+
 use super::assigned::Assigned;
 use super::elaborator::Elaborator;
 use super::entries::{assigned_index, spelling_of};
@@ -10,10 +12,10 @@ use super::expression::value_of;
 use super::messages::events as messages;
 use super::reactions::add_contact;
 use super::scope::NameKind;
-use crate::model::{Action, Assignment};
+use crate::model::{Action, Assignment, Clock};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
-use lagrange_language::syntax::ast::{self, Name};
+use lagrange_language::syntax::ast;
 
 pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
     let (value, action) = match &event.action {
@@ -21,13 +23,27 @@ pub(super) fn add_event(elaborator: &mut Elaborator<'_>, event: &ast::Event) {
         ast::Action::Stop => (event_function(elaborator, event), Some(Action::Stop)),
         ast::Action::Record => (event_function(elaborator, event), Some(Action::Record)),
         ast::Action::Assign(assignments) => {
-            (event_function(elaborator, event), assigned_values(elaborator, &event.name, assignments))
+            let assigned = assigned_values(elaborator, event.name.span, assignments);
+            (event_function(elaborator, event), assigned.map(Action::Assign))
         }
     };
     elaborator.declare(&event.name, NameKind::Event, None);
     if let (Some(value), Some(action)) = (value, action) {
         elaborator.push_event(event, value, action);
     }
+}
+
+/// `every period => { a = e; }`
+pub(super) fn add_clock(elaborator: &mut Elaborator<'_>, clock: &ast::Clock, keyword: Span) {
+    let period = elaborator.constant_in_motion(clock.period, messages::PERIOD);
+    if let Some(number) = period.and_then(|period| elaborator.numeric(period)).filter(|&number| number <= 0.0)
+    {
+        let message = messages::period_is_not_positive(number);
+        elaborator.evaluator.refuse::<()>(clock.period, message, messages::PERIOD_HELP);
+    }
+    let assignments = assigned_values(elaborator, keyword, &clock.assignments);
+    let clock = period.zip(assignments).map(|(period, assignments)| Clock { period, assignments });
+    elaborator.clocks.extend(clock.map(|clock| (clock, keyword)));
 }
 
 /// A scalar that can pass zero.
@@ -50,19 +66,19 @@ fn event_function(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option
 
 fn assigned_values(
     elaborator: &mut Elaborator<'_>,
-    event: &Name,
+    span: Span,
     assignments: &[ast::Assignment],
-) -> Option<Action> {
+) -> Option<Vec<Assignment>> {
     let mut assigned = Assigned::default();
     let mut sound = Vec::new();
     for assignment in assignments {
         let index = assigned_index(elaborator, assignment.target, messages::ASSIGNMENT_HELP);
-        let value = elaborator.term(assignment.value, event.span, messages::ASSIGNED_VALUE);
+        let value = elaborator.term(assignment.value, span, messages::ASSIGNED_VALUE);
         let Some(index) = index else { continue };
         check_assigned_once(elaborator, index, elaborator.evaluator.origin(assignment.target), &mut assigned);
         sound.extend(value.map(|value| Assignment { index, value: value.value }));
     }
-    (sound.len() == assignments.len()).then_some(Action::Assign(sound))
+    (sound.len() == assignments.len()).then_some(sound)
 }
 
 fn check_assigned_once(
@@ -81,6 +97,7 @@ fn check_assigned_once(
 /// A reduced system would need events and modes of its own.
 pub(super) fn check_reduced_events(elaborator: &mut Elaborator<'_>) {
     let events = elaborator.events.iter().map(|(_, span)| *span);
+    let events = events.chain(elaborator.clocks.iter().map(|(_, span)| *span));
     let mut declared = events.chain(elaborator.reactions.iter().map(|(_, span)| *span));
     if let (Some(span), Some(reduction)) = (declared.next(), elaborator.reductions.first()) {
         let error = elaborator.evaluator.report.error(reduction.name.span, messages::REDUCED_EVENTS);

@@ -13,10 +13,11 @@ use super::operand::{Operand, rebuild};
 use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
 use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::expr::{Dependencies, ExprId, Graph, Relation};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_expr::units::Unit;
-use lagrange_language::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Name};
+use lagrange_language::syntax::ast::{AstId, BinaryOperator, Comparison, Condition, Expression, Name};
 
 /// The value of an expression; `None` if something in it is wrong, which has been reported.
 pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {
@@ -165,8 +166,52 @@ fn evaluate_if(
         return evaluator.refuse(otherwise, message, messages::KINDS_HELP);
     }
     let (left, right) = (left?, right?);
+    check_equality(evaluator, condition, left, right)?;
     let chosen = a.components().iter().zip(b.components());
-    let chosen = chosen.map(|(&a, &b)| evaluator.graph.choose(condition.relation, left, right, a, b));
+    let chosen =
+        chosen.map(|(&a, &b)| choose(&mut evaluator.graph, condition.relation, [left, right], [a, b]));
     let chosen = chosen.collect();
     Some(rebuild(&a, chosen))
+}
+
+/// Refuses equality of what moves, which is equal to something for an instant at most.
+fn check_equality(
+    evaluator: &mut Evaluator<'_>,
+    condition: Condition,
+    left: ExprId,
+    right: ExprId,
+) -> Option<()> {
+    let stays = |id| {
+        let fixed = Dependencies::PARAMETER | Dependencies::DISCRETE;
+        evaluator.graph.dependencies(id).is_within(fixed)
+    };
+    let is_equality = matches!(condition.relation, Comparison::Equal | Comparison::Unequal);
+    if !is_equality || stays(left) && stays(right) {
+        return Some(());
+    }
+    let moving = if stays(left) { condition.right } else { condition.left };
+    evaluator.refuse(moving, messages::EQUALITY, messages::EQUALITY_HELP)
+}
+
+/// The first of two values where the comparison holds, otherwise the second.
+fn choose(
+    graph: &mut Graph,
+    comparison: Comparison,
+    [left, right]: [ExprId; 2],
+    [then, otherwise]: [ExprId; 2],
+) -> ExprId {
+    let relation = match comparison {
+        Comparison::Less => Relation::Less,
+        Comparison::LessEqual => Relation::LessEqual,
+        Comparison::Greater => Relation::Greater,
+        Comparison::GreaterEqual => Relation::GreaterEqual,
+        Comparison::Equal => {
+            let within = graph.choose(Relation::LessEqual, left, right, then, otherwise);
+            return graph.choose(Relation::GreaterEqual, left, right, within, otherwise);
+        }
+        Comparison::Unequal => {
+            return choose(graph, Comparison::Equal, [left, right], [otherwise, then]);
+        }
+    };
+    graph.choose(relation, left, right, then, otherwise)
 }

@@ -21,6 +21,9 @@ messages! {
     HOW_TO_GET_A_SCALAR = "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
     vector_needed(what, found) = "{what} must be a vector, but this is {found}";
     kinds_differ(operation, left, right) = "cannot {operation} {left} and {right}";
+    EQUALITY = "what moves cannot be compared for equality";
+    EQUALITY_HELP =
+        "`==` and `!=` compare discrete states, parameters and numbers; compare this with `<`, `<=`, `>` or `>=`";
     KINDS_HELP =
         "make both scalars, with components such as `.x` or `norm(v)`, or both vectors of as many components, such as `(0, e)`";
     VECTOR_HELP = "write a vector, such as `(x, y)`";
@@ -205,6 +208,7 @@ pub(super) fn must_not_depend(place: &str, kind: Dependencies, name: &str) -> St
     let culprit = match kind {
         Dependencies::VELOCITY => "velocities".to_owned(),
         Dependencies::STATE => format!("the state `{name}`"),
+        Dependencies::DISCRETE => format!("the discrete state `{name}`"),
         Dependencies::MULTIPLIER => format!("the multiplier `{name}`"),
         Dependencies::REACTION => format!("the force `{name}`"),
         _ => "accelerations".to_owned(),

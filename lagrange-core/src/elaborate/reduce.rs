@@ -111,6 +111,7 @@ impl<'a> Reducer<'a> {
             implied: Vec::new(),
             stabilisation: None,
             events: Vec::new(),
+            clocks: Vec::new(),
             reactions: Vec::new(),
             outputs,
             scene,
@@ -261,6 +262,7 @@ impl Renumbering {
         match role {
             Role::Coordinate(i) => Role::Coordinate(self.coordinate(i as usize) as u32),
             Role::State(i) => Role::State(self.coordinate(i as usize) as u32),
+            Role::Discrete(i) => Role::Discrete(self.coordinate(i as usize) as u32),
             Role::Velocity(i) => Role::Velocity(velocity(i)),
             Role::Acceleration(i) => Role::Acceleration(velocity(i)),
             other => other,

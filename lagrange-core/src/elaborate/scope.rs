@@ -16,6 +16,10 @@ pub(super) enum NameKind {
     Constant,
     Coordinate,
     State,
+    /// A state that only events change.
+    Discrete,
+    /// A named value of a mode.
+    ModeValue,
     Velocity,
     Abbreviation,
     /// The name defined by an equation.
@@ -40,6 +44,8 @@ impl NameKind {
             NameKind::Constant => "constant",
             NameKind::Coordinate => "coordinate",
             NameKind::State => "state",
+            NameKind::Discrete => "discrete state",
+            NameKind::ModeValue => "value of a mode",
             NameKind::Velocity => "velocity",
             NameKind::Abbreviation => "`let`",
             NameKind::Unknown => "unknown of an equation",

@@ -4,7 +4,7 @@ use super::constraints::add_constraint;
 use super::coordinates::{define_coordinate, define_quaternion, name_velocity};
 use super::definitions::{define_abbreviation, define_abbreviations, define_constant, define_parameter};
 use super::elaborator::Elaborator;
-use super::events::add_event;
+use super::events::{add_clock, add_event};
 use super::expression::value_of;
 use super::gibbs::add_gibbs;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
@@ -15,7 +15,7 @@ use super::scope::NameKind;
 use super::solve::define_unknown;
 use super::stabilisation::set_stabilisation;
 use super::start::{add_declared_start, add_start};
-use super::states::{add_state_rate, define_state};
+use super::states::{add_state_rate, define_mode, define_state};
 use super::tables::define_table;
 use crate::model::{Output, Product};
 use lagrange_expr::diagnostics::nearest;
@@ -52,12 +52,13 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
                 add_declared_start(elaborator, definition);
             }
         }
-        StatementKind::States(list) => {
+        StatementKind::States(kind, list) => {
             for definition in list {
-                define_state(elaborator, &definition.name);
+                define_state(elaborator, &definition.name, *kind);
                 add_declared_start(elaborator, definition);
             }
         }
+        StatementKind::Mode(mode) => define_mode(elaborator, mode),
         StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, *assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
@@ -88,6 +89,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Constraint(name, value) => add_constraint(elaborator, name, *value),
         StatementKind::Stabilise(rate) => set_stabilisation(elaborator, *rate, keyword),
         StatementKind::Event(event) => add_event(elaborator, event),
+        StatementKind::Every(clock) => add_clock(elaborator, clock, keyword),
         StatementKind::Friction(friction) => add_friction(elaborator, friction),
         StatementKind::Output(name, value) => add_output(elaborator, name, *value),
         StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),

@@ -6,26 +6,56 @@ use super::messages::states as words;
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
-use crate::model::Coordinate;
+use crate::model::{Action, Coordinate};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
-use lagrange_language::syntax::ast::{AstId, Name};
+use lagrange_language::syntax::ast::{AstId, Mode, Name, StateKind};
 
 /// States stand behind all other positions, be these declared further down.
-pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name) {
-    let index = elaborator.first_state + elaborator.states.len();
-    let position = elaborator.evaluator.graph.symbol(&name.text, Role::State(index as u32));
-    elaborator.states.push(DeclaredState { name: name.clone(), position, equation: None });
-    elaborator.declare(name, NameKind::State, Some(Operand::Scalar(position)));
+pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name, kind: StateKind) {
+    let index = (elaborator.first_state + elaborator.states.len()) as u32;
+    let (role, name_kind) = match kind {
+        StateKind::FirstOrder => (Role::State(index), NameKind::State),
+        StateKind::Discrete => (Role::Discrete(index), NameKind::Discrete),
+    };
+    let graph = &mut elaborator.evaluator.graph;
+    let position = graph.symbol(&name.text, role);
+    if kind == StateKind::Discrete {
+        let rate = graph.number(0);
+        graph.set_rate(position, rate);
+    }
+    elaborator.states.push(DeclaredState { name: name.clone(), position, kind, equation: None });
+    elaborator.declare(name, name_kind, Some(Operand::Scalar(position)));
+}
+
+/// `mode clutch = open | closed;`: a discrete state, and the numbers that its values stand for.
+/// Modes may share a value if it has the same number in both.
+pub(super) fn define_mode(elaborator: &mut Elaborator<'_>, mode: &Mode) {
+    define_state(elaborator, &mode.name, StateKind::Discrete);
+    for (number, name) in (0..).zip(&mode.values) {
+        let value = Operand::Scalar(elaborator.evaluator.graph.number(number));
+        let known = elaborator.evaluator.scope.find(&name.text);
+        let of_mode = known.filter(|known| known.kind == NameKind::ModeValue);
+        let is_own = mode.values[..number as usize].iter().any(|before| before.text == name.text);
+        match of_mode.map(|known| (known.value == Some(value.clone()), known.span)) {
+            Some((true, _)) => {}
+            Some((false, first)) if !is_own => {
+                let message = words::other_number(&name.text);
+                let error = elaborator.evaluator.report.error(name.span, message);
+                error.related(Origin::from(first), words::FIRST_NUMBER).help(words::OTHER_NUMBER_HELP);
+            }
+            _ => elaborator.declare(name, NameKind::ModeValue, Some(value)),
+        }
+    }
 }
 
 /// Index among the positions of the state of this name.
 pub(super) fn state_named(elaborator: &Elaborator<'_>, name: &str) -> Option<usize> {
-    let entry = elaborator.evaluator.scope.find(name).filter(|entry| entry.kind == NameKind::State)?;
+    let entry = elaborator.evaluator.scope.find(name)?;
     let Some(Operand::Scalar(position)) = entry.value else { return None };
     match elaborator.evaluator.graph.symbol_of(position)?.role {
-        Role::State(index) => Some(index as usize),
+        Role::State(index) | Role::Discrete(index) => Some(index as usize),
         _ => None,
     }
 }
@@ -37,6 +67,11 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
         return report_no_state(elaborator, name);
     };
     let state = &mut elaborator.states[position - elaborator.first_state];
+    if state.kind == StateKind::Discrete {
+        let error = elaborator.evaluator.report.error(name.span, words::discrete_rate(&name.text));
+        error.help(words::discrete_rate_help(&name.text));
+        return;
+    }
     let (position, first) = (state.position, state.equation.replace(name.span));
     if let Some(first) = first {
         let error = elaborator.evaluator.report.error(name.span, words::stated_twice(&name.text));
@@ -79,12 +114,31 @@ pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
     let declaration = elaborator.declaration;
     let scope = &elaborator.evaluator.scope;
     let is_unclear = !declaration.unreadable_words.is_empty();
-    for state in elaborator.states.iter().filter(|state| !is_unclear && state.equation.is_none()) {
+    let lacks_equation =
+        |state: &&DeclaredState| state.kind == StateKind::FirstOrder && state.equation.is_none();
+    for state in elaborator.states.iter().filter(lacks_equation).filter(|_| !is_unclear) {
         let text = &state.name.text;
         let is_ambiguous = scope.find(text).is_some_and(|entry| entry.is_ambiguous);
         if !is_ambiguous && !declaration.states_rate_of(text) {
             let error = elaborator.evaluator.report.error(state.name.span, words::without_equation(text));
             error.help(words::equation_of(text));
+        }
+    }
+}
+
+/// Warns of discrete states that nothing changes.
+pub(super) fn warn_of_constant_states(elaborator: &mut Elaborator<'_>) {
+    let assignments = elaborator.events.iter().flat_map(|(event, _)| match &event.action {
+        Action::Assign(assignments) => &assignments[..],
+        _ => &[],
+    });
+    let by_clocks = elaborator.clocks.iter().flat_map(|(clock, _)| &clock.assignments);
+    let assigned = assignments.chain(by_clocks).map(|assignment| assignment.index).collect::<Vec<_>>();
+    for (index, state) in (elaborator.first_state..).zip(&elaborator.states) {
+        let text = &state.name.text;
+        if state.kind == StateKind::Discrete && !assigned.contains(&index) && !text.starts_with('_') {
+            let warning = elaborator.evaluator.report.doubtful(state.name.span, words::never_assigned(text));
+            warning.help(words::never_assigned_help(text));
         }
     }
 }

@@ -10,6 +10,7 @@ use super::base::refusal::{Refusal, report_refusal};
 use super::base::shape::{doc, identifier};
 use super::base::size::{Size, report_cost};
 use super::base::writer::MethodWriter;
+use super::features::clocks::write_clocks;
 use super::features::constants::{equations_latex, parameter_names, statements_constant};
 use super::features::constrained::write_constrained;
 use super::features::contacts::{default_modes, write_touching};
@@ -85,6 +86,7 @@ fn assembled(
     write_position_rates(&mut writer);
     write_events(&mut writer);
     write_switches(&mut writer);
+    write_clocks(&mut writer);
     write_products(&mut writer);
     write_outputs(&mut writer);
     write_scene(&mut writer);

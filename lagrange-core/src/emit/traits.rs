@@ -8,6 +8,7 @@ use super::base::fingerprint::fingerprint;
 use super::base::members::Members;
 use super::base::method::{ArgumentNames, Arguments};
 use super::base::shape::{Shape, length, local};
+use super::features::clocks::{clock_members, next_tick};
 use super::features::constrained::{canonical_constraints, constrained_impl, leapfrog_impl};
 use super::features::contacts::contact_impl;
 use super::features::events::event_members;
@@ -17,7 +18,7 @@ use super::features::linearised::linearised_impl;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
-use super::features::switches::switched_impl;
+use super::features::switches::{switched_impl, timed_members};
 use super::features::taylor::taylor_impl;
 use super::features::units::units_constant;
 use lagrange_language::syntax::ast::Name;
@@ -77,6 +78,8 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     });
     let undefined = undefined_member(shape, members);
     let (constrained, events) = (correct_members(shape, members), event_members(shape, members));
+    let timed = timed_members(shape, members, next_tick(shape, members));
+    let clocks = clock_members(shape, members);
     quote! {
         #[automatically_derived]
         impl #bounds #krate::system::OdeSystem for #name #generics {
@@ -90,6 +93,8 @@ fn ode_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
             #jacobian
             #constrained
             #events
+            #timed
+            #clocks
         }
     }
 }

@@ -7,6 +7,7 @@ use proc_macro2::Span;
 
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{ExprId, Graph};
+use lagrange_expr::symbol::Role;
 use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{Direction, Name};
 
@@ -49,6 +50,8 @@ pub struct Model {
     pub stabilisation: Option<ExprId>,
     /// Declared events.
     pub events: Vec<Event>,
+    /// Declared clocks.
+    pub clocks: Vec<Clock>,
     /// Contacts and friction, in declaration order.
     pub reactions: Vec<Reaction>,
     /// Declared outputs.
@@ -122,7 +125,8 @@ pub struct Bound {
     pub is_included: bool,
 }
 
-/// A position: a generalised coordinate, a component of a unit quaternion, or a first-order state.
+/// A position: a generalised coordinate, a component of a unit quaternion, or a state, of first
+/// order or discrete.
 #[derive(Clone, Debug)]
 pub struct Coordinate {
     /// Its name.
@@ -132,7 +136,7 @@ pub struct Coordinate {
     /// q̇, a function of positions and generalised velocities, linear in these; of a first-order
     /// state any function of time, positions, velocities and inputs
     pub rate: ExprId,
-    /// True if it is a first-order state, which displacements leave as it is.
+    /// True if it is a state, which displacements leave as it is.
     pub is_state: bool,
 }
 
@@ -236,6 +240,15 @@ pub struct Event {
     pub direction: Direction,
     /// Action at the event.
     pub action: Action,
+}
+
+/// Assignments at the multiples of a period.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    /// The period, a function of parameters.
+    pub period: ExprId,
+    /// Simultaneous assignments at each tick.
+    pub assignments: Vec<Assignment>,
 }
 
 /// Action at an event.
@@ -344,7 +357,14 @@ impl Model {
         self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
     }
 
-    /// Returns the first-order states in their order.
+    /// Returns the role of a position.
+    pub fn role_of_position(&self, index: usize) -> Role {
+        let coordinate = self.coordinates.get(index);
+        let symbol = coordinate.and_then(|coordinate| self.graph.symbol_of(coordinate.position));
+        symbol.map_or(Role::Coordinate(index as u32), |symbol| symbol.role)
+    }
+
+    /// Returns the states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Coordinate> {
         self.coordinates.iter().filter(|coordinate| coordinate.is_state)
     }

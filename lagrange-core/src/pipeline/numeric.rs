@@ -211,7 +211,7 @@ impl NumericSystem {
             Role::Parameter(i) => entry(&self.parameters, i),
             Role::Input(i) => entry(&self.inputs, i),
             Role::Time => at.t,
-            Role::Coordinate(i) | Role::State(i) => entry(at.q, i),
+            Role::Coordinate(i) | Role::State(i) | Role::Discrete(i) => entry(at.q, i),
             Role::Velocity(i) => entry(at.v, i),
             Role::Acceleration(i) => entry(at.a, i),
             Role::Multiplier(i) => entry(at.multipliers, i),

@@ -159,7 +159,7 @@ impl<'v, 'n> View<'v, 'n> {
             Some(Role::Parameter(index)) => (2, index),
             Some(Role::Input(index)) => (3, index),
             Some(Role::Time) => (4, 0),
-            Some(Role::Coordinate(index) | Role::State(index)) => (5, index),
+            Some(Role::Coordinate(index) | Role::State(index) | Role::Discrete(index)) => (5, index),
             Some(Role::Velocity(index)) => (7, index),
             Some(Role::Acceleration(index)) => (8, index),
             Some(Role::Multiplier(index)) => (9, index),

@@ -12,7 +12,7 @@ pub enum Variability {
     Constant,
     /// Inputs.
     Input,
-    /// Time, coordinates or states.
+    /// Time, coordinates or states, discrete ones among them.
     Position,
     /// Velocities.
     Velocity,
@@ -26,9 +26,12 @@ impl Variability {
         match role {
             Role::Parameter(_) => Variability::Constant,
             Role::Input(_) => Variability::Input,
-            Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Operand(_) | Role::Placeholder(_) => {
-                Variability::Position
-            }
+            Role::Time
+            | Role::Coordinate(_)
+            | Role::State(_)
+            | Role::Discrete(_)
+            | Role::Operand(_)
+            | Role::Placeholder(_) => Variability::Position,
             Role::Velocity(_) | Role::Side(_) => Variability::Velocity,
             Role::Acceleration(_) | Role::Multiplier(_) | Role::Reaction(_) => Variability::Acceleration,
         }
@@ -36,8 +39,8 @@ impl Variability {
 
     /// Returns the variability of an expression.
     pub fn of_expression(graph: &Graph, id: ExprId) -> Variability {
-        let position =
-            Dependencies::TIME | Dependencies::COORDINATE | Dependencies::STATE | Dependencies::PLACEHOLDER;
+        let state = Dependencies::COORDINATE | Dependencies::STATE | Dependencies::DISCRETE;
+        let position = Dependencies::TIME | state | Dependencies::PLACEHOLDER;
         let kinds = [
             (Dependencies::ACCELERATION, Variability::Acceleration),
             (Dependencies::VELOCITY, Variability::Velocity),

@@ -73,7 +73,7 @@ fn kind(op: &Op, kinds: &ValueTable<Kind>) -> Kind {
 
 fn of_role(role: Role) -> Kind {
     match role {
-        Role::Parameter(_) | Role::Input(_) | Role::Side(_) => Kind::Fixed,
+        Role::Parameter(_) | Role::Input(_) | Role::Discrete(_) | Role::Side(_) => Kind::Fixed,
         Role::Time | Role::Coordinate(_) | Role::State(_) | Role::Velocity(_) => Kind::Moving,
         Role::Acceleration(_) | Role::Multiplier(_) | Role::Placeholder(_) => Kind::Accelerated,
         Role::Reaction(_) | Role::Operand(_) => Kind::Unknown,

@@ -32,6 +32,8 @@ impl Dependencies {
     pub const REACTION: Dependencies = Dependencies(256);
     /// Depends on a first-order state.
     pub const STATE: Dependencies = Dependencies(512);
+    /// Depends on a discrete state.
+    pub const DISCRETE: Dependencies = Dependencies(1024);
     /// Contains a place holder of an unfinished computation.
     pub const PLACEHOLDER: Dependencies = Dependencies(64);
 
@@ -40,15 +42,20 @@ impl Dependencies {
         self.0 & other.0 != 0
     }
 
+    /// True if every kind is among those of `other`.
+    pub fn is_within(self, other: Dependencies) -> bool {
+        self.0 & !other.0 == 0
+    }
+
     /// True if the value never changes during a motion.
     pub fn is_constant_in_motion(self) -> bool {
-        self.0 & !Dependencies::PARAMETER.0 == 0
+        self.is_within(Dependencies::PARAMETER)
     }
 
     /// True if the value may change by itself during a motion: with time or the state, while inputs
     /// stay unchanged.
     pub fn may_change(self) -> bool {
-        self.0 & !(Dependencies::PARAMETER.0 | Dependencies::INPUT.0) != 0
+        !self.is_within(Dependencies::PARAMETER | Dependencies::INPUT)
     }
 
     fn of_role(role: Role) -> Dependencies {
@@ -58,6 +65,7 @@ impl Dependencies {
             Role::Time => Dependencies::TIME,
             Role::Coordinate(_) => Dependencies::COORDINATE,
             Role::State(_) => Dependencies::STATE,
+            Role::Discrete(_) => Dependencies::DISCRETE,
             // The side may change with whatever the state does.
             Role::Velocity(_) | Role::Side(_) => Dependencies::VELOCITY,
             Role::Acceleration(_) => Dependencies::ACCELERATION,

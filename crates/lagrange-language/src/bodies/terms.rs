@@ -5,9 +5,8 @@
 
 use proc_macro2::Span;
 
-use crate::syntax::ast::{AstId, BinaryOperator, Condition, Expression, Expressions, Name};
+use crate::syntax::ast::{AstId, BinaryOperator, Comparison, Condition, Expression, Expressions, Name};
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::Relation;
 use lagrange_expr::number::Number;
 
 /// A vector in the plane.
@@ -271,7 +270,7 @@ impl<'e> TermWriter<'e> {
     /// One value where a scalar is positive, another one elsewhere.
     pub(super) fn if_positive(&mut self, scalar: AstId, then: AstId, otherwise: AstId) -> AstId {
         let zero = self.number(0);
-        let condition = Condition { left: zero, relation: Relation::Less, right: scalar };
+        let condition = Condition { left: zero, relation: Comparison::Less, right: scalar };
         self.add_node(Expression::If { condition, then, otherwise })
     }
 

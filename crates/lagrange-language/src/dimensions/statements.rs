@@ -5,15 +5,15 @@ mod definitions;
 use super::calls::total;
 use super::checker::Checker;
 use super::exponents::Exponents;
-use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER};
+use super::kinds::{ENERGY, FORCE, FREQUENCY, GIBBS, LENGTH, POWER, TIME};
 use super::labels::Label;
 use super::measure::Measure;
 use super::messages;
 use super::quantities::is_of_numbers;
 use super::solver::Grounds;
 use crate::syntax::ast::{
-    Action, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction, Statement,
-    StatementKind,
+    Action, Assignment, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction,
+    Statement, StatementKind,
 };
 use definitions::{
     declared, define_table, define_value, named_component, named_value, require_start, value_of,
@@ -80,13 +80,18 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let values = list.iter().filter_map(|definition| Some((&definition.name, definition.value?)));
             values.for_each(|(name, value)| checker.define_constant(&name.text, value));
         }
-        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Declare) => {
+        (StatementKind::Coordinates(list) | StatementKind::States(_, list), DimensionPass::Declare) => {
             for Definition { name, .. } in list {
                 let form = declared(checker, name);
                 checker.scope.insert(name.text.clone(), Measure::known(form));
             }
         }
-        (StatementKind::Coordinates(list) | StatementKind::States(list), DimensionPass::Require) => {
+        (StatementKind::Mode(mode), DimensionPass::Declare) => {
+            for Name { text, .. } in [&mode.name].into_iter().chain(&mode.values) {
+                checker.scope.insert(text.clone(), Measure::known(form([0; 7])));
+            }
+        }
+        (StatementKind::Coordinates(list) | StatementKind::States(_, list), DimensionPass::Require) => {
             for Definition { name, value, .. } in list {
                 let known = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
                 require_start(checker, *value, &known, &value_of(name));
@@ -207,6 +212,10 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let along = checker.value(*angle);
             work(checker, *moment, &along, &said(messages::TORQUE));
         }
+        (StatementKind::Every(clock), DimensionPass::Require) => {
+            checker.require_dimension(clock.period, &Dimension::of(TIME), &said(messages::PERIOD));
+            demand_of_assignments(checker, &clock.assignments);
+        }
         (StatementKind::Event(event), DimensionPass::Require) => demand_of_event(checker, event, place),
         (StatementKind::Friction(friction), DimensionPass::Require) => {
             demand_of_friction(checker, friction, place);
@@ -250,11 +259,13 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Event(_)
+            | StatementKind::Every(_)
             | StatementKind::Output(..)
             | StatementKind::Reduce(_),
             DimensionPass::Declare | DimensionPass::Abbreviate,
         )
-        | (StatementKind::Coordinates(_) | StatementKind::States(_), DimensionPass::Abbreviate)
+        | (StatementKind::Coordinates(_) | StatementKind::States(..), DimensionPass::Abbreviate)
+        | (StatementKind::Mode(_), DimensionPass::Abbreviate | DimensionPass::Require)
         | (StatementKind::Start(_), DimensionPass::Declare | DimensionPass::Abbreviate)
         | (StatementKind::Friction(_), DimensionPass::Declare)
         | (
@@ -299,14 +310,16 @@ fn demand_of_event(checker: &mut Checker<'_>, event: &Event, place: Origin) {
             let reason = Grounds { words: messages::RESTITUTION.to_owned(), place };
             checker.require_dimension(*restitution, &Dimension::NONE, &reason);
         }
-        Action::Assign(assignments) => {
-            for assignment in assignments {
-                let target = checker.value(assignment.target);
-                let place = checker.expressions.origin(assignment.target);
-                let reason = Grounds { words: messages::ASSIGNED.to_owned(), place };
-                checker.require(assignment.value, &target, &reason);
-            }
-        }
+        Action::Assign(assignments) => demand_of_assignments(checker, assignments),
+    }
+}
+
+fn demand_of_assignments(checker: &mut Checker<'_>, assignments: &[Assignment]) {
+    for assignment in assignments {
+        let target = checker.value(assignment.target);
+        let place = checker.expressions.origin(assignment.target);
+        let reason = Grounds { words: messages::ASSIGNED.to_owned(), place };
+        checker.require(assignment.value, &target, &reason);
     }
 }
 

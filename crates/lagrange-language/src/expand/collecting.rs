@@ -42,7 +42,8 @@ fn declares_arrays(kind: &StatementKind) -> bool {
             | StatementKind::Inputs(_)
             | StatementKind::Constants(_)
             | StatementKind::Coordinates(_)
-            | StatementKind::States(_)
+            | StatementKind::States(..)
+            | StatementKind::Mode(_)
             | StatementKind::Quaternion(_)
     )
 }

@@ -97,7 +97,7 @@ impl Counting<'_> {
             return None;
         }
         let [left, right] = sides.map(|side| self.number(side, scope).ok());
-        Some(condition.relation.holds(&left?, &right?))
+        Some(condition.relation.holds(left?.cmp(&right?)))
     }
 
     fn value(self, id: AstId, scope: ScopeId, values: &HashMap<AstId, Number>) -> Result<Number, Reason> {

@@ -7,13 +7,13 @@ use super::paths::{Path, Target};
 use super::scopes::ScopeId;
 use super::unrolling::Instance;
 use crate::syntax::ast::{
-    AstId, Contact, Definition, Mobilizer, MobilizerKind, Name, Quaternion, SceneStatement, Statement,
+    AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion, SceneStatement, Statement,
     StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 
-/// The statements that one instance stands for: one, but for quaternions that are declared
-/// together, and none if it is wrong.
+/// The statements that one instance stands for: one, but for quaternions and modes that are
+/// declared together, and none if it is wrong.
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
     let Instance { statement, scope } = *instance;
     let with = |kind| Statement { kind, origin: statement.origin, docs: statement.docs.clone() };
@@ -22,11 +22,18 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
         StatementKind::Constants(list) => StatementKind::Constants(definitions(copier, list, scope)),
         StatementKind::Coordinates(list) => StatementKind::Coordinates(definitions(copier, list, scope)),
-        StatementKind::States(list) => StatementKind::States(definitions(copier, list, scope)),
+        StatementKind::States(kind, list) => StatementKind::States(*kind, definitions(copier, list, scope)),
         StatementKind::Quaternion(quaternion) => {
             let elements = elements(copier, &quaternion.name, scope).into_iter();
             let named = |name| StatementKind::Quaternion(Box::new(Quaternion::named(name)));
             return elements.map(|(_, name)| with(named(name))).collect();
+        }
+        StatementKind::Mode(mode) => {
+            let prefixed = |value: &Name| element(value, copier.scopes.prefixed(scope, &value.text));
+            let values = mode.values.iter().map(prefixed).collect::<Vec<_>>();
+            let elements = elements(copier, &mode.name, scope).into_iter();
+            let of_values = |name| StatementKind::Mode(Mode { name, values: values.clone() });
+            return elements.map(|(_, name)| with(of_values(name))).collect();
         }
         kind => match single(copier, kind, scope) {
             Some(kind) => kind,

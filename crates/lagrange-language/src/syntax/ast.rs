@@ -6,6 +6,7 @@
 pub mod bodies;
 mod callables;
 mod conditions;
+mod definitions;
 mod events;
 mod expressions;
 mod id;
@@ -24,7 +25,10 @@ pub use callables::{
     UnknownDefinition,
 };
 pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
-pub use events::{Action, Assignment, Direction, Event, Friction};
+pub use definitions::{
+    AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
+};
+pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
 pub use expressions::{ArrayExpression, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range};
 pub use id::AstId;
 pub use keywords::{Keyword, Soft};
@@ -38,8 +42,7 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    AllowedRange, Block, Definition, EmitItem, Limit, PartArgument, PartDefinition, Placement, Reduction,
-    ReductionItem, ReductionKind, Repetition, Selection, Statement, StatementKind,
+    Block, PartArgument, PartDefinition, Placement, Repetition, Selection, Statement, StatementKind,
 };
 pub use surfaces::{Contact, Surface, SurfaceKind};
 
@@ -134,11 +137,11 @@ impl Declaration {
 
     /// Returns the states in their order.
     pub fn states(&self) -> impl Iterator<Item = &Name> {
-        let states = self.statements.iter().filter_map(|statement| match &statement.kind {
-            StatementKind::States(list) => Some(list),
-            _ => None,
-        });
-        states.flatten().map(|definition| &definition.name)
+        self.statements.iter().flat_map(|statement| match &statement.kind {
+            StatementKind::States(_, list) => list.iter().map(|definition| &definition.name).collect(),
+            StatementKind::Mode(mode) => vec![&mode.name],
+            _ => Vec::new(),
+        })
     }
 
     /// True if there is an equation of the state of this name, even an invalid one.
@@ -202,7 +205,7 @@ impl Declaration {
     pub fn has_start(&self) -> bool {
         self.statements.iter().any(|statement| match &statement.kind {
             StatementKind::Start(_) => true,
-            StatementKind::Coordinates(list) | StatementKind::States(list) => {
+            StatementKind::Coordinates(list) | StatementKind::States(_, list) => {
                 list.iter().any(|definition| definition.value.is_some())
             }
             _ => false,
@@ -237,7 +240,7 @@ impl Declaration {
         declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
         declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
         for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(list) | StatementKind::States(list) = &mut statement.kind {
+            if let StatementKind::Coordinates(list) | StatementKind::States(_, list) = &mut statement.kind {
                 list.retain(|definition| !is_frozen(&definition.name));
             }
         }

@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Ident, Span, TokenTree};
 
 use super::ast::{
-    Assignment, AstId, Definition, EmitItem, Expression, FunctionDefinition, Name, StatementKind,
+    Assignment, AstId, Definition, EmitItem, Expression, FunctionDefinition, Mode, Name, StatementKind,
 };
 use super::cursor::{Cursor, as_group, group_origin};
 use super::identifiers::{at_equals_past, at_relation};
@@ -83,6 +83,28 @@ impl Parser<'_> {
             self.report.error(name.span, message).help(messages::CONSTANT_WITHOUT_VALUE_HELP);
         }
         definitions
+    }
+
+    /// Reads `clutch = open | closed`.
+    pub(super) fn mode(&mut self, cursor: &mut Cursor) -> Parsed<Mode> {
+        let name = self.declared_name(cursor)?;
+        self.equals(form("mode"), cursor)?;
+        let mut values = vec![self.free_name(cursor)?];
+        self.turns(cursor, |parser, cursor| {
+            if cursor.eat('|').is_none() {
+                return Ok(Turn::Last);
+            }
+            values.push(parser.free_name(cursor)?);
+            Ok(Turn::Next)
+        })?;
+        if !cursor.at_statement_end() {
+            return Err(self.misplaced("`|`", form("mode"), cursor));
+        }
+        if values.len() < 2 {
+            let help = form("mode");
+            return Err(self.fail_with_help(values[0].span, messages::one_value(&name.text), help));
+        }
+        Ok(Mode { name, values })
     }
 
     /// Reads `x, theta = 0.1` behind this keyword. A word that cannot be a name counts, too, so

@@ -1,8 +1,8 @@
 //! Statements that declare events.
 
-use proc_macro2::{Delimiter, Span};
+use proc_macro2::{Delimiter, Group, Span};
 
-use super::ast::{Action, Assignment, AstId, Direction, Event, Name};
+use super::ast::{Action, Assignment, AstId, Clock, Direction, Event, Name};
 use super::cursor::{Cursor, group_origin};
 use super::foreign;
 use super::identifiers::at_relation;
@@ -34,6 +34,18 @@ impl Parser<'_> {
         }
         let action = self.action(&name, cursor)?;
         Ok(Event { name, value, direction, direction_span, action })
+    }
+
+    /// `0.01 => { a = e; }` behind the word `every`.
+    pub(super) fn clock(&mut self, cursor: &mut Cursor) -> Parsed<Clock> {
+        let period = self.expression(cursor)?;
+        if !eat_arrow(cursor) {
+            return Err(self.misplaced("`=>`", form("every"), cursor));
+        }
+        let Some(group) = cursor.eat_group(Delimiter::Brace) else {
+            return Err(self.misplaced("`{`", form("every"), cursor));
+        };
+        Ok(Clock { period, assignments: self.assigned_in(&group) })
     }
 
     /// `= e,`.
@@ -89,13 +101,7 @@ impl Parser<'_> {
 
     fn action(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<Action> {
         if let Some(group) = cursor.eat_group(Delimiter::Brace) {
-            if group.stream().is_empty() {
-                let error = self.report.error(group_origin(&group), messages::NOTHING_ASSIGNED);
-                error.help(messages::NOTHING_ASSIGNED_HELP);
-            }
-            // A mistake between the braces leaves the end of the statement in place.
-            let assignments = self.inside(&group, Self::assignments).unwrap_or_default();
-            return Ok(Action::Assign(assignments));
+            return Ok(Action::Assign(self.assigned_in(&group)));
         }
         let (here, word) = (cursor.here(), cursor.ident().map(ToString::to_string).unwrap_or_default());
         if cursor.at_statement_end() {
@@ -124,6 +130,16 @@ impl Parser<'_> {
                 Err(self.fail_with_help(cursor.here(), message, messages::ACTION_HELP))
             }
         }
+    }
+
+    /// The assignments between braces, of which there must be one.
+    fn assigned_in(&mut self, group: &Group) -> Vec<Assignment> {
+        if group.stream().is_empty() {
+            let error = self.report.error(group_origin(group), messages::NOTHING_ASSIGNED);
+            error.help(messages::NOTHING_ASSIGNED_HELP);
+        }
+        // A mistake between the braces leaves the end of the statement in place.
+        self.inside(group, Self::assignments).unwrap_or_default()
     }
 
     /// `(e)`.

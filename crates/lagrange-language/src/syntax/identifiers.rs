@@ -3,7 +3,7 @@
 use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Ident, TokenTree};
 
-use super::ast::Name;
+use super::ast::{Comparison, Name};
 use super::cursor::Cursor;
 use super::keywords;
 use super::messages;
@@ -92,4 +92,18 @@ pub(super) fn at_equals_past(count: usize, cursor: &Cursor) -> bool {
 /// True if an equality or an inequality follows.
 pub(super) fn at_relation(cursor: &Cursor) -> bool {
     cursor.at('=') || cursor.at('<') || cursor.at('>') || cursor.at_pair('!', '=')
+}
+
+/// Takes a comparison, if one stands here.
+pub(super) fn eat_comparison(cursor: &mut Cursor) -> Option<Comparison> {
+    let is_here = |sign: &str| match sign.as_bytes() {
+        [first, second] => cursor.at_pair(char::from(*first), char::from(*second)),
+        [only] => cursor.at(char::from(*only)),
+        _ => false,
+    };
+    let (sign, comparison) = Comparison::ALL.into_iter().find(|(sign, _)| is_here(sign))?;
+    for _ in sign.chars() {
+        cursor.skip_one();
+    }
+    Some(comparison)
 }

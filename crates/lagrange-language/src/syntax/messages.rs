@@ -59,7 +59,7 @@ messages! {
     STATEMENT = "a statement";
     ATTRIBUTE_ON_STATEMENT = "attributes are not allowed here";
     ATTRIBUTE_ON_STATEMENT_HELP =
-        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `contact`, `output`, `reduce` and `part`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
+        "documentation with `///` can stand before `param`, `input`, `coord`, `state`, `discrete`, `mode`, `quaternion`, `velocity`, `body`, `frame`, `constraint`, `event`, `friction`, `contact`, `output`, `reduce` and `part`. It can also stand before the joints `revolute`, `prismatic`, `screw`, `cylindrical`, `universal`, `planar`, `ball` and `free`. Other comments begin with `//`";
     MISSING_SEMICOLON = "missing `;` after this";
     LINE_END = "expected `;`, found `,`";
     MISSING_COMMA = "missing `,` before this";
@@ -128,8 +128,9 @@ messages! {
     MISSING_ELSE = "this `if` has no value when its condition is false";
     MISSING_ELSE_HELP = "add `else { … }`";
     COMPARISON = "`<`, `<=`, `>` or `>=`";
-    EQUALITY = "numbers cannot be compared for equality";
-    EQUALITY_HELP = "compare with `<`, `<=`, `>` or `>=`; `==` compares indices, as in `if i == 2 { … }`";
+    one_value(name) = "the mode `{name}` needs at least two values";
+    EQUALITY = "a condition has `==` between what it compares";
+    EQUALITY_HELP = "write `if clutch == open { … } else { … }`, and `<`, `<=`, `>` or `>=` for what moves";
     LOGIC = "a condition is a single comparison, without `&&`, `||` and `!`";
     LOGIC_HELP = "nest one `if` in the other, or compare `min(a, b)` or `max(a, b)` with zero";
     COMPARISON_CHAIN = "a condition is a single comparison";

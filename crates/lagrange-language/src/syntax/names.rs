@@ -60,7 +60,7 @@ impl Parser<'_> {
         let (message, help) = match cursor.peek() {
             Some(TokenTree::Punct(punct)) if punct.as_char() == ':' && cursor.pair().is_none() => {
                 let is_equals = match keyword {
-                    "param" | "coord" | "state" => false,
+                    "param" | "coord" | "state" | "discrete" => false,
                     "constraint" | "event" => true,
                     _ => !value_follows(cursor),
                 };

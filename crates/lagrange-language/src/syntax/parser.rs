@@ -57,7 +57,7 @@ impl Declared {
                 Declared::Parameter
             }
             StatementKind::Coordinates(_) => Declared::Coordinate,
-            StatementKind::States(_) => Declared::State,
+            StatementKind::States(..) | StatementKind::Mode(_) => Declared::State,
             _ => Declared::Other,
         }
     }

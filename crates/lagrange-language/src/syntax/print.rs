@@ -11,8 +11,8 @@ mod parts;
 mod scenes;
 
 use super::ast::{
-    Action, AllowedRange, AstId, Block, Declaration, Definition, Direction, EmitItem, Event, Expressions,
-    Friction, Name, Reduction, ReductionKind, StatementKind,
+    Action, AllowedRange, Assignment, AstId, Block, Declaration, Definition, Direction, EmitItem, Event,
+    Expressions, Friction, Name, Reduction, ReductionKind, StatementKind,
 };
 
 /// Writes the statements of a declaration, each on a separate line.
@@ -72,7 +72,16 @@ impl Printer<'_> {
             StatementKind::Inputs(list) => self.definitions("input ", list),
             StatementKind::Constants(list) => self.definitions("const ", list),
             StatementKind::Coordinates(list) => self.definitions("coord ", list),
-            StatementKind::States(list) => self.definitions("state ", list),
+            StatementKind::States(kind, list) => self.definitions(&format!("{} ", kind.keyword()), list),
+            StatementKind::Mode(mode) => {
+                self.text("mode ");
+                self.name(&mode.name);
+                for (number, value) in mode.values.iter().enumerate() {
+                    self.text(if number == 0 { " = " } else { " | " });
+                    self.name(value);
+                }
+                self.text(";");
+            }
             StatementKind::Start(assignments) => {
                 self.text("start ");
                 self.list(assignments, |printer, assignment| {
@@ -132,6 +141,11 @@ impl Printer<'_> {
             StatementKind::Constraint(name, value) => self.named("constraint ", name, *value),
             StatementKind::Stabilise(value) => self.between("stabilise = ", *value, ";"),
             StatementKind::Event(event) => self.event(event),
+            StatementKind::Every(clock) => {
+                self.labelled("every ", clock.period);
+                self.text(" => ");
+                self.assignments(&clock.assignments);
+            }
             StatementKind::Friction(friction) => self.friction(friction),
             StatementKind::Output(name, value) => self.named("output ", name, *value),
             StatementKind::Emit(items) => self.emit(items),
@@ -204,15 +218,17 @@ impl Printer<'_> {
             Action::Stop => self.text("stop;"),
             Action::Record => self.text("record;"),
             Action::Impact(restitution) => self.between("impact(", *restitution, ");"),
-            Action::Assign(assignments) => {
-                self.text("{");
-                for assignment in assignments {
-                    self.labelled(" ", assignment.target);
-                    self.between(" = ", assignment.value, ";");
-                }
-                self.text(" }");
-            }
+            Action::Assign(assignments) => self.assignments(assignments),
         }
+    }
+
+    fn assignments(&mut self, assignments: &[Assignment]) {
+        self.text("{");
+        for assignment in assignments {
+            self.labelled(" ", assignment.target);
+            self.between(" = ", assignment.value, ";");
+        }
+        self.text(" }");
     }
 
     fn friction(&mut self, friction: &Friction) {

@@ -5,8 +5,8 @@ mod loops;
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
 use super::ast::{
-    Action, AstId, Block, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, Statement, StatementKind,
-    SurfaceKind,
+    Action, AstId, Block, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, StateKind, Statement,
+    StatementKind, SurfaceKind,
 };
 use super::cursor::Cursor;
 use super::expressions::at_loop;
@@ -92,7 +92,11 @@ impl Parser<'_> {
             "input" => Ok(StatementKind::Inputs(self.definitions("input", cursor))),
             "const" => Ok(StatementKind::Constants(self.constants(cursor))),
             "coord" => Ok(StatementKind::Coordinates(self.coordinates("coord", cursor))),
-            "state" => Ok(StatementKind::States(self.coordinates("state", cursor))),
+            "state" => Ok(StatementKind::States(StateKind::FirstOrder, self.coordinates("state", cursor))),
+            "discrete" => {
+                Ok(StatementKind::States(StateKind::Discrete, self.coordinates("discrete", cursor)))
+            }
+            "mode" => Ok(StatementKind::Mode(self.mode(cursor)?)),
             "start" => Ok(StatementKind::Start(self.starts(cursor))),
             "dot" if at_state_rate(cursor) => self.state_rate(cursor),
             "quaternion" => {
@@ -122,6 +126,7 @@ impl Parser<'_> {
             "constraint" => self.constraint(cursor),
             "stabilise" => Ok(StatementKind::Stabilise(self.assigned(help, cursor)?)),
             "event" => Ok(StatementKind::Event(self.event(cursor)?)),
+            "every" => Ok(StatementKind::Every(self.clock(cursor)?)),
             "friction" => Ok(StatementKind::Friction(self.friction(cursor)?)),
             "output" => {
                 let name = self.leading_name("output", cursor)?;
@@ -255,7 +260,7 @@ fn at_state_rate(cursor: &Cursor) -> bool {
 /// True if a statement needs no semicolon.
 fn ends_in_braces(kind: &StatementKind) -> bool {
     match kind {
-        StatementKind::Emit(_) | StatementKind::Reduce(_) => true,
+        StatementKind::Emit(_) | StatementKind::Reduce(_) | StatementKind::Every(_) => true,
         StatementKind::External(function) => function.derivatives.is_some(),
         StatementKind::Block(block) => !matches!(block, Block::Include(_)),
         StatementKind::Event(event) => matches!(event.action, Action::Assign(_)),

@@ -59,7 +59,7 @@ fn shown(expressions: &Expressions, id: AstId) -> String {
         Expression::Call(function, arguments) => list(&function.text, arguments),
         Expression::Component(vector, name) => list(&format!(".{}", name.text), &[*vector]),
         Expression::If { condition, then, otherwise } => {
-            let condition_list = list(relation(condition.relation), &[condition.left, condition.right]);
+            let condition_list = list(condition.relation.sign(), &[condition.left, condition.right]);
             format!("(if {condition_list} {} {})", show(*then), show(*otherwise))
         }
         Expression::Array(_) | Expression::Quantity(..) => super::print::expression(expressions, id),
@@ -78,18 +78,13 @@ fn sign(operator: BinaryOperator) -> &'static str {
     }
 }
 
-fn relation(relation: Relation) -> &'static str {
-    match relation {
-        Relation::Less => "<",
-        Relation::LessEqual => "<=",
-        Relation::Greater => ">",
-        Relation::GreaterEqual => ">=",
-    }
-}
-
 /// A statement as nested lists, its kind first.
 fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
     let show = |&id: &AstId| shown(&declaration.expressions, id);
+    let assigned = |assignments: &[Assignment]| {
+        let assign = |a: &Assignment| format!("({} {})", show(&a.target), show(&a.value));
+        assignments.iter().map(assign).collect::<Vec<_>>().join(" ")
+    };
     let names = |names: &[Name]| names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join(" ");
     let definitions = |definitions: &[Definition]| {
         let define = |definition: &Definition| match &definition.value {
@@ -103,7 +98,8 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Inputs(list) => format!("input {}", definitions(list)),
         StatementKind::Constants(list) => format!("const {}", definitions(list)),
         StatementKind::Coordinates(list) => format!("coord {}", definitions(list)),
-        StatementKind::States(list) => format!("state {}", definitions(list)),
+        StatementKind::States(kind, list) => format!("{} {}", kind.keyword(), definitions(list)),
+        StatementKind::Mode(mode) => format!("mode {} {}", mode.name.text, names(&mode.values)),
         StatementKind::Start(assignments) => {
             let shown = assignments.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value)));
             format!("start{}", shown.collect::<String>())
@@ -129,15 +125,15 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
         StatementKind::Torque { moment, angle } => format!("torque {} on {}", show(moment), show(angle)),
         StatementKind::Constraint(name, value) => format!("constraint {} {}", name.text, show(value)),
         StatementKind::Stabilise(rate) => format!("stabilise {}", show(rate)),
+        StatementKind::Every(clock) => {
+            format!("every {} {}", show(&clock.period), assigned(&clock.assignments))
+        }
         StatementKind::Event(event) => {
             let action = match &event.action {
                 Action::Stop => "stop".to_owned(),
                 Action::Record => "record".to_owned(),
                 Action::Impact(restitution) => format!("impact {}", show(restitution)),
-                Action::Assign(assignments) => {
-                    let assign = |a: &Assignment| format!("({} {})", show(&a.target), show(&a.value));
-                    assignments.iter().map(assign).collect::<Vec<_>>().join(" ")
-                }
+                Action::Assign(assignments) => assigned(assignments),
             };
             format!("event {} {} {:?} {action}", event.name.text, show(&event.value), event.direction)
         }

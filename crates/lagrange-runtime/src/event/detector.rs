@@ -257,6 +257,10 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             let has_jumped = function.direction.counts(function.sign, function.here);
             if !function.is_armed() && value != S::ZERO && !has_jumped {
                 function.sign = value;
+                if function.here * value < S::ZERO {
+                    // It began beyond zero by rounding.
+                    function.here = value;
+                }
             }
         }
         Ok(())

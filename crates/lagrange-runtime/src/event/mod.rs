@@ -5,6 +5,7 @@
 //! at which a system is not smooth.
 
 mod candidate;
+mod clocks;
 mod detector;
 mod function;
 mod instant;
@@ -14,6 +15,7 @@ mod polynomial;
 mod search;
 mod switches;
 
+pub use self::clocks::{earlier, next_tick, shortest_period, ticks};
 pub use self::detector::{Detector, Occurrence};
 pub(crate) use self::instant::{end_of_instant, is_at_once};
 pub(crate) use self::locate::locate;

@@ -1,5 +1,6 @@
 //! The system of a run as it is at present.
 
+use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
@@ -27,6 +28,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         act: impl FnOnce(&M) -> Result<Option<M>, StepFailure<M::Scalar>>,
     ) -> Result<(), StepFailure<M::Scalar>> {
         check_direction::<M>(t, end)?;
+        check_clocks(self.system(), t, end)?;
         let acted = act(self.system())?;
         let begun = acted.as_ref().unwrap_or(self.system()).begin(t, y)?;
         self.switch(begun.or(acted));
@@ -55,6 +57,25 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         if system.is_some() {
             self.switched = system;
         }
+    }
+}
+
+/// Checks that clocks tick at times that differ, and that the run meets them forwards.
+fn check_clocks<M: OdeSystem>(
+    system: &M,
+    t: M::Scalar,
+    end: M::Scalar,
+) -> Result<(), SettingError<M::Scalar>> {
+    let Some(period) = system.shortest_period() else { return Ok(()) };
+    let spacing = M::Scalar::epsilon() * t.abs().max(end.abs());
+    if end < t {
+        return Err(SettingError::Invalid("clocks tick forwards in time only"));
+    }
+    match period > M::Scalar::ZERO && period > spacing {
+        true => Ok(()),
+        false => Err(SettingError::Invalid(
+            "the period of a clock must be positive and longer than the spacing of times",
+        )),
     }
 }
 

@@ -118,8 +118,8 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));
         let named = system.next_restart(t, self.end).and_then(|time| {
-            let is_on_sides = system.beyond(time, self.end).is_some();
-            self.between(t, time, if is_on_sides { Roundings::NONE } else { RESTART })
+            let is_exact = system.beyond(time, self.end).is_some() || system.is_tick(time);
+            self.between(t, time, if is_exact { Roundings::NONE } else { RESTART })
         });
         let instant = instant.and_then(|time| self.between(t, time, Roundings::NONE));
         let known = match (given, named) {

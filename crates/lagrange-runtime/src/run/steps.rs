@@ -38,7 +38,7 @@ pub trait Sink<M: OdeSystem> {
     /// reported event unless it `is_silent`.
     fn replace(&mut self, system: &M, from: (M::Scalar, &M::State), is_silent: bool);
 
-    /// Receives other inputs, from this time and state on.
+    /// Receives other inputs or the state after a tick, from this time and state on.
     fn exchange(&mut self, _system: &M, _from: (M::Scalar, &M::State)) {}
 }
 
@@ -68,6 +68,8 @@ pub struct Run<'r, 's, M: OdeSystem, T, E> {
     stepper: T,
     events: E,
     restarts: Restarts<'r, M::Scalar>,
+    /// The last time at which clocks ticked.
+    ticked: Option<M::Scalar>,
     end: M::Scalar,
 }
 
@@ -80,7 +82,8 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         (start, end): (M::Scalar, M::Scalar),
         restarts: &'r [M::Scalar],
     ) -> Self {
-        Run { current, stepper, events, restarts: Restarts::new(start, end, restarts), end }
+        let restarts = Restarts::new(start, end, restarts);
+        Run { current, stepper, events, restarts, ticked: None, end }
     }
 
     /// True if the end is reached.
@@ -126,7 +129,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
     /// If the method, the search for events or an event fails, with the last good state.
     #[inline]
     pub fn next(&mut self, sink: &mut impl Sink<M>, instant: Option<M::Scalar>) -> Turned<M> {
-        if let Err(cause) = self.step(sink, instant) {
+        if let Err(cause) = self.tick(sink).and_then(|()| self.step(sink, instant)) {
             return Err(IntegrationError { cause, time: self.stepper.time(), state: *self.stepper.state() });
         }
         while let Some((origin, event)) = self.next_event()? {
@@ -158,6 +161,22 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
             return Ok(());
         }
         self.stepper.restart(system, time, &state)
+    }
+
+    /// Lets the clocks tick that are due at the time that was reached, once.
+    #[inline]
+    fn tick(&mut self, sink: &mut impl Sink<M>) -> Result<(), StepFailure<M::Scalar>> {
+        let (time, system) = (self.time(), self.current.system());
+        let Some(state) = system.tick(time, self.stepper.state()) else { return Ok(()) };
+        if self.ticked.replace(time) == Some(time) {
+            return Ok(());
+        }
+        self.stepper.restart(system, time, &state)?;
+        // The stepper may have brought the state nearer to the constraints.
+        let admitted = *self.stepper.state();
+        self.events.restart(system, time, &admitted);
+        sink.exchange(system, (time, &admitted));
+        Ok(())
     }
 
     /// Takes one step, after a restart if one is due.

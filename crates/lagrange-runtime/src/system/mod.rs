@@ -151,6 +151,25 @@ pub trait OdeSystem {
         None
     }
 
+    /// Returns the state after the clocks of the declaration that tick at this time; `None` if none
+    /// of them does. Such times are among those of [`next_restart`](Self::next_restart).
+    #[inline]
+    fn tick(&self, _t: Self::Scalar, _y: &Self::State) -> Option<Self::State> {
+        None
+    }
+
+    /// True if a clock of the declaration ticks at this time.
+    #[inline]
+    fn is_tick(&self, _t: Self::Scalar) -> bool {
+        false
+    }
+
+    /// Returns the shortest period of its clocks, if there are any.
+    #[inline]
+    fn shortest_period(&self) -> Option<Self::Scalar> {
+        None
+    }
+
     /// True if states must satisfy something beside the equations, to which
     /// [`correct`](Self::correct) brings them: constraints, or quaternions that have the length
     /// one.

@@ -154,6 +154,22 @@ impl<W: Wrapper> OdeSystem for W {
         self.inner().beyond(t, end).map(|inner| self.around(inner))
     }
 
+    #[inline]
+    fn tick(&self, t: InnerNumber<W>, y: &W::State) -> Option<W::State> {
+        let after = self.present(t, y, |inner| inner.tick(t, &part::<W>(y)))?;
+        Some(replaced::<W>(y, &after))
+    }
+
+    #[inline]
+    fn is_tick(&self, t: InnerNumber<W>) -> bool {
+        self.inner().is_tick(t)
+    }
+
+    #[inline]
+    fn shortest_period(&self) -> Option<InnerNumber<W>> {
+        self.inner().shortest_period()
+    }
+
     const IS_CONSTRAINED: bool = W::IS_PROJECTED && W::Inner::IS_CONSTRAINED;
 
     #[inline]

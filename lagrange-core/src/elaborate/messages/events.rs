@@ -5,6 +5,9 @@ use lagrange_expr::diagnostics::messages;
 messages! {
     pub(in crate::elaborate):
 
+    PERIOD = "the period of a clock";
+    period_is_not_positive(number) = "the period of a clock is {number}, but it must be positive";
+    PERIOD_HELP = "write the time between two ticks, such as `every 0.01 => { … }`";
     EVENT_FUNCTION = "the function of an event";
     EVENT_FUNCTION_HELP =
         "contacts open, and friction sticks and slips, without a separate event; an `output` may use the force";

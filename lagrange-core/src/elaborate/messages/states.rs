@@ -33,4 +33,13 @@ messages! {
     assigned_rate(name) = "the rate of the state `{name}` follows from its equation";
     assigned_rate_help(name) = "give the state itself a value, `{name} = e;`";
     CONSTRAINT = "a constraint";
+    discrete_rate(name) = "the discrete state `{name}` has no rate: only events change it";
+    discrete_rate_help(name) =
+        "declare `state {name};` for a rate, or assign to it in an event, `=> {{ {name} = e; }}`";
+    other_number(name) = "another mode has the value `{name}` in another place";
+    FIRST_NUMBER = "here it has another place in the list";
+    OTHER_NUMBER_HELP = "modes share a value if it has the same place in both lists; write another name here";
+    never_assigned(name) = "nothing changes the discrete state `{name}`";
+    never_assigned_help(name) =
+        "assign to it at an event or a clock, `=> {{ {name} = e; }}`, or declare `param {name};`";
 }

@@ -42,8 +42,7 @@ impl Bindings<'_> {
         let sides = self.side_bindings(used, names, arguments);
         let fields = quote!(#fields #sides);
         let (nq, nv) = (self.model.coordinates.len(), self.model.speeds.len());
-        let is_state = |index: u32| self.model.coordinates.get(index as usize).is_some_and(|q| q.is_state);
-        let position = |index| if is_state(index) { Role::State(index) } else { Role::Coordinate(index) };
+        let position = |index: u32| self.model.role_of_position(index as usize);
         if arguments == Arguments::Whole {
             let [nq, nv] = [nq as u32, nv as u32];
             let roles = (0..nq).map(position).chain((0..nv).map(Role::Velocity));

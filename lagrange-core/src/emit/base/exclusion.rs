@@ -31,7 +31,7 @@ impl Exclusion {
             Exclusion::Redundant => equations.constraints.is_redundant,
             Exclusion::Switches => !equations.switches.is_empty(),
             Exclusion::Indefinite => equations.pivot_growth.is_some(),
-            Exclusion::Events => !model.events.is_empty(),
+            Exclusion::Events => !model.events.is_empty() || !model.clocks.is_empty(),
             Exclusion::Orientations => !model.orientations.is_empty(),
             Exclusion::Functions => calls_functions(model, equations),
         };

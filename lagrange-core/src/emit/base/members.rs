@@ -23,6 +23,8 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) are_holonomic: Vec<bool>,
     /// The body of `ContactSystem::terms`.
     pub(in crate::emit) terms: TokenStream,
+    /// Number of clocks.
+    pub(in crate::emit) clocks: usize,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
     pub(in crate::emit) switch_times: Option<TokenStream>,
     /// True for each reaction whose coefficient of restitution depends on time or the state.
@@ -76,6 +78,7 @@ impl Members {
             canonical: Vec::new(),
             are_holonomic: Vec::new(),
             terms: TokenStream::new(),
+            clocks: 0,
             switch_times: None,
             restitutions_vary: Vec::new(),
             limits_reverse: Vec::new(),

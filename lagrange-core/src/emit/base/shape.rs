@@ -122,7 +122,9 @@ impl<'a> Shape<'a> {
                 // Part of the state, of the equations or of other types, or gone once the
                 // declaration is plain.
                 StatementKind::Coordinates(_)
-                | StatementKind::States(_)
+                | StatementKind::States(..)
+                | StatementKind::Mode(_)
+                | StatementKind::Every(_)
                 | StatementKind::Quaternion(_)
                 | StatementKind::Velocity(..)
                 | StatementKind::Start(_)

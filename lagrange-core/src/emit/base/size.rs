@@ -106,7 +106,8 @@ fn velocities(kind: &StatementKind) -> Vec<&Name> {
 
 fn states(kind: &StatementKind) -> Vec<&Name> {
     match kind {
-        StatementKind::States(list) => list.iter().map(|definition| &definition.name).collect(),
+        StatementKind::States(_, list) => list.iter().map(|definition| &definition.name).collect(),
+        StatementKind::Mode(mode) => vec![&mode.name],
         _ => Vec::new(),
     }
 }

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::switches::{switch_events, timed_members};
+use super::switches::switch_events;
 use crate::emit::base::members::Members;
 use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, length, local};
@@ -29,19 +29,20 @@ pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
     writer.push_hidden("event_functions", returns, &body);
     for (i, event) in writer.model.events.clone().iter().enumerate() {
         if let Action::Assign(assignments) = &event.action {
-            write_assignments(writer, i, assignments);
+            write_assignments(writer, &format!("after_event_{i}"), assignments);
         }
     }
 }
 
-fn write_assignments(writer: &mut MethodWriter<'_>, event: usize, assignments: &[Assignment]) {
+/// Writes a hidden method that returns the state after assignments.
+pub(super) fn write_assignments(writer: &mut MethodWriter<'_>, method: &str, assignments: &[Assignment]) {
     let mut state = [writer.model.positions(), writer.model.velocities()].concat();
     for assignment in assignments {
         state[assignment.index] = assignment.value;
     }
     let returns = Returns::Vector(state.len());
     let (body, _) = writer.lowered(&state, Arguments::State, |results| returns.collect(results));
-    writer.push_hidden(&format!("after_event_{event}"), returns, &body);
+    writer.push_hidden(method, returns, &body);
 }
 
 /// The members of `OdeSystem` that belong to events.
@@ -77,7 +78,6 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
     let name = local("elapsed");
     let elapsed = if shape.touching.is_empty() { quote!(_) } else { quote!(#name) };
     let (reactions, begin) = (reactions(shape, members, &event, &elapsed), begin(shape, members));
-    let timed = timed_members(shape, members);
     quote! {
         const EVENTS: &'static [#krate::event::DeclaredEvent] = &[#(#events),*];
         #[inline]
@@ -98,7 +98,6 @@ pub(in crate::emit) fn event_members(shape: &Shape<'_>, members: &Members) -> To
             }
         }
         #begin
-        #timed
     }
 }
 
@@ -179,7 +178,7 @@ fn begin(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
 }
 
 /// A call of a hidden method with the halves of the state.
-fn call(shape: &Shape<'_>, members: &Members, method: &str) -> TokenStream {
+pub(super) fn call(shape: &Shape<'_>, members: &Members, method: &str) -> TokenStream {
     let ArgumentNames { time, state, .. } = &members.names;
     let variables = state_variables(shape);
     let (positions, velocities) = variables.split_at(shape.coordinates.len());

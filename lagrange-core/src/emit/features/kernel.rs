@@ -97,7 +97,7 @@ fn body(
     let parameters = model.parameters.len();
     let place = |role| match role {
         Role::Time => "t".to_owned(),
-        Role::Coordinate(index) | Role::State(index) => format!("q[{index}]"),
+        Role::Coordinate(index) | Role::State(index) | Role::Discrete(index) => format!("q[{index}]"),
         Role::Velocity(index) => format!("v[{index}]"),
         Role::Parameter(index) => format!("p[{index}]"),
         Role::Input(index) => format!("p[{}]", parameters + index as usize),

@@ -1,5 +1,6 @@
 //! Features of emitted systems, one a file.
 
+pub(super) mod clocks;
 pub(super) mod constants;
 pub(super) mod constrained;
 pub(super) mod contacts;

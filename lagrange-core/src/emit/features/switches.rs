@@ -143,20 +143,34 @@ pub(in crate::emit) fn switch_events(shape: &Shape<'_>) -> impl Iterator<Item = 
     shape.switches.iter().map(move |name| quote!(#krate::event::DeclaredEvent::side(#name)))
 }
 
-/// The members of `OdeSystem` by which runs end steps at known times.
-pub(in crate::emit) fn timed_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+/// The members of `OdeSystem` by which runs end steps at known times: where switches are passed and
+/// clocks tick.
+pub(in crate::emit) fn timed_members(
+    shape: &Shape<'_>,
+    members: &Members,
+    next_tick: Option<TokenStream>,
+) -> Option<TokenStream> {
     let (krate, scalar) = (shape.krate, shape.scalar());
     let (time, end) = (&members.names.time, local("end"));
     let option = quote!(::core::option::Option);
-    members.switch_times.as_ref().map(|_| {
+    let is_timed = members.switch_times.is_some();
+    let passage = is_timed.then(|| quote!(#krate::event::next_switch_time(self, #time, #end)));
+    let next = match (passage, next_tick) {
+        (Some(passage), Some(tick)) => quote!(#krate::event::earlier(#passage, #tick)),
+        (passage, tick) => passage.or(tick)?,
+    };
+    let beyond = is_timed.then(|| {
         quote! {
-            fn next_restart(&self, #time: #scalar, #end: #scalar) -> #option<#scalar> {
-                #krate::event::next_switch_time(self, #time, #end)
-            }
             fn beyond(&self, #time: #scalar, #end: #scalar) -> #option<Self> {
                 #krate::event::beyond(self, #time, #end)
             }
         }
+    });
+    Some(quote! {
+        fn next_restart(&self, #time: #scalar, #end: #scalar) -> #option<#scalar> {
+            #next
+        }
+        #beyond
     })
 }
 

@@ -34,6 +34,23 @@ impl Event {
     }
 }
 
+/// Assignments at equal distances of time.
+#[derive(Clone, Debug)]
+pub struct Clock {
+    /// The distance.
+    pub period: AstId,
+    /// Assignments at each tick.
+    pub assignments: Vec<Assignment>,
+}
+
+impl Clock {
+    /// Its expressions.
+    pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        let assigned = self.assignments.iter_mut().flat_map(Assignment::parts);
+        [&mut self.period].into_iter().chain(assigned).collect()
+    }
+}
+
 /// Direction in which a function passes zero in the course of time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Direction {
@@ -58,7 +75,7 @@ pub enum Action {
     Assign(Vec<Assignment>),
 }
 
-/// One `target = value` of an event or of the start.
+/// One `target = value` of an event, of a clock or of the start.
 #[derive(Clone, Copy, Debug)]
 pub struct Assignment {
     /// Quantity that changes: should be `x` or `dot(x)` of a coordinate.

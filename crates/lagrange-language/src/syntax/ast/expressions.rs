@@ -5,10 +5,9 @@ use std::collections::BTreeSet;
 use proc_macro2::Span;
 
 use super::Name;
-use super::conditions::IndexCondition;
+use super::conditions::{Comparison, IndexCondition};
 use super::id::AstId;
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::Relation;
 use lagrange_expr::number::Number;
 use lagrange_expr::units::Unit;
 
@@ -34,8 +33,8 @@ pub enum BinaryOperator {
 pub struct Condition {
     /// Left operand.
     pub left: AstId,
-    /// `<`, `<=`, `>` or `>=`.
-    pub relation: Relation,
+    /// Its sign.
+    pub relation: Comparison,
     /// Right operand.
     pub right: AstId,
 }

@@ -13,7 +13,8 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::events::{Assignment, Event, Friction};
+use super::definitions::{Definition, EmitItem, Mode, Reduction, StateKind};
+use super::events::{Assignment, Clock, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
@@ -38,7 +39,8 @@ pub struct Statement {
 /// statement = attribute* "param" named [ allowed ] [ "=" sum ] { "," named [ allowed ] [ "=" sum ] } ";"
 ///           | "input" named [ "=" sum ] { "," named [ "=" sum ] } ";"
 ///           | "const" named "=" sum { "," named "=" sum } ";"
-///           | ( "coord" | "state" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | ( "coord" | "state" | "discrete" ) named [ "=" sum ] { "," named [ "=" sum ] } ";"
+///           | "mode" NAME "=" NAME "|" NAME { "|" NAME } ";"
 ///           | "start" sum "=" sum { "," sum "=" sum } ";"
 ///           | "dot" "(" NAME ")" "=" sum ";"
 ///           | "quaternion" NAME ";"
@@ -57,6 +59,7 @@ pub struct Statement {
 ///           | "output" named "=" sum ";"
 ///           | "stabilise" "=" sum ";"
 ///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
+///           | "every" sum "=>" "{" { sum "=" sum ";" } "}" [ ";" ]
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
 ///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
@@ -102,8 +105,10 @@ pub enum StatementKind {
     Constants(Vec<Definition>),
     /// `coord x, theta = 0.1;`, with initial values
     Coordinates(Vec<Definition>),
-    /// `state current = 2;`, with initial values
-    States(Vec<Definition>),
+    /// `state current = 2;` or `discrete count = 0;`, with initial values
+    States(StateKind, Vec<Definition>),
+    /// `mode clutch = open | closed;`
+    Mode(Mode),
     /// `start dot(theta) = 2, x = 1;`: initial values of entries of the state
     Start(Vec<Assignment>),
     /// `dot(current) = e;`
@@ -168,6 +173,8 @@ pub enum StatementKind {
     Stabilise(AstId),
     /// `event name = e, falling => stop;`
     Event(Event),
+    /// `every 0.01 => { a = e; }`
+    Every(Clock),
     /// `friction name = e, e;`
     Friction(Friction),
     /// `output name = e;`
@@ -183,11 +190,14 @@ pub enum StatementKind {
 }
 
 /// Words that begin statements, except those of [`SceneStatement`].
-pub const KEYWORDS: [Keyword; 29] = [
+pub const KEYWORDS: [Keyword; 32] = [
     Keyword::new("param", "write `param m = 1.0, l;`"),
     Keyword::new("const", "write `const k = 1/2;`"),
     Keyword::new("coord", "write `coord x, theta;`, or `coord x = 1;` with an initial value"),
     Keyword::new("state", "write `state a, b;`, and `dot(a) = e;` for the rate of each").before(Soft::List),
+    Keyword::new("discrete", "write `discrete count = 0;`, and `{ count = count + 1; }` in an event").before(Soft::List),
+    Keyword::new("mode", "write `mode clutch = open | closed;`, and `{ clutch = closed; }` in an event")
+        .before(Soft::Definition),
     Keyword::new("start", "write `start x = 1, dot(x) = 2;` for initial values of coordinates and velocities")
         .before(Soft::Assignment),
     Keyword::new("quaternion", "write `quaternion hip;`").before(Soft::Alone),
@@ -228,6 +238,7 @@ pub const KEYWORDS: [Keyword; 29] = [
     Keyword::new("constraint", "write `constraint name = e;`, with the quantity that is to be zero after the name"),
     Keyword::new("stabilise", "write `stabilise = rate;`"),
     Keyword::new("event", "write `event name = e, falling => stop;`"),
+    Keyword::new("every", "write `every 0.01 => { held = e; }`, with the time between two ticks"),
     Keyword::new(
         "friction",
         "write `friction name = slip, limit;`, `… = slip, kinetic: a, static: b;` or `… = slip, limit, smooth: width;`",
@@ -250,7 +261,8 @@ impl StatementKind {
         match self {
             StatementKind::Parameters(list) | StatementKind::Inputs(list) => (defined(list), Reach::Both),
             StatementKind::Constants(list) => (defined(list), Reach::Expressions),
-            StatementKind::Coordinates(list) | StatementKind::States(list) => (defined(list), Reach::Both),
+            StatementKind::Coordinates(list) | StatementKind::States(_, list) => (defined(list), Reach::Both),
+            StatementKind::Mode(mode) => (mode.names(), Reach::Both),
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
@@ -277,6 +289,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Every(_)
             | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => (Vec::new(), Reach::Expressions),
@@ -290,7 +303,9 @@ impl StatementKind {
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
-            | StatementKind::States(list) => list.iter_mut().flat_map(Definition::expressions_mut).collect(),
+            | StatementKind::States(_, list) => {
+                list.iter_mut().flat_map(Definition::expressions_mut).collect()
+            }
             StatementKind::Start(assignments) => assignments.iter_mut().flat_map(Assignment::parts).collect(),
             StatementKind::Velocity(_, value)
             | StatementKind::Let(_, value)
@@ -317,13 +332,17 @@ impl StatementKind {
             StatementKind::ForceAlong { force, velocity } => vec![force, velocity],
             StatementKind::Torque { moment, angle } => vec![moment, angle],
             StatementKind::Event(event) => event.expressions_mut(),
+            StatementKind::Every(clock) => clock.expressions_mut(),
             StatementKind::Friction(friction) => friction.expressions_mut(),
             StatementKind::Reduce(reduction) => {
                 reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
             }
             StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
-            StatementKind::Quaternion(_) | StatementKind::External(_) | StatementKind::Emit(_) => Vec::new(),
+            StatementKind::Mode(_)
+            | StatementKind::Quaternion(_)
+            | StatementKind::External(_)
+            | StatementKind::Emit(_) => Vec::new(),
         }
     }
 
@@ -365,7 +384,7 @@ impl StatementKind {
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
-            | StatementKind::States(list) => {
+            | StatementKind::States(_, list) => {
                 list.iter_mut().map(|definition| (&definition.name, definition.value.as_mut())).collect()
             }
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
@@ -399,94 +418,4 @@ impl StatementKind {
 
 fn defined(list: &[Definition]) -> Vec<&Name> {
     list.iter().map(|definition| &definition.name).collect()
-}
-
-/// A second type with fewer or simpler motions.
-#[derive(Clone, Debug)]
-pub struct Reduction {
-    /// Its name.
-    pub name: Name,
-    /// Changes to coordinates.
-    pub items: Vec<ReductionItem>,
-}
-
-/// The change to one coordinate of a reduced type.
-#[derive(Clone, Debug)]
-pub struct ReductionItem {
-    /// The coordinate.
-    pub coordinate: Name,
-    /// Kind of change.
-    pub kind: ReductionKind,
-    /// The value behind `=`; without one it is 0.
-    pub value: Option<AstId>,
-}
-
-/// The possible changes to a coordinate.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ReductionKind {
-    /// `freeze x = e;`: held at a value.
-    Frozen,
-    /// `small theta = e;`: stays near a value.
-    Small,
-}
-
-/// One `name = value` of a `param`, `input`, `const`, `coord` or `state` statement.
-#[derive(Clone, Debug)]
-pub struct Definition {
-    /// The declared name.
-    pub name: Name,
-    /// The values that a parameter may have.
-    pub range: AllowedRange,
-    /// The value behind `=`, if there is one.
-    pub value: Option<AstId>,
-}
-
-/// A range of numbers, unlimited where it has no bound.
-#[derive(Clone, Copy, Default, Debug)]
-pub struct AllowedRange {
-    /// The lower bound.
-    pub lower: Option<Limit>,
-    /// The upper bound.
-    pub upper: Option<Limit>,
-}
-
-/// A bound of a range.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Limit {
-    /// Its value.
-    pub value: AstId,
-    /// True if the range contains it.
-    pub is_included: bool,
-}
-
-impl Definition {
-    /// A name without anything else.
-    pub fn of(name: Name) -> Definition {
-        Definition { name, range: AllowedRange::default(), value: None }
-    }
-
-    fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
-        self.range.limits_mut().map(|limit| &mut limit.value).chain(&mut self.value)
-    }
-}
-
-impl AllowedRange {
-    /// Its bounds.
-    pub fn limits(&self) -> impl Iterator<Item = Limit> {
-        self.lower.into_iter().chain(self.upper)
-    }
-
-    /// Its bounds, to be changed.
-    pub fn limits_mut(&mut self) -> impl Iterator<Item = &mut Limit> {
-        self.lower.iter_mut().chain(&mut self.upper)
-    }
-}
-
-/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
-#[derive(Clone, Debug)]
-pub struct EmitItem {
-    /// The product.
-    pub product: Name,
-    /// True if it is wanted.
-    pub wanted: bool,
 }

@@ -5,12 +5,12 @@ use proc_macro2::{Delimiter, Spacing, TokenTree};
 use super::ReadOperand;
 use crate::syntax::ast::{ArrayExpression, AstId, Condition, Expression, IndexCondition};
 use crate::syntax::cursor::{Cursor, as_group, group_origin};
+use crate::syntax::identifiers::eat_comparison;
 use crate::syntax::messages;
 use crate::syntax::messages::habits;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::Relation;
 
 /// `if condition { then } else`, with what follows still to be read.
 struct Branch {
@@ -124,7 +124,7 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP));
         }
         let left = self.expression(cursor)?;
-        let Some(relation) = relation(cursor) else {
+        let Some(relation) = eat_comparison(cursor) else {
             return Err(self.no_relation(cursor));
         };
         let right = self.expression(cursor)?;
@@ -132,8 +132,7 @@ impl Parser<'_> {
     }
 
     fn no_relation(&mut self, cursor: &Cursor) -> Reported {
-        let equality = cursor.at_pair('=', '=') || cursor.at_pair('!', '=') || cursor.equals_past(0);
-        if equality && !cursor.at_pair('=', '<') {
+        if cursor.equals_past(0) && !cursor.at_pair('=', '<') {
             self.fail_with_help(cursor.here_to_pair(), messages::EQUALITY, messages::EQUALITY_HELP)
         } else if is_logical(cursor) {
             self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
@@ -186,22 +185,4 @@ impl Parser<'_> {
 fn is_logical(cursor: &Cursor) -> bool {
     let is_word = ["and", "or"].iter().any(|word| cursor.at_word(word));
     is_word || cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
-}
-
-/// Takes an order relation, if one stands here.
-fn relation(cursor: &mut Cursor) -> Option<Relation> {
-    let (strict, or_equal) = match cursor.peek() {
-        Some(TokenTree::Punct(punct)) if punct.as_char() == '<' => (Relation::Less, Relation::LessEqual),
-        Some(TokenTree::Punct(punct)) if punct.as_char() == '>' => {
-            (Relation::Greater, Relation::GreaterEqual)
-        }
-        _ => return None,
-    };
-    let with_equality = cursor.at_pair('<', '=') || cursor.at_pair('>', '=');
-    cursor.skip_one();
-    if with_equality {
-        cursor.skip_one();
-        return Some(or_equal);
-    }
-    Some(strict)
 }

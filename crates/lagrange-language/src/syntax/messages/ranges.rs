@@ -24,7 +24,7 @@ fn described(keyword: &str) -> &'static str {
     match keyword {
         "input" => "an input",
         "const" => "a constant",
-        "state" => "a state",
+        "state" | "discrete" => "a state",
         _ => "a coordinate",
     }
 }

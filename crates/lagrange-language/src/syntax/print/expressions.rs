@@ -6,10 +6,9 @@
 use super::Printer;
 use super::numbers::{Form, numeral};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IN_AXES, IndexCondition,
-    Range, TestKind,
+    ArrayExpression, AstId, BinaryOperator, Comparison, Condition, Expression, Expressions, IN_AXES,
+    IndexCondition, Range, TestKind,
 };
-use lagrange_expr::expr::Relation;
 
 /// Piece to be written.
 enum PrintedPiece {
@@ -221,12 +220,12 @@ fn choice(
 }
 
 fn condition_pieces(condition: &Condition) -> Vec<PrintedPiece> {
-    compared(condition.left, relation(condition.relation), condition.right)
+    compared(condition.left, condition.relation, condition.right)
 }
 
-fn compared(left: AstId, sign: &str, right: AstId) -> Vec<PrintedPiece> {
+fn compared(left: AstId, comparison: Comparison, right: AstId) -> Vec<PrintedPiece> {
     let side = |id| PrintedPiece::Expression(id, PrintedBinding::Sum);
-    vec![side(left), text(sign), side(right)]
+    vec![side(left), text(&format!(" {} ", comparison.sign())), side(right)]
 }
 
 /// `i > 0 && i < n || …`
@@ -238,9 +237,7 @@ fn index_condition(condition: &IndexCondition) -> Vec<PrintedPiece> {
             pieces.push(text(if number == 0 { "" } else { " && " }));
             pieces.push(text(if test.is_negated { "!" } else { "" }));
             pieces.extend(match &test.kind {
-                TestKind::Comparison(left, comparison, right) => {
-                    compared(*left, &format!(" {} ", comparison.sign()), *right)
-                }
+                TestKind::Comparison(left, comparison, right) => compared(*left, *comparison, *right),
                 TestKind::Nested(condition) => bracketed(index_condition(condition)),
             });
         }
@@ -267,14 +264,5 @@ fn sign(operator: BinaryOperator, between_words: bool) -> &'static str {
         BinaryOperator::Divide => " / ",
         BinaryOperator::Power => "^",
         BinaryOperator::Remainder => " % ",
-    }
-}
-
-fn relation(relation: Relation) -> &'static str {
-    match relation {
-        Relation::Less => " < ",
-        Relation::LessEqual => " <= ",
-        Relation::Greater => " > ",
-        Relation::GreaterEqual => " >= ",
     }
 }

@@ -3,9 +3,10 @@
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 use crate::syntax::ast::{
-    Block, Comparison, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
+    Block, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
 };
 use crate::syntax::cursor::Cursor;
+use crate::syntax::identifiers::eat_comparison;
 use crate::syntax::messages::arrays;
 use crate::syntax::parser::{Parsed, Parser};
 use crate::syntax::recovery::Turn;
@@ -117,17 +118,4 @@ fn is_condition(group: &Group) -> bool {
         }
     }
     false
-}
-
-fn eat_comparison(cursor: &mut Cursor) -> Option<Comparison> {
-    let is_here = |sign: &str| match sign.as_bytes() {
-        [first, second] => cursor.at_pair(char::from(*first), char::from(*second)),
-        [only] => cursor.at(char::from(*only)),
-        _ => false,
-    };
-    let (sign, comparison) = Comparison::ALL.into_iter().find(|(sign, _)| is_here(sign))?;
-    for _ in sign.chars() {
-        cursor.skip_one();
-    }
-    Some(comparison)
 }

@@ -15,7 +15,10 @@ impl StatementKind {
             | StatementKind::Inputs(list)
             | StatementKind::Constants(list)
             | StatementKind::Coordinates(list)
-            | StatementKind::States(list) => list.iter_mut().map(|definition| &mut definition.name).collect(),
+            | StatementKind::States(_, list) => {
+                list.iter_mut().map(|definition| &mut definition.name).collect()
+            }
+            StatementKind::Mode(mode) => mode.names_mut(),
             StatementKind::LetTuple(names, _) => names.iter_mut().collect(),
             StatementKind::Quaternion(quaternion) => vec![&mut quaternion.name],
             StatementKind::Velocity(name, _)
@@ -43,6 +46,7 @@ impl StatementKind {
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
             | StatementKind::Stabilise(_)
+            | StatementKind::Every(_)
             | StatementKind::Start(_)
             | StatementKind::Block(_)
             | StatementKind::Emit(_) => Vec::new(),

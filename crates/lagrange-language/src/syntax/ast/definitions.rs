@@ -1,0 +1,133 @@
+//! Parts of statements that declare names, reduced types or products.
+
+use super::{AstId, Name};
+
+/// The kind of a state.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum StateKind {
+    /// `state`: its rate is declared.
+    FirstOrder,
+    /// `discrete`: only events change it.
+    Discrete,
+}
+
+impl StateKind {
+    /// Returns the word that declares such states.
+    pub fn keyword(self) -> &'static str {
+        match self {
+            StateKind::FirstOrder => "state",
+            StateKind::Discrete => "discrete",
+        }
+    }
+}
+
+/// A discrete state with named values, counted from zero. It starts with the first one.
+#[derive(Clone, Debug)]
+pub struct Mode {
+    /// Its name.
+    pub name: Name,
+    /// The names of its values.
+    pub values: Vec<Name>,
+}
+
+impl Mode {
+    /// Returns its own name and those of its values.
+    pub(super) fn names(&self) -> Vec<&Name> {
+        [&self.name].into_iter().chain(&self.values).collect()
+    }
+
+    /// Returns the names, to be replaced.
+    pub(super) fn names_mut(&mut self) -> Vec<&mut Name> {
+        [&mut self.name].into_iter().chain(&mut self.values).collect()
+    }
+}
+
+/// A second type with fewer or simpler motions.
+#[derive(Clone, Debug)]
+pub struct Reduction {
+    /// Its name.
+    pub name: Name,
+    /// Changes to coordinates.
+    pub items: Vec<ReductionItem>,
+}
+
+/// The change to one coordinate of a reduced type.
+#[derive(Clone, Debug)]
+pub struct ReductionItem {
+    /// The coordinate.
+    pub coordinate: Name,
+    /// Kind of change.
+    pub kind: ReductionKind,
+    /// The value behind `=`; without one it is 0.
+    pub value: Option<AstId>,
+}
+
+/// The possible changes to a coordinate.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ReductionKind {
+    /// `freeze x = e;`: held at a value.
+    Frozen,
+    /// `small theta = e;`: stays near a value.
+    Small,
+}
+
+/// One `name = value` of a `param`, `input`, `const`, `coord` or `state` statement.
+#[derive(Clone, Debug)]
+pub struct Definition {
+    /// The declared name.
+    pub name: Name,
+    /// The values that a parameter may have.
+    pub range: AllowedRange,
+    /// The value behind `=`, if there is one.
+    pub value: Option<AstId>,
+}
+
+/// A range of numbers, unlimited where it has no bound.
+#[derive(Clone, Copy, Default, Debug)]
+pub struct AllowedRange {
+    /// The lower bound.
+    pub lower: Option<Limit>,
+    /// The upper bound.
+    pub upper: Option<Limit>,
+}
+
+/// A bound of a range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Limit {
+    /// Its value.
+    pub value: AstId,
+    /// True if the range contains it.
+    pub is_included: bool,
+}
+
+impl Definition {
+    /// A name without anything else.
+    pub fn of(name: Name) -> Definition {
+        Definition { name, range: AllowedRange::default(), value: None }
+    }
+
+    pub(super) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        self.range.limits_mut().map(|limit| &mut limit.value).chain(&mut self.value)
+    }
+}
+
+impl AllowedRange {
+    /// Its bounds.
+    pub fn limits(&self) -> impl Iterator<Item = Limit> {
+        self.lower.into_iter().chain(self.upper)
+    }
+
+    /// Its bounds, to be changed.
+    pub fn limits_mut(&mut self) -> impl Iterator<Item = &mut Limit> {
+        self.lower.iter_mut().chain(&mut self.upper)
+    }
+}
+
+/// One entry of `emit { … }`: a product to add, or with `no` in front one to leave out.
+#[derive(Clone, Debug)]
+pub struct EmitItem {
+    /// The product.
+    pub product: Name,
+    /// True if it is wanted.
+    pub wanted: bool,
+}

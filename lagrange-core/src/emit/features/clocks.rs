@@ -1,0 +1,75 @@
+//! Members for declared clocks: their periods, and the states after their ticks.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::events::{call, write_assignments};
+use crate::emit::base::members::Members;
+use crate::emit::base::method::{ArgumentNames, Arguments};
+use crate::emit::base::shape::{Shape, length, local};
+use crate::emit::base::writer::MethodWriter;
+
+/// Writes the periods, and the states that assignments lead to.
+pub(in crate::emit) fn write_clocks(writer: &mut MethodWriter<'_>) {
+    let clocks = writer.model.clocks.clone();
+    if clocks.is_empty() {
+        return;
+    }
+    let periods = clocks.iter().map(|clock| clock.period).collect::<Vec<_>>();
+    let collect = |results: &[TokenStream]| quote!([#(#results),*]);
+    let (body, _) = writer.lowered_as_declared(&periods, Arguments::None, collect);
+    let (scalar, count) = (writer.shape.scalar(), length(clocks.len()));
+    writer.members.hidden.extend(quote! {
+        fn clock_periods(&self) -> [#scalar; #count] {
+            #body
+        }
+    });
+    for (index, clock) in clocks.iter().enumerate() {
+        write_assignments(writer, &method(index), &clock.assignments);
+    }
+    writer.members.clocks = clocks.len();
+}
+
+fn method(clock: usize) -> String {
+    format!("after_tick_{clock}")
+}
+
+/// The members of `OdeSystem` by which runs let clocks tick. Those that tick together do so in the
+/// order of their declaration.
+pub(in crate::emit) fn clock_members(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    if members.clocks == 0 {
+        return None;
+    }
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
+    let ArgumentNames { time, state, .. } = &members.names;
+    let option = quote!(::core::option::Option);
+    let due = (0..members.clocks).map(|index| format_ident!("due_{index}")).collect::<Vec<_>>();
+    let after = (0..members.clocks).map(|index| call(shape, members, &method(index)));
+    let found = local("found");
+    Some(quote! {
+        fn shortest_period(&self) -> #option<#scalar> {
+            #krate::event::shortest_period(self.clock_periods())
+        }
+        #[inline]
+        fn is_tick(&self, #time: #scalar) -> ::core::primitive::bool {
+            #krate::event::ticks(#time, self.clock_periods()).contains(&true)
+        }
+        fn tick(&self, #time: #scalar, #state: &[#scalar; #all]) -> #option<[#scalar; #all]> {
+            let #found = #krate::event::ticks(#time, self.clock_periods());
+            if !#found.contains(&true) {
+                return #option::None;
+            }
+            let [#(#due),*] = #found;
+            #(
+                let #state = &if #due { #after } else { *#state };
+            )*
+            #option::Some(*#state)
+        }
+    })
+}
+
+/// The time at which clocks tick next.
+pub(in crate::emit) fn next_tick(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, time, end) = (shape.krate, &members.names.time, local("end"));
+    (members.clocks > 0).then(|| quote!(#krate::event::next_tick(#time, #end, self.clock_periods())))
+}
