@@ -77,6 +77,7 @@ mod limits;
 mod pace;
 mod project;
 mod reaction_forces;
+mod responses;
 mod restitution;
 mod resume;
 mod rules;
@@ -203,6 +204,20 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
 
+    /// Returns the reaction terms for a step of the length `h` by which velocities change. Dampers,
+    /// which have a dissipation function, act by the velocities at its end. The free accelerations
+    /// and responses are those of the mean over the step then. The same as [`terms`](Self::terms)
+    /// by default, where dampers act by the velocities at its beginning.
+    fn damped_terms(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &[Self::Scalar; N],
+        _h: Self::Scalar,
+    ) -> Terms<Self::Scalar, N, K> {
+        self.terms(t, q, v)
+    }
+
     /// The declared event by which reaction `k` changes its mode; not asked of smooth friction,
     /// which has none, nor of second components.
     fn event_of(&self, k: usize) -> usize;
@@ -212,6 +227,11 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Accelerations under these reactions.
     pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
         self.added(&self.free, reactions)
+    }
+
+    /// Returns what these reactions add.
+    fn change(&self, reactions: &[S; K]) -> [S; N] {
+        self.added(&[S::ZERO; N], reactions)
     }
 
     /// A vector and the responses to these reactions.

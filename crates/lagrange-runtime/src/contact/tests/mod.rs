@@ -5,5 +5,6 @@ mod friction;
 mod impacts;
 mod lemke;
 mod motions;
+mod responses;
 mod rounding;
 mod systems;
