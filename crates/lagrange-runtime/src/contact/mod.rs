@@ -82,6 +82,8 @@ mod restitution;
 mod resume;
 mod rules;
 mod slip;
+mod step;
+mod stepped;
 #[cfg(test)]
 mod tests;
 mod transition;
@@ -92,6 +94,7 @@ pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::pace::Pace;
 pub use self::project::correct;
+pub use self::stepped::{ImpulseFormula, Stepped, SteppedStepper};
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 

@@ -1,5 +1,6 @@
 //! The system of a run as it is at present.
 
+use crate::integrate::Stepper;
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
@@ -15,12 +16,12 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Current { given, switched: None }
     }
 
-    /// Becomes the system as a motion starts from this time and state towards `end`, after `act`
-    /// has had its way with it.
+    /// Becomes the system as a motion by steppers of the kind T starts from this time and state
+    /// towards `end`, after `act` has had its way with it.
     ///
     /// # Errors
     /// If no motion starts there; the system is then unchanged.
-    pub fn begin(
+    pub fn begin<T: Stepper<M>>(
         &mut self,
         (t, y): (M::Scalar, &M::State),
         end: M::Scalar,
@@ -28,7 +29,8 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     ) -> Result<(), StepFailure<M::Scalar>> {
         check_direction::<M>(t, end)?;
         let acted = act(self.system())?;
-        let begun = acted.as_ref().unwrap_or(self.system()).begin(t, y)?;
+        let system = acted.as_ref().unwrap_or(self.system());
+        let begun = if T::FINDS_MODES { system.on_sides(t, y) } else { system.begin(t, y)? };
         self.switch(begun.or(acted));
         Ok(())
     }

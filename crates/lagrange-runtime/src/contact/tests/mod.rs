@@ -7,4 +7,5 @@ mod lemke;
 mod motions;
 mod responses;
 mod rounding;
+mod stepped;
 mod systems;
