@@ -2,8 +2,8 @@
 //!
 //! The equations of motion are linear in these forces. With all of them zero they give a₀ and λ₀. A
 //! unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k. Without
-//! constraints w_k = M⁻¹ d_k is left to run time, where one factorisation of the mass matrix serves
-//! all reactions and code does not grow with each. Constraints would make that matrix indefinite
+//! constraints w_k = M⁻¹ d_k is left to run time. One factorisation of the mass matrix then serves
+//! all reactions, and code does not grow with each. Constraints would make that matrix indefinite
 //! and, where they depend on each other, singular. There w_k and μ_k follow from the elimination
 //! that led to the accelerations, with −d_k as its linear part. Source: Featherstone, *Rigid Body
 //! Dynamics Algorithms*, §11.5.

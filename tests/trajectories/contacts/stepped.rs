@@ -72,6 +72,23 @@ mod held {
 }
 use held::Held;
 
+/// A block that an input pushes.
+mod pushed {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Pushed;
+        param mu >= 0 = 0.5;
+        coord x, y;
+        input u;
+        kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+        potential = 9.81 * y;
+        force x = u;
+        event floor = y, falling => impact(0);
+        friction rub = dot(x), mu * floor;
+    }
+}
+use pushed::{Pushed, PushedInputs};
+
 /// The same in single precision.
 mod single {
     lagrange::system! {
@@ -269,6 +286,20 @@ fn what_makes_no_sense_is_refused() {
     assert!(refused.expect_err("zero").to_string().contains("the largest residual must be positive"));
     let back = Thrown::default().simulate(start).until(-0.1).method(Stepped::every(1e-3)).run();
     assert!(back.expect_err("backwards").to_string().contains("forwards in time only"));
+}
+
+#[test]
+fn laws_drive_what_steps_and_ranges_hold() {
+    let pushed = Pushed::default();
+    let start = [0.0; 4];
+    let run = pushed.simulate(start).until(2.0).drive(|_, t, _| PushedInputs { u: 0.5 * G * t });
+    let run = run.method(Stepped::every(1e-3)).run().expect("it is pushed");
+    // It starts at t = 1: v̇ = ½ g (t − 1).
+    let speed = 0.25 * G;
+    assert!((run.last()[2] - speed).abs() < 0.01, "{} for {speed}", run.last()[2]);
+    let refused = Pushed { mu: -1.0, ..Pushed::default() };
+    let run = refused.simulate(start).until(1.0).method(Stepped::every(1e-3)).run();
+    assert!(run.expect_err("out of range").to_string().contains("`mu`"));
 }
 
 #[test]

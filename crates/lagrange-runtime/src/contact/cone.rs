@@ -66,7 +66,7 @@ pub(super) struct Cone<'a, S, const N: usize, const K: usize> {
 
 /// Reactions in the units of the problem, with d = r − rate of each.
 #[derive(Clone, Copy)]
-struct Point<S, const K: usize> {
+struct ForcePoint<S, const K: usize> {
     forces: [S; K],
     pulls: [S; K],
 }
@@ -151,16 +151,16 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         forces
     }
 
-    fn point(&self, forces: [S; K]) -> Point<S, K> {
+    fn point(&self, forces: [S; K]) -> ForcePoint<S, K> {
         let mut pulls = [S::ZERO; K];
         for k in 0..self.count {
             pulls[k] = forces[k] - self.offsets[k] - self.change(k, &forces);
         }
-        Point { forces, pulls }
+        ForcePoint { forces, pulls }
     }
 
     /// The largest rate by which one of these reactions misses its target, and which.
-    fn residual(&self, at: &Point<S, K>) -> (S, usize) {
+    fn residual(&self, at: &ForcePoint<S, K>) -> (S, usize) {
         let errors = self.errors(at);
         let mut worst = (S::ZERO, 0);
         for (place, &k) in self.active[..self.count].iter().enumerate() {
@@ -173,7 +173,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// The rules by which these reactions act.
-    fn settled(&self, at: &Point<S, K>) -> Settled<S, K> {
+    fn settled(&self, at: &ForcePoint<S, K>) -> Settled<S, K> {
         let (mut rules, mut reactions) = ([Rule::Absent; K], [S::ZERO; K]);
         for place in (0..self.count).filter(|&place| self.choices[place] != Choice::Across) {
             let found = match self.piece(at, place) {
@@ -202,21 +202,21 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         self.choices.get(k + 1) == Some(&Choice::Across)
     }
 
-    /// What these reactions add to rate k.
+    /// The change of rate k with these reactions.
     fn change(&self, k: usize, forces: &[S; K]) -> S {
         let parts = self.matrix[k][..self.count].iter().zip(forces);
         parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
     }
 
     /// True if the rates of friction k are zero but for rounding.
-    fn is_still(&self, at: &Point<S, K>, k: usize) -> bool {
+    fn is_still(&self, at: &ForcePoint<S, K>, k: usize) -> bool {
         let rate = |k: usize| at.forces[k] - at.pulls[k];
         let rates = [rate(k), if self.is_planar(k) { rate(k + 1) } else { S::ZERO }];
         length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&at.forces)
     }
 
     /// Targets less reactions.
-    fn errors(&self, at: &Point<S, K>) -> [S; K] {
+    fn errors(&self, at: &ForcePoint<S, K>) -> [S; K] {
         let mut errors = [S::ZERO; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             let [first, second] = self.target(at, k);
@@ -228,7 +228,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         errors
     }
 
-    fn target(&self, at: &Point<S, K>, k: usize) -> [S; 2] {
+    fn target(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
         match self.piece(at, k) {
             TargetPiece::Absent => [S::ZERO; 2],
             TargetPiece::Holds => self.pull(at, k),
@@ -236,7 +236,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         }
     }
 
-    fn piece(&self, at: &Point<S, K>, k: usize) -> TargetPiece<S> {
+    fn piece(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
         let known = |component: S| {
             let limit = self.kinetic(at, k);
             TargetPiece::Limited { direction: [-component, S::ZERO], radius: limit, turning: S::ZERO }
@@ -253,7 +253,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// The piece of friction that holds or slips.
-    fn friction(&self, at: &Point<S, K>, k: usize) -> TargetPiece<S> {
+    fn friction(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
         let pull = self.pull(at, k);
         let size = length(&pull);
         let radius = self.kinetic(at, k).abs();
@@ -269,12 +269,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// d
-    fn pull(&self, at: &Point<S, K>, k: usize) -> [S; 2] {
+    fn pull(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
         [at.pulls[k], if self.is_planar(k) { at.pulls[k + 1] } else { S::ZERO }]
     }
 
     /// A limit of friction k, given without reactions and by its slopes.
-    fn limit(&self, at: &Point<S, K>, k: usize, (free, slopes): (S, &[S; K])) -> S {
+    fn limit(&self, at: &ForcePoint<S, K>, k: usize, (free, slopes): (S, &[S; K])) -> S {
         let mut limit = free;
         for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
             if slope == S::ZERO {
@@ -290,18 +290,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// The kinetic limit of friction k.
-    fn kinetic(&self, at: &Point<S, K>, k: usize) -> S {
+    fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
         self.limit(at, k, self.balance.limit(self.active[k]))
     }
 
     /// The sign of the kinetic limit, which counts by its size.
-    fn side(&self, at: &Point<S, K>, k: usize) -> S {
+    fn side(&self, at: &ForcePoint<S, K>, k: usize) -> S {
         let is_reversed = self.kinetic(at, k) < S::ZERO;
         if is_reversed { -S::ONE } else { S::ONE }
     }
 
     /// Derivatives of reactions less targets.
-    fn slopes(&self, at: &Point<S, K>) -> [[S; K]; K] {
+    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
         let mut slopes = [[S::ZERO; K]; K];
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             let components = if self.is_planar(k) { 2 } else { 1 };
@@ -315,7 +315,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// Derivative of a component of a target.
-    fn slope(&self, at: &Point<S, K>, k: usize, component: usize) -> [S; K] {
+    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
         match self.piece(at, k) {
             TargetPiece::Absent => [S::ZERO; K],
             TargetPiece::Holds => self.pull_slope(k + component),
@@ -340,7 +340,7 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// Derivative of the kinetic limit of friction k, by size where its direction is free.
-    fn limit_slope(&self, at: &Point<S, K>, k: usize) -> [S; K] {
+    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
         let (_, slopes) = self.balance.limit(self.active[k]);
         let is_free = matches!(self.choices[k], Choice::Rest | Choice::GiveWay);
         let side = if is_free { self.side(at, k) } else { S::ONE };

@@ -99,7 +99,7 @@ pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 
 use crate::scalar::Scalar;
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, StepFailure};
 
 /// The state of a unilateral contact: open or closed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -198,6 +198,14 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     /// Returns the system in other modes.
     #[must_use]
     fn in_modes(&self, modes: [Mode; K]) -> Self;
+
+    /// Checks parameters that have a range.
+    ///
+    /// # Errors
+    /// If one is out of it.
+    fn check(&self) -> Result<(), StepFailure<Self::Scalar>> {
+        Ok(())
+    }
 
     /// Returns the reaction terms at a state.
     fn terms(

@@ -54,8 +54,8 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
         balance
     }
 
-    /// Builds the problem for impulses over a step of the length `h`, of reactions that act: rates
-    /// at its end, which differ from these by what impulses change. Limits are those of impulses.
+    /// Builds the problem for impulses of reactions that act, over a step of the length `h`.
+    /// Offsets are the rates at its end without impulses.
     pub(super) fn of_step(
         terms: &'a Terms<S, N, K>,
         h: S,

@@ -1,14 +1,14 @@
 //! Accelerations, and those that reactions add, by one factorisation of the mass matrix.
 //!
-//! A unit of reaction k acts along the gradient d_k of its rate, and adds w_k = M⁻¹ d_k to the
-//! accelerations a₀ = M⁻¹ f. With M = Lᵀ D L each takes two triangular solutions.
+//! Accelerations without reactions are a₀ = M⁻¹ f. A unit of reaction k acts along the gradient d_k
+//! of its rate, and adds w_k = M⁻¹ d_k. With M = Lᵀ D L each takes two triangular solutions.
 //! Freedoms farther from the ground come later, and are eliminated first: other branches of a tree
 //! then keep their zeros.
 //!
-//! In a step of the length h, dampers act by the velocities at its end: M Δv = h (f − C Δv) + Σ d_k
-//! r_k for f at its beginning. That is the same with M + h C in place of M, and no step is too long
-//! for a damper. Sources: Featherstone, *Rigid Body Dynamics Algorithms*, §6.5; Baraff, Witkin,
-//! "Large steps in cloth simulation", *SIGGRAPH* (1998) 43–54.
+//! In a step of the length h, dampers act by the velocities at its end. With f at its beginning, M
+//! Δv = h (f − C Δv) + Σ d_k r_k. That is the same with M + h C in place of M, and no step is too
+//! long for a damper. Sources: Featherstone, *Rigid Body Dynamics Algorithms*, §6.5; Baraff,
+//! Witkin, "Large steps in cloth simulation", *SIGGRAPH* (1998) 43–54.
 //!
 //! # A damped mass in numbers
 //!
@@ -27,14 +27,14 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// accelerations. Where it is singular they are not finite.
     #[must_use]
     pub fn accelerated(mut self, mass: &[[S; N]; N]) -> Self {
-        let factors = Factors::new(*mass);
+        let factors = MassFactors::new(*mass);
         [self.free] = factors.solve(&[self.free]);
         self.responses = factors.solve(&self.rows);
         self
     }
 
-    /// Returns the terms for a step of the length `h` under these second derivatives of the
-    /// dissipation function; those of an instant if it is zero.
+    /// Returns the terms for a step of the length `h`, those of an instant if it is zero. `damping`
+    /// holds the second derivatives of the dissipation function.
     #[must_use]
     pub fn damped(self, mass: &[[S; N]; N], damping: &[[S; N]; N], h: S) -> Self {
         let mut inertia = *mass;
@@ -48,21 +48,21 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
 }
 
 /// The factors of a symmetric matrix.
-enum Factors<S, const N: usize> {
+enum MassFactors<S, const N: usize> {
     /// L below the diagonal, and the reciprocals of D in it, all of which are positive.
     Definite([[S; N]; N]),
     /// The matrix itself, of which not all pivots are positive.
     Indefinite([[S; N]; N]),
 }
 
-impl<S: Scalar, const N: usize> Factors<S, N> {
+impl<S: Scalar, const N: usize> MassFactors<S, N> {
     fn new(matrix: [[S; N]; N]) -> Self {
         let mut factors = matrix;
         for k in (0..N).rev() {
             let (above, own) = factors.split_at_mut(k);
             let (own, pivot) = own[0].split_at_mut(k);
             if !(pivot[0] > S::ZERO && pivot[0].is_finite()) {
-                return Factors::Indefinite(matrix);
+                return MassFactors::Indefinite(matrix);
             }
             pivot[0] = S::ONE / pivot[0];
             for (i, row) in above.iter_mut().enumerate().filter(|(i, _)| own[*i] != S::ZERO) {
@@ -73,14 +73,14 @@ impl<S: Scalar, const N: usize> Factors<S, N> {
             }
             own.iter_mut().for_each(|entry| *entry = *entry * pivot[0]);
         }
-        Factors::Definite(factors)
+        MassFactors::Definite(factors)
     }
 
     /// The solutions for these right-hand sides.
     fn solve<const C: usize>(&self, rights: &[[S; N]; C]) -> [[S; N]; C] {
         let factors = match self {
-            Factors::Definite(factors) => factors,
-            Factors::Indefinite(matrix) => return rights.map(|right| regular(matrix, &right, N)),
+            MassFactors::Definite(factors) => factors,
+            MassFactors::Indefinite(matrix) => return rights.map(|right| regular(matrix, &right, N)),
         };
         // Side by side, so that one pass over the factors serves all.
         let mut x: [[S; C]; N] = transposed(rights);

@@ -20,8 +20,8 @@
 //!
 //! # A ball in numbers
 //!
-//! It falls with 2 at a height of 0.01, g = 10, h = 0.01, so that it would be 0.011 below the floor
-//! at the end of the step. With e = 0 it gets the velocity −1 and touches. With e = ½ it is hit,
+//! It falls with 2 at a height of 0.01, with g = 10 and h = 0.01. At the end of the step it would
+//! be 0.011 below the floor. With e = 0 it gets the velocity −1 and touches. With e = ½ it is hit,
 //! since 2 is more than twice 0.1, and leaves with 1.
 
 use core::array;
@@ -130,7 +130,15 @@ impl<'a, S: Scalar, const N: usize, const K: usize> ContactStep<'a, S, N, K> {
         let with = |part: S| self.approximate(&restitutions.map(|e| part * e), acts, start);
         let whole = with(S::ONE);
         let hits = |k: usize| acts[k] && self.is_hit(k, restitutions[k]);
-        if !(0..K).any(hits) || !self.creates_energy(&whole.settled.reactions) {
+        if !(0..K).any(hits) {
+            return whole;
+        }
+        if !whole.is_exact {
+            // Only without restitution there always are impulses.
+            let plastic = with(S::ZERO);
+            return if plastic.residual.0 < whole.residual.0 { plastic } else { whole };
+        }
+        if !self.creates_energy(&whole.settled.reactions) {
             return whole;
         }
         let half = S::from_f64(0.5);

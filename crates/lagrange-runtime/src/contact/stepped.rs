@@ -49,7 +49,7 @@ pub struct Stepped<S, const N: usize, const K: usize> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Stepped<S, N, K> {
-    /// Steps of this length, with residuals up to 10⁻³.
+    /// Takes steps of this length, with residuals up to 10⁻³.
     pub fn every(step: S) -> Self {
         Stepped { step, largest_residual: S::from_f64(LARGEST_RESIDUAL) }
     }
@@ -92,6 +92,7 @@ where
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         Method::<M>::check(self)?;
+        ContactSystem::check(system)?;
         if end < t {
             return Err(SettingError::Invalid(FORWARDS).into());
         }

@@ -16,8 +16,8 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         Current { given, switched: None }
     }
 
-    /// Becomes the system as a motion by steppers of the kind T starts from this time and state
-    /// towards `end`, after `act` has had its way with it.
+    /// Becomes the system as a motion starts from this time and state towards `end`, after `act`
+    /// was applied to it. Steppers of the kind T take it on.
     ///
     /// # Errors
     /// If no motion starts there; the system is then unchanged.

@@ -210,6 +210,10 @@ where
         self.with_plant(self.plant.in_modes(modes))
     }
 
+    fn check(&self) -> Result<(), StepFailure<M::Scalar>> {
+        self.plant.check()
+    }
+
     fn terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
         self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
     }

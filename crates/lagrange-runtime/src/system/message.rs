@@ -57,8 +57,8 @@ pub(crate) fn explain<S: Debug>(
         ),
         StepFailure::Residual { reaction, value } => write!(
             f,
-            "the impulse of `{reaction}` over a step misses the law of contacts and friction by the rate {value:?}, \
-            more than the largest residual: reduce the step"
+            "the impulse of `{reaction}` over a step misses the law of contacts by the rate {value:?}, more than the \
+            largest residual: reduce the step"
         ),
         StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
         StepFailure::Undefined(what) => write!(f, "{what}"),

@@ -224,6 +224,15 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
         let name = format_ident!("{name}");
         flags.contains(&true).then(|| quote!(const #name: [::core::primitive::bool; #k] = [#(#flags),*];))
     };
+    let checked = members.ranges.is_some().then(|| {
+        let scalar = shape.scalar();
+        quote! {
+            fn check(&self) -> ::core::result::Result<(), #krate::system::StepFailure<#scalar>> {
+                self.check_parameters()?;
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
     let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
     let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
     quote! {
@@ -233,6 +242,7 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             #vary
             #reverse
             #modes
+            #checked
             #terms
             #event_of
         }

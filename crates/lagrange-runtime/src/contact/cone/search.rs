@@ -2,7 +2,7 @@
 
 use core::array;
 
-use super::{Cone, Point};
+use super::{Cone, ForcePoint};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::{nearest, regular};
 use crate::linalg::vector::dot;
@@ -35,7 +35,7 @@ enum Step {
 
 /// A search for reactions.
 #[derive(Clone, Copy)]
-pub(super) struct Search<S, const K: usize> {
+pub(super) struct ForceSearch<S, const K: usize> {
     /// The best ones so far.
     pub(super) forces: [S; K],
     pub(super) iterations: u32,
@@ -48,20 +48,20 @@ pub(super) struct Search<S, const K: usize> {
 impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     /// Reactions that are their targets but for rounding, near these or from zero on.
     pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
-        let mut search = Search { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false };
+        let mut search = ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false };
         let is_found = self.descend(&mut search, Step::Short) || self.restart(&mut search);
         is_found.then_some(search.forces)
     }
 
     /// The reactions nearest to their targets that are found from these on.
-    pub(super) fn follow(&self, start: [S; K]) -> Search<S, K> {
-        let mut search = Search { forces: start, iterations: 0, is_exact: false, goal: step_goal() };
+    pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
+        let mut search = ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal() };
         search.is_exact = self.descend(&mut search, Step::Newton) || self.fall_back(&mut search);
         search
     }
 
     /// Searches from zero on, by sweeps and Newton's method in turn.
-    fn restart(&self, search: &mut Search<S, K>) -> bool {
+    fn restart(&self, search: &mut ForceSearch<S, K>) -> bool {
         search.forces = [S::ZERO; K];
         (0..MOST_STARTS).any(|start| {
             let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
@@ -75,7 +75,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     }
 
     /// Searches from zero on, and then by short steps; keeps the best that there was.
-    fn fall_back(&self, search: &mut Search<S, K>) -> bool {
+    fn fall_back(&self, search: &mut ForceSearch<S, K>) -> bool {
         let mut best = *search;
         let error = |forces: [S; K]| size(&self.errors(&self.point(forces)));
         let is_found = self.restart(search);
@@ -94,7 +94,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
 
     /// Moves one reaction after the other by this share of the way to its target. Half of it ends
     /// some cycles.
-    fn sweep(&self, at: &mut Point<S, K>, share: S) {
+    fn sweep(&self, at: &mut ForcePoint<S, K>, share: S) {
         for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             let targets = self.target(at, k);
             let components = if self.is_planar(k) { 2 } else { 1 };
@@ -111,7 +111,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
 
     /// Goes to the reactions of least error that such steps find. Where no part of a step makes the
     /// error smaller, the next piece may. True if they are their targets but for rounding.
-    fn descend(&self, search: &mut Search<S, K>, kind: Step) -> bool {
+    fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step) -> bool {
         let start = self.point(search.forces);
         let mut present = (start, size(&self.errors(&start)));
         let mut best = present;
@@ -140,7 +140,7 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
 
     /// The end of the longest part of a step that makes the error smaller, or of the whole step,
     /// and the error there.
-    fn stepped(&self, (at, error): &(Point<S, K>, S), kind: Step) -> (Point<S, K>, S) {
+    fn stepped(&self, (at, error): &(ForcePoint<S, K>, S), kind: Step) -> (ForcePoint<S, K>, S) {
         let (slopes, errors) = (self.slopes(at), self.errors(at));
         let step = match kind {
             Step::Newton => {
