@@ -9,6 +9,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use lagrange::Simulate;
+use lagrange::contact::Stepped;
 use lagrange::integrate::{Radau5, RungeKutta4, Verner98};
 
 lagrange::system! {
@@ -56,6 +57,8 @@ macro_rules! scene {
         scene!(@row $name, $system, $start, $end, $error, "`Verner98`, tolerance 1e-10", tolerance(1e-10));
         scene!(@row $name, $system, $start, $end, $error, "`RungeKutta4`, step 1 ms", RungeKutta4 { step: 1e-3 });
         scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-8", Radau5::tolerance(1e-8));
+        scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 1 ms", Stepped::every(1e-3));
+        scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 0.1 ms", Stepped::every(1e-4));
     };
     (@row $name:literal, $system:expr, $start:expr, $end:expr, $error:expr, $label:literal, $method:expr) => {{
         let run = || $system.simulate(black_box($start)).until($end).ends_only().method($method).run();

@@ -19,6 +19,7 @@
 //! | [`BlanesMoan4`] | separable | 4 | yes | 6 accelerations | long runs, accurately |
 //! | [`ImplicitMidpoint`], [`GaussLegendre4`], [`GaussLegendre6`] | with momenta | 2, 4, 6 | yes | iterations of 1, 2, 3 evaluations | long runs with any mass matrix; stiff springs |
 //! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta kept to rounding, forces included; constraints enforced |
+//! | [`Stepped`](crate::contact::Stepped) | with contacts or friction | 1 | no | 1 evaluation, one problem for all impulses | many contacts, real time |
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and forces without velocities | as above | as above, without momenta |
 //!
 //! A separable system is one whose [declaration](crate::system!) shows a constant mass matrix and

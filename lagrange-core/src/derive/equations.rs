@@ -96,14 +96,14 @@ impl Equations {
         let multipliers = solution.values.split_off(velocities.len());
         let (reactions, constraints) = match kept_elimination(model, &mut forms, &mut solution)? {
             Some(steps) => {
-                let reactions = ReactionEquations::new(model, &steps, &multipliers);
+                let reactions = ReactionEquations::new(model, Some(&steps), &multipliers);
                 let conditions = [solution.condition, of_constraints].into_iter().flatten();
                 let condition = conditions.reduce(|a, b| largest(&mut model.graph, a, b));
                 let found = (multipliers, condition);
                 let pushed = forms.pushed(model);
                 (reactions, ConstraintEquations::new(model, pushed, &steps, found))
             }
-            None => Default::default(),
+            None => (ReactionEquations::new(model, None, &multipliers), Default::default()),
         };
         let mass = mass_structure(model, &split, &mut forms);
         let structure = Structure::find(model, mass);
@@ -261,14 +261,15 @@ fn mass_structure(model: &mut Model, split: &SplitLagrangian, forms: &mut Forms)
     MassStructure::of_matrix(&model.graph, forms.mass_matrix())
 }
 
-/// Returns the elimination for the right-hand sides of constraints, contacts and friction. It is
-/// that of the chosen strategy or, if it has none, that of the mass matrix.
+/// Returns the elimination for the right-hand sides of constraints, and of contacts and friction
+/// beside them. It is that of the chosen strategy or, if it has none, that of the mass matrix.
+/// `None` without constraints.
 fn kept_elimination(
     model: &mut Model,
     forms: &mut Forms,
     solution: &mut Solution,
 ) -> Result<Option<Elimination>, SingularMassMatrix> {
-    if model.constraints.is_empty() && model.reactions.is_empty() {
+    if model.constraints.is_empty() {
         return Ok(None);
     }
     let unknowns = model.unknowns();

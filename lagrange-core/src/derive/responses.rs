@@ -1,8 +1,11 @@
 //! Responses of the motion to forces of contacts and friction, and limits of these forces.
 //!
 //! The equations of motion are linear in these forces. With all of them zero they give a₀ and λ₀. A
-//! unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k. These
-//! follow from the same elimination with −d_k as its linear part. Source: Featherstone, *Rigid Body
+//! unit of reaction k, acting along the gradient d_k of its velocity, adds w_k and μ_k. Without
+//! constraints w_k = M⁻¹ d_k is left to run time. One factorisation of the mass matrix then serves
+//! all reactions, and code does not grow with each. Constraints would make that matrix indefinite
+//! and, where they depend on each other, singular. There w_k and μ_k follow from the elimination
+//! that led to the accelerations, with −d_k as its linear part. Source: Featherstone, *Rigid Body
 //! Dynamics Algorithms*, §11.5.
 
 use super::elimination::record::Elimination;
@@ -24,7 +27,7 @@ pub struct Affine {
 /// Equations of the reactions of a model, in the order of their declaration; empty without any.
 #[derive(Clone, Default, Debug)]
 pub struct ReactionEquations {
-    /// Accelerations that a unit of reaction k adds, in row k.
+    /// Accelerations that a unit of reaction k adds, in row k; rows are empty without constraints.
     pub responses: Vec<Vec<ExprId>>,
     /// The multipliers, in which symbols stand for the reactions.
     pub multipliers: Vec<ExprId>,
@@ -39,11 +42,11 @@ pub struct ReactionEquations {
 }
 
 impl ReactionEquations {
-    /// Collects the equations from the elimination that led to the accelerations, and the
-    /// multipliers without reactions.
+    /// Collects the equations from the elimination of a model with constraints that led to the
+    /// accelerations, and the multipliers without reactions.
     pub(super) fn new(
         model: &mut Model,
-        elimination: &Elimination,
+        elimination: Option<&Elimination>,
         multipliers: &[ExprId],
     ) -> ReactionEquations {
         if model.reactions.is_empty() {
@@ -55,8 +58,11 @@ impl ReactionEquations {
         let rows = rows.collect::<Vec<_>>();
         let mut rates = Rates::new(AccelerationTerms::Dropped);
         let drifts = reactions.iter().map(|&slip| rates.of(&mut model.graph, slip)).collect();
-        let added = rows.iter().map(|row| response(model, elimination, row)).collect::<Vec<_>>();
-        let (responses, multiplier_responses): (Vec<_>, Vec<_>) = added.into_iter().unzip();
+        let added = rows.iter().map(|row| match elimination {
+            Some(elimination) => response(model, elimination, row),
+            None => Default::default(),
+        });
+        let (responses, multiplier_responses): (Vec<_>, Vec<_>) = added.unzip();
         let limits = Limits { multipliers, responses: &multiplier_responses };
         let (kinetic, fixed) = (0..reactions.len()).map(|k| limits.of(model, k)).unzip();
         let multipliers = with_reactions(model, multipliers, &multiplier_responses);

@@ -9,6 +9,7 @@ mod flat;
 mod moving;
 mod robot;
 mod round;
+mod stepped;
 
 const G: f64 = 9.81;
 

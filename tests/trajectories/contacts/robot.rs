@@ -6,20 +6,20 @@ use lagrange::contact::{Contact, Friction};
 use super::G;
 
 /// `walker.urdf` with all options, as `lagrange urdf` writes it.
-mod compiled {
+pub(super) mod compiled {
     include!("../../../crates/lagrange-import/tests/data/walker_standing.rs");
 }
 use compiled::{Walker, WalkerState};
 
 /// Weight of the trunk, the legs, the mast and its load.
-const WEIGHT: f64 = G * (4.0 + 4.0 * 0.3 + 0.5 + 0.2);
+pub(super) const WEIGHT: f64 = G * (4.0 + 4.0 * 0.3 + 0.5 + 0.2);
 /// Coefficient of friction of the feet, and the dry friction of the mast: its own, and half of that
 /// of the weight that follows it at half of its speed.
 const FRICTION: [f64; 2] = [0.6, 0.5 + 0.5 * 0.2];
 const TOLERANCE: f64 = 1e-8;
 
 /// Distances from the limits in the file, those of the follower among them.
-fn gaps(state: &WalkerState) -> [f64; 12] {
+pub(super) fn gaps(state: &WalkerState) -> [f64; 12] {
     let WalkerState { fl_hip, fr_hip, rl_hip, rr_hip, lift, belt, .. } = *state;
     let ends = |q: f64, lower: f64, upper: f64| [q - lower, upper - q];
     let front = [fl_hip, fr_hip].map(|hip| ends(hip, -0.3, 0.25));

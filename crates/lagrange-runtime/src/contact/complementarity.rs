@@ -55,7 +55,7 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     }
 
     /// The choices without friction that has no limit, whatever contacts do.
-    fn possible(&self, choices: &[Choice<S>; K]) -> [Choice<S>; K] {
+    pub(super) fn possible(&self, choices: &[Choice<S>; K]) -> [Choice<S>; K] {
         let mut possible = *choices;
         // Limits may hold what was declared before.
         for k in 0..K {

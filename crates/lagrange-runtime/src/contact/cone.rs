@@ -38,32 +38,24 @@
 //!
 //! With ¼ the limit is 2½: the force is 2½·(−3, −4)/5 = (−1½, −2), and (1½, 2) accelerates it.
 
+mod search;
+
 use core::array;
 
 use super::choice::{Choice, Rule, Settled};
 use super::reaction_forces::Balance;
 use super::slip::length;
-use crate::linalg::singular::{nearest, regular};
-use crate::linalg::vector::dot;
 use crate::scalar::Scalar;
 use crate::tolerance::BALANCED_BY_SEARCH;
 
-/// Newton's method is started so often, each time after twice as many sweeps.
-const MOST_STARTS: u32 = 10;
-/// Steps of Newton's method from each start.
-const MOST_STEPS: u32 = 24;
-/// Short steps next to the shortest forces.
-const MOST_SHORT_STEPS: u32 = 60;
-/// The part of the root of rounding that is added to the diagonal, so that undetermined steps are
-/// short.
-const DAMPING: f64 = 0.1;
-/// A step is halved so often.
-const MOST_HALVINGS: i32 = 8;
-
-/// The problem in units in which reactions change their own rates by one.
-struct Cone<'a, S, const N: usize, const K: usize> {
+/// The problem in units in which reactions change their own rates by one. What is absent is left
+/// out: places are those among the reactions that may act.
+pub(super) struct Cone<'a, S, const N: usize, const K: usize> {
     balance: &'a Balance<'a, S, N, K>,
-    choices: &'a [Choice<S>; K],
+    /// The number of reactions that may act, and which these are.
+    count: usize,
+    active: [usize; K],
+    choices: [Choice<S>; K],
     /// Units of rates; those of reactions are the reciprocals.
     units: [S; K],
     /// Change of the rates with the reactions.
@@ -72,14 +64,22 @@ struct Cone<'a, S, const N: usize, const K: usize> {
     offsets: [S; K],
 }
 
-/// The kind of a step.
+/// Reactions in the units of the problem, with d = r − rate of each.
 #[derive(Clone, Copy)]
-enum Step {
-    /// Newton's.
-    Newton,
-    /// That of Levenberg and Marquardt, damped by the error. It stays short where reactions are
-    /// all but undetermined.
-    Short,
+struct ForcePoint<S, const K: usize> {
+    forces: [S; K],
+    pulls: [S; K],
+}
+
+/// Reactions, the rules by which they act, and how far they are from the law.
+pub(super) struct Approximation<S, const K: usize> {
+    pub(super) settled: Settled<S, K>,
+    /// The largest rate by which a reaction misses its target, and which.
+    pub(super) residual: (S, usize),
+    /// True if that is no more than rounding.
+    pub(super) is_exact: bool,
+    /// Steps of Newton's method.
+    pub(super) iterations: u32,
 }
 
 /// The piece of the target of a reaction, or of both components of a reaction in a plane.
@@ -100,47 +100,101 @@ impl<S: Scalar, const N: usize, const K: usize> Balance<'_, S, N, K> {
     pub(super) fn in_cone(&self, choices: &[Choice<S>; K]) -> Option<Settled<S, K>> {
         let cone = Cone::new(self, choices);
         let shortest = self.reactions(&choices.map(|choice| choice.rule(0)));
-        let start = array::from_fn(|k| shortest[k] * cone.units[k]);
-        Some(cone.settled(&cone.solve(start)?))
+        Some(cone.settled(&cone.point(cone.solve(cone.scaled(&shortest))?)))
+    }
+
+    /// The reactions nearest to the law that are found from these on, as those of the step before.
+    pub(super) fn near(&self, choices: &[Choice<S>; K], start: &[S; K]) -> Approximation<S, K> {
+        let cone = Cone::new(self, choices);
+        let search = cone.follow(cone.scaled(start));
+        let end = cone.point(search.forces);
+        let (settled, residual) = (cone.settled(&end), cone.residual(&end));
+        Approximation { settled, residual, is_exact: search.is_exact, iterations: search.iterations }
     }
 }
 
 impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
-    fn new(balance: &'a Balance<'a, S, N, K>, choices: &'a [Choice<S>; K]) -> Self {
-        let mut units = balance.units();
-        // A disk stays one.
-        for k in (1..K).filter(|&k| choices[k] == Choice::Across) {
-            let half = S::from_f64(0.5);
-            let unit = (half * (units[k - 1] * units[k - 1] + units[k] * units[k])).sqrt();
-            (units[k - 1], units[k]) = (unit, unit);
+    fn new(balance: &'a Balance<'a, S, N, K>, all: &[Choice<S>; K]) -> Self {
+        let all_units = balance.units();
+        let (mut active, mut count) = ([0; K], 0);
+        for k in (0..K).filter(|&k| all[k] != Choice::Only(Rule::Absent)) {
+            (active[count], count) = (k, count + 1);
         }
-        let entry = |k: usize, j: usize| balance.entry(k, j) / (units[k] * units[j]);
-        let matrix = array::from_fn(|k| array::from_fn(|j| entry(k, j)));
-        let offsets = array::from_fn(|k| balance.offset(k) / units[k]);
-        Cone { balance, choices, units, matrix, offsets }
+        let mut units = [S::ONE; K];
+        let mut choices = [Choice::Only(Rule::Absent); K];
+        for (place, &k) in active[..count].iter().enumerate() {
+            (units[place], choices[place]) = (all_units[k], all[k]);
+        }
+        // A disk stays one.
+        for place in (1..count).filter(|&place| choices[place] == Choice::Across) {
+            let half = S::from_f64(0.5);
+            let squares = units[place - 1] * units[place - 1] + units[place] * units[place];
+            let unit = (half * squares).sqrt();
+            (units[place - 1], units[place]) = (unit, unit);
+        }
+        let (mut matrix, mut offsets) = ([[S::ZERO; K]; K], [S::ZERO; K]);
+        for (place, &k) in active[..count].iter().enumerate() {
+            offsets[place] = balance.offset(k) / units[place];
+            for (other, &j) in active[..count].iter().enumerate() {
+                matrix[place][other] = balance.entry(k, j) / (units[place] * units[other]);
+            }
+        }
+        Cone { balance, count, active, choices, units, matrix, offsets }
+    }
+
+    /// These reactions in the units of the problem.
+    fn scaled(&self, reactions: &[S; K]) -> [S; K] {
+        let mut forces = [S::ZERO; K];
+        for (place, &k) in self.active[..self.count].iter().enumerate() {
+            forces[place] = reactions[k] * self.units[place];
+        }
+        forces
+    }
+
+    fn point(&self, forces: [S; K]) -> ForcePoint<S, K> {
+        let mut pulls = [S::ZERO; K];
+        for k in 0..self.count {
+            pulls[k] = forces[k] - self.offsets[k] - self.change(k, &forces);
+        }
+        ForcePoint { forces, pulls }
+    }
+
+    /// The largest rate by which one of these reactions misses its target, and which.
+    fn residual(&self, at: &ForcePoint<S, K>) -> (S, usize) {
+        let errors = self.errors(at);
+        let mut worst = (S::ZERO, 0);
+        for (place, &k) in self.active[..self.count].iter().enumerate() {
+            let error = errors[place].abs() * self.units[place];
+            if error > worst.0 || !error.is_finite() {
+                worst = (error, k);
+            }
+        }
+        worst
     }
 
     /// The rules by which these reactions act.
-    fn settled(&self, forces: &[S; K]) -> Settled<S, K> {
-        let mut rules = [Rule::Absent; K];
-        for k in (0..K).filter(|&k| self.choices[k] != Choice::Across) {
-            let found = match self.piece(forces, k) {
+    fn settled(&self, at: &ForcePoint<S, K>) -> Settled<S, K> {
+        let (mut rules, mut reactions) = ([Rule::Absent; K], [S::ZERO; K]);
+        for place in (0..self.count).filter(|&place| self.choices[place] != Choice::Across) {
+            let found = match self.piece(at, place) {
                 TargetPiece::Absent => [Rule::Absent; 2],
                 TargetPiece::Holds => [Rule::Holds; 2],
                 // At its limit, yet held by other forces.
-                _ if self.choices[k] == Choice::Rest && self.is_still(forces, k) => [Rule::Holds; 2],
+                _ if self.choices[place] == Choice::Rest && self.is_still(at, place) => [Rule::Holds; 2],
                 TargetPiece::Limited { direction, .. } => direction.map(|component| Rule::Slips(-component)),
             };
-            rules[k] = if let Choice::Only(rule) = self.choices[k] { rule } else { found[0] };
-            if self.is_planar(k) {
+            let k = self.active[place];
+            rules[k] = if let Choice::Only(rule) = self.choices[place] { rule } else { found[0] };
+            if self.is_planar(place) {
                 rules[k + 1] = found[1];
             }
         }
         // Rounding of nothing would be a limit.
-        let reactions = array::from_fn(|k| match rules[k] {
-            Rule::Absent => S::ZERO,
-            _ => forces[k] / self.units[k],
-        });
+        for (place, &k) in self.active[..self.count].iter().enumerate() {
+            if rules[k] != Rule::Absent {
+                reactions[k] = at.forces[place] / self.units[place];
+            }
+        }
         Settled { rules, reactions }
     }
 
@@ -148,130 +202,62 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         self.choices.get(k + 1) == Some(&Choice::Across)
     }
 
+    /// The change of rate k with these reactions.
+    fn change(&self, k: usize, forces: &[S; K]) -> S {
+        let parts = self.matrix[k][..self.count].iter().zip(forces);
+        parts.fold(S::ZERO, |sum, (entry, force)| entry.multiply_add(*force, sum))
+    }
+
     /// True if the rates of friction k are zero but for rounding.
-    fn is_still(&self, forces: &[S; K], k: usize) -> bool {
-        let rate = |k: usize| self.offsets[k] + dot(&self.matrix[k], forces);
+    fn is_still(&self, at: &ForcePoint<S, K>, k: usize) -> bool {
+        let rate = |k: usize| at.forces[k] - at.pulls[k];
         let rates = [rate(k), if self.is_planar(k) { rate(k + 1) } else { S::ZERO }];
-        length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(forces)
-    }
-
-    /// Reactions that are their targets but for rounding, near these or from zero on.
-    fn solve(&self, near: [S; K]) -> Option<[S; K]> {
-        let mut forces = near;
-        if self.descend(&mut forces, Step::Short) {
-            return Some(forces);
-        }
-        forces = [S::ZERO; K];
-        (0..MOST_STARTS).find_map(|start| {
-            let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
-            for _ in 0..1 << start {
-                self.sweep(&mut forces, share);
-            }
-            self.descend(&mut forces, Step::Newton).then_some(forces)
-        })
-    }
-
-    /// Moves one reaction after the other by this share of the way to its target. Half of it ends
-    /// some cycles.
-    fn sweep(&self, forces: &mut [S; K], share: S) {
-        for k in (0..K).filter(|&k| self.choices[k] != Choice::Across) {
-            let [first, second] = self.target(forces, k);
-            forces[k] = share.multiply_add(first - forces[k], forces[k]);
-            if self.is_planar(k) {
-                forces[k + 1] = share.multiply_add(second - forces[k + 1], forces[k + 1]);
-            }
-        }
-    }
-
-    /// Goes to the reactions of least error that such steps find. Where no part of a step makes the
-    /// error smaller, the next piece may. True if they are their targets but for rounding.
-    fn descend(&self, forces: &mut [S; K], kind: Step) -> bool {
-        let mut present = (*forces, size(&self.errors(forces)));
-        let mut best = present;
-        let most = match kind {
-            Step::Newton => MOST_STEPS,
-            Step::Short => MOST_SHORT_STEPS,
-        };
-        for _ in 0..most {
-            if best.1 <= S::epsilon() * self.scale(&best.0) {
-                break;
-            }
-            present = self.stepped(&present, kind);
-            if present.1 < best.1 {
-                best = present;
-            }
-        }
-        *forces = best.0;
-        best.1 <= BALANCED_BY_SEARCH.part::<S>() * self.scale(forces)
-    }
-
-    /// The largest of these reactions and of the rates without any.
-    fn scale(&self, forces: &[S; K]) -> S {
-        forces.iter().chain(&self.offsets).fold(S::ZERO, |size, value| size.max(value.abs()))
-    }
-
-    /// The end of the longest part of a step that makes the error smaller, or of the whole step,
-    /// and the error there.
-    fn stepped(&self, (forces, error): &([S; K], S), kind: Step) -> ([S; K], S) {
-        let (slopes, errors) = (self.slopes(forces), self.errors(forces));
-        let step = match kind {
-            Step::Newton => nearest(&damped(slopes, S::from_f64(DAMPING) * S::epsilon().sqrt()), &errors, K),
-            Step::Short => {
-                let (slopes, errors) = normal(&slopes, &errors);
-                regular(&damped(slopes, *error / self.scale(forces)), &errors)
-            }
-        };
-        let reached = |part: S| {
-            let end = array::from_fn(|k| step[k].multiply_add(part, forces[k]));
-            (end, size(&self.errors(&end)))
-        };
-        let halves = (0..MOST_HALVINGS).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
-        { halves }.find(|(_, least)| least < error).unwrap_or_else(|| reached(S::ONE))
+        length(&rates) <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&at.forces)
     }
 
     /// Targets less reactions.
-    fn errors(&self, forces: &[S; K]) -> [S; K] {
+    fn errors(&self, at: &ForcePoint<S, K>) -> [S; K] {
         let mut errors = [S::ZERO; K];
-        for k in (0..K).filter(|&k| self.choices[k] != Choice::Across) {
-            let [first, second] = self.target(forces, k);
-            errors[k] = first - forces[k];
+        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
+            let [first, second] = self.target(at, k);
+            errors[k] = first - at.forces[k];
             if self.is_planar(k) {
-                errors[k + 1] = second - forces[k + 1];
+                errors[k + 1] = second - at.forces[k + 1];
             }
         }
         errors
     }
 
-    fn target(&self, forces: &[S; K], k: usize) -> [S; 2] {
-        match self.piece(forces, k) {
+    fn target(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
+        match self.piece(at, k) {
             TargetPiece::Absent => [S::ZERO; 2],
-            TargetPiece::Holds => self.pull(forces, k),
+            TargetPiece::Holds => self.pull(at, k),
             TargetPiece::Limited { direction, radius, .. } => direction.map(|component| radius * component),
         }
     }
 
-    fn piece(&self, forces: &[S; K], k: usize) -> TargetPiece<S> {
+    fn piece(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
         let known = |component: S| {
-            let limit = self.limit(forces, k, self.balance.limit(k));
+            let limit = self.kinetic(at, k);
             TargetPiece::Limited { direction: [-component, S::ZERO], radius: limit, turning: S::ZERO }
         };
         match self.choices[k] {
             Choice::Only(Rule::Absent) | Choice::Across => TargetPiece::Absent,
             Choice::Only(Rule::Holds) => TargetPiece::Holds,
-            Choice::Only(Rule::Slips(component)) => known(component * self.side(forces, k)),
+            Choice::Only(Rule::Slips(component)) => known(component * self.side(at, k)),
             Choice::Only(Rule::Smooth) => known(S::ONE),
-            Choice::Touch if self.pull(forces, k)[0] > S::ZERO => TargetPiece::Holds,
+            Choice::Touch if self.pull(at, k)[0] > S::ZERO => TargetPiece::Holds,
             Choice::Touch => TargetPiece::Absent,
-            Choice::Rest | Choice::GiveWay => self.friction(forces, k),
+            Choice::Rest | Choice::GiveWay => self.friction(at, k),
         }
     }
 
     /// The piece of friction that holds or slips.
-    fn friction(&self, forces: &[S; K], k: usize) -> TargetPiece<S> {
-        let pull = self.pull(forces, k);
+    fn friction(&self, at: &ForcePoint<S, K>, k: usize) -> TargetPiece<S> {
+        let pull = self.pull(at, k);
         let size = length(&pull);
-        let radius = self.limit(forces, k, self.balance.limit(k)).abs();
-        let fixed = self.limit(forces, k, self.balance.static_limit(k)).abs().max(radius);
+        let radius = self.kinetic(at, k).abs();
+        let fixed = self.limit(at, k, self.balance.static_limit(self.active[k])).abs().max(radius);
         if self.choices[k] == Choice::Rest && size <= fixed {
             return TargetPiece::Holds;
         }
@@ -283,37 +269,44 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// d
-    fn pull(&self, forces: &[S; K], k: usize) -> [S; 2] {
-        let own = |k: usize| forces[k] - self.offsets[k] - dot(&self.matrix[k], forces);
-        [own(k), if self.is_planar(k) { own(k + 1) } else { S::ZERO }]
+    fn pull(&self, at: &ForcePoint<S, K>, k: usize) -> [S; 2] {
+        [at.pulls[k], if self.is_planar(k) { at.pulls[k + 1] } else { S::ZERO }]
     }
 
     /// A limit of friction k, given without reactions and by its slopes.
-    fn limit(&self, forces: &[S; K], k: usize, (free, slopes): (S, &[S; K])) -> S {
+    fn limit(&self, at: &ForcePoint<S, K>, k: usize, (free, slopes): (S, &[S; K])) -> S {
         let mut limit = free;
-        for j in (0..K).filter(|&j| slopes[j] != S::ZERO) {
+        for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
+            if slope == S::ZERO {
+                continue;
+            }
             let pressing = match self.choices[j] {
-                Choice::Touch => self.pull(forces, j)[0].max(S::ZERO),
-                _ => forces[j],
+                Choice::Touch => self.pull(at, j)[0].max(S::ZERO),
+                _ => at.forces[j],
             };
-            limit = limit + slopes[j] * pressing / self.units[j];
+            limit = limit + slope * pressing / self.units[j];
         }
         self.units[k] * limit
     }
 
+    /// The kinetic limit of friction k.
+    fn kinetic(&self, at: &ForcePoint<S, K>, k: usize) -> S {
+        self.limit(at, k, self.balance.limit(self.active[k]))
+    }
+
     /// The sign of the kinetic limit, which counts by its size.
-    fn side(&self, forces: &[S; K], k: usize) -> S {
-        let is_reversed = self.limit(forces, k, self.balance.limit(k)) < S::ZERO;
+    fn side(&self, at: &ForcePoint<S, K>, k: usize) -> S {
+        let is_reversed = self.kinetic(at, k) < S::ZERO;
         if is_reversed { -S::ONE } else { S::ONE }
     }
 
     /// Derivatives of reactions less targets.
-    fn slopes(&self, forces: &[S; K]) -> [[S; K]; K] {
+    fn slopes(&self, at: &ForcePoint<S, K>) -> [[S; K]; K] {
         let mut slopes = [[S::ZERO; K]; K];
-        for k in (0..K).filter(|&k| self.choices[k] != Choice::Across) {
+        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
             let components = if self.is_planar(k) { 2 } else { 1 };
             for component in 0..components {
-                let target = self.slope(forces, k, component);
+                let target = self.slope(at, k, component);
                 slopes[k + component] = target.map(|slope| -slope);
                 slopes[k + component][k + component] = slopes[k + component][k + component] + S::ONE;
             }
@@ -322,12 +315,12 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// Derivative of a component of a target.
-    fn slope(&self, forces: &[S; K], k: usize, component: usize) -> [S; K] {
-        match self.piece(forces, k) {
+    fn slope(&self, at: &ForcePoint<S, K>, k: usize, component: usize) -> [S; K] {
+        match self.piece(at, k) {
             TargetPiece::Absent => [S::ZERO; K],
             TargetPiece::Holds => self.pull_slope(k + component),
             TargetPiece::Limited { direction, turning, .. } => {
-                let mut slope = self.limit_slope(forces, k).map(|slope| direction[component] * slope);
+                let mut slope = self.limit_slope(at, k).map(|slope| direction[component] * slope);
                 for other in (0..2).filter(|_| turning != S::ZERO) {
                     let own = if other == component { S::ONE } else { S::ZERO };
                     let share = turning * (own - direction[component] * direction[other]);
@@ -347,15 +340,18 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
     }
 
     /// Derivative of the kinetic limit of friction k, by size where its direction is free.
-    fn limit_slope(&self, forces: &[S; K], k: usize) -> [S; K] {
-        let (_, slopes) = self.balance.limit(k);
+    fn limit_slope(&self, at: &ForcePoint<S, K>, k: usize) -> [S; K] {
+        let (_, slopes) = self.balance.limit(self.active[k]);
         let is_free = matches!(self.choices[k], Choice::Rest | Choice::GiveWay);
-        let side = if is_free { self.side(forces, k) } else { S::ONE };
+        let side = if is_free { self.side(at, k) } else { S::ONE };
         let mut total = [S::ZERO; K];
-        for j in (0..K).filter(|&j| slopes[j] != S::ZERO) {
-            let share = side * slopes[j] * self.units[k] / self.units[j];
+        for (j, slope) in self.active[..self.count].iter().map(|&j| slopes[j]).enumerate() {
+            if slope == S::ZERO {
+                continue;
+            }
+            let share = side * slope * self.units[k] / self.units[j];
             match self.choices[j] {
-                Choice::Touch if self.pull(forces, j)[0] > S::ZERO => {
+                Choice::Touch if self.pull(at, j)[0] > S::ZERO => {
                     let pull = self.pull_slope(j);
                     total = array::from_fn(|i| share.multiply_add(pull[i], total[i]));
                 }
@@ -365,25 +361,4 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Cone<'a, S, N, K> {
         }
         total
     }
-}
-
-/// The size of a vector; infinite if it holds something that is not finite.
-fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
-    let square = dot(vector, vector);
-    if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
-}
-
-/// A with this added to its diagonal.
-fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
-    for (k, row) in a.iter_mut().enumerate() {
-        row[k] = row[k] + damping;
-    }
-    a
-}
-
-/// The normal equations of A x = b.
-fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> ([[S; K]; K], [S; K]) {
-    let columns: [[S; K]; K] = array::from_fn(|k| array::from_fn(|row| a[row][k]));
-    let matrix = array::from_fn(|k| array::from_fn(|j| dot(&columns[k], &columns[j])));
-    (matrix, array::from_fn(|k| dot(&columns[k], b)))
 }

@@ -77,10 +77,13 @@ mod limits;
 mod pace;
 mod project;
 mod reaction_forces;
+mod responses;
 mod restitution;
 mod resume;
 mod rules;
 mod slip;
+mod step;
+mod stepped;
 #[cfg(test)]
 mod tests;
 mod transition;
@@ -91,11 +94,12 @@ pub use self::heading::Heading;
 pub use self::initial_modes::begin;
 pub use self::pace::Pace;
 pub use self::project::correct;
+pub use self::stepped::{ImpulseFormula, Stepped, SteppedStepper};
 pub use self::transition::react;
 pub use crate::system::{EventKind, Impact};
 
 use crate::scalar::Scalar;
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, StepFailure};
 
 /// The state of a unilateral contact: open or closed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -195,6 +199,14 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     #[must_use]
     fn in_modes(&self, modes: [Mode; K]) -> Self;
 
+    /// Checks parameters that have a range.
+    ///
+    /// # Errors
+    /// If one is out of it.
+    fn check(&self) -> Result<(), StepFailure<Self::Scalar>> {
+        Ok(())
+    }
+
     /// Returns the reaction terms at a state.
     fn terms(
         &self,
@@ -202,6 +214,20 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         q: &Self::Coordinates,
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
+
+    /// Returns the reaction terms for a step of the length `h` by which velocities change. Dampers,
+    /// which have a dissipation function, act by the velocities at its end. The free accelerations
+    /// and responses are those of the mean over the step then. The same as [`terms`](Self::terms)
+    /// by default, where dampers act by the velocities at its beginning.
+    fn damped_terms(
+        &self,
+        t: Self::Scalar,
+        q: &Self::Coordinates,
+        v: &[Self::Scalar; N],
+        _h: Self::Scalar,
+    ) -> Terms<Self::Scalar, N, K> {
+        self.terms(t, q, v)
+    }
 
     /// The declared event by which reaction `k` changes its mode; not asked of smooth friction,
     /// which has none, nor of second components.
@@ -212,6 +238,11 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// Accelerations under these reactions.
     pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
         self.added(&self.free, reactions)
+    }
+
+    /// Returns what these reactions add.
+    fn change(&self, reactions: &[S; K]) -> [S; N] {
+        self.added(&[S::ZERO; N], reactions)
     }
 
     /// A vector and the responses to these reactions.

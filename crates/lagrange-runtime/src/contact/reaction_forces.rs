@@ -15,7 +15,7 @@ use super::Terms;
 use super::choice::Rule;
 use crate::linalg::singular::{is_singular, nearest, solve};
 use crate::linalg::vector::dot;
-use crate::scalar::Scalar;
+use crate::scalar::{Number, Scalar};
 
 /// Rates as they are without reactions, and how reactions change them.
 #[derive(Clone, Copy)]
@@ -52,6 +52,25 @@ impl<'a, S: Scalar, const N: usize, const K: usize> Balance<'a, S, N, K> {
             }
         }
         balance
+    }
+
+    /// Builds the problem for impulses of reactions that act, over a step of the length `h`.
+    /// Offsets are the rates at its end without impulses.
+    pub(super) fn of_step(
+        terms: &'a Terms<S, N, K>,
+        h: S,
+        offsets: [S; K],
+        acts: impl Fn(usize) -> bool,
+    ) -> Self {
+        let (sizes, matrix) = (offsets.map(Number::abs), [[S::ZERO; K]; K]);
+        let mut step = Balance { terms, matrix, offsets, sizes, presence: h, is_exact: true };
+        for k in (0..K).filter(|k| acts(*k)) {
+            for j in (0..=k).filter(|j| acts(*j)) {
+                let entry = dot(&terms.rows[k], &terms.responses[j]);
+                (step.matrix[k][j], step.matrix[j][k]) = (entry, entry);
+            }
+        }
+        step
     }
 
     fn without_responses(terms: &'a Terms<S, N, K>) -> Self {

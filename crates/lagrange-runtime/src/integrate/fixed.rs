@@ -181,6 +181,11 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         let clock = Clock::new(t, if end < t { -h } else { h });
         Ok(FixedStepper { formula, clock, variables, state, last: (t, state), work: Work::default() })
     }
+
+    /// Returns the formula as the last step left it.
+    pub fn formula(&self) -> &F {
+        &self.formula
+    }
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> Stepper<M> for FixedStepper<M, F> {

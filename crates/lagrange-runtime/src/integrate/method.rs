@@ -70,6 +70,11 @@ pub trait Method<M: OdeSystem + ?Sized> {
 
 /// An integration in progress.
 pub trait Stepper<M: OdeSystem + ?Sized> {
+    /// True if steps find the modes of contacts and friction, which [`in_modes`](Self::in_modes)
+    /// returns. Runs do not look for the events by which these change then, nor for the modes in
+    /// which a motion starts.
+    const FINDS_MODES: bool = false;
+
     /// Returns the time that was reached.
     fn time(&self) -> M::Scalar;
 
@@ -119,6 +124,14 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     /// If the state or, where the method needs it, its rate is not finite.
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>>;
 
+    /// Returns the system in the modes of the last step, if steps find them.
+    fn in_modes(&self, _system: &M) -> Option<M>
+    where
+        M: Sized,
+    {
+        None
+    }
+
     /// Returns the work so far.
     fn work(&self) -> Work;
 }
@@ -137,8 +150,10 @@ pub struct Work {
     pub jacobians: u64,
     /// Factorisations of the matrices of adaptive implicit methods; those of one step count once.
     pub factorisations: u64,
-    /// Iterations of implicit methods.
+    /// Iterations of implicit methods, and of those that find impulses of contacts.
     pub iterations: u64,
+    /// Steps whose impulses of contacts and friction miss their law by more than rounding.
+    pub inexact: u64,
 }
 
 /// Most lanes that a [`LanesStepper`] may have.

@@ -34,9 +34,10 @@ pub(crate) fn is_singular<S: Scalar, const K: usize>(a: &[[S; K]; K]) -> bool {
     eliminated(a, &[S::ZERO; K], K, suspect()).is_none()
 }
 
-/// Solves A x = b with a regular A, however near to a singular one; NaN if it is not regular.
-pub(crate) fn regular<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K]) -> [S; K] {
-    eliminated(a, b, K, S::ZERO).unwrap_or([S::NAN; K])
+/// Solves the first `count` equations of A x = b with a regular A, however near to a singular one;
+/// NaN if it is not regular.
+pub(crate) fn regular<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> [S; K] {
+    eliminated(a, b, count, S::ZERO).unwrap_or([S::NAN; K])
 }
 
 /// The solution of so many first equations by elimination with partial pivoting, if all pivots are

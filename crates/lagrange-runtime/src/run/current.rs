@@ -1,6 +1,7 @@
 //! The system of a run as it is at present.
 
 use crate::scalar::{Number, Scalar};
+use crate::integrate::Stepper;
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
@@ -17,11 +18,11 @@ impl<'a, M: OdeSystem> Current<'a, M> {
     }
 
     /// Becomes the system as a motion starts from this time and state towards `end`, after `act`
-    /// has had its way with it.
+    /// was applied to it. Steppers of the kind T take it on.
     ///
     /// # Errors
     /// If no motion starts there; the system is then unchanged.
-    pub fn begin(
+    pub fn begin<T: Stepper<M>>(
         &mut self,
         (t, y): (M::Scalar, &M::State),
         end: M::Scalar,
@@ -30,7 +31,8 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         check_direction::<M>(t, end)?;
         check_clocks(self.system(), t, end)?;
         let acted = act(self.system())?;
-        let begun = acted.as_ref().unwrap_or(self.system()).begin(t, y)?;
+        let system = acted.as_ref().unwrap_or(self.system());
+        let begun = if T::FINDS_MODES { system.on_sides(t, y) } else { system.begin(t, y)? };
         self.switch(begun.or(acted));
         Ok(())
     }

@@ -6,7 +6,7 @@ use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
+use crate::system::{DeclaredEvent, Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
 
 /// The events that the declaration of the system M states.
 pub struct DeclaredEvents<M: OdeSystem> {
@@ -38,16 +38,19 @@ const MOST_RETURNS: u32 = 5;
 const NEAR: f64 = 4.0;
 
 impl<M: OdeSystem> DeclaredEvents<M> {
-    /// Starts to look at a time and state, if there are any events.
-    pub fn new(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
-        if M::EVENTS.is_empty() {
+    /// Starts to look at a time and state, if there are any events that steppers of the kind T
+    /// leave to be found.
+    pub fn new<T: Stepper<M>>(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
+        let is_left = |event: &DeclaredEvent| !T::FINDS_MODES || event.is_side || !event.is_switch;
+        if !M::EVENTS.iter().any(is_left) {
             return None;
         }
         let mut directions = [Direction::Crossing; MOST_LOCATED];
         for (direction, event) in directions.iter_mut().zip(M::EVENTS) {
             *direction = event.direction;
         }
-        let margins = Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]);
+        let margins =
+            Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]).without_modes(T::FINDS_MODES);
         let detector = Detector::new(directions, t, margins.values(system, t, y)).with_switches(M::EVENTS);
         let together = [false; MOST_LOCATED];
         Some(DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together })
@@ -91,7 +94,7 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
         let is_new = self.pending.next.is_none();
         if self.margins.time != stepper.time() {
             let ranges = self.pending.ranges();
-            self.margins = Margins::new(system, stepper.time(), stepper.state(), &ranges);
+            self.margins = self.margins.again(system, stepper.time(), stepper.state(), &ranges);
         }
         let margins = self.margins;
         let found = self.pending.look(system, stepper, end, |t, y| margins.values(system, t, y));
@@ -131,7 +134,7 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        self.margins = Margins::new(system, t, y, &self.pending.ranges());
+        self.margins = self.margins.again(system, t, y, &self.pending.ranges());
         let values = self.margins.values(system, t, y);
         if let Some(change) = &mut self.change {
             change.value = values[change.event];
@@ -140,7 +143,7 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     }
 
     fn jump(&mut self, system: &M, t: M::Scalar, y: &M::State) {
-        self.margins = Margins::new(system, t, y, &self.pending.ranges());
+        self.margins = self.margins.again(system, t, y, &self.pending.ranges());
         self.pending.jump(self.margins.values(system, t, y));
     }
 }

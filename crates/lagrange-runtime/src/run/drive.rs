@@ -29,7 +29,7 @@ where
         ..error
     };
     let mut current = Current::new(system);
-    let started = current.begin((t0, &y0), t_end, |_| Ok(None));
+    let started = current.begin::<K::Stepper>((t0, &y0), t_end, |_| Ok(None));
     let started = started.and_then(|()| method.start(current.system(), t0, &y0, t_end));
     let stepper = started
         .map_err(|cause| explain(IntegrationError { cause, time: t0, state: y0 }, current.system()))?;

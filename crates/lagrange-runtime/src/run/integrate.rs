@@ -56,6 +56,6 @@ where
     if M::EVENTS.is_empty() {
         return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe).map(|(_, state)| state);
     }
-    let events = |system: &M, y: &M::State| DeclaredEvents::new(system, t0, y);
+    let events = |system: &M, y: &M::State| DeclaredEvents::new::<K::Stepper>(system, t0, y);
     drive(system, (t0, y0), t_end, method, events, observe).map(|(_, state)| state)
 }

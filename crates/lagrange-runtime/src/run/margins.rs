@@ -19,6 +19,8 @@ pub(super) struct Margins<S> {
     /// When they were found.
     pub(super) time: S,
     margins: [S; MOST_LOCATED],
+    /// True if events that change modes of contacts and friction are not looked for.
+    finds_modes: bool,
 }
 
 impl<S: Scalar> Margins<S> {
@@ -39,7 +41,20 @@ impl<S: Scalar> Margins<S> {
                 margins[k] = margin;
             }
         }
-        Margins { time, margins }
+        Margins { time, margins, finds_modes: false }
+    }
+
+    /// Leaves out the events that change modes of contacts and friction, if steps find these.
+    pub(super) fn without_modes(self, finds_modes: bool) -> Self {
+        Margins { finds_modes, ..self }
+    }
+
+    /// Finds them at another state.
+    pub(super) fn again<M>(&self, system: &M, time: S, y: &M::State, ranges: &[S; MOST_LOCATED]) -> Self
+    where
+        M: OdeSystem<Scalar = S>,
+    {
+        Margins::new(system, time, y, ranges).without_modes(self.finds_modes)
     }
 
     /// The values of all declared events, and of others that never happen. Those of switches are
@@ -49,7 +64,11 @@ impl<S: Scalar> Margins<S> {
         M: OdeSystem<Scalar = S>,
     {
         let values = exact_values(system, t, y);
-        core::array::from_fn(|k| values[k] + self.margins[k])
+        let is_left_out = |k: usize| match M::EVENTS.get(k) {
+            Some(event) => self.finds_modes && event.is_switch && !event.is_side,
+            None => false,
+        };
+        core::array::from_fn(|k| if is_left_out(k) { S::ONE } else { values[k] + self.margins[k] })
     }
 }
 

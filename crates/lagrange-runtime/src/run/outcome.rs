@@ -1,5 +1,6 @@
 //! The continuation of a motion after events at the same time.
 
+use crate::integrate::Stepper;
 use crate::system::{Action, OdeSystem, Response, StepFailure};
 
 /// The combined outcome of simultaneous events. Stopping prevails.
@@ -42,14 +43,15 @@ impl<M: OdeSystem> EventOutcome<M> {
     }
 
     /// The state to go on from, put onto the constraints, and the system if it is another one than
-    /// `system`; `None` if the motion ends.
+    /// `system`; `None` if the motion ends. Steppers of the kind T take it on.
     ///
     /// # Errors
     /// If no motion goes on from there.
-    pub(super) fn resume(self, system: &M, t: M::Scalar) -> Option<Continuation<M>> {
+    pub(super) fn resume<T: Stepper<M>>(self, system: &M, t: M::Scalar) -> Option<Continuation<M>> {
         self.state().map(|mut state| {
             let next = match self.system {
                 Some(next) => Some(next),
+                None if T::FINDS_MODES => system.on_sides(t, &state),
                 None => system.begin(t, &state)?,
             };
             next.as_ref().unwrap_or(system).restore(t, &mut state)?;

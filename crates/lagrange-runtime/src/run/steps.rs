@@ -132,6 +132,10 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         if let Err(cause) = self.tick(sink).and_then(|()| self.step(sink, instant)) {
             return Err(IntegrationError { cause, time: self.stepper.time(), state: *self.stepper.state() });
         }
+        if let Some(system) = self.stepper.in_modes(self.current.system()) {
+            self.current.switch(Some(system));
+            sink.switch(self.current.system());
+        }
         while let Some((origin, event)) = self.next_event()? {
             let (time, state) = (event.time, event.state);
             let reaction = self.react(sink, origin, event);
@@ -280,7 +284,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         }
         let failed = |cause| IntegrationError { cause, time, state };
         let (outcome, is_silent) = reaction.map_err(failed)?;
-        let Some(resumed) = outcome.resume(self.current.system(), time) else {
+        let Some(resumed) = outcome.resume::<T>(self.current.system(), time) else {
             return Ok(Turn::Stopped(time, state));
         };
         let (other, switched) = resumed.map_err(failed)?;

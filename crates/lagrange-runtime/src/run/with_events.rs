@@ -62,7 +62,10 @@ where
 {
     let detector = Detector::new(directions, t0, values(t0, &y0));
     let given = GivenFunctions { pending: Pending::new(detector), values, act };
-    let events = |system: &M, y: &M::State| AllEvents { declared: DeclaredEvents::new(system, t0, y), given };
+    let events = |system: &M, y: &M::State| AllEvents {
+        declared: DeclaredEvents::new::<K::Stepper>(system, t0, y),
+        given,
+    };
     drive(system, (t0, y0), t_end, method, events, |_, _| {})
 }
 

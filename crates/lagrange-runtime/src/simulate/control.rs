@@ -5,6 +5,7 @@ use std::fmt::{Debug, Formatter};
 use std::sync::Arc;
 use std::vec::Vec;
 
+use crate::contact::{ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
@@ -187,6 +188,48 @@ where
             }
             Some(jacobian)
         })
+    }
+}
+
+/// Reactions are those of the plant with the inputs that it has. Dampers of a law act by the
+/// velocities at the beginning of a step.
+impl<M, F, const N: usize, const K: usize> ContactSystem<N, K> for Driven<M, F>
+where
+    M: ControlledSystem + ContactSystem<N, K>,
+    F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
+{
+    const REACTIONS: [&'static str; K] = M::REACTIONS;
+    const RESTITUTIONS_VARY: [bool; K] = M::RESTITUTIONS_VARY;
+    const LIMITS_REVERSE: [bool; K] = M::LIMITS_REVERSE;
+
+    fn modes(&self) -> [Mode; K] {
+        self.plant.modes()
+    }
+
+    fn in_modes(&self, modes: [Mode; K]) -> Self {
+        self.with_plant(self.plant.in_modes(modes))
+    }
+
+    fn check(&self) -> Result<(), StepFailure<M::Scalar>> {
+        self.plant.check()
+    }
+
+    fn terms(&self, t: M::Scalar, q: &M::Coordinates, v: &[M::Scalar; N]) -> Terms<M::Scalar, N, K> {
+        self.present(t, &join::<M>(q, v), |plant| plant.terms(t, q, v))
+    }
+
+    fn damped_terms(
+        &self,
+        t: M::Scalar,
+        q: &M::Coordinates,
+        v: &[M::Scalar; N],
+        h: M::Scalar,
+    ) -> Terms<M::Scalar, N, K> {
+        self.present(t, &join::<M>(q, v), |plant| plant.damped_terms(t, q, v, h))
+    }
+
+    fn event_of(&self, k: usize) -> usize {
+        self.plant.event_of(k)
     }
 }
 

@@ -76,7 +76,7 @@ where
     let checked = settings.check::<D::Closed, K>(&names, method).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
-        current.begin((t, &start.1), end, |system| {
+        current.begin::<K::Stepper>((t, &start.1), end, |system| {
             let acted = controllers.begin(system.plant(), (t, &start.1))?;
             Ok(acted.map(|plant| system.with_plant(plant)))
         })?;
@@ -91,7 +91,7 @@ where
         let mut stepper = method.start(current.system(), t, &start.1, end)?;
         stepper.limit_steps(max_steps);
         let events = AllEvents {
-            declared: DeclaredEvents::new(current.system(), t, &start.1),
+            declared: DeclaredEvents::new::<K::Stepper>(current.system(), t, &start.1),
             given: Watchers::new(&settings.events, watches, current.system(), (t, &start.1)),
         };
         let restarts = settings.restarts_in_order();

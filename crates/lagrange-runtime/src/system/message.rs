@@ -55,6 +55,11 @@ pub(crate) fn explain<S: Debug>(
             "the limit of friction `{friction}` is negative ({value:?}); it is the magnitude of a force, which \
             always opposes the slip velocity"
         ),
+        StepFailure::Residual { reaction, value } => write!(
+            f,
+            "the impulse of `{reaction}` over a step misses the law of contacts by the rate {value:?}, more than the \
+            largest residual: reduce the step"
+        ),
         StepFailure::NotFinite => f.write_str("the state or its rate is NaN or infinite"),
         StepFailure::Undefined(what) => write!(f, "{what}"),
         StepFailure::NoFirstStep { relative, absolute } => write!(

@@ -89,6 +89,13 @@ pub enum StepFailure<S> {
         /// The limit, or its change with a unit of a contact force.
         value: S,
     },
+    /// Impulses of contacts and friction over a step miss their law by more than is allowed.
+    Residual {
+        /// The contact or friction that misses it most.
+        reaction: &'static str,
+        /// The rate by which it does.
+        value: S,
+    },
     /// No motion continues from here, in words: no contact forces or friction fit the state, or a
     /// method of another crate failed.
     Stuck(&'static str),

@@ -21,10 +21,12 @@ pub(in crate::emit) struct Members {
     pub(in crate::emit) canonical: Vec<Method>,
     /// True for each constraint that contains positions.
     pub(in crate::emit) are_holonomic: Vec<bool>,
-    /// The body of `ContactSystem::terms`.
+    /// The body of `ContactSystem::terms`, or of `damped_terms` if there are dampers.
     pub(in crate::emit) terms: TokenStream,
     /// Number of clocks.
     pub(in crate::emit) clocks: usize,
+    /// True if there are dampers beside contacts or friction.
+    pub(in crate::emit) is_damped: bool,
     /// The body of `SwitchedSystem::switch_times`, if there is a time to tell.
     pub(in crate::emit) switch_times: Option<TokenStream>,
     /// True for each reaction whose coefficient of restitution depends on time or the state.
@@ -79,6 +81,7 @@ impl Members {
             are_holonomic: Vec::new(),
             terms: TokenStream::new(),
             clocks: 0,
+            is_damped: false,
             switch_times: None,
             restitutions_vary: Vec::new(),
             limits_reverse: Vec::new(),

@@ -12,6 +12,7 @@ use crate::emit::base::method::{ArgumentNames, Arguments, Returns};
 use crate::emit::base::shape::{Shape, Touch, identifier, length, local};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::ReactionKind;
+use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::OperationCounts;
 use lagrange_expr::expr::{Dependencies, ExprId};
 
@@ -105,7 +106,8 @@ fn reversing_limits(writer: &MethodWriter<'_>) -> Vec<bool> {
     writer.model.reactions.iter().map(|reaction| reverses(&reaction.kind)).collect()
 }
 
-/// The body of `ContactSystem::terms`.
+/// The body of `ContactSystem::terms`, or of `damped_terms` if there are dampers without
+/// constraints.
 fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     let (n, k) = (writer.model.speeds.len(), writer.model.reactions.len());
     let zero = writer.model.graph.number(0);
@@ -122,23 +124,33 @@ fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
     });
     let rates = writer.model.reactions.iter().map(|reaction| reaction.velocity).collect::<Vec<_>>();
     let reactions = &writer.equations.reactions;
-    let free = |list: &[Affine]| list.iter().map(|affine| affine.free).collect::<Vec<_>>();
+    let without = |list: &[Affine]| list.iter().map(|affine| affine.free).collect::<Vec<_>>();
     let slopes = |list: &[Affine]| list.iter().flat_map(|affine| affine.slopes.clone()).collect::<Vec<_>>();
     let (vector, matrix, square) = (Returns::Vector(k), Returns::Matrix(k, n), Returns::Matrix(k, k));
+    let responses = reactions.responses.concat();
+    let is_constrained = !writer.model.constraints.is_empty();
+    // Accelerations and responses follow from forces and rows by one factorisation at run time.
+    let (free, responses) = match is_constrained {
+        true => (writer.equations.accelerations.clone(), responses),
+        false => (writer.equations.forcing.clone(), vec![zero; k * n]),
+    };
     let fields = [
-        ("free", Returns::Vector(n), writer.equations.accelerations.clone()),
-        ("responses", matrix, reactions.responses.concat()),
+        ("free", Returns::Vector(n), free),
+        ("responses", matrix, responses),
         ("rows", matrix, reactions.rows.concat()),
         ("gaps", vector, gaps),
         ("rates", vector, rates),
         ("drifts", vector, reactions.drifts.clone()),
         ("restitutions", vector, restitutions),
-        ("kinetic", vector, free(&reactions.kinetic)),
+        ("kinetic", vector, without(&reactions.kinetic)),
         ("kinetic_slopes", square, slopes(&reactions.kinetic)),
-        ("fixed", vector, free(&reactions.fixed)),
+        ("fixed", vector, without(&reactions.fixed)),
         ("static_slopes", square, slopes(&reactions.fixed)),
     ];
-    let roots = fields.iter().flat_map(|(_, _, roots)| roots.iter().copied()).collect::<Vec<_>>();
+    let mut roots = fields.iter().flat_map(|(_, _, roots)| roots.iter().copied()).collect::<Vec<_>>();
+    let inertia = if is_constrained { Vec::new() } else { inertia(writer) };
+    writer.members.is_damped = inertia.len() > 1;
+    roots.extend(inertia.iter().flatten());
     let krate = writer.shape.krate;
     let (body, _) = writer.lowered(&roots, Arguments::State, |mut results| {
         let fields = fields.iter().map(|(name, returns, roots)| {
@@ -148,9 +160,32 @@ fn touching_terms(writer: &mut MethodWriter<'_>) -> TokenStream {
             quote!(#name: #value)
         });
         let fields = fields.collect::<Vec<_>>();
-        quote!(#krate::contact::Terms { #(#fields),* })
+        let terms = quote!(#krate::contact::Terms { #(#fields),* });
+        let matrices = inertia.iter().map(|roots| {
+            let (own, others) = results.split_at(roots.len());
+            results = others;
+            Returns::Matrix(n, n).collect(own)
+        });
+        let (matrices, step) = (matrices.collect::<Vec<_>>(), local("step"));
+        match &matrices[..] {
+            [] => terms,
+            [mass] => quote!(#krate::contact::Terms::accelerated(#terms, &#mass)),
+            [mass, damping, ..] => quote!(#krate::contact::Terms::damped(#terms, &#mass, &#damping, #step)),
+        }
     });
     body
+}
+
+/// The mass matrix and, if there is dissipation, the matrix of its second derivatives.
+fn inertia(writer: &mut MethodWriter<'_>) -> Vec<Vec<ExprId>> {
+    let mass = writer.equations.mass_matrix.concat();
+    let (velocities, dissipation) = (writer.model.velocities(), writer.model.dissipation);
+    let graph = &mut writer.model.graph;
+    let forces = gradient(graph, dissipation, &velocities);
+    let damping = forces.into_iter().flat_map(|force| gradient(graph, force, &velocities));
+    let damping = damping.collect::<Vec<_>>();
+    let zero = graph.number(0);
+    if damping.iter().all(|&entry| entry == zero) { vec![mass] } else { vec![mass, damping] }
 }
 
 /// The fields that keep modes, as they are declared.
@@ -180,16 +215,24 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
     if shape.touching.is_empty() {
         return TokenStream::new();
     }
-    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let (name, generics, bounds) = (shape.name(), shape.generics(), shape.bounds());
     let (krate, k) = (shape.krate, length(shape.reactions().len()));
-    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
-    let ArgumentNames { time, positions, velocities, .. } = &members.names;
-    let (terms, modes, event_of) = (&members.terms, mode_members(shape), event_of(shape));
+    let nv = shape.velocities_length();
+    let (terms, modes, event_of) = (terms_members(shape, members), mode_members(shape), event_of(shape));
     let names = shape.reactions().into_iter().map(|place| shape.written(shape.touching[place].0));
     let flags = |name: &str, flags: &[bool]| {
         let name = format_ident!("{name}");
         flags.contains(&true).then(|| quote!(const #name: [::core::primitive::bool; #k] = [#(#flags),*];))
     };
+    let checked = members.ranges.is_some().then(|| {
+        let scalar = shape.scalar();
+        quote! {
+            fn check(&self) -> ::core::result::Result<(), #krate::system::StepFailure<#scalar>> {
+                self.check_parameters()?;
+                ::core::result::Result::Ok(())
+            }
+        }
+    });
     let vary = flags("RESTITUTIONS_VARY", &members.restitutions_vary);
     let reverse = flags("LIMITS_REVERSE", &members.limits_reverse);
     quote! {
@@ -199,16 +242,33 @@ pub(in crate::emit) fn contact_impl(shape: &Shape<'_>, members: &Members) -> Tok
             #vary
             #reverse
             #modes
-            #[inline]
-            fn terms(
-                &self,
-                #time: #scalar,
-                #positions: &[#scalar; #nq],
-                #velocities: &[#scalar; #nv],
-            ) -> #krate::contact::Terms<#scalar, #nv, #k> {
-                #terms
-            }
+            #checked
+            #terms
             #event_of
+        }
+    }
+}
+
+/// `terms`, and `damped_terms` if there are dampers, of which they are a case then.
+fn terms_members(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let (krate, scalar, k) = (shape.krate, shape.scalar(), length(shape.reactions().len()));
+    let (nq, nv) = (shape.positions_length(), shape.velocities_length());
+    let ArgumentNames { time, positions, velocities, .. } = &members.names;
+    let (body, step) = (&members.terms, local("step"));
+    let arguments = quote!(#time: #scalar, #positions: &[#scalar; #nq], #velocities: &[#scalar; #nv]);
+    let terms = quote!(#krate::contact::Terms<#scalar, #nv, #k>);
+    if !members.is_damped {
+        return quote!(#[inline] fn terms(&self, #arguments) -> #terms { #body });
+    }
+    let zero = quote!(<#scalar as #krate::Number>::ZERO);
+    quote! {
+        #[inline]
+        fn terms(&self, #arguments) -> #terms {
+            #krate::contact::ContactSystem::damped_terms(self, #time, #positions, #velocities, #zero)
+        }
+        #[inline]
+        fn damped_terms(&self, #arguments, #step: #scalar) -> #terms {
+            #body
         }
     }
 }

@@ -5,5 +5,7 @@ mod friction;
 mod impacts;
 mod lemke;
 mod motions;
+mod responses;
 mod rounding;
+mod stepped;
 mod systems;

@@ -1,0 +1,195 @@
+//! The search for reactions that obey the law.
+
+use core::array;
+
+use super::{Cone, ForcePoint};
+use crate::contact::choice::Choice;
+use crate::linalg::singular::{nearest, regular};
+use crate::linalg::vector::dot;
+use crate::scalar::Scalar;
+use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
+
+/// Newton's method is started so often, each time after twice as many sweeps.
+const MOST_STARTS: u32 = 10;
+/// Steps of Newton's method from each start.
+const MOST_STEPS: u32 = 24;
+/// Short steps next to the shortest forces.
+const MOST_SHORT_STEPS: u32 = 60;
+/// The part of the root of rounding that is added to the diagonal, so that undetermined steps are
+/// short.
+const DAMPING: f64 = 0.1;
+/// The change of impulses from step to step, beside them.
+const LEFT: f64 = 1e-2;
+/// A step is halved so often.
+const MOST_HALVINGS: i32 = 8;
+
+/// The kind of a step.
+#[derive(Clone, Copy)]
+enum Step {
+    /// Newton's.
+    Newton,
+    /// That of Levenberg and Marquardt, damped by the error. It stays short where reactions are
+    /// all but undetermined.
+    Short,
+}
+
+/// A search for reactions.
+#[derive(Clone, Copy)]
+pub(super) struct ForceSearch<S, const K: usize> {
+    /// The best ones so far.
+    pub(super) forces: [S; K],
+    pub(super) iterations: u32,
+    /// True if these are their targets but for rounding.
+    pub(super) is_exact: bool,
+    /// The error beside the forces at which it ends.
+    goal: S,
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
+    /// Reactions that are their targets but for rounding, near these or from zero on.
+    pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
+        let mut search = ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false };
+        let is_found = self.descend(&mut search, Step::Short) || self.restart(&mut search);
+        is_found.then_some(search.forces)
+    }
+
+    /// The reactions nearest to their targets that are found from these on.
+    pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
+        let mut search = ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal() };
+        search.is_exact = self.descend(&mut search, Step::Newton) || self.fall_back(&mut search);
+        search
+    }
+
+    /// Searches from zero on, by sweeps and Newton's method in turn.
+    fn restart(&self, search: &mut ForceSearch<S, K>) -> bool {
+        search.forces = [S::ZERO; K];
+        (0..MOST_STARTS).any(|start| {
+            let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
+            let mut at = self.point(search.forces);
+            for _ in 0..1 << start {
+                self.sweep(&mut at, share);
+            }
+            search.forces = at.forces;
+            self.descend(search, Step::Newton)
+        })
+    }
+
+    /// Searches from zero on, and then by short steps; keeps the best that there was.
+    fn fall_back(&self, search: &mut ForceSearch<S, K>) -> bool {
+        let mut best = *search;
+        let error = |forces: [S; K]| size(&self.errors(&self.point(forces)));
+        let is_found = self.restart(search);
+        if is_found || error(search.forces) < error(best.forces) {
+            best.forces = search.forces;
+        }
+        let is_found = is_found || {
+            search.forces = best.forces;
+            let is_found = self.descend(search, Step::Short);
+            best.forces = search.forces;
+            is_found
+        };
+        search.forces = best.forces;
+        is_found
+    }
+
+    /// Moves one reaction after the other by this share of the way to its target. Half of it ends
+    /// some cycles.
+    fn sweep(&self, at: &mut ForcePoint<S, K>, share: S) {
+        for k in (0..self.count).filter(|&k| self.choices[k] != Choice::Across) {
+            let targets = self.target(at, k);
+            let components = if self.is_planar(k) { 2 } else { 1 };
+            for (k, target) in (k..k + components).zip(targets) {
+                let change = share * (target - at.forces[k]);
+                at.forces[k] = at.forces[k] + change;
+                at.pulls[k] = at.pulls[k] + change;
+                for (pull, row) in at.pulls.iter_mut().zip(&self.matrix).take(self.count) {
+                    *pull = (-change).multiply_add(row[k], *pull);
+                }
+            }
+        }
+    }
+
+    /// Goes to the reactions of least error that such steps find. Where no part of a step makes the
+    /// error smaller, the next piece may. True if they are their targets but for rounding.
+    fn descend(&self, search: &mut ForceSearch<S, K>, kind: Step) -> bool {
+        let start = self.point(search.forces);
+        let mut present = (start, size(&self.errors(&start)));
+        let mut best = present;
+        let most = match kind {
+            Step::Newton => MOST_STEPS,
+            Step::Short => MOST_SHORT_STEPS,
+        };
+        for _ in 0..most {
+            if best.1 <= search.goal * self.scale(&best.0.forces) {
+                break;
+            }
+            present = self.stepped(&present, kind);
+            search.iterations += 1;
+            if present.1 < best.1 {
+                best = present;
+            }
+        }
+        search.forces = best.0.forces;
+        best.1 <= BALANCED_BY_SEARCH.part::<S>() * self.scale(&search.forces)
+    }
+
+    /// The largest of these reactions and of the rates without any.
+    pub(super) fn scale(&self, forces: &[S; K]) -> S {
+        forces.iter().chain(&self.offsets[..self.count]).fold(S::ZERO, |size, value| size.max(value.abs()))
+    }
+
+    /// The end of the longest part of a step that makes the error smaller, or of the whole step,
+    /// and the error there.
+    fn stepped(&self, (at, error): &(ForcePoint<S, K>, S), kind: Step) -> (ForcePoint<S, K>, S) {
+        let (slopes, errors) = (self.slopes(at), self.errors(at));
+        let step = match kind {
+            Step::Newton => {
+                nearest(&damped(slopes, S::from_f64(DAMPING) * S::epsilon().sqrt()), &errors, self.count)
+            }
+            Step::Short => {
+                let (slopes, errors) = normal(&slopes, &errors, self.count);
+                regular(&damped(slopes, *error / self.scale(&at.forces)), &errors, self.count)
+            }
+        };
+        let reached = |part: S| {
+            let end = self.point(array::from_fn(|k| step[k].multiply_add(part, at.forces[k])));
+            (end, size(&self.errors(&end)))
+        };
+        let halves = (0..MOST_HALVINGS).map(|halvings| reached(S::from_f64(0.5).powi(halvings)));
+        { halves }.find(|(_, least)| least < error).unwrap_or_else(|| reached(S::ONE))
+    }
+}
+
+/// The error beside the forces at which the search for impulses over a step ends. Damping leaves
+/// about this much of the change from step to step behind.
+fn step_goal<S: Scalar>() -> S {
+    (S::from_f64(LEFT * DAMPING) * S::epsilon().sqrt()).max(BOUND.part::<S>())
+}
+
+/// The size of a vector; infinite if it holds something that is not finite.
+fn size<S: Scalar, const K: usize>(vector: &[S; K]) -> S {
+    let square = dot(vector, vector);
+    if square.is_finite() { square.sqrt() } else { S::ONE / S::ZERO }
+}
+
+/// A with this added to its diagonal.
+fn damped<S: Scalar, const K: usize>(mut a: [[S; K]; K], damping: S) -> [[S; K]; K] {
+    for (k, row) in a.iter_mut().enumerate() {
+        row[k] = row[k] + damping;
+    }
+    a
+}
+
+/// The normal equations of the first `count` equations of A x = b.
+fn normal<S: Scalar, const K: usize>(a: &[[S; K]; K], b: &[S; K], count: usize) -> ([[S; K]; K], [S; K]) {
+    let (mut matrix, mut right) = ([[S::ZERO; K]; K], [S::ZERO; K]);
+    for (row, b) in a.iter().zip(b).take(count) {
+        for k in 0..count {
+            right[k] = row[k].multiply_add(*b, right[k]);
+            for j in 0..count {
+                matrix[k][j] = row[k].multiply_add(row[j], matrix[k][j]);
+            }
+        }
+    }
+    (matrix, right)
+}

@@ -1,0 +1,272 @@
+//! Steps of equal length over which contacts and friction act by impulses.
+
+use core::array;
+
+use super::step::{ContactStep, Impulses};
+use super::{Contact, ContactSystem, Friction, Mode};
+use crate::integrate::{FixedStepper, Formula, Method, Stepper, Work};
+use crate::linalg::vector::{combined, difference};
+use crate::scalar::{Number, Scalar};
+use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
+
+/// Steps are refused from this residual of the law on, in units of the rates.
+const LARGEST_RESIDUAL: f64 = 1e-3;
+const FORWARDS: &str = "contacts and dry friction run forwards in time only";
+const POSITIVE: &str = "the step size must be positive and finite";
+const RESIDUAL: &str = "the largest residual must be positive and finite";
+
+/// Steps of equal length in which contacts and friction act by impulses, for many contacts and in
+/// real time.
+///
+/// Nothing is searched for between the steps. All that touches, slips, sticks and is hit within a
+/// step is one problem with Coulomb's law, from which the velocities at its end follow. The error
+/// falls with the first power of the step, and contacts change their modes at the ends of steps
+/// only. N velocities and K reactions follow from the system.
+///
+/// ```
+/// use lagrange::Simulate;
+/// use lagrange::contact::Stepped;
+///
+/// lagrange::system! {
+///     #[derive(Clone, Debug)]
+///     struct Ball;
+///     coord y;
+///     kinetic = 1/2 * dot(y)^2;
+///     potential = 9.81 * y;
+///     event floor = y, falling => impact(0.5);
+/// }
+///
+/// let run = Ball::default().simulate([1.0, 0.0]).until(3.0).method(Stepped::every(1e-3)).run()?;
+/// assert!(run.last()[0].abs() < 1e-9, "it lies on the floor");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Stepped<S, const N: usize, const K: usize> {
+    /// Length of a step.
+    pub step: S,
+    /// The largest rate by which impulses may miss the law; beyond it a run ends with an error.
+    pub largest_residual: S,
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Stepped<S, N, K> {
+    /// Takes steps of this length, with residuals up to 10⁻³.
+    pub fn every(step: S) -> Self {
+        Stepped { step, largest_residual: S::from_f64(LARGEST_RESIDUAL) }
+    }
+
+    /// Ends a run with an error where impulses miss the law by a larger rate.
+    #[must_use]
+    pub fn largest_residual(self, largest_residual: S) -> Self {
+        Stepped { largest_residual, ..self }
+    }
+}
+
+impl<M, const N: usize, const K: usize> Method<M> for Stepped<M::Scalar, N, K>
+where
+    M: ContactSystem<N, K>,
+{
+    type Stepper = SteppedStepper<M, N, K>;
+
+    fn name(&self) -> &'static str {
+        "stepped contacts"
+    }
+
+    fn order(&self) -> u32 {
+        1
+    }
+
+    fn check(&self) -> Result<(), SettingError<M::Scalar>> {
+        let is_valid = |value: M::Scalar| value > M::Scalar::ZERO && value.is_finite();
+        match (is_valid(self.step), is_valid(self.largest_residual)) {
+            (true, true) => Ok(()),
+            (false, _) => Err(SettingError::Invalid(POSITIVE)),
+            _ => Err(SettingError::Invalid(RESIDUAL)),
+        }
+    }
+
+    fn start(
+        &self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        end: M::Scalar,
+    ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
+        Method::<M>::check(self)?;
+        ContactSystem::check(system)?;
+        if end < t {
+            return Err(SettingError::Invalid(FORWARDS).into());
+        }
+        let formula = ImpulseFormula::new(self.largest_residual);
+        let fixed = FixedStepper::start(formula, self.step, &freed(system), t, y, end)?;
+        Ok(SteppedStepper { fixed })
+    }
+}
+
+/// An integration by [`Stepped`].
+#[derive(Clone, Debug)]
+pub struct SteppedStepper<M: OdeSystem, const N: usize, const K: usize> {
+    fixed: FixedStepper<M, ImpulseFormula<M::Scalar, N, K>>,
+}
+
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> SteppedStepper<M, N, K> {
+    /// Returns the impulses of all reactions over the last step, in the order of declaration.
+    pub fn impulses(&self) -> &[M::Scalar; K] {
+        &self.fixed.formula().impulses
+    }
+
+    /// Returns the largest rate by which an impulse missed the law since the first start.
+    pub fn worst_residual(&self) -> M::Scalar {
+        self.fixed.formula().worst
+    }
+}
+
+impl<M: ContactSystem<N, K>, const N: usize, const K: usize> Stepper<M> for SteppedStepper<M, N, K> {
+    const FINDS_MODES: bool = true;
+
+    #[inline]
+    fn time(&self) -> M::Scalar {
+        Stepper::<M>::time(&self.fixed)
+    }
+
+    #[inline]
+    fn state(&self) -> &M::State {
+        self.fixed.state()
+    }
+
+    fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
+        self.fixed.step(&freed(system), limit)
+    }
+
+    fn last_time(&self) -> M::Scalar {
+        self.fixed.last_time()
+    }
+
+    fn interpolate(&mut self, system: &M, t: M::Scalar) -> M::State {
+        self.fixed.interpolate(&freed(system), t)
+    }
+
+    fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {
+        self.fixed.restart(&freed(system), t, y)
+    }
+
+    fn in_modes(&self, system: &M) -> Option<M> {
+        Some(system.in_modes(self.fixed.formula().modes.unwrap_or(free(system.modes()))))
+    }
+
+    fn work(&self) -> Work {
+        self.fixed.work()
+    }
+}
+
+/// The system in which nothing touches, sticks or slips in a known direction: between its steps the
+/// method needs no modes.
+fn freed<M: ContactSystem<N, K>, const N: usize, const K: usize>(system: &M) -> M {
+    system.in_modes(free(system.modes()))
+}
+
+/// The modes of these reactions in which none acts.
+fn free<const K: usize>(modes: [Mode; K]) -> [Mode; K] {
+    modes.map(|mode| match mode {
+        Mode::Contact(_) => Mode::Contact(Contact::Open),
+        Mode::Friction(_) => Mode::Friction(Friction::Slips),
+        Mode::Across(_) => Mode::Across(Friction::Slips),
+        Mode::Smooth => Mode::Smooth,
+    })
+}
+
+/// The formula of [`Stepped`].
+#[derive(Clone, Copy, Debug)]
+pub struct ImpulseFormula<S, const N: usize, const K: usize> {
+    largest_residual: S,
+    worst: S,
+    /// Impulses over the last step, the length of that, and the modes at its end.
+    impulses: [S; K],
+    length: S,
+    modes: Option<[Mode; K]>,
+}
+
+impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
+    fn new(largest_residual: S) -> Self {
+        let (zero, impulses) = (S::ZERO, [S::ZERO; K]);
+        ImpulseFormula { largest_residual, worst: zero, impulses, length: zero, modes: None }
+    }
+
+    /// The impulses over a step of the length h, if they stay as they are.
+    fn expected(&self, h: S) -> [S; K] {
+        match self.length > S::ZERO {
+            true => self.impulses.map(|impulse| impulse * (h / self.length)),
+            false => self.impulses,
+        }
+    }
+
+    /// Keeps impulses that are near enough to the law.
+    fn keep(
+        &mut self,
+        found: &Impulses<S, K>,
+        h: S,
+        reactions: &[&'static str; K],
+    ) -> Result<(), StepFailure<S>> {
+        let (residual, k) = found.residual;
+        if residual > self.largest_residual || !residual.is_finite() {
+            return Err(StepFailure::Residual { reaction: reactions[k], value: residual });
+        }
+        self.worst = self.worst.max(residual);
+        (self.impulses, self.length, self.modes) = (found.impulses, h, Some(found.modes));
+        Ok(())
+    }
+}
+
+impl<M, const N: usize, const K: usize> Formula<M> for ImpulseFormula<M::Scalar, N, K>
+where
+    M: ContactSystem<N, K>,
+{
+    fn variables(&mut self, _system: &M, _t: M::Scalar, y: &M::State) -> M::State {
+        (self.impulses, self.length, self.modes) = ([M::Scalar::ZERO; K], M::Scalar::ZERO, None);
+        *y
+    }
+
+    fn increment(
+        &mut self,
+        system: &M,
+        t: M::Scalar,
+        y: &M::State,
+        h: M::Scalar,
+        work: &mut Work,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let (q, v) = split::<M>(y);
+        let (terms, modes) = (system.damped_terms(t, &q, &v, h), system.modes());
+        work.evaluations += 1;
+        let step = ContactStep::new(&terms, &modes, h);
+        if !step.is_finite() {
+            return Err(StepFailure::NotFinite);
+        }
+        let restitutions = terms.restitutions::<M>(&modes, |_| true)?;
+        terms.check_limits::<M>(&modes)?;
+        let found = step.solve(&restitutions, &self.expected(h));
+        work.iterations += u64::from(found.iterations);
+        work.inexact += u64::from(!found.is_exact);
+        self.keep(&found, h, &M::REACTIONS)?;
+        let change = terms.change(&found.impulses);
+        let to = array::from_fn(|i| h.multiply_add(terms.free[i], v[i]) + change[i]);
+        let rates = system.position_rates(t, &q, &to);
+        let mut moved = combined(&q, h, &rates);
+        let lengths = reach(system, t, &q, &q);
+        let slits = array::from_fn(|k| M::Scalar::epsilon().sqrt() * terms.size_of(k, &lengths));
+        if let Some(shares) = step.separation(&slits) {
+            moved = displaced(system, t, &moved, shares.into_iter().zip(&terms.responses));
+        }
+        let end = join::<M>(&moved, &to);
+        Ok(difference(&end, y))
+    }
+
+    fn interpolate(
+        &mut self,
+        _system: &M,
+        (from, y0): (M::Scalar, &M::State),
+        (to, y1): (M::Scalar, &M::State),
+        t: M::Scalar,
+        _work: &mut Work,
+    ) -> M::State {
+        combined(y0, (t - from) / (to - from), &difference(y1, y0))
+    }
+}
