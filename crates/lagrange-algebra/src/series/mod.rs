@@ -45,9 +45,12 @@
 //! In step k, a value that velocities and positions determine gets its coefficient of order k + 1.
 //! A value that contains accelerations or rates of velocities gets that of order k. A product then
 //! needs Σ_{1≤j≤k} xⱼ yₘ₋ⱼ of coefficients from earlier steps, and otherwise only those of order
-//! zero and the newest. These sums are alike for all products and are computed together.
+//! zero and the newest. These sums are alike for all products and are computed together, in
+//! [groups](Groups). Multiples of the same values share a
+//! sum unless the system is small.
 
 mod functions;
+mod groups;
 mod kinds;
 mod linear;
 mod recurrence;
@@ -56,10 +59,11 @@ mod slots;
 
 use crate::program::{Program, ValueId};
 use lagrange_expr::symbol::Role;
-use recurrence::Recurrence;
+use recurrence::{Constants, Recurrence};
 use schedule::Schedule;
 
 pub use functions::function_rates;
+pub use groups::Groups;
 pub use kinds::NoSeries;
 pub use slots::Slot;
 
@@ -131,13 +135,22 @@ pub struct SeriesPrograms {
     pub kept: usize,
 }
 
+/// The most sums of a step that rather waits for chains of operations than for their number.
+const MAX_WAITING: usize = 8;
+
 /// Derives the programs.
 ///
 /// # Errors
 /// If a value that the motion depends on has no series.
 pub fn expand(motion: &Motion<'_>) -> Result<SeriesPrograms, NoSeries> {
     let schedule = Schedule::new(motion)?;
-    Ok(Recurrence::new(motion, &schedule).programs())
+    let programs = |constants| Recurrence::new(motion, &schedule, constants).programs();
+    let fewest = programs(Constants::BeforeSums);
+    if fewest.sums.len() > MAX_WAITING {
+        return Ok(fewest);
+    }
+    let shortest = programs(Constants::InSums);
+    Ok(if shortest.sums.len() > fewest.sums.len() { fewest } else { shortest })
 }
 
 #[cfg(test)]

@@ -15,7 +15,7 @@ use lagrange_expr::symbol::Role;
 type Coefficient = Option<ValueId>;
 
 /// A value of order zero.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 enum Initial {
     /// x₀
     Value(ValueId),
@@ -25,13 +25,43 @@ enum Initial {
     HalfReciprocal(ValueId),
 }
 
+/// A constant factor of a value.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+enum Constant {
+    Minus,
+    Times(Initial),
+}
+
+/// A multiple of a value.
+#[derive(Clone, PartialEq, Eq, Hash)]
+struct Multiple {
+    of: ValueId,
+    constants: Vec<Constant>,
+}
+
+impl From<ValueId> for Multiple {
+    fn from(of: ValueId) -> Multiple {
+        Multiple { of, constants: Vec::new() }
+    }
+}
+
+/// The place of constant factors of products.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Constants {
+    /// Before sums, so that products of multiples of the same values share a sum.
+    BeforeSums,
+    /// With a factor, where they cost nothing between sums and accelerations.
+    InSums,
+}
+
 /// Programs under construction.
 pub(super) struct Recurrence<'a> {
     motion: &'a Motion<'a>,
     schedule: &'a Schedule,
+    constants: Constants,
     slots: Slots,
     initials: OrderedMap<Initial, ()>,
-    kept: OrderedMap<ValueId, ()>,
+    kept: OrderedMap<Multiple, ()>,
     sums: OrderedMap<[usize; 2], ()>,
     carried: OrderedMap<ValueId, ()>,
 }
@@ -55,14 +85,19 @@ struct Pass {
 }
 
 impl<'a> Recurrence<'a> {
-    pub(super) fn new(motion: &'a Motion<'a>, schedule: &'a Schedule) -> Recurrence<'a> {
+    pub(super) fn new(
+        motion: &'a Motion<'a>,
+        schedule: &'a Schedule,
+        constants: Constants,
+    ) -> Recurrence<'a> {
         let mut kept = OrderedMap::default();
         for entry in motion.state {
-            kept.insert(entry.value, ());
+            kept.insert(Multiple::from(entry.value), ());
         }
         Recurrence {
             motion,
             schedule,
+            constants,
             slots: Slots::default(),
             initials: OrderedMap::default(),
             kept,
@@ -76,18 +111,18 @@ impl<'a> Recurrence<'a> {
         // What the next step needs is known by now.
         let carried = self.carried.iter().map(|(value, ())| *value).collect::<Vec<_>>();
         for &value in &carried {
-            self.keep(value);
+            self.keep(value.into());
         }
-        let kept = self.kept.iter().map(|(value, ())| *value).collect::<Vec<_>>();
+        let kept = self.kept.iter().map(|(value, ())| value.clone()).collect::<Vec<_>>();
         let correction = (!self.motion.residuals.is_empty()).then(|| {
             let mut share = self.pass(Builder::new(), Part::Share);
-            let corrected = (0..kept.len()).map(|place| self.corrected(&mut share, kept[place], place));
+            let corrected = (0..kept.len()).map(|place| self.corrected(&mut share, &kept[place], place));
             let corrected = corrected.collect::<Vec<_>>();
             share.builder.finish(&corrected)
         });
         let expansion = self.finished(expansion, &kept);
         let carried =
-            carried.into_iter().map(|value| (self.keep(value), self.initial(Initial::Value(value))));
+            carried.into_iter().map(|value| (self.keep(value.into()), self.initial(Initial::Value(value))));
         let carried = carried.collect();
         let matrix = self.matrix();
         let (initials, mut factors) = (self.initials.len(), Factors::default());
@@ -106,24 +141,28 @@ impl<'a> Recurrence<'a> {
         }
     }
 
-    fn finished(&mut self, mut pass: Pass, kept: &[ValueId]) -> Program {
-        let roots = kept.iter().chain(self.motion.residuals);
-        let outputs = roots.map(|&value| {
-            let coefficient = match self.schedule.kinds[value] {
-                Kind::Fixed => self.first(&mut pass, value),
-                _ => pass.coefficients[value],
+    fn finished(&mut self, mut pass: Pass, kept: &[Multiple]) -> Program {
+        let residuals = self.motion.residuals.iter().map(|&residual| Multiple::from(residual));
+        let roots = kept.iter().cloned().chain(residuals);
+        let outputs = roots.map(|Multiple { of, constants }| {
+            let coefficient = match self.schedule.kinds[of] {
+                Kind::Fixed => self.first(&mut pass, of),
+                _ => pass.coefficients[of],
             };
-            coefficient.unwrap_or_else(|| pass.builder.constant(Number::ZERO))
+            let multiple = self.times(&mut pass, coefficient, &constants);
+            multiple.unwrap_or_else(|| pass.builder.constant(Number::ZERO))
         });
         let outputs = outputs.collect::<Vec<_>>();
         pass.builder.finish(&outputs)
     }
 
     /// A kept value with the share of the accelerations.
-    fn corrected(&mut self, share: &mut Pass, value: ValueId, place: usize) -> ValueId {
-        let is_velocity = matches!(self.schedule.source(self.motion, value), Source::Velocity(_));
-        let partial = (!is_velocity).then(|| self.slots.input(&mut share.builder, Slot::Partial(place)));
-        let total = share.builder.sum(partial, share.coefficients[value]);
+    fn corrected(&mut self, share: &mut Pass, value: &Multiple, place: usize) -> ValueId {
+        let is_velocity = matches!(self.schedule.source(self.motion, value.of), Source::Velocity(_));
+        let is_all = is_velocity && value.constants.is_empty();
+        let partial = (!is_all).then(|| self.slots.input(&mut share.builder, Slot::Partial(place)));
+        let of_accelerations = self.times(share, share.coefficients[value.of], &value.constants);
+        let total = share.builder.sum(partial, of_accelerations);
         total.unwrap_or_else(|| share.builder.constant(Number::ZERO))
     }
 
@@ -258,12 +297,49 @@ impl<'a> Recurrence<'a> {
         self.times_initial(pass, rest, Initial::HalfReciprocal(value))
     }
 
-    /// Σ xⱼ yₘ₋ⱼ of the coefficients from earlier steps.
+    /// Σ xⱼ yₘ₋ⱼ of the coefficients from earlier steps. Products share one of their factors if it
+    /// is free of constants.
     fn inner(&mut self, pass: &mut Pass, a: ValueId, b: ValueId) -> Coefficient {
-        let factors = [self.keep(a), self.keep(b)];
+        let [(a, of_a), (b, of_b)] = [a, b].map(|factor| self.without_constants(factor));
+        let mut constants = [of_a, of_b].concat();
+        constants.sort_unstable();
+        let is_first = |value: ValueId| (self.schedule.kinds[value], !self.kept.contains(&value.into()));
+        let (first, second) = if is_first(b) < is_first(a) { (b, a) } else { (a, b) };
+        let (inside, outside) = match self.constants {
+            Constants::BeforeSums => (Vec::new(), constants),
+            Constants::InSums => (constants, Vec::new()),
+        };
+        let factors = [self.keep(first.into()), self.keep(Multiple { of: second, constants: inside })];
         let factors = [factors[0].min(factors[1]), factors[0].max(factors[1])];
         let index = self.sums.index_or_insert_with(factors, || ());
-        self.slot(pass, Slot::Sum(index))
+        let sum = self.slot(pass, Slot::Sum(index));
+        self.times(pass, sum, &outside)
+    }
+
+    /// The coefficient of a multiple.
+    fn times(&mut self, pass: &mut Pass, coefficient: Coefficient, constants: &[Constant]) -> Coefficient {
+        constants.iter().fold(coefficient, |coefficient, constant| match *constant {
+            Constant::Times(initial) => self.times_initial(pass, coefficient, initial),
+            Constant::Minus => coefficient.map(|coefficient| pass.builder.negate(coefficient)),
+        })
+    }
+
+    /// The value without constant factors, and these.
+    fn without_constants(&self, mut value: ValueId) -> (ValueId, Vec<Constant>) {
+        let mut constants = Vec::new();
+        while self.schedule.source(self.motion, value) == Source::Operands {
+            let is_fixed = |operand: ValueId| self.schedule.kinds[operand] == Kind::Fixed;
+            let (of, constant) = match *self.motion.program.op(value) {
+                Op::Multiply(a, b) if is_fixed(a) => (b, Constant::Times(Initial::Value(a))),
+                Op::Multiply(a, b) if is_fixed(b) => (a, Constant::Times(Initial::Value(b))),
+                Op::Divide(a, b) if is_fixed(b) => (a, Constant::Times(Initial::Reciprocal(b))),
+                Op::Negate(a) => (a, Constant::Minus),
+                _ => break,
+            };
+            constants.push(constant);
+            value = of;
+        }
+        (value, constants)
     }
 
     /// The coefficient of order k of a value that step k gives that of order k + 1 of.
@@ -321,7 +397,7 @@ impl<'a> Recurrence<'a> {
         self.initials.index_or_insert_with(initial, || ())
     }
 
-    fn keep(&mut self, value: ValueId) -> usize {
+    fn keep(&mut self, value: Multiple) -> usize {
         self.kept.index_or_insert_with(value, || ())
     }
 

@@ -43,7 +43,7 @@ pub use self::positions::{join, normalise, split};
 pub(crate) use self::rate_name::WithSuffix;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{EventSource, StepFailure};
-pub use self::taylor::{MAX_ORDER, Products, SeriesSolver, TaylorSystem};
+pub use self::taylor::{MAX_ORDER, Products, SeriesFactors, SeriesSolver, TaylorSystem};
 #[cfg(feature = "linear")]
 pub(crate) use self::undefined::Acceleration;
 pub use self::undefined::{Component, Undefined};

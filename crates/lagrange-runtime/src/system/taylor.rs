@@ -31,59 +31,124 @@ pub trait TaylorSystem: OdeSystem {
     );
 }
 
-/// Factors of products of series, order by order, four products in each group.
-#[derive(Clone, Debug)]
-pub struct Products<S, const GROUPS: usize>([[[[S; 4]; MAX_ORDER]; 2]; GROUPS]);
+/// Four numbers that are added and multiplied side by side.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+struct Four<S>([S; 4]);
 
-impl<S: Number, const GROUPS: usize> Products<S, GROUPS> {
-    /// Without factors.
-    pub const EMPTY: Self = Products([[[[S::ZERO; 4]; MAX_ORDER]; 2]; GROUPS]);
+impl<S: Number> Four<S> {
+    const ZERO: Self = Four([S::ZERO; 4]);
 
-    /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for the factors of four products. The newest factors, with j =
-    /// k − 1, are arguments: a sum that waited until they are stored would take twice as long.
+    /// self + a b
     #[inline(always)]
-    pub fn sums(&self, group: usize, k: usize, [newest_a, newest_b]: &[[S; 4]; 2]) -> [S; 4] {
-        let [a, b] = &self.0[group];
-        if k < 2 {
-            let sum = accumulated([S::ZERO; 4], newest_a, newest_b);
-            return if k == 0 { [S::ZERO; 4] } else { sum };
-        }
-        let (Some(inner_a), Some(inner_b)) = (a.get(1..k - 1), b.get(1..k - 1)) else { return [S::NAN; 4] };
+    fn plus(self, a: &Self, b: &Self) -> Self {
+        Four(core::array::from_fn(|lane| a.0[lane].multiply_add(b.0[lane], self.0[lane])))
+    }
+
+    #[inline(always)]
+    fn sum(self, other: &Self) -> Self {
+        Four(core::array::from_fn(|lane| self.0[lane] + other.0[lane]))
+    }
+}
+
+/// Factors of products a b of series, order by order. Products form groups of four; groups may
+/// share their factors a.
+#[derive(Clone, Debug)]
+pub struct Products<S, const SHARED: usize, const GROUPS: usize> {
+    a: [[Four<S>; SHARED]; MAX_ORDER],
+    b: [[Four<S>; GROUPS]; MAX_ORDER],
+    /// Factors of order zero, from the orders on in which they are multiplied with the newest ones.
+    first: SeriesFactors<S, SHARED, GROUPS>,
+    /// Sums without the factors of order zero and the newest ones.
+    inner: [Four<S>; GROUPS],
+}
+
+/// Factors of one order.
+pub type SeriesFactors<S, const SHARED: usize, const GROUPS: usize> = ([[S; 4]; SHARED], [[S; 4]; GROUPS]);
+
+impl<S: Number, const SHARED: usize, const GROUPS: usize> Products<S, SHARED, GROUPS> {
+    /// Without factors.
+    pub const EMPTY: Self = Products {
+        a: [[Four::ZERO; SHARED]; MAX_ORDER],
+        b: [[Four::ZERO; GROUPS]; MAX_ORDER],
+        first: Self::NONE,
+        inner: [Four::ZERO; GROUPS],
+    };
+    /// Factors of an order before the first.
+    pub const NONE: SeriesFactors<S, SHARED, GROUPS> = ([[S::ZERO; 4]; SHARED], [[S::ZERO; 4]; GROUPS]);
+
+    /// Begins another expansion.
+    #[inline(always)]
+    pub fn begin(&mut self) {
+        self.first = Self::NONE;
+    }
+
+    /// Computes Σ_{0<j<k−1} aⱼ bₖ₋₁₋ⱼ for some groups, from one on, whose factors a stand at
+    /// `shared`. Nothing in it is as new as step k − 1, whose end it does not wait for.
+    #[inline(always)]
+    pub fn add_up<const N: usize>(&mut self, k: usize, group: usize, shared: [usize; N]) {
         // Two sums, so that no product waits for the one before.
-        let (mut even, mut odd) = ([S::ZERO; 4], [S::ZERO; 4]);
-        let (pairs_of_a, last_of_a) = inner_a.as_chunks::<2>();
-        let (last_of_b, pairs_of_b) = inner_b.as_rchunks::<2>();
-        for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
-            even = accumulated(even, a0, b0);
-            odd = accumulated(odd, a1, b1);
+        let (mut even, mut odd) = ([Four::ZERO; N], [Four::ZERO; N]);
+        let inner = 1..k.saturating_sub(1);
+        if let (Some(a), Some(b)) = (self.a.get(inner.clone()), self.b.get(inner)) {
+            let accumulate = |sums: &mut [Four<S>; N], a: &[Four<S>; SHARED], b: &[Four<S>; GROUPS]| {
+                for place in 0..N {
+                    sums[place] = sums[place].plus(&a[shared[place]], &b[group + place]);
+                }
+            };
+            let (pairs_of_a, last_of_a) = a.as_chunks::<2>();
+            let (last_of_b, pairs_of_b) = b.as_rchunks::<2>();
+            for ([a0, a1], [b1, b0]) in pairs_of_a.iter().zip(pairs_of_b.iter().rev()) {
+                accumulate(&mut even, a0, b0);
+                accumulate(&mut odd, a1, b1);
+            }
+            if let ([a], [b]) = (last_of_a, last_of_b) {
+                accumulate(&mut even, a, b);
+            }
         }
-        if let ([a], [b]) = (last_of_a, last_of_b) {
-            even = accumulated(even, a, b);
+        for place in 0..N {
+            self.inner[group + place] = even[place].sum(&odd[place]);
         }
-        let (even, odd) = (accumulated(even, &a[0], newest_b), accumulated(odd, newest_a, &b[0]));
-        core::array::from_fn(|lane| even[lane] + odd[lane])
+    }
+
+    /// Computes Σ_{0≤j<k} aⱼ bₖ₋₁₋ⱼ for all groups, after [`add_up`](Self::add_up) for each. The
+    /// newest factors, with j = k − 1, are arguments: a sum that waited until they are stored would
+    /// take twice as long.
+    #[inline(always)]
+    pub fn sums(
+        &mut self,
+        shared: [usize; GROUPS],
+        (newest_a, newest_b): &SeriesFactors<S, SHARED, GROUPS>,
+    ) -> [[S; 4]; GROUPS] {
+        // Sums pass through memory. The optimiser would otherwise carry the order in which later
+        // code wants their lanes into the loops, as permutations for each term.
+        core::hint::black_box(&mut self.inner);
+        let (first_a, first_b) = &self.first;
+        core::array::from_fn(|group| {
+            let a = shared[group];
+            core::array::from_fn(|lane| {
+                let sum = first_a[a][lane].multiply_add(newest_b[group][lane], self.inner[group].0[lane]);
+                newest_a[a][lane].multiply_add(first_b[group][lane], sum)
+            })
+        })
     }
 
     /// Keeps the factors that step k has found.
     #[inline(always)]
-    pub fn keep(&mut self, group: usize, k: usize, [a, b]: [[S; 4]; 2]) {
-        let [of_a, of_b] = &mut self.0[group];
-        (of_a[k], of_b[k]) = (a, b);
+    pub fn keep(&mut self, k: usize, (a, b): &SeriesFactors<S, SHARED, GROUPS>) {
+        match k {
+            0 => self.first.0 = *a,
+            // The factors of order zero meet each other once.
+            1 => self.first.1 = self.b[0].map(|Four(b)| b),
+            _ => {}
+        }
+        self.a[k] = a.map(Four);
+        self.b[k] = b.map(Four);
     }
 }
 
-/// sum + a b, lane by lane.
-#[inline(always)]
-fn accumulated<S: Number>(sum: [S; 4], a: &[S; 4], b: &[S; 4]) -> [S; 4] {
-    [
-        a[0].multiply_add(b[0], sum[0]),
-        a[1].multiply_add(b[1], sum[1]),
-        a[2].multiply_add(b[2], sum[2]),
-        a[3].multiply_add(b[3], sum[3]),
-    ]
-}
-
-/// The inverse of the matrix of accelerations and multipliers in the residuals, for every order.
+/// The negative inverse of the matrix of accelerations and multipliers in the residuals, column by
+/// column, for every order.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesSolver<S, const N: usize>([[S; N]; N]);
 
@@ -93,21 +158,61 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
         let factors = Factors::new(Matrix::<S, [S; N]>::of(|i, j| entries[i * N + j]));
         let column = |j: usize| {
             let mut unit = [S::ZERO; N];
-            unit[j] = S::ONE;
+            unit[j] = -S::ONE;
             factors.as_ref().map_or([S::NAN; N], |factors| factors.solve(&unit))
         };
         SeriesSolver(core::array::from_fn(column))
     }
 
+    /// Inverts a positive definite matrix, which needs no search for pivots.
+    ///
+    /// Gauss and Jordan's elimination in place: Peters and Wilkinson, "On the stability of
+    /// Gauss–Jordan elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. The
+    /// inverse of the matrix \[\[2, 1\], \[1, 1\]\]: the pivot 2 leads to \[\[1/2, 1/2\],
+    /// \[−1/2, 1/2\]\], and the pivot 1/2 to \[\[1, −1\], \[−1, 2\]\].
+    #[inline(always)]
+    pub fn definite<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
+        let mut rows: [[S; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entries[i * N + j]));
+        for pivot in 0..N {
+            let reciprocal = S::ONE / rows[pivot][pivot];
+            rows[pivot][pivot] = S::ONE;
+            let scaled = rows[pivot].map(|entry| entry * reciprocal);
+            for i in 0..N {
+                let factor = -rows[i][pivot];
+                rows[i][pivot] = S::ZERO;
+                let reduced: [S; N] = core::array::from_fn(|j| scaled[j].multiply_add(factor, rows[i][j]));
+                rows[i] = if i == pivot { scaled } else { reduced };
+            }
+        }
+        SeriesSolver(core::array::from_fn(|j| core::array::from_fn(|i| -rows[i][j])))
+    }
+
     /// Computes (a, λ) = −M⁻¹ r.
     #[inline(always)]
     pub fn accelerations(&self, residuals: &[S]) -> [S; N] {
-        let mut accelerations = [S::ZERO; N];
-        for (column, residual) in self.0.iter().zip(residuals) {
-            for (acceleration, entry) in accelerations.iter_mut().zip(column) {
-                *acceleration = entry.multiply_add(-*residual, *acceleration);
-            }
+        let mut columns = self.0.iter().zip(residuals);
+        let first = columns.next().map(|(column, residual)| column.map(|entry| entry * *residual));
+        columns.fold(first.unwrap_or([S::ZERO; N]), |sums, (column, residual)| {
+            core::array::from_fn(|i| column[i].multiply_add(*residual, sums[i]))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::SeriesSolver;
+
+    #[test]
+    fn a_definite_matrix_has_the_same_inverse_either_way() {
+        let entries = [4.0, 1.0, -0.5, 1.0, 3.0, 0.25, -0.5, 0.25, 2.0];
+        let [pivoted, definite] = [SeriesSolver::<f64, 3>::new(entries), SeriesSolver::definite(entries)];
+        let residual = [0.3, -0.7, 1.1];
+        let [found, wanted] = [definite, pivoted].map(|solver| solver.accelerations(&residual));
+        for (row, (found, wanted)) in found.iter().zip(wanted).enumerate() {
+            assert!((found - wanted).abs() < 1e-15, "{row}");
+            let product =
+                (0..3).map(|j| entries[3 * row + j] * definite.accelerations(&residual)[j]).sum::<f64>();
+            assert!((product + residual[row]).abs() < 1e-15, "{row}");
         }
-        accelerations
     }
 }

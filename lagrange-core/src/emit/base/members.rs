@@ -130,6 +130,8 @@ pub(in crate::emit) struct Lanes {
 
 /// The expansion of the motion in Taylor series.
 pub(in crate::emit) struct Taylor {
+    /// Number of sides that groups of products share.
+    pub(in crate::emit) shared: usize,
     /// Number of groups of products.
     pub(in crate::emit) groups: usize,
     /// The body of `TaylorSystem::expand`.

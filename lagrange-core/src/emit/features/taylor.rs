@@ -1,10 +1,11 @@
 //! Taylor series of the motion: the coefficients of all orders at a state, in a loop over the
 //! orders.
 //!
-//! Products of series are computed in groups of four, which fit vector registers.
+//! Products of series are computed in groups of four, which fit vector registers
+//! ([`Groups`]).
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use crate::emit::base::exclusion::Exclusion;
 use crate::emit::base::members::{Members, Taylor};
@@ -15,12 +16,14 @@ use crate::emit::base::writer::MethodWriter;
 use crate::model::Product;
 use lagrange_algebra::code::Names;
 use lagrange_algebra::program::{Labels, Program, ValueId, lower, optimise};
-use lagrange_algebra::series::{Entry, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates};
+use lagrange_algebra::series::{
+    Entry, Groups, Motion, NoSeries, Rate, SeriesPrograms, Slot, expand, function_rates,
+};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::symbol::{Role, Symbols};
 
-/// Number of products that are computed side by side.
-const GROUP: usize = 4;
+/// The most groups whose sums are added up in one loop: with more, registers run out.
+const LOOP: usize = 4;
 
 /// Parts of a system that series do not support.
 const EXCLUSIONS: [Exclusion; 3] = [Exclusion::Contacts, Exclusion::Redundant, Exclusion::Indefinite];
@@ -117,16 +120,18 @@ impl<'a> Outputs<'a> {
 fn written(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<Taylor> {
     let initial = optimise(&programs.initial, writer.model.accuracy);
     let start = writer.lowered_program(&initial, Arguments::Whole, |values| quote!([#(#values),*]));
-    let next = newest(writer, programs)?;
-    let body = expansion(writer.shape, programs, &start, &next);
-    Some(Taylor { groups: programs.sums.len().div_ceil(GROUP), body })
+    let groups = Groups::new(&programs.sums);
+    let next = newest(writer, programs, &groups)?;
+    let inversion = if writer.model.constraints.is_empty() { "definite" } else { "new" };
+    let body = expansion(writer.shape, programs, &groups, inversion, [&start, &next]);
+    Some(Taylor { shared: groups.shared.len(), groups: groups.groups.len(), body })
 }
 
 /// A block with what is kept of one order.
-fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<TokenStream> {
-    let expansion = step(writer, programs, &programs.expansion)?;
+fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, groups: &Groups) -> Option<TokenStream> {
+    let expansion = step(writer, programs, groups, &programs.expansion)?;
     let Some(correction) = &programs.correction else { return Some(expansion) };
-    let correction = step(writer, programs, correction)?;
+    let correction = step(writer, programs, groups, correction)?;
     let unknowns = writer.model.speeds.len() + writer.model.constraints.len();
     let (kept, n) = (length(programs.kept), length(unknowns));
     let [partial, acceleration, solver] = ["partial", "acceleration", "solver"].map(local);
@@ -141,45 +146,54 @@ fn newest(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms) -> Option<To
 fn expansion(
     shape: &Shape<'_>,
     programs: &SeriesPrograms,
-    start_values: &TokenStream,
-    next_values: &TokenStream,
+    groups: &Groups,
+    inversion: &str,
+    [start_values, next_values]: [&TokenStream; 2],
 ) -> TokenStream {
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let [start, now, next, sum, solver] = ["start", "now", "next", "sum", "solver"].map(local);
     let [order, reciprocal, first, k] = ["order", "reciprocal", "first", "k"].map(local);
     let [series, coefficients, newest] = ["series", "coefficients", "newest"].map(local);
-    let groups = groups(programs);
-    let numbers = (0..groups.len()).map(length).collect::<Vec<_>>();
-    let factors = groups.iter().map(|group| {
-        let [one, other] = [0, 1].map(|side| {
-            let places = group.iter().map(|factors| length(factors[side]));
+    let factors = |side: &[[usize; 4]]| {
+        let of_group = |places: &[usize; 4]| {
+            let places = places.map(length);
             quote!([#(#next[#places]),*])
-        });
-        quote!([#one, #other])
+        };
+        let all = side.iter().map(of_group);
+        quote!([#(#all),*])
+    };
+    let [of_shared, of_groups] = [&groups.shared, &groups.groups].map(|side| factors(side));
+    let shared = groups.of_group.iter().map(|&place| length(place)).collect::<Vec<_>>();
+    let loops = shared.chunks(LOOP).enumerate().map(|(index, shared)| {
+        let (count, group) = (length(shared.len()), length(index * LOOP));
+        quote!(#series.add_up::<#count>(#k, #group, [#(#shared),*]);)
     });
     let places = |(kept, initial): &(usize, usize)| (length(*kept), length(*initial));
     let (kept, initial): (Vec<_>, Vec<_>) = programs.carried.iter().map(places).unzip();
     let carried = length(programs.carried.len());
     let matrix = (programs.initials..programs.initial.outputs().len()).map(length);
-    let solves = programs.correction.is_some();
-    let inverted =
-        solves.then(|| quote!(let #solver = #krate::private::SeriesSolver::new([#(#start[#matrix]),*]);));
-    let (lanes, count) = (length(GROUP), length(groups.len()));
+    let inversion = format_ident!("{inversion}");
+    let inverted = programs
+        .correction
+        .as_ref()
+        .map(|_| quote!(let #solver = #krate::private::SeriesSolver::#inversion([#(#start[#matrix]),*]);));
     let (starts, all_kept) = (length(programs.initial.outputs().len()), length(programs.kept));
     let number = quote!(<#scalar as #krate::Number>);
     quote! {
         let #start: [#scalar; #starts] = { #start_values };
         #inverted
-        let mut #newest = [[[#number::ZERO; #lanes]; 2]; #count];
+        #series.begin();
+        let mut #newest = <Self::Series>::NONE;
         let mut #now: [#scalar; #carried] = [#(#start[#initial]),*];
         for (#k, #coefficients) in #coefficients.iter_mut().enumerate() {
             let #order = #number::from_f64((#k + 1) as ::core::primitive::f64);
             let #reciprocal = #number::ONE / #order;
             let #first = #number::select(#k == 0, #number::ONE, #number::ZERO);
-            let #sum: [[#scalar; #lanes]; #count] = [#(#series.sums(#numbers, #k, &#newest[#numbers])),*];
+            #(#loops)*
+            let #sum = #series.sums([#(#shared),*], &#newest);
             let #next: [#scalar; #all_kept] = #next_values;
-            #newest = [#(#factors),*];
-            #(#series.keep(#numbers, #k, #newest[#numbers]);)*
+            #newest = (#of_shared, #of_groups);
+            #series.keep(#k, &#newest);
             #now = [#(#next[#kept]),*];
             #coefficients.copy_from_slice(&#next[..#all]);
         }
@@ -187,7 +201,12 @@ fn expansion(
 }
 
 /// A block with the outputs of the program of a step.
-fn step(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, program: &Program) -> Option<TokenStream> {
+fn step(
+    writer: &mut MethodWriter<'_>,
+    programs: &SeriesPrograms,
+    groups: &Groups,
+    program: &Program,
+) -> Option<TokenStream> {
     let program = optimise(program, writer.model.accuracy);
     let mut names = Names::new(ARRAYS);
     for (index, slot) in programs.slots.iter().enumerate() {
@@ -202,7 +221,7 @@ fn step(writer: &mut MethodWriter<'_>, programs: &SeriesPrograms, program: &Prog
         let (array, place) = source(slot)?;
         let array = local(array);
         if let Slot::Sum(index) = slot {
-            let (group, lane) = (length(index / GROUP), length(index % GROUP));
+            let [group, lane] = groups.of_product[index].map(length);
             return Some(quote!(let #variable = #array[#group][#lane];));
         }
         let place = length(place);
@@ -238,23 +257,18 @@ fn variable(slot: Slot) -> String {
     }
 }
 
-/// Factors of the products in groups, the last one filled up with products that nothing asks for.
-fn groups(programs: &SeriesPrograms) -> Vec<[[usize; 2]; GROUP]> {
-    let groups = programs.sums.chunks(GROUP);
-    groups.map(|group| std::array::from_fn(|lane| group.get(lane).copied().unwrap_or(group[0]))).collect()
-}
-
 /// `TaylorSystem`, if series are requested.
 pub(in crate::emit) fn taylor_impl(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
-    let Taylor { groups, body } = members.taylor.as_ref()?;
+    let Taylor { shared, groups, body } = members.taylor.as_ref()?;
     let (name, generics, bounds, krate) = (shape.name(), shape.generics(), shape.bounds(), shape.krate);
-    let (scalar, all, groups) = (shape.scalar(), shape.state_length(), length(*groups));
+    let (scalar, all) = (shape.scalar(), shape.state_length());
+    let [shared, groups] = [shared, groups].map(|count| length(*count));
     let (time, state) = (&members.names.time, &members.names.state);
     let [series, coefficients] = ["series", "coefficients"].map(local);
     Some(quote! {
         #[automatically_derived]
         impl #bounds #krate::system::TaylorSystem for #name #generics {
-            type Series = #krate::private::Products<#scalar, #groups>;
+            type Series = #krate::private::Products<#scalar, #shared, #groups>;
             fn series() -> Self::Series {
                 #krate::private::Products::EMPTY
             }

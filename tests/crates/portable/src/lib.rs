@@ -35,7 +35,7 @@ pub const ROWS: [Row; 10] = [
     row("chaos, a million steps", motions::chaos, 0x4191_28e5_c18f_4001),
     row("chaos in single precision", motions::single, 0x69b4_fc20_60b2_e375),
     row("adaptive steps", motions::adaptive, 0x2cb5_30b5_1107_b2f7),
-    row("Taylor series", motions::series, 0xd718_69b0_b085_3627),
+    row("Taylor series", motions::series, 0xe861_9ab2_0c56_f245),
     row("implicit steps", motions::implicit, 0xb48e_8050_ad13_8801),
     row("contacts, impacts and friction", motions::contacts, 0x1bb9_ab8b_089a_ebbf),
     row("constraints and events", motions::events, 0xd47b_c1fd_bb16_fbfd),

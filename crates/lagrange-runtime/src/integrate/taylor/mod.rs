@@ -10,6 +10,7 @@
 //! coefficients; a motion whose coefficients vanish in turn, such as a double pendulum that starts
 //! at right angles at rest, requires four, and the check at the end.
 
+mod expansion;
 mod stepper;
 mod widest;
 
@@ -107,7 +108,7 @@ impl<M: TaylorSystem + ?Sized> Method<M> for Taylor<M::Scalar> {
         end: M::Scalar,
     ) -> Result<Self::Stepper, StepFailure<M::Scalar>> {
         Method::<M>::check(self)?;
-        TaylorStepper::start(*self, system, t, y, end)
+        TaylorStepper::start(self, system, t, y, end)
     }
 
     fn with_longest_step(self, longest: M::Scalar) -> Result<Self, SettingError<M::Scalar>> {

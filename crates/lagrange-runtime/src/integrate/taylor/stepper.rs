@@ -1,32 +1,20 @@
 //! A motion followed along its Taylor series.
 
-use super::{Taylor, widest};
+use super::Taylor;
+use super::expansion::{Expansion, Rule};
+use super::widest::{Task, compute};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
 use crate::integrate::method::{Stepper, Work};
-use crate::integrate::verner::tolerance::{Tolerated, longest_step};
-use crate::linalg::vector::combined;
-use crate::scalar::{Number, Scalar};
+use crate::scalar::Number;
 use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
-use crate::tolerance::LEAST_TOLERANCE;
-
-/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and
-/// so do steps.
-const SAFETY: f64 = 0.01;
-/// Largest difference between the rate at the end of a step and the slope of its polynomial, in
-/// tolerances over the length of the step.
-const LARGEST_DEFECT: f64 = 1.0;
-/// Orders that the length of a step follows from: coefficients may vanish in turn.
-const LAST_ORDERS: usize = 4;
 
 /// An integration by [`Taylor`] series in progress.
 #[derive(Clone, Debug)]
 pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
-    settings: Taylor<M::Scalar>,
-    order: usize,
-    /// From the start to the end that was in view there.
-    span: M::Scalar,
+    rule: Rule<M::Scalar>,
+    max_steps: u64,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
     /// The expansion at the present state, and the one that the last step followed.
@@ -37,17 +25,27 @@ pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
     work: Work,
 }
 
-/// The motion through a state: that, and its coefficients of order one and higher.
-#[derive(Clone, Copy, Debug)]
-struct Expansion<S, Y> {
-    t: S,
-    y: Y,
-    coefficients: [Y; MAX_ORDER],
+/// The expansion of a motion through a state.
+struct Expand<'a, M: TaylorSystem + ?Sized> {
+    system: &'a M,
+    order: usize,
+    series: &'a mut M::Series,
+    expansion: &'a mut Expansion<M::Scalar, M::State>,
+}
+
+impl<M: TaylorSystem + ?Sized> Task for Expand<'_, M> {
+    type Output = ();
+
+    #[inline(always)]
+    fn compute(self) {
+        let Expand { system, order, series, expansion } = self;
+        system.expand(expansion.t, &expansion.y, series, &mut expansion.coefficients[..order]);
+    }
 }
 
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     pub(super) fn start(
-        settings: Taylor<M::Scalar>,
+        settings: &Taylor<M::Scalar>,
         system: &M,
         t: M::Scalar,
         y: &M::State,
@@ -56,9 +54,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         check_finite(end, y)?;
         let expansion = Expansion { t, y: *y, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
-            settings,
-            order: settings.chosen_order(),
-            span: end - t,
+            rule: Rule::new(&settings, end - t),
+            max_steps: settings.max_steps,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),
             expansions: [expansion; 2],
@@ -71,61 +68,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     }
 }
 
-impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
-    /// The change of the state over a time `h`.
-    #[inline(always)]
-    fn change(&self, order: usize, h: S) -> Y {
-        let mut change = self.polynomial(order, h, |_, coefficients| *coefficients);
-        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
-        change
-    }
-
-    /// The slope of the polynomial after a time `h`.
-    #[inline(always)]
-    fn slope(&self, order: usize, h: S) -> Y {
-        self.polynomial(order, h, |k, coefficients| {
-            let (mut term, factor) = (*coefficients, S::from_f64((k + 1) as f64));
-            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * factor);
-            term
-        })
-    }
-
-    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the
-    /// one before.
-    #[inline(always)]
-    fn polynomial(&self, order: usize, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
-        let square = h * h;
-        let fourth = square * square;
-        let (blocks, rest) = self.coefficients[..order].as_chunks::<4>();
-        let mut sums = [Y::ZERO; 4];
-        for (place, (sum, coefficients)) in sums.iter_mut().zip(rest).enumerate() {
-            *sum = term(4 * blocks.len() + place, coefficients);
-        }
-        for (block, coefficients) in blocks.iter().enumerate().rev() {
-            for place in 0..4 {
-                sums[place] = combined(&term(4 * block + place, &coefficients[place]), fourth, &sums[place]);
-            }
-        }
-        let [total, first, second, third] = sums;
-        combined(&combined(&total, square, &second), h, &combined(&first, square, &third))
-    }
-}
-
 impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
-    /// The tolerated error of a component of this size.
-    fn tolerated(&self, component: M::Scalar) -> M::Scalar {
-        let Tolerated { relative, absolute } = Tolerated::new(self.settings.relative, self.settings.absolute);
-        relative.multiply_add(component.abs(), absolute)
-    }
-
-    /// The longest step from the present state.
-    fn longest(&self) -> M::Scalar {
-        let longest = |is_at_rest| longest_step(self.settings.longest_step, self.span, is_at_rest);
-        let (tolerated, ahead) =
-            (Tolerated::new(self.settings.relative, self.settings.absolute), self.ahead());
-        longest(tolerated.is_at_rest(longest(true), &ahead.coefficients[0], &ahead.y))
-    }
-
     /// The expansion at the present state.
     fn ahead(&self) -> &Expansion<M::Scalar, M::State> {
         &self.expansions[self.present]
@@ -147,46 +90,8 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
     fn expand(&mut self, system: &M, t: M::Scalar, y: &M::State) {
         let present = &mut self.expansions[self.present];
         (present.t, present.y) = (t, *y);
-        widest::expand(system, t, y, &mut self.series, &mut present.coefficients[..self.order]);
+        compute(Expand { system, order: self.rule.order, series: &mut self.series, expansion: present });
         self.work.evaluations += 1;
-    }
-
-    /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
-    /// hᵏ ≤ tolerance for the last four orders k, each extrapolated to the order of the whole
-    /// series.
-    fn length(&self) -> M::Scalar {
-        let order = M::Scalar::from_f64(self.order as f64);
-        let tolerance = self.settings.loosest().max(LEAST_TOLERANCE.part::<M::Scalar>());
-        let wanted = (M::Scalar::from_f64(SAFETY) * tolerance).rough_log2() / order;
-        let mut shortest = None;
-        let mut scales = self.ahead().y;
-        scales.as_mut().iter_mut().for_each(|scale| *scale = tolerance / self.tolerated(*scale));
-        for k in self.order - LAST_ORDERS..self.order {
-            let coefficients = self.ahead().coefficients[k].as_ref().iter().zip(scales.as_ref());
-            let relative = coefficients.fold(M::Scalar::ZERO, |largest, (coefficient, scale)| {
-                largest.max(coefficient.abs() * *scale)
-            });
-            if relative > M::Scalar::ZERO {
-                let radius = -relative.rough_log2() / M::Scalar::from_f64((k + 1) as f64);
-                shortest = Some(shortest.map_or(radius, |shortest: M::Scalar| shortest.min(radius)));
-            }
-        }
-        let longest = self.longest();
-        shortest.map_or(longest, |radius| (radius + wanted).rough_exp2().min(longest))
-    }
-
-    /// True if the polynomial of the last step has the slope that the motion has at its end, as far
-    /// as is tolerated.
-    fn fits(&self, h: M::Scalar) -> bool {
-        let slope = self.last().slope(self.order, h);
-        let rates = slope.as_ref().iter().zip(self.ahead().coefficients[0].as_ref());
-        let sizes = self.last().y.as_ref().iter().zip(self.ahead().y.as_ref());
-        rates.zip(sizes).all(|((slope, rate), (before, after))| {
-            let rounding = LEAST_TOLERANCE.part::<M::Scalar>() * rate.abs().max(slope.abs());
-            let size = before.abs().max(after.abs());
-            let tolerated = M::Scalar::from_f64(LARGEST_DEFECT) * self.tolerated(size);
-            ((*slope - *rate).abs() - rounding) * h.abs() <= tolerated
-        })
     }
 
     /// Tries a step of this length; true if it was taken.
@@ -202,13 +107,13 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
             return Err(StepFailure::StepUnderflow { step: length });
         }
         let mut state = self.state;
-        state.add(&self.ahead().change(self.order, h));
+        state.add(&self.ahead().change(&self.rule, h));
         check_finite(clock.time(), state.value())?;
         correct(system, clock.time(), &mut state)?;
         let y = *state.value();
         self.present = 1 - self.present;
         self.expand(system, clock.time(), &y);
-        if self.fits(h) {
+        if self.last().fits(&self.rule, h, self.ahead()) {
             (self.clock, self.state) = (clock, state);
             self.work.steps += 1;
             return Ok(true);
@@ -229,11 +134,11 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
     }
 
     fn step(&mut self, system: &M, limit: M::Scalar) -> Result<(), StepFailure<M::Scalar>> {
-        let mut length = self.length().max(least_step(self.clock.time()));
+        let mut length = self.ahead().length(&self.rule).max(least_step(self.clock.time()));
         let mut lost = None;
         loop {
-            if self.work.steps + self.work.rejections >= self.settings.max_steps {
-                return Err(StepFailure::TooManySteps { limit: self.settings.max_steps });
+            if self.work.steps + self.work.rejections >= self.max_steps {
+                return Err(StepFailure::TooManySteps { limit: self.max_steps });
             }
             let is_step = length > M::Scalar::ZERO && length >= least_step(self.clock.time());
             if !is_step {
@@ -262,7 +167,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
         if t == self.last().t {
             return self.last().y;
         }
-        let change = self.last().change(self.order, t - self.last().t);
+        let change = self.last().change(&self.rule, t - self.last().t);
         let mut y = self.last().y;
         for (component, change) in y.as_mut().iter_mut().zip(change.as_ref()) {
             *component = *component + *change;
@@ -271,7 +176,7 @@ impl<M: TaylorSystem + ?Sized> Stepper<M> for TaylorStepper<M> {
     }
 
     fn limit_steps(&mut self, most: u64) {
-        self.settings.max_steps = self.settings.max_steps.min(most);
+        self.max_steps = self.max_steps.min(most);
     }
 
     fn restart(&mut self, system: &M, t: M::Scalar, y: &M::State) -> Result<(), StepFailure<M::Scalar>> {

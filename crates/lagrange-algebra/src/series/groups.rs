@@ -1,0 +1,162 @@
+//! Products in groups of four, which fit vector registers.
+//!
+//! A sum of products takes two loads for each term, more than processors do beside a product and a
+//! sum. Groups that share one side of their products load it once.
+//!
+//! # A double pendulum
+//!
+//! With sines and cosines s and c, velocities v and forces F, eight products fall into two groups
+//! of one shared side:
+//!
+//! | | | | | |
+//! |---|---|---|---|---|
+//! | shared | s₁ | c₁ | s₂ | c₂ |
+//! | first group | v₁ | v₁ | v₂ | v₂ |
+//! | second group | F₁ | F₂ | F₃ | F₄ |
+
+use lagrange_expr::collections::OrderedMap;
+
+/// Number of products in a group.
+const GROUP: usize = 4;
+
+/// Products a b in groups: places of factors, four for each group.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Groups {
+    /// Factors a, each side of one group or more.
+    pub shared: Vec<[usize; GROUP]>,
+    /// Factors b of each group. Groups that are not full repeat a product.
+    pub groups: Vec<[usize; GROUP]>,
+    /// The shared factors of each group.
+    pub of_group: Vec<usize>,
+    /// Group of each product, and its place there.
+    pub of_product: Vec<[usize; 2]>,
+}
+
+/// A factor, with the products that it is the shared factor of, and their other factors.
+struct Star {
+    factor: usize,
+    others: Vec<(usize, usize)>,
+}
+
+/// Four products, or fewer, as shared factor, other factor and index.
+type Group = Vec<(usize, usize, usize)>;
+
+impl Groups {
+    /// Groups products, given by their factors, such that few registers are loaded.
+    pub fn new(products: &[[usize; 2]]) -> Groups {
+        let stars = stars(products);
+        let layers = (0..).map(|layer| row(&stars, layer)).take_while(|row| !row.is_empty());
+        let layered = layers.flat_map(|layer| chunks(&layer)).collect::<Vec<_>>();
+        let listed = stars.iter().flat_map(|star| star.products()).collect::<Vec<_>>();
+        let [layered, listed] = [layered, chunks(&listed)].map(|groups| Groups::of(groups, products.len()));
+        if layered.loads() < listed.loads() { layered } else { listed }
+    }
+
+    /// Number of registers that a term of the sums loads.
+    fn loads(&self) -> usize {
+        self.shared.len() + self.groups.len()
+    }
+
+    fn of(mut groups: Vec<Group>, products: usize) -> Groups {
+        let shared = |group: &Group| group.iter().map(|(a, _, _)| *a).collect::<Vec<_>>();
+        let mut sides: Vec<Vec<usize>> = Vec::new();
+        let mut side_of = |group: &Group| {
+            let side = shared(group);
+            sides.iter().position(|known| known.starts_with(&side)).unwrap_or_else(|| {
+                sides.push(side);
+                sides.len() - 1
+            })
+        };
+        let mut of_group = groups.iter().map(&mut side_of).collect::<Vec<_>>();
+        // Groups that share factors follow each other.
+        let mut order = (0..groups.len()).collect::<Vec<_>>();
+        order.sort_by_key(|&group| of_group[group]);
+        groups = order.iter().map(|&group| groups[group].clone()).collect();
+        of_group = order.iter().map(|&group| of_group[group]).collect();
+        let mut of_product = vec![[0; 2]; products];
+        for (place, group) in groups.iter().enumerate() {
+            for (lane, &(_, _, product)) in group.iter().enumerate() {
+                of_product[product] = [place, lane];
+            }
+        }
+        let others = groups.iter().map(|group| group.iter().map(|(_, b, _)| *b).collect::<Vec<_>>());
+        let groups = others.map(|others| filled(&others)).collect();
+        Groups { shared: sides.iter().map(|side| filled(side)).collect(), groups, of_group, of_product }
+    }
+}
+
+impl Star {
+    fn products(&self) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
+        self.others.iter().map(|&(product, other)| (self.factor, other, product))
+    }
+}
+
+/// All products, each at one of its factors, the most frequent factors first.
+fn stars(products: &[[usize; 2]]) -> Vec<Star> {
+    let mut left = products.iter().copied().enumerate().collect::<Vec<_>>();
+    let mut stars = Vec::new();
+    while !left.is_empty() {
+        let mut counts: OrderedMap<usize, usize> = OrderedMap::default();
+        for &(_, [a, b]) in &left {
+            *counts.get_or_insert_with(a, || 0) += 1;
+            if a != b {
+                *counts.get_or_insert_with(b, || 0) += 1;
+            }
+        }
+        // Factors that are no entries of the state have later places.
+        let (&factor, _) =
+            counts.iter().max_by_key(|(factor, count)| (**count, **factor)).expect("some left");
+        let (taken, rest) = left.into_iter().partition(|(_, factors)| factors.contains(&factor));
+        left = rest;
+        let taken: Vec<(usize, [usize; 2])> = taken;
+        let others = taken.iter().map(|&(product, [a, b])| (product, if a == factor { b } else { a }));
+        stars.push(Star { factor, others: others.collect() });
+    }
+    stars
+}
+
+/// One product of each factor that has so many, the first ones of a list that gets shorter.
+fn row(stars: &[Star], layer: usize) -> Group {
+    stars.iter().filter_map(|star| star.products().nth(layer)).collect()
+}
+
+fn chunks(products: &[(usize, usize, usize)]) -> Vec<Group> {
+    products.chunks(GROUP).map(<[_]>::to_vec).collect()
+}
+
+/// Four places, the last ones repeated.
+fn filled(places: &[usize]) -> [usize; GROUP] {
+    std::array::from_fn(|lane| places[lane.min(places.len() - 1)])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Groups;
+
+    /// Sines and cosines at places 4 to 7, velocities at 2 and 3, forces from 8 on.
+    #[test]
+    fn a_double_pendulum_has_one_shared_side() {
+        let products = [[2, 4], [2, 5], [3, 6], [3, 7], [4, 8], [5, 9], [6, 10], [7, 11]];
+        let groups = Groups::new(&products);
+        assert_eq!(groups.shared.len(), 1);
+        assert_eq!(groups.groups.len(), 2);
+        assert_eq!(groups.of_group, [0, 0]);
+    }
+
+    #[test]
+    fn every_product_has_its_factors_at_its_place() {
+        let all = (0..7).flat_map(|a| (a..7).map(move |b| [a, b])).collect::<Vec<_>>();
+        for count in 0..=all.len() {
+            for step in 1..=5 {
+                let products = all.iter().copied().step_by(step).take(count).collect::<Vec<_>>();
+                let groups = Groups::new(&products);
+                assert!(groups.loads() <= 2 * products.len().div_ceil(4), "{products:?}");
+                for (product, factors) in products.iter().enumerate() {
+                    let [group, lane] = groups.of_product[product];
+                    let (a, b) = (groups.shared[groups.of_group[group]][lane], groups.groups[group][lane]);
+                    assert_eq!([a.min(b), a.max(b)], *factors);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,195 @@
+//! The motion through a state as a polynomial: how far it leads, and how well it fits.
+
+use super::Taylor;
+use super::widest::{Task, compute};
+use crate::integrate::verner::tolerance::{Tolerated, longest_step};
+use crate::linalg::vector::combined;
+use crate::scalar::Scalar;
+use crate::system::{MAX_ORDER, StateVector};
+use crate::tolerance::LEAST_TOLERANCE;
+
+/// The last terms of a series may be this part of what is tolerated: what follows them adds up, and
+/// so do steps.
+const SAFETY: f64 = 0.01;
+/// Largest difference between the rate at the end of a step and the slope of its polynomial, in
+/// tolerances over the length of the step.
+const LARGEST_DEFECT: f64 = 1.0;
+/// A step that changes the state by less than this part of what is tolerated leaves it at rest.
+const AT_REST: f64 = 1e-3;
+/// Orders that the length of a step follows from: coefficients may vanish in turn.
+const LAST_ORDERS: usize = 4;
+
+/// The motion through a state: that, and its coefficients of order one and higher.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Expansion<S, Y> {
+    pub(super) t: S,
+    pub(super) y: Y,
+    pub(super) coefficients: [Y; MAX_ORDER],
+}
+
+/// What is tolerated, and numbers that follow from it and from the order of the series.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rule<S> {
+    pub(super) order: usize,
+    tolerated: Tolerated<S>,
+    tolerance: S,
+    /// The binary logarithm of the last terms, over the order.
+    last_terms: S,
+    /// The longest steps of a moving state and of one at rest.
+    longest: [S; 2],
+    /// The orders 1, 2, … of coefficients.
+    orders: [S; MAX_ORDER],
+    /// −1 over each of the last orders.
+    reciprocals: [S; LAST_ORDERS],
+}
+
+impl<S: Scalar> Rule<S> {
+    /// The rule of steps over a time of this length.
+    pub(super) fn new(settings: &Taylor<S>, span: S) -> Rule<S> {
+        let order = settings.chosen_order();
+        let orders: [S; MAX_ORDER] = core::array::from_fn(|index| S::from_f64((index + 1) as f64));
+        let tolerance = settings.loosest().max(LEAST_TOLERANCE.part::<S>());
+        Rule {
+            order,
+            tolerated: Tolerated::new(settings.relative, settings.absolute),
+            tolerance,
+            last_terms: (S::from_f64(SAFETY) * tolerance).rough_log2() / S::from_f64(order as f64),
+            longest: [false, true].map(|is_at_rest| longest_step(settings.longest_step, span, is_at_rest)),
+            orders,
+            reciprocals: core::array::from_fn(|index| -S::ONE / orders[order - LAST_ORDERS + index]),
+        }
+    }
+
+    /// The tolerated error of a component of this size.
+    #[inline(always)]
+    fn tolerated(&self, component: S) -> S {
+        self.tolerated.relative.multiply_add(component.abs(), self.tolerated.absolute)
+    }
+}
+
+impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
+    /// The change of the state over a time `h`.
+    #[inline]
+    pub(super) fn change(&self, rule: &Rule<S>, h: S) -> Y {
+        compute(Change { expansion: self, rule, h })
+    }
+
+    /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
+    /// hᵏ ≤ tolerance for the last four orders k, each extrapolated to the order of the whole
+    /// series.
+    #[inline]
+    pub(super) fn length(&self, rule: &Rule<S>) -> S {
+        compute(Length { expansion: self, rule })
+    }
+
+    /// True if the polynomial has the slope, after a time `h`, that the motion has there, as far as
+    /// is tolerated.
+    #[inline]
+    pub(super) fn fits(&self, rule: &Rule<S>, h: S, ahead: &Self) -> bool {
+        compute(Fit { expansion: self, ahead, rule, h })
+    }
+
+    /// Σ hᵏ times the term of order k + 1, as four polynomials in h⁴, so that no term waits for the
+    /// one before.
+    #[inline(always)]
+    fn polynomial(&self, order: usize, h: S, term: impl Fn(usize, &Y) -> Y) -> Y {
+        let square = h * h;
+        let fourth = square * square;
+        let (blocks, rest) = self.coefficients[..order].as_chunks::<4>();
+        let mut sums = [Y::ZERO; 4];
+        for (place, (sum, coefficients)) in sums.iter_mut().zip(rest).enumerate() {
+            *sum = term(4 * blocks.len() + place, coefficients);
+        }
+        for (block, coefficients) in blocks.iter().enumerate().rev() {
+            for place in 0..4 {
+                sums[place] = combined(&term(4 * block + place, &coefficients[place]), fourth, &sums[place]);
+            }
+        }
+        let [total, first, second, third] = sums;
+        combined(&combined(&total, square, &second), h, &combined(&first, square, &third))
+    }
+
+    /// The largest coefficient of the order `index` + 1, of each component as a part of what is
+    /// tolerated there.
+    #[inline(always)]
+    fn largest(&self, index: usize, scales: &Y) -> S {
+        let coefficients = self.coefficients[index].as_ref().iter().zip(scales.as_ref());
+        coefficients.fold(S::ZERO, |largest, (coefficient, scale)| largest.max(coefficient.abs() * *scale))
+    }
+}
+
+struct Change<'a, S, Y> {
+    expansion: &'a Expansion<S, Y>,
+    rule: &'a Rule<S>,
+    h: S,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Task for Change<'_, S, Y> {
+    type Output = Y;
+
+    #[inline(always)]
+    fn compute(self) -> Y {
+        let Change { expansion, rule, h } = self;
+        let mut change = expansion.polynomial(rule.order, h, |_, coefficients| *coefficients);
+        change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
+        change
+    }
+}
+
+struct Length<'a, S, Y> {
+    expansion: &'a Expansion<S, Y>,
+    rule: &'a Rule<S>,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Task for Length<'_, S, Y> {
+    type Output = S;
+
+    #[inline(always)]
+    fn compute(self) -> S {
+        let Length { expansion, rule } = self;
+        let mut scales = expansion.y;
+        scales.as_mut().iter_mut().for_each(|scale| *scale = rule.tolerance / rule.tolerated(*scale));
+        // The least of −log₂ |cₖ| / k.
+        let mut radius = None;
+        for (index, reciprocal) in rule.reciprocals.iter().enumerate() {
+            let largest = expansion.largest(rule.order - LAST_ORDERS + index, &scales);
+            if largest > S::ZERO {
+                let of_order = largest.rough_log2() * *reciprocal;
+                radius = Some(radius.map_or(of_order, |radius: S| radius.min(of_order)));
+            }
+        }
+        let [longest, at_rest] = rule.longest;
+        let is_at_rest = at_rest * expansion.largest(0, &scales) < S::from_f64(AT_REST) * rule.tolerance;
+        let longest = if is_at_rest { at_rest } else { longest };
+        radius.map_or(longest, |radius| (radius + rule.last_terms).rough_exp2().min(longest))
+    }
+}
+
+struct Fit<'a, S, Y> {
+    expansion: &'a Expansion<S, Y>,
+    ahead: &'a Expansion<S, Y>,
+    rule: &'a Rule<S>,
+    h: S,
+}
+
+impl<S: Scalar, Y: StateVector<S>> Task for Fit<'_, S, Y> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn compute(self) -> bool {
+        let Fit { expansion, ahead, rule, h } = self;
+        let slope = expansion.polynomial(rule.order, h, |index, coefficients| {
+            let (mut term, order) = (*coefficients, rule.orders[index]);
+            term.as_mut().iter_mut().for_each(|entry| *entry = *entry * order);
+            term
+        });
+        let rates = slope.as_ref().iter().zip(ahead.coefficients[0].as_ref());
+        let sizes = expansion.y.as_ref().iter().zip(ahead.y.as_ref());
+        let (least, h) = (LEAST_TOLERANCE.part::<S>(), h.abs());
+        rates.zip(sizes).fold(true, |fits, ((slope, rate), (before, after))| {
+            let rounding = least * rate.abs().max(slope.abs());
+            let tolerated = S::from_f64(LARGEST_DEFECT) * rule.tolerated(before.abs().max(after.abs()));
+            fits & (((*slope - *rate).abs() - rounding) * h <= tolerated)
+        })
+    }
+}
