@@ -1,6 +1,7 @@
 //! Ten seconds of motion, compiled and interpreted: the minimum of interleaved runs, and the time
 //! from text to programs. `cargo bench -p lagrange-dynamic`; `docs/command_line.md` has the table.
 
+#[allow(dead_code, reason = "tests move all of them")]
 #[path = "../tests/systems/mod.rs"]
 mod systems;
 
