@@ -10,6 +10,7 @@ mod included;
 mod numeric;
 mod orthogonal;
 mod phases;
+mod programs;
 mod second_way;
 mod system;
 
@@ -27,6 +28,7 @@ use phases::{equations_of, items_of, model_of};
 
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
+pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};
 pub use system::{Derived, System, parse, parse_with};
 
 /// Expands the macro: writes everything emitted for a declaration, including mistakes.

@@ -14,13 +14,14 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 15] = [
+pub(crate) const LIBRARIES: [Library; 16] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-cli", layers: CLI },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-double", layers: DOUBLE },
     Library { name: "lagrange-draw", layers: DRAW },
+    Library { name: "lagrange-dynamic", layers: DYNAMIC },
     Library { name: "lagrange-expr", layers: EXPR },
     Library { name: "lagrange-files", layers: &[] },
     Library { name: "lagrange-import", layers: IMPORT },
@@ -123,12 +124,30 @@ const CORE: &[Layer] = &[
     Layer { modules: &["pipeline"], purpose: "all phases, in order" },
 ];
 
+const DYNAMIC: &[Layer] = &[
+    Layer {
+        modules: &["inline", "names", "refusal"],
+        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run",
+    },
+    Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
+    Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
+    Layer { modules: &["motion"], purpose: "differential equations, events and sides of switches" },
+    Layer {
+        modules: &["declared"],
+        purpose: "systems with values for their parameters, visited in some room",
+    },
+];
+
 const CLI: &[Layer] = &[
     Layer {
         modules: &["arguments", "source"],
         purpose: "the command line, read into a command; files that hold declarations",
     },
-    Layer { modules: &["mistakes"], purpose: "mistakes as the compiler shows them, and as JSON" },
+    Layer {
+        modules: &["mistakes", "values"],
+        purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
+    },
+    Layer { modules: &["motions"], purpose: "motions, from settings as they are written to files" },
     Layer { modules: &["commands"], purpose: "the commands" },
 ];
 

@@ -19,16 +19,28 @@ Commands:
   statements FILE   write the declaration in plain statements: no arrays, loops or bodies
   rust FILE         write the code that the macro emits
   c FILE            write the equations of motion as C
+  simulate FILE     compute a motion, and write its columns or plot them
   urdf FILE         write the declaration of a robot that a URDF file describes
 
 A file holds one declaration, alone or in `lagrange::system! { … }`.
 A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:
-  -o, --output FILE   write to a file instead of the standard output
+  -o, --output FILE   write to a file instead of the standard output; for motions, the
+                      extension selects the format: csv, parquet, svg or png
       --json          list mistakes as JSON: an array of objects on the standard output (check)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (c)
+      --until TIME    end of the motion, which starts at 0 (simulate)
+      --every TIME    sample so often, instead of at every step (simulate)
+      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate)
+      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate)
+      --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
+                      `rk4` or `gauss` in equal steps (simulate)
+      --tolerance E   tolerated error of a step, 1e-9 by default (simulate)
+      --step TIME     length of equal steps (simulate)
+      --energy        add a column for the energy (simulate)
+      --events FILE   write the events of the motion to a file, as CSV (simulate)
       --name NAME     name the struct (urdf)
       --free          let the base move freely (urdf)
       --inputs        drive each joint by an input (urdf)
@@ -41,7 +53,10 @@ Options:
   -h, --help          print this
   -V, --version       print the version
 
-Exit codes: 0, no errors; 1, a file has errors or cannot be read or written; 2, wrong usage.
+Values are written as defaults in a declaration: `2`, `30 deg`, `pi / 3`, `9.81 [m/s^2]`.
+
+Exit codes: 0, no errors; 1, a file has errors or cannot be read or written; 2, wrong usage;
+3, a motion failed before its end, and what it reached is written.
 ";
 
 /// A request of a command line.
@@ -52,7 +67,7 @@ pub(crate) enum Request {
     /// The version.
     Version,
     /// A command.
-    Command(Command),
+    Command(Box<Command>),
 }
 
 /// A command with its files.
@@ -76,8 +91,58 @@ pub(crate) enum Action {
     },
     /// Writes what follows from a declaration.
     Write(Text),
+    /// Computes a motion.
+    Simulate(Settings),
     /// Imports a robot.
     Urdf(Options),
+}
+
+/// Settings of a motion, as they are written.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct Settings {
+    /// End.
+    pub(crate) until: Option<String>,
+    /// Interval between samples.
+    pub(crate) every: Option<String>,
+    /// Values of parameters and inputs, by name.
+    pub(crate) fields: Vec<(String, String)>,
+    /// Values of the state at the start, by name.
+    pub(crate) start: Vec<(String, String)>,
+    /// Name of the method.
+    pub(crate) method: Option<String>,
+    /// Tolerated error.
+    pub(crate) tolerance: Option<String>,
+    /// Length of steps.
+    pub(crate) step: Option<String>,
+    /// True for a column of the energy.
+    pub(crate) has_energy: bool,
+    /// File for the events.
+    pub(crate) events: Option<PathBuf>,
+}
+
+impl Settings {
+    /// Reads the value of an option; false if there is none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match option {
+            "set" => self.fields.push(assignment(option, parser)?),
+            "start" => self.start.push(assignment(option, parser)?),
+            "until" => self.until = Some(parser.value()?.string()?),
+            "every" => self.every = Some(parser.value()?.string()?),
+            "method" => self.method = Some(parser.value()?.string()?),
+            "tolerance" => self.tolerance = Some(parser.value()?.string()?),
+            "step" => self.step = Some(parser.value()?.string()?),
+            "events" => self.events = Some(PathBuf::from(parser.value()?)),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+}
+
+/// A name and its value.
+fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
+    let text = parser.value()?.string()?;
+    let sides = text.split_once('=').map(|(name, value)| (name.trim().to_owned(), value.trim().to_owned()));
+    sides.ok_or_else(|| format!("`--{option} {text}` has no value: write `--{option} {text}=1`").into())
 }
 
 /// A text that follows from a declaration.
@@ -103,6 +168,7 @@ impl Action {
             "statements" => Action::Write(Text::Statements),
             "rust" => Action::Write(Text::Rust),
             "c" => Action::Write(Text::C(Precision::Double)),
+            "simulate" => Action::Simulate(Settings::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
         })
@@ -114,6 +180,7 @@ impl Action {
             (Action::Check { is_json }, "json") => *is_json = true,
             (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
             (Action::Write(Text::C(precision)), "single") => *precision = Precision::Single,
+            (Action::Simulate(settings), "energy") => settings.has_energy = true,
             (Action::Urdf(options), "free") => options.is_free = true,
             (Action::Urdf(options), "inputs") => options.has_inputs = true,
             (Action::Urdf(options), "limits") => options.has_limits = true,
@@ -123,6 +190,19 @@ impl Action {
             _ => return false,
         }
         true
+    }
+}
+
+impl Action {
+    /// Reads the value of an option; false if the action has none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match (self, option) {
+            (Action::Simulate(settings), _) => return settings.read(option, parser),
+            (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
+            (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),
+            _ => return Ok(false),
+        }
+        Ok(true)
     }
 }
 
@@ -145,18 +225,20 @@ pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
             Arg::Short('o') | Arg::Long("output") => output = Some(PathBuf::from(parser.value()?)),
             Arg::Value(file) => inputs.push(PathBuf::from(file)),
             Arg::Long(flag) if action.set(flag) => {}
-            other => match (&mut action, other) {
-                (Action::Urdf(options), Arg::Long("name")) => options.name = Some(parser.value()?.string()?),
-                (Action::Urdf(options), Arg::Long("corners")) => {
-                    options.corners.push(parser.value()?.string()?);
+            Arg::Long(option) => {
+                let option = option.to_owned();
+                if !action.read(&option, &mut parser)? {
+                    return Err(Arg::Long(&option).unexpected());
                 }
-                (_, other) => return Err(other.unexpected()),
-            },
+            }
+            other => return Err(other.unexpected()),
         }
     }
     match (&action, inputs.len()) {
         (_, 0) => Err("the name of a file is missing; `-` is the standard input".into()),
-        (Action::Check { .. }, _) | (_, 1) => Ok(Request::Command(Command { action, inputs, output })),
+        (Action::Check { .. }, _) | (_, 1) => {
+            Ok(Request::Command(Box::new(Command { action, inputs, output })))
+        }
         _ => Err("this command takes one file at a time".into()),
     }
 }

@@ -5,6 +5,8 @@ use std::path::Path;
 
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
+use lagrange_core::pipeline::Programs;
+use lagrange_dynamic::DeclaredSystem;
 use lagrange_files::save_bytes;
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
@@ -12,9 +14,23 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use serde_json::Value;
 
-use crate::arguments::{Action, Command, Text};
+use crate::arguments::{Action, Command, Settings, Text};
 use crate::mistakes;
+use crate::motions::{Failure, Motion};
 use crate::source::Source;
+
+/// The end of a command; mistakes are printed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Ended {
+    /// Without errors.
+    Well,
+    /// With errors in files.
+    WithMistakes,
+    /// At options that make no sense for the file.
+    Misused,
+    /// With a motion that failed before its end.
+    Early,
+}
 
 /// A command that came to no result; its mistakes are printed.
 struct Printed;
@@ -22,14 +38,38 @@ struct Printed;
 type Outcome<T> = Result<T, Printed>;
 
 impl Command {
-    /// Runs the command. Returns true if there was no error; errors are printed.
-    pub(crate) fn run(&self) -> bool {
+    /// Runs the command. Errors are printed.
+    pub(crate) fn run(&self) -> Ended {
         let text = match &self.action {
-            Action::Check { is_json } => return self.check(*is_json),
+            Action::Check { is_json } => return ended(self.check(*is_json)),
+            Action::Simulate(settings) => return self.simulate(settings),
             Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
             Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
         };
-        text.and_then(|text| write(self.output.as_deref(), &text)).is_ok()
+        ended(text.and_then(|text| write(self.output.as_deref(), &text)).is_ok())
+    }
+
+    /// Computes a motion and writes it.
+    fn simulate(&self, settings: &Settings) -> Ended {
+        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+            return Ended::WithMistakes;
+        };
+        let motion = Motion::new(settings, self.output.as_deref(), &mut system);
+        match motion.and_then(|motion| system.visit(motion)) {
+            Ok(()) => Ended::Well,
+            Err(Failure::Usage(message)) => {
+                print_error(&message);
+                Ended::Misused
+            }
+            Err(Failure::File(message)) => {
+                print_error(&message);
+                Ended::WithMistakes
+            }
+            Err(Failure::Ended(message)) => {
+                print_error(&message);
+                Ended::Early
+            }
+        }
     }
 
     /// Reads the only file.
@@ -56,6 +96,22 @@ impl Command {
         let is_written = json.is_none_or(|json| write(self.output.as_deref(), &json).is_ok());
         is_written && !has_errors
     }
+}
+
+fn ended(is_well: bool) -> Ended {
+    if is_well { Ended::Well } else { Ended::WithMistakes }
+}
+
+/// Returns a system that can be run; prints warnings and errors.
+fn declared(source: &Source) -> Outcome<DeclaredSystem> {
+    let derived = source.system().and_then(|system| system.derive(StrategyChoice::Cheapest));
+    let derived = derived.map_err(|report| {
+        mistakes::print(source, &report);
+        Printed
+    })?;
+    mistakes::print(source, &derived.report);
+    DeclaredSystem::new(Programs::new(&derived))
+        .map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
 }
 
 /// Returns everything that is reported of a declaration, up to its code.

@@ -2,23 +2,28 @@
 //!
 //! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
 //! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
-//! the macro. `lagrange urdf` writes the declaration of a robot. `lagrange --help` has everything.
-//! Motions are not computed here.
+//! the macro. `lagrange simulate` computes a motion without a compiler. `lagrange urdf` writes the
+//! declaration of a robot. `lagrange --help` has everything.
 #![forbid(unsafe_code)]
 
 mod arguments;
 mod commands;
 mod mistakes;
+mod motions;
 mod source;
+mod values;
 
 use std::process::ExitCode;
 
 use arguments::{HELP, Request, read_arguments};
+use commands::Ended;
 
 /// Exit code of a run whose files have mistakes.
 const MISTAKES: u8 = 1;
 /// Exit code of a command that has no meaning.
 const USAGE: u8 = 2;
+/// Exit code of a motion that failed before its end.
+const EARLY: u8 = 3;
 
 fn main() -> ExitCode {
     match read_arguments(lexopt::Parser::from_env()) {
@@ -31,8 +36,10 @@ fn main() -> ExitCode {
             ExitCode::SUCCESS
         }
         Ok(Request::Command(command)) => match command.run() {
-            true => ExitCode::SUCCESS,
-            false => ExitCode::from(MISTAKES),
+            Ended::Well => ExitCode::SUCCESS,
+            Ended::WithMistakes => ExitCode::from(MISTAKES),
+            Ended::Misused => ExitCode::from(USAGE),
+            Ended::Early => ExitCode::from(EARLY),
         },
         Err(error) => {
             eprintln!("error: {error}\n\nfor all commands, write `lagrange --help`");

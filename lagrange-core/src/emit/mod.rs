@@ -11,6 +11,7 @@ mod features;
 mod item;
 mod skeleton;
 mod traits;
+mod variables;
 
 pub use assemble::{kernel, system};
 pub use base::attributes::attributes_of_struct;
@@ -20,5 +21,7 @@ pub use base::sides::{NamedRoots, on_sides};
 pub use base::size::{report_hopeless_model, report_too_many};
 pub use base::statements::statements;
 pub use diagnostics::diagnostics;
+pub use features::jacobian::by_state;
 pub use features::reduced::{conversions, reduced_declarations};
 pub use skeleton::skeleton;
+pub use variables::{EventOfSystem, Variables, variables};

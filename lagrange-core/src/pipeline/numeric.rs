@@ -1,17 +1,17 @@
-//! A derived system that can be evaluated without compiling it: for tests, tools and build scripts.
+//! A derived system that can be evaluated without compiling it: for tests, tools, build scripts and
+//! systems that are read at run time.
+
+use std::sync::Arc;
 
 use super::callables::{Callables, calls};
 use super::phases::DerivedPart;
-use super::second_way::{is_regular, motion};
+use super::programs::{Place, Programs, takes};
+use super::second_way::{correction, is_regular, motion};
 use super::system::Derived;
-use crate::derive::Equations;
-use crate::emit::{NamedRoots, on_sides};
-use crate::model::{Model, Product};
-use lagrange_algebra::program::{Labels, NewtonProgram, Program, lower, optimise, run_with};
-use lagrange_expr::collections::HashMap;
+use crate::model::Product;
+use lagrange_algebra::program::{Program, run_with};
 use lagrange_expr::elementary::row;
-use lagrange_expr::expr::evaluate;
-use lagrange_expr::expr::{ExprId, Function};
+use lagrange_expr::expr::Function;
 use lagrange_expr::symbol::Role;
 
 /// A system as interpreted programs, with values for its parameters and inputs.
@@ -19,34 +19,15 @@ use lagrange_expr::symbol::Role;
 /// Vectors are in the order of the positions or of the velocities; angles in radians.
 #[derive(Clone, Debug)]
 pub struct NumericSystem {
-    /// Roles of parameters and inputs by name.
-    names: HashMap<String, Role>,
-    parameters: Vec<f64>,
-    inputs: Vec<f64>,
-    /// Numbers of positions and of velocities.
-    size: [usize; 2],
-    /// Rates of the positions.
-    position_rates: Program,
-    /// The functions whose signs are the sides of the switches.
-    switches: Program,
-    /// Accelerations, followed by the growth of rounding errors in their computation, as emitted
-    /// code computes them.
-    accelerations: Program,
-    /// Multipliers, followed by the same.
-    multipliers: Program,
-    /// The number of these values of growth.
-    growths: usize,
-    /// True if some constraints always follow from others, which leaves multipliers to the second
-    /// way.
-    is_redundant: bool,
-    /// Matrices and vectors that the second way starts from; nothing for large systems.
-    undivided: Program,
-    products: Vec<(Product, Program)>,
-    outputs: Vec<(String, Program)>,
+    programs: Arc<Programs>,
+    /// Parameters, then inputs.
+    fields: Vec<f64>,
+    /// Sides of the switches, as far as they are fixed.
+    sides: Vec<Option<f64>>,
     callables: Callables,
 }
 
-/// Time, coordinates, velocities and, where they matter, accelerations.
+/// Time and state and, where they matter, accelerations and multipliers.
 #[derive(Clone, Copy, Debug)]
 struct Instant<'a> {
     t: f64,
@@ -54,25 +35,6 @@ struct Instant<'a> {
     v: &'a [f64],
     a: &'a [f64],
     multipliers: &'a [f64],
-}
-
-/// Systems with more coordinates have no second way here: writing down their matrices may cost more
-/// than all else.
-const LARGEST_SECOND_WAY: usize = 40;
-
-/// Values whose size is the growth of rounding errors, beyond which the second way is taken.
-fn growth(equations: &Equations) -> Vec<ExprId> {
-    equations.constraints.condition.into_iter().chain(equations.pivot_growth).collect()
-}
-
-/// M and A in rows, f and b; nothing for large systems.
-fn undivided(equations: &Equations) -> Vec<ExprId> {
-    let Equations { mass_matrix, forcing, constraints, .. } = equations;
-    if forcing.len() > LARGEST_SECOND_WAY {
-        return Vec::new();
-    }
-    let matrices = [mass_matrix.concat(), constraints.jacobian.concat()].concat();
-    [&matrices[..], forcing, &constraints.drifts].concat()
 }
 
 fn are_finite(values: &[f64]) -> bool {
@@ -83,78 +45,48 @@ impl NumericSystem {
     /// Lowers everything that `derived` holds. Parameters without a default are NaN until they are
     /// set.
     pub fn new(derived: &Derived) -> NumericSystem {
-        NumericSystem::lowered(&derived.model, &derived.equations)
+        NumericSystem::of(Arc::new(Programs::new(derived)))
     }
 
     /// Lowers everything that a reduced type holds.
     pub fn of_part(part: &DerivedPart) -> NumericSystem {
-        NumericSystem::lowered(&part.reduced.model, &part.equations)
+        NumericSystem::of(Arc::new(Programs::of_part(part)))
     }
 
-    fn lowered(model: &Model, equations: &Equations) -> NumericSystem {
-        // A named value is kept apart, so that only with the same names the results are those of
-        // emitted code.
-        let mut labels = Labels::default();
-        equations.labels.iter().for_each(|(expression, name)| labels.insert(*expression, name.as_str()));
-        let mut graph = model.graph.clone();
-        let switches = equations.switches.iter().map(|switch| switch.value).collect::<Vec<_>>();
-        let switches = optimise(&lower(&graph, &switches, &labels), model.accuracy);
-        let unknowns = graph.unknowns().to_vec();
-        let solutions =
-            unknowns.iter().map(|unknown| NewtonProgram::new(&mut graph, unknown, model.accuracy)).collect();
-        let mut lowered = |roots: &[ExprId]| {
-            let NamedRoots { roots, labels } = on_sides(&mut graph, &labels, &equations.switches, roots);
-            optimise(&lower(&graph, &roots, &labels), model.accuracy)
-        };
-        let default = |default: Option<ExprId>| {
-            default.map_or(f64::NAN, |value| evaluate(&model.graph, &[value], |_| f64::NAN)[0])
-        };
-        let parameters = model.parameters.iter().enumerate();
-        let inputs = model.inputs.iter().enumerate();
-        let named = parameters.map(|(i, p)| (p.name.clone(), Role::Parameter(i as u32)));
-        let named = named.chain(inputs.map(|(i, p)| (p.name.clone(), Role::Input(i as u32))));
-        let rates = model.position_rates();
-        let growth = growth(equations);
-        let with_growth = |roots: &[ExprId]| [roots, &growth].concat();
-        let roots = [
-            with_growth(&equations.accelerations),
-            with_growth(&equations.constraints.multipliers),
-            undivided(equations),
-            rates,
-        ];
-        let [accelerations, multipliers, undivided, position_rates] = roots.map(|roots| lowered(&roots));
-        let is_constrained = !model.constraints.is_empty();
-        let products =
-            Product::ALL.into_iter().filter(|product| is_constrained || !product.is_of_constraints());
-        let products =
-            products.filter_map(|product| Some((product, lowered(&equations.product(product, model)?))));
-        let products = products.collect();
-        NumericSystem {
-            names: named.collect(),
-            parameters: model.parameters.iter().map(|p| default(p.default)).collect(),
-            inputs: model.inputs.iter().map(|p| default(p.default)).collect(),
-            size: [model.coordinates.len(), model.speeds.len()],
-            position_rates,
-            switches,
-            accelerations,
-            multipliers,
-            growths: growth.len(),
-            is_redundant: equations.constraints.is_redundant,
-            undivided,
-            products,
-            outputs: model.outputs.iter().map(|o| (o.name.clone(), lowered(&o.components))).collect(),
-            callables: Callables::solving(solutions),
-        }
+    /// Interprets programs. Parameters and inputs have their defaults, and switches are on the
+    /// sides of the state.
+    pub fn of(programs: Arc<Programs>) -> NumericSystem {
+        let (fields, sides) = (programs.defaults.clone(), vec![None; programs.layout.sides]);
+        let callables = Callables::solving(programs.solutions.clone());
+        NumericSystem { programs, fields, sides, callables }
     }
 
-    /// Sets a parameter or an input; whether there is one of that name.
+    /// Returns the programs, with the names of everything.
+    pub fn programs(&self) -> &Arc<Programs> {
+        &self.programs
+    }
+
+    /// Sets a parameter or an input, by its name as it is declared, `k[0]` of an array; true if
+    /// there is one of that name.
     pub fn set(&mut self, name: &str, value: f64) -> bool {
-        match self.names.get(&name.to_owned()) {
-            Some(Role::Parameter(i)) => self.parameters[*i as usize] = value,
-            Some(Role::Input(i)) => self.inputs[*i as usize] = value,
-            _ => return false,
-        }
-        true
+        let index = self.programs.variables.fields.iter().position(|known| known == name);
+        index.is_some_and(|index| self.set_field(index, value))
+    }
+
+    /// Sets the parameter or input with this place among all, parameters first; true if there is
+    /// one.
+    pub fn set_field(&mut self, index: usize, value: f64) -> bool {
+        self.fields.get_mut(index).map(|field| *field = value).is_some()
+    }
+
+    /// Returns parameters, then inputs.
+    pub fn fields(&self) -> &[f64] {
+        &self.fields
+    }
+
+    /// Fixes the sides of switches: 1 or −1, or the side of the state for `None`.
+    pub fn fix_sides(&mut self, sides: impl IntoIterator<Item = Option<f64>>) {
+        self.sides.iter_mut().zip(sides).for_each(|(side, fixed)| *side = fixed);
     }
 
     /// Computes a function of the user's crate, or a derivative of one, by the name under which
@@ -176,47 +108,55 @@ impl NumericSystem {
     /// # Ok::<(), lagrange_core::diagnostics::Report>(())
     /// ```
     pub fn define(&mut self, name: &str, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) -> bool {
-        let is_called = self.programs().any(|program| calls(program, name));
+        let of_solutions = self.callables.programs();
+        let is_called = self.programs.all().chain(of_solutions).any(|program| calls(program, name));
         self.callables.define(name, value);
         is_called
     }
 
-    fn programs(&self) -> impl Iterator<Item = &Program> {
-        let of_motion = [&self.position_rates, &self.switches, &self.accelerations, &self.multipliers];
-        let products = self.products.iter().map(|(_, program)| program);
-        let outputs = self.outputs.iter().map(|(_, program)| program);
-        of_motion
-            .into_iter()
-            .chain([&self.undivided])
-            .chain(products)
-            .chain(outputs)
-            .chain(self.callables.programs())
-    }
-
     /// Returns the number of velocities.
     pub fn degrees_of_freedom(&self) -> usize {
-        self.size[1]
+        self.programs.layout.velocities
     }
 
+    /// Runs one of the programs of the system.
     fn run(&self, program: &Program, at: Instant<'_>) -> Vec<f64> {
-        let sign = row(Function::Sign).value;
-        let values = if self.switches.is_empty() { Vec::new() } else { self.run_on(&self.switches, at, &[]) };
-        let sides = values.into_iter().map(|value| sign(&[value])).collect::<Vec<_>>();
+        let sides =
+            if takes(program, |role| matches!(role, Role::Side(_))) { self.sides(at) } else { Vec::new() };
         self.run_on(program, at, &sides)
     }
 
+    /// The sides of the switches, those of the state where none is fixed.
+    fn sides(&self, at: Instant<'_>) -> Vec<f64> {
+        if let Some(fixed) = self.sides.iter().copied().collect::<Option<_>>() {
+            return fixed;
+        }
+        let (sign, values) = (row(Function::Sign).value, self.run_on(&self.programs.switches, at, &[]));
+        self.sides.iter().zip(values).map(|(side, value)| side.unwrap_or_else(|| sign(&[value]))).collect()
+    }
+
     fn run_on(&self, program: &Program, at: Instant<'_>, sides: &[f64]) -> Vec<f64> {
-        let entry = |values: &[f64], i: u32| values.get(i as usize).copied().unwrap_or(f64::NAN);
-        let value_of = |role| match role {
-            Role::Parameter(i) => entry(&self.parameters, i),
-            Role::Input(i) => entry(&self.inputs, i),
-            Role::Time => at.t,
-            Role::Coordinate(i) | Role::State(i) | Role::Discrete(i) => entry(at.q, i),
-            Role::Velocity(i) => entry(at.v, i),
-            Role::Acceleration(i) => entry(at.a, i),
-            Role::Multiplier(i) => entry(at.multipliers, i),
-            Role::Side(i) => entry(sides, i),
-            Role::Reaction(_) | Role::Operand(_) | Role::Placeholder(_) => f64::NAN,
+        let layout = &self.programs.layout;
+        let lists = [&self.fields[..], sides, at.multipliers, at.a];
+        let ends = [layout.fields(), layout.sides, layout.multipliers, layout.velocities];
+        let parameter = |mut index: usize| {
+            for (list, length) in lists.iter().zip(ends) {
+                if index < length {
+                    return list.get(index).copied();
+                }
+                index -= length;
+            }
+            None
+        };
+        let state = |index: usize| match index.checked_sub(layout.positions) {
+            Some(velocity) => at.v.get(velocity).copied(),
+            None => at.q.get(index).copied(),
+        };
+        let value_of = |role| match layout.place(role) {
+            Some(Place::Time) => at.t,
+            Some(Place::State(index)) => state(index).unwrap_or(f64::NAN),
+            Some(Place::Parameter(index)) => parameter(index).unwrap_or(f64::NAN),
+            None => f64::NAN,
         };
         run_with(program, value_of, |function, arguments| self.callables.call(function, arguments))
     }
@@ -236,7 +176,7 @@ impl NumericSystem {
     /// Computes the multipliers in the order of the constraints.
     pub fn multipliers(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
         let at = Instant { t, q, v, a: &[], multipliers: &[] };
-        match self.trusted(&self.multipliers, at) {
+        match self.trusted(&self.programs.multipliers, at) {
             Some(found) if self.straight_way(at).is_some() => found,
             _ => {
                 let [_, multipliers] = self.second_way(at);
@@ -247,8 +187,9 @@ impl NumericSystem {
 
     /// The accelerations by elimination, if they are finite and their digits can be trusted.
     fn straight_way(&self, at: Instant<'_>) -> Option<Vec<f64>> {
-        let found = self.trusted(&self.accelerations, at)?;
-        (!self.is_redundant).then_some(found)
+        let mut found = self.trusted(&self.programs.accelerations, at)?;
+        found.truncate(self.degrees_of_freedom());
+        (!self.programs.is_redundant).then_some(found)
     }
 
     /// Results by elimination, if they are finite and their digits can be trusted.
@@ -260,7 +201,7 @@ impl NumericSystem {
     /// Results by elimination, and the growth of their rounding errors.
     fn eliminated(&self, program: &Program, at: Instant<'_>) -> [Vec<f64>; 2] {
         let mut found = self.run(program, at);
-        let growth = found.split_off(found.len() - self.growths);
+        let growth = found.split_off(found.len() - self.programs.growths);
         [found, growth]
     }
 
@@ -268,24 +209,30 @@ impl NumericSystem {
     /// they follow from elimination all the same. So they do where the equations have no solution
     /// although no pivot was to vanish: some accelerations may be finite.
     fn second_way(&self, at: Instant<'_>) -> [Vec<f64>; 2] {
-        let (n, values) = (self.size[1], self.run(&self.undivided, at));
+        let (n, values) = (self.degrees_of_freedom(), self.run(&self.programs.undivided, at));
         let constraints = if values.is_empty() { 0 } else { values.len() / (n + 1) - n };
         let mut motion = if values.is_empty() { Vec::new() } else { motion(n, constraints, &values) };
-        let is_guarded = constraints > 0 || self.growths > 0;
+        let is_guarded = constraints > 0 || self.programs.growths > 0;
         if values.is_empty() || !is_guarded && !are_finite(&motion) {
-            return [&self.accelerations, &self.multipliers].map(|program| {
-                let [found, _] = self.eliminated(program, at);
-                found
-            });
+            let Programs { accelerations, multipliers, .. } = &*self.programs;
+            let [[mut accelerations, _], [multipliers, _]] =
+                [accelerations, multipliers].map(|program| self.eliminated(program, at));
+            accelerations.truncate(n);
+            return [accelerations, multipliers];
         }
         let multipliers = motion.split_off(n);
         [motion, multipliers]
     }
 
+    /// Computes q̇.
+    pub fn position_rates(&self, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        self.run(&self.programs.position_rates, Instant { t, q, v, a: &[], multipliers: &[] })
+    }
+
     /// Computes ẏ = [q̇, v̇] for y = [q, v].
     pub fn rhs(&self, t: f64, y: &[f64]) -> Vec<f64> {
-        let (q, v) = y.split_at(self.size[0].min(y.len()));
-        let mut rate = self.run(&self.position_rates, Instant { t, q, v, a: &[], multipliers: &[] });
+        let (q, v) = y.split_at(self.programs.layout.positions.min(y.len()));
+        let mut rate = self.position_rates(t, q, v);
         rate.extend(self.acceleration(t, q, v));
         rate
     }
@@ -294,22 +241,48 @@ impl NumericSystem {
     /// rows one after the other for a matrix. Jacobians have only the rows of the accelerations.
     /// `None` if it was not derived.
     pub fn product(&self, product: Product, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        let (_, program) = self.products.iter().find(|(known, _)| *known == product)?;
-        let multipliers = self.multipliers(t, q, v);
-        Some(self.run(program, Instant { t, q, v, a: &[], multipliers: &multipliers }))
+        Some(self.evaluate(self.programs.product(product)?, t, q, v))
     }
 
     /// Computes the generalised forces that must act in addition to the declared ones to produce
     /// accelerations. `None` if they were not derived.
     pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
-        let (_, program) = self.products.iter().find(|(known, _)| *known == Product::InverseDynamics)?;
+        let program = self.programs.product(Product::InverseDynamics)?;
         Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))
     }
 
     /// Computes the components of a declared output; `None` if there is none of that name.
     pub fn output(&self, name: &str, t: f64, q: &[f64], v: &[f64]) -> Option<Vec<f64>> {
-        let (_, program) = self.outputs.iter().find(|(known, _)| known == name)?;
-        let (a, multipliers) = (self.acceleration(t, q, v), self.multipliers(t, q, v));
-        Some(self.run(program, Instant { t, q, v, a: &a, multipliers: &multipliers }))
+        let (_, program) = self.programs.outputs.iter().find(|(known, _)| known == name)?;
+        Some(self.evaluate(program, t, q, v))
+    }
+
+    /// Runs one of the programs of the system at a state. The accelerations and multipliers that it
+    /// takes are those of the motion.
+    pub fn evaluate(&self, program: &Program, t: f64, q: &[f64], v: &[f64]) -> Vec<f64> {
+        let takes_accelerations = takes(program, |role| matches!(role, Role::Acceleration(_)));
+        let takes_multipliers = takes(program, |role| matches!(role, Role::Multiplier(_)));
+        let a = if takes_accelerations { self.acceleration(t, q, v) } else { Vec::new() };
+        let multipliers = if takes_multipliers { self.multipliers(t, q, v) } else { Vec::new() };
+        self.run(program, Instant { t, q, v, a: &a, multipliers: &multipliers })
+    }
+
+    /// Computes M a for accelerations a.
+    pub fn mass_times(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Vec<f64> {
+        self.run(&self.programs.mass_times, Instant { t, q, v, a, multipliers: &[] })
+    }
+
+    /// Computes the smallest change by mass that removes residuals of the constraints to first
+    /// order.
+    pub fn correction(&self, t: f64, q: &[f64], v: &[f64], residuals: &[f64]) -> Vec<f64> {
+        let at = Instant { t, q, v, a: &[], multipliers: residuals };
+        let trusted = self.trusted(&self.programs.correction, at);
+        if let Some(found) = trusted.filter(|_| !self.programs.is_redundant) {
+            return found;
+        }
+        match self.run(&self.programs.undivided, at) {
+            values if values.is_empty() => vec![f64::NAN; v.len()],
+            values => correction(v.len(), residuals, &values),
+        }
     }
 }

@@ -43,6 +43,24 @@ pub(super) fn motion(n: usize, m: usize, values: &[f64]) -> Vec<f64> {
     found.flatten().unwrap_or_else(|| vec![f64::NAN; n + m])
 }
 
+/// Returns the smallest change δ of `n` coordinates, measured by mass, with A δ = −`residuals`.
+/// Constraints that depend on others are ignored. `values` begins with M and A in rows. NaN if
+/// there is none.
+pub(super) fn correction(n: usize, residuals: &[f64], values: &[f64]) -> Vec<f64> {
+    let rows = |matrix: &[f64]| matrix.chunks(n.max(1)).map(<[f64]>::to_vec).collect::<Vec<_>>();
+    let (mass, rest) = values.split_at(n * n);
+    let jacobian = &rest[..residuals.len() * n];
+    let are_finite = [mass, jacobian, residuals].iter().all(|part| part.iter().all(|x| x.is_finite()));
+    let is_lost = |(row, residual): (&[f64], &f64)| *residual != 0.0 && row.iter().all(|x| *x == 0.0);
+    let is_possible = are_finite && !jacobian.chunks(n.max(1)).zip(residuals).any(is_lost);
+    let change = is_possible.then(|| {
+        let equations = ScaledEquations::new(rows(mass), &rows(jacobian));
+        let drifts = product(&equations.gradient_scales, residuals);
+        Some(product(&equations.scales, &equations.acceleration(&vec![0.0; n], &drifts)?))
+    });
+    change.flatten().unwrap_or_else(|| vec![f64::NAN; n])
+}
+
 /// Returns the solution of M a = f for a symmetric mass matrix that need not be definite; `None` if
 /// it is singular.
 fn unconstrained(mut mass: Vec<Vec<f64>>, forcing: &[f64]) -> Option<Vec<f64>> {
@@ -87,10 +105,7 @@ impl ScaledEquations {
     fn motion(&self, forcing: &[f64], drifts: &[f64]) -> Option<Vec<f64>> {
         let forcing = forcing.iter().zip(&self.scales).map(|(force, scale)| scale * (self.unit * force));
         let (forcing, drifts) = (forcing.collect::<Vec<_>>(), product(&self.gradient_scales, drifts));
-        let demanded = drifts.iter().map(|drift| -drift).collect::<Vec<_>>();
-        let mut acceleration = self.factors.shortest(&demanded);
-        let free = self.free_part(self.forces_on(&acceleration, &forcing))?;
-        acceleration.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
+        let acceleration = self.acceleration(&forcing, &drifts)?;
         let size = length(&acceleration) + length(&forcing) + length(&drifts);
         let most = CONTRADICTION * rank_tolerance() * size;
         let missed = |&i: &usize| (dot(&self.gradients[i], &acceleration) + drifts[i]).abs();
@@ -101,6 +116,16 @@ impl ScaledEquations {
         let multipliers = self.factors.shortest_amounts(&self.factors.inward(missing), &self.gradient_scales);
         let multipliers = multipliers.into_iter().map(|multiplier| multiplier / self.unit).collect();
         Some([product(&self.scales, &acceleration), multipliers].concat())
+    }
+
+    /// Returns the scaled accelerations for scaled forces and drifts; `None` if they are
+    /// undetermined.
+    fn acceleration(&self, forcing: &[f64], drifts: &[f64]) -> Option<Vec<f64>> {
+        let demanded = drifts.iter().map(|drift| -drift).collect::<Vec<_>>();
+        let mut acceleration = self.factors.shortest(&demanded);
+        let free = self.free_part(self.forces_on(&acceleration, forcing))?;
+        acceleration.iter_mut().zip(free).for_each(|(sum, part)| *sum += part);
+        Some(acceleration)
     }
 
     /// f − M a

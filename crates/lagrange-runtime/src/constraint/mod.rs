@@ -81,6 +81,13 @@ pub trait ConstrainedSystem: MechanicalSystem {
     /// Names of the constraints in the order of their declaration.
     const CONSTRAINTS: &'static [&'static str];
 
+    /// Returns the names of the constraints of this system. They are
+    /// [`CONSTRAINTS`](Self::CONSTRAINTS) unless the system was read at run time.
+    #[inline]
+    fn constraint_names(&self) -> &'static [&'static str] {
+        Self::CONSTRAINTS
+    }
+
     /// Computes the multipliers λ in M a = f + Aᵀλ.
     fn multipliers(&self, t: Self::Scalar, q: &Self::Coordinates, v: &Self::Velocities) -> Self::Multipliers;
 

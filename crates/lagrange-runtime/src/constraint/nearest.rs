@@ -160,7 +160,7 @@ impl<M: ConstrainedSystem + ?Sized> NearestSearch<'_, M> {
     /// Removes the component of a displacement normal to the constraints.
     fn tangential(&self, q: &Positions<M>, change: &Velocities<M>) -> Velocities<M> {
         let NearestSearch { system, t, v, .. } = self;
-        let mut residuals = system.velocity_residuals(*t, q, &Velocities::<M>::ZERO);
+        let mut residuals = system.velocity_residuals(*t, q, &Velocities::<M>::zeros(self.v));
         let moved = system.velocity_residuals(*t, q, change);
         for (residual, moved) in residuals.as_mut().iter_mut().zip(moved.as_ref()) {
             *residual = *residual - *moved;

@@ -16,7 +16,7 @@ use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{
     MechanicalSystem, Positions, ScalarOf, StateVector, StepFailure, Velocities, Violation, displaced, join,
-    normalise, split,
+    normalise_described, normalise_positions, split,
 };
 
 type Residuals<M> = <M as ConstrainedSystem>::Multipliers;
@@ -79,7 +79,7 @@ pub fn project<M: ConstrainedSystem + ?Sized>(
     v: &mut M::Velocities,
 ) -> Result<(), Violation<M::Scalar>> {
     let (mut positions, mut velocities) = (*q, *v);
-    M::normalise(&mut positions);
+    normalise_positions::<M>(system.description(), &mut positions);
     let is_found = bring_nearest(system, t, &mut positions, v)
         && bring_velocities(system, t, &positions, &mut velocities)
         && beyond(M::Scalar::epsilon().sqrt(), system, t, (&positions, &velocities)).is_none();
@@ -122,7 +122,7 @@ pub fn correct<M: ConstrainedSystem + ?Sized>(
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
     let mut unit = *y;
-    normalise::<M>(&mut unit)?;
+    normalise_described::<M>(system.description(), &mut unit)?;
     let (mut q, mut v) = split::<M>(&unit);
     if !bring(system, t, &mut q, &mut v) {
         let (q, v) = split::<M>(y);
@@ -147,7 +147,7 @@ pub fn restore<M: ConstrainedSystem + ?Sized>(
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
     let mut unit = *y;
-    normalise::<M>(&mut unit)?;
+    normalise_described::<M>(system.description(), &mut unit)?;
     let (mut q, mut v) = split::<M>(&unit);
     project(system, t, &mut q, &mut v).map_err(StepFailure::Violated)?;
     *y = join::<M>(&q, &v);
@@ -177,7 +177,7 @@ pub fn admit<M: ConstrainedSystem + ?Sized>(
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
     let mut unit = *y;
-    normalise::<M>(&mut unit)?;
+    normalise_described::<M>(system.description(), &mut unit)?;
     let (mut q, mut v) = split::<M>(&unit);
     if let Some(violation) = beyond(M::Scalar::from_f64(ADMITTED), system, t, (&q, &v)) {
         return Err(StepFailure::Violated(violation));

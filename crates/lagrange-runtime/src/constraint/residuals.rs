@@ -23,7 +23,7 @@ pub(super) fn of_positions<M: ConstrainedSystem + ?Sized>(
 ) -> Worst<M::Scalar> {
     let residuals = system.position_residuals(t, q);
     let scales = system.residual_scales(t, q, &reach(system, t, q, &sizes(q)));
-    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Positions)
+    Worst::new(system.constraint_names(), residuals.as_ref(), scales.as_ref(), Violated::Positions)
 }
 
 /// Returns the largest violation of the velocities.
@@ -34,7 +34,7 @@ pub(super) fn of_velocities<M: ConstrainedSystem + ?Sized>(
 ) -> Worst<M::Scalar> {
     let residuals = system.velocity_residuals(t, q, v);
     let scales = system.residual_scales(t, q, &sizes(v));
-    Worst::new(M::CONSTRAINTS, residuals.as_ref(), scales.as_ref(), Violated::Velocities)
+    Worst::new(system.constraint_names(), residuals.as_ref(), scales.as_ref(), Violated::Velocities)
 }
 
 /// Returns the largest residual of positions as a part of the largest scale. Near configurations in

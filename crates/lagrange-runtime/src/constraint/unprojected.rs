@@ -66,6 +66,11 @@ impl<M: ConstrainedSystem> ConstrainedSystem for Unprojected<M> {
     const CONSTRAINTS: &'static [&'static str] = M::CONSTRAINTS;
 
     #[inline]
+    fn constraint_names(&self) -> &'static [&'static str] {
+        self.0.constraint_names()
+    }
+
+    #[inline]
     fn multipliers(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Multipliers {
         self.0.multipliers(t, q, v)
     }

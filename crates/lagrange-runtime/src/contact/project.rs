@@ -8,7 +8,9 @@ use super::initial_modes::{holds, lengths};
 use super::reaction_forces::Balance;
 use super::{Contact, ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
-use crate::system::{StateVector, StepFailure, Violation, displaced, join, normalise, reach, split};
+use crate::system::{
+    StateVector, StepFailure, Violation, displaced, join, normalise_described, reach, split,
+};
 use crate::tolerance::{CLOSED_GAP, SLIT};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
@@ -32,7 +34,7 @@ where
     let modes = system.modes();
     let is_held = modes.map(holds);
     let mut unit = *y;
-    normalise::<M>(&mut unit)?;
+    normalise_described::<M>(system.description(), &mut unit)?;
     if is_held == [false; K] {
         *y = unit;
         return Ok(());

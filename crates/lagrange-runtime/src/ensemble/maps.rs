@@ -9,7 +9,7 @@ use super::ends::Ends;
 use super::grid::Grid;
 use super::samples::Samples;
 use crate::simulate::{PlotError, TIME, label_with_unit, time_axis, unit};
-use crate::system::MechanicalSystem;
+use crate::system::{MechanicalSystem, description_of_type};
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Band, Cells, Curve, Figure, Panel, Scale};
 
@@ -88,7 +88,7 @@ where
         let values = values.ok_or_else(|| unknown(column, self.names()))?;
         let columns =
             Columns::new(self.names().iter().map(String::as_str).chain([&*grid.x.name, &*grid.y.name]));
-        let label = |name: &str| label_with_unit(columns.label(name), unit::<M>(name));
+        let label = |name: &str| label_with_unit(columns.label(name), unit(description_of_type::<M>(), name));
         let mut map = Map::new(grid, column, values.iter().map(|value| (*value).into()).collect())?;
         map.cells.name = label(column);
         (map.panel.x, map.panel.y) = (label(&grid.x.name), label(&grid.y.name));
@@ -123,7 +123,7 @@ where
         let median = times.iter().copied().zip(quantiles.last().into_iter().flatten().copied()).collect();
         let curves = vec![Curve { name: "median".into(), points: median }];
         let label = Columns::new(names.iter().map(String::as_str)).label(column);
-        let y = label_with_unit(label, unit::<M>(column));
+        let y = label_with_unit(label, unit(description_of_type::<M>(), column));
         let panel = Panel { x: time_axis(), y, bands, curves, ..Panel::default() };
         Figure { panels: vec![panel], columns: 1, size: SIZE }.save(path.as_ref())
     }

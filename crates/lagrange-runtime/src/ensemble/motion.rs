@@ -120,8 +120,10 @@ where
     pub(super) fn check(&self) -> Result<(), EnsembleError> {
         self.batch.check()?;
         let settings = &self.batch.plan.settings;
-        let checked = settings.check::<D::Closed, K>(&settings.names::<M>(), self.method.clone());
-        checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain::<M>(error)))
+        let (system, description) = (self.batch.system, self.batch.system.description());
+        let checked =
+            settings.check::<D::Closed, K>(system, &settings.names(description), self.method.clone());
+        checked.map(drop).map_err(|error| EnsembleError::Setting(settings.explain(description, error)))
     }
 
     /// Runs a motion of which no samples are kept unless an interval gives them, and hands over the

@@ -39,7 +39,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     where
         M: OutputSystem,
     {
-        self.batch.plan.observe(M::OUTPUTS, Box::new(columns_of(M::outputs)));
+        self.batch.plan.observe(self.batch.system.output_names(), Box::new(columns_of(M::outputs)));
         self
     }
 

@@ -8,7 +8,7 @@ use super::batch::Batch;
 use super::error::EnsembleError;
 use super::plan::SharedSystem;
 use crate::scalar::Number;
-use crate::system::StateVector;
+use crate::simulate::state_names;
 
 impl<M: SharedSystem> Batch<'_, M> {
     /// # Errors
@@ -49,7 +49,7 @@ impl<M: SharedSystem> Batch<'_, M> {
             }
             _ => 0,
         };
-        let numbers = 1 + M::State::ZERO.as_ref().len() + parameters;
+        let numbers = 1 + state_names(self.system.description()).count() + parameters;
         motions as f64 * self.least_samples() * (numbers * size_of::<M::Scalar>()) as f64
     }
 
@@ -57,7 +57,7 @@ impl<M: SharedSystem> Batch<'_, M> {
     /// it before its end.
     fn least_samples(&self) -> f64 {
         let settings = &self.plan.settings;
-        let may_stop = self.needs_runs() || settings.max_steps.is_some() || !M::EVENTS.is_empty();
+        let may_stop = self.needs_runs() || settings.max_steps.is_some() || !self.system.events().is_empty();
         let Some(interval) = settings.interval().filter(|_| !may_stop) else { return 1.0 };
         let [from, end] = self.span();
         let mut samples = 1.0;

@@ -46,7 +46,11 @@ impl<M: SharedSystem> Rows<M> {
         (time, state): (M::Scalar, &M::State),
         columns: Option<&Table<M::Scalar>>,
     ) {
-        let unnamed = Table::new(if columns.is_none() { state_names::<M>().collect() } else { Vec::new() });
+        let unnamed = Table::new(if columns.is_none() {
+            state_names(system.description()).collect()
+        } else {
+            Vec::new()
+        });
         let samples = columns.unwrap_or(&unnamed);
         let parameters = batch.parameters(system, samples.names());
         let mut row: Vec<_> = match columns {

@@ -45,6 +45,12 @@ impl Switches {
         from_fn(|k| if self.is_fixed(k) { self.sign(k) } else { values[k].sign() })
     }
 
+    /// Returns the side of the k-th switch as a sign, if it is fixed.
+    #[must_use]
+    pub fn side<S: Scalar>(self, k: usize) -> Option<S> {
+        self.is_fixed(k).then(|| self.sign(k))
+    }
+
     fn is_fixed(self, k: usize) -> bool {
         self.fixed >> k & 1 != 0
     }
@@ -65,6 +71,12 @@ impl Switches {
 pub trait SwitchedSystem<const K: usize>: OdeSystem + Sized {
     /// The index of the first of them among the declared events.
     const FIRST: usize;
+
+    /// Returns the index of the first of their events in this system. It is
+    /// [`FIRST`](Self::FIRST) unless the system was read at run time.
+    fn first(&self) -> usize {
+        Self::FIRST
+    }
 
     /// Returns the sides on which it is computed.
     fn switches(&self) -> Switches;
@@ -112,7 +124,7 @@ pub fn side_values<M: SwitchedSystem<K>, const K: usize>(
 ) {
     let (one, switches) = (M::Scalar::ONE, system.switches());
     let found = system.switch_values(t, y);
-    for (k, (value, found)) in values[M::FIRST..].iter_mut().zip(found).enumerate() {
+    for (k, (value, found)) in values[system.first()..].iter_mut().zip(found).enumerate() {
         *value = match (found.is_finite(), switches.is_fixed(k)) {
             (true, true) => switches.sign::<M::Scalar>(k) * found,
             // It has a side now.
@@ -134,7 +146,7 @@ pub fn change_side<M: SwitchedSystem<K>, const K: usize>(
     t: M::Scalar,
     y: &M::State,
 ) -> Reacted<M> {
-    let Some(k) = event.checked_sub(M::FIRST) else { return Ok(Response::new(Action::Continue)) };
+    let Some(k) = event.checked_sub(system.first()) else { return Ok(Response::new(Action::Continue)) };
     let switches = system.switches();
     let is_positive = match switches.is_fixed(k) {
         true => switches.positive >> k & 1 == 0,

@@ -40,7 +40,7 @@ pub(super) fn correct<M: OdeSystem + ?Sized>(
     t: M::Scalar,
     state: &mut Compensated<M::State>,
 ) -> Result<(), StepFailure<M::Scalar>> {
-    if !M::IS_CONSTRAINED {
+    if !system.is_constrained() {
         return Ok(());
     }
     let mut y = *state.value();
@@ -54,7 +54,7 @@ pub(super) fn correct<M: OdeSystem + ?Sized>(
 /// the method is accurate, and between two states that could be brought there.
 #[inline]
 pub(super) fn corrected<M: OdeSystem + ?Sized>(system: &M, t: M::Scalar, y: M::State) -> M::State {
-    if !M::IS_CONSTRAINED {
+    if !system.is_constrained() {
         return y;
     }
     let mut corrected = y;

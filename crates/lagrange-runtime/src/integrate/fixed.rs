@@ -250,7 +250,7 @@ impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {
         let mut state = self.formula.state(system, self.clock.time(), variables.value(), &mut self.work)?;
         check_finite(self.clock.time(), &state)
             .map_err(|cause| self.too_long(system, t, h).unwrap_or(cause))?;
-        if M::IS_CONSTRAINED && !F::KEEPS_CONSTRAINTS {
+        if system.is_constrained() && !F::KEEPS_CONSTRAINTS {
             self.correct(system, &mut state, &mut variables)?;
         }
         self.last = (t, core::mem::replace(&mut self.state, state));

@@ -64,7 +64,7 @@ pub(super) fn differences<M>(
 where
     M: OdeSystem + ?Sized,
 {
-    let mut jacobian = Matrix::ZERO;
+    let mut jacobian = Matrix::zeros(y);
     for (column, size) in sizes.as_ref().iter().enumerate() {
         let width = M::Scalar::epsilon().sqrt() * *size;
         let mut quotients = quotients(system, (t, y), rate, (column, width));

@@ -75,7 +75,7 @@ pub(super) fn finite<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> bool {
 /// The largest magnitude of each unknown over all vectors.
 #[inline]
 pub(super) fn largest<S: Scalar, Y: StateVector<S>>(vectors: &[Y]) -> Y {
-    let mut largest = Y::ZERO;
+    let mut largest = vectors.first().map_or(Y::ZERO, Y::zeros);
     for vector in vectors {
         for (largest, entry) in largest.as_mut().iter_mut().zip(vector.as_ref()) {
             *largest = largest.max(entry.abs());

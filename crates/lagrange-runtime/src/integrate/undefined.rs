@@ -81,7 +81,9 @@ pub fn undefined<M: MechanicalSystem>(
     inputs: &[(&'static str, M::Scalar)],
     mass_matrix: impl FnOnce(&M::Coordinates, &M::Velocities) -> Option<VelocityMatrix<M>>,
 ) -> Option<Undefined<M::Scalar>> {
-    let found = Undefined::of_state(time, y.as_ref(), rates.as_ref(), Component::of::<M>)?;
+    let found = Undefined::of_state(time, y.as_ref(), rates.as_ref(), |index| {
+        Component::of(system.description(), index)
+    })?;
     if let Undefined::State { .. } = found {
         return Some(found);
     }
@@ -96,7 +98,11 @@ pub fn undefined<M: MechanicalSystem>(
     let (q, v) = split::<M>(y);
     let singular = mass_matrix(&q, &v).and_then(|mass| {
         let (index, pivot) = lost_pivot::<M>(&mass)?;
-        Some(Undefined::MassMatrix { velocity: Component::of_velocity::<M>(index)?, pivot, time })
+        Some(Undefined::MassMatrix {
+            velocity: Component::of_velocity(system.description(), index)?,
+            pivot,
+            time,
+        })
     });
     singular.or(Some(found))
 }
@@ -105,6 +111,6 @@ pub fn undefined<M: MechanicalSystem>(
 /// singular.
 fn lost_pivot<M: MechanicalSystem>(mass: &VelocityMatrix<M>) -> Option<(usize, M::Scalar)> {
     let rows: &[M::Velocities] = mass.as_ref();
-    let matrix = Matrix::<M::Scalar, M::Velocities>::of(|row, column| rows[row].as_ref()[column]);
+    let matrix = Matrix::<M::Scalar, M::Velocities>(*mass);
     RankedFactors::new(matrix, rows.len())?.lost_pivot()
 }

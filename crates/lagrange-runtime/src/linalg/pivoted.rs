@@ -48,7 +48,19 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     /// The matrix whose entry in a row and column is `entry` of them.
     #[inline]
     pub(crate) fn of(entry: impl Fn(usize, usize) -> S) -> Self {
-        let mut matrix = Self::ZERO;
+        Self::ZERO.with(entry)
+    }
+
+    /// The matrix of zeros that belongs to vectors as long as this one.
+    #[inline(always)]
+    pub(crate) fn zeros(vector: &Y) -> Self {
+        Matrix(vector.zero_square())
+    }
+
+    /// The matrix of these entries, as large as this one.
+    #[inline]
+    pub(crate) fn with(&self, entry: impl Fn(usize, usize) -> S) -> Self {
+        let mut matrix = *self;
         for row in 0..matrix.rows() {
             for column in 0..matrix.rows() {
                 matrix[(row, column)] = entry(row, column);
@@ -58,8 +70,8 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     }
 
     /// The matrix of ones on the diagonal.
-    pub(crate) fn identity() -> Self {
-        Self::of(|row, column| if row == column { S::ONE } else { S::ZERO })
+    pub(crate) fn identity(vector: &Y) -> Self {
+        Self::zeros(vector).with(|row, column| if row == column { S::ONE } else { S::ZERO })
     }
 
     /// The product with another matrix.
@@ -72,7 +84,7 @@ impl<S: Scalar, Y: StateVector<S>> Matrix<S, Y> {
     /// The product with a vector.
     #[inline]
     pub(crate) fn apply(&self, x: &Y) -> Y {
-        let mut product = Y::ZERO;
+        let mut product = x.zeros();
         for (entry, row) in product.as_mut().iter_mut().zip(self.0.as_ref()) {
             *entry = dot(row, x);
         }

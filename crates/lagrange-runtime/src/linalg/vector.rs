@@ -1,22 +1,75 @@
-//! Vectors whose length is part of their type, and the few operations on them.
+//! Vectors of numbers as states are made of, and the few operations on them.
 
 use core::fmt::Debug;
 
 use crate::scalar::{Number, Scalar};
 
-/// A vector whose length is part of its type, such as `[S; K]`.
+/// A vector of numbers, such as `[S; K]`. Its length is part of its type, except for systems that
+/// are read at run time: their type gives the largest length.
 pub trait StateVector<S>: Copy + Debug + AsRef<[S]> + AsMut<[S]> {
     /// A square matrix in rows, such as `[[S; K]; K]`.
     type Square: Copy + Debug + AsRef<[Self]> + AsMut<[Self]>;
     /// An array of indices with the length of the vector, such as `[usize; K]`.
     type Indices: Copy + Debug + AsRef<[usize]> + AsMut<[usize]>;
 
-    /// The vector of zeros.
+    /// The vector of zeros, of the largest length.
     const ZERO: Self;
-    /// The matrix of zeros.
+    /// The matrix of zeros, of the largest size.
     const ZERO_SQUARE: Self::Square;
-    /// Indices that are all zero.
+    /// Indices that are all zero, as many as there may be.
     const ZERO_INDICES: Self::Indices;
+
+    /// Returns the vector of zeros with the length of this one.
+    #[inline(always)]
+    fn zeros(&self) -> Self {
+        Self::ZERO
+    }
+
+    /// Returns the matrix of zeros with as many rows and columns as this vector has entries.
+    #[inline(always)]
+    fn zero_square(&self) -> Self::Square {
+        Self::ZERO_SQUARE
+    }
+
+    /// Returns the vector of these entries.
+    ///
+    /// # Panics
+    /// If the type has no vector of this length.
+    #[inline(always)]
+    fn of(entries: &[S]) -> Self
+    where
+        S: Copy,
+    {
+        let mut vector = Self::ZERO;
+        vector.as_mut().copy_from_slice(entries);
+        vector
+    }
+
+    /// Returns the vector of these entries, followed by others. It is to remember where those
+    /// begin, unless the types of the parts tell.
+    ///
+    /// # Panics
+    /// If the type has no vector of this length.
+    #[inline(always)]
+    fn joined(first: &[S], others: &[S]) -> Self
+    where
+        S: Copy,
+    {
+        let mut vector = Self::ZERO;
+        let (start, end) = vector.as_mut().split_at_mut(first.len());
+        start.copy_from_slice(first);
+        end.copy_from_slice(others);
+        vector
+    }
+
+    /// Returns the parts that it was joined of. The type of the first part has this length.
+    ///
+    /// # Panics
+    /// If the vector is shorter.
+    #[inline(always)]
+    fn parts(&self, first: usize) -> (&[S], &[S]) {
+        self.as_ref().split_at(first)
+    }
 }
 
 impl<S: Number, const K: usize> StateVector<S> for [S; K] {
@@ -66,7 +119,7 @@ pub(crate) fn l1_distance<S: Number, Y: StateVector<S>>(a: &Y, b: &Y) -> S {
 
 /// The vector of this length in the direction of `y`.
 pub(crate) fn scaled<S: Scalar, Y: StateVector<S>>(y: &Y, size: S) -> Y {
-    combined(&Y::ZERO, size / l1_norm(y), y)
+    combined(&y.zeros(), size / l1_norm(y), y)
 }
 
 /// a + c b

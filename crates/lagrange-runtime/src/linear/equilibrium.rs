@@ -29,7 +29,8 @@ use crate::linalg::dense::DenseMatrix;
 use crate::linalg::singular_values::{SingularValues, dot, length};
 use crate::scalar::{Number, Scalar};
 use crate::system::{
-    Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, displaced, join, normalised, split,
+    Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, description_of_type, displaced,
+    join, normalised, split,
 };
 
 /// Steps after which a search ends.
@@ -154,8 +155,10 @@ where
     /// # Errors
     /// If Newton's method finds no equilibrium, or something there is not finite.
     pub fn solve(self) -> Result<Equilibrium<M>, EquilibriumError<M>> {
-        let mut point =
-            EquilibriumGuess { y: normalised::<M>(&self.start.y), inputs: self.start.inputs.clone() };
+        let mut point = EquilibriumGuess {
+            y: normalised::<M>(description_of_type::<M>(), &self.start.y),
+            inputs: self.start.inputs.clone(),
+        };
         let mut iterations = 0;
         let found = self.iterate(&mut point, &mut iterations);
         let EquilibriumGuess { y: state, inputs } = point;
@@ -226,7 +229,9 @@ where
             let rates = system.rhs(self.time, &point.y);
             system.undefined(self.time, &point.y, &rates)
         });
-        undefined.map_or(Ok(()), |undefined| Err(EquilibriumCause::Undefined(undefined.with_names_of::<M>())))
+        undefined.map_or(Ok(()), |undefined| {
+            Err(EquilibriumCause::Undefined(undefined.with_names_of(description_of_type::<M>())))
+        })
     }
 
     /// The values of all equations: accelerations, rates of first-order states, constraints on
@@ -249,7 +254,7 @@ where
         let n = freedoms::<M>();
         if index < n {
             return Equation::Acceleration(
-                Component::of_velocity::<M>(index).unwrap_or(Component::Index(index)),
+                Component::of_velocity(description_of_type::<M>(), index).unwrap_or(Component::Index(index)),
             );
         }
         let states = &M::COORDINATES[M::COORDINATES.len() - M::FIRST_ORDER_STATES..];

@@ -12,7 +12,7 @@ use super::sampled::{SampledModel, held};
 use super::tangent::{Blocks, TangentSpace, first_undefined};
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
-use crate::system::LinearisedSystem;
+use crate::system::{LinearisedSystem, description_of_type};
 
 /// The linear model ẋ = A x + B u, y = C x + D u of a system near a state, with names on rows and
 /// columns.
@@ -44,7 +44,7 @@ impl LinearModel {
     {
         let rates = system.rhs(t, &y);
         if let Some(undefined) = system.undefined(t, &y, &rates) {
-            return Err(LinearisationError::Undefined(undefined.with_names_of::<M>()));
+            return Err(LinearisationError::Undefined(undefined.with_names_of(description_of_type::<M>())));
         }
         system.admit(t, &mut y).map_err(LinearisationError::NotAdmitted)?;
         if let Some(surface) = corner(system, t, &y) {

@@ -5,7 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::linalg::dense::DenseMatrix;
-use crate::system::{Component, MechanicalSystem, StateVector, WithSuffix};
+use crate::system::{Component, MechanicalSystem, StateVector, WithSuffix, description_of_type};
 
 /// All displacements, first-order states and velocities, as combinations of the states of a linear
 /// model.
@@ -43,7 +43,7 @@ fn displacement_name<M: MechanicalSystem>(index: usize) -> String {
 }
 
 fn velocity_name<M: MechanicalSystem>(index: usize) -> String {
-    match Component::of_velocity::<M>(index) {
+    match Component::of_velocity(description_of_type::<M>(), index) {
         Some(Component::Velocity(coordinate)) => WithSuffix::velocity(coordinate).to_string(),
         _ => M::VELOCITIES[index].to_string(),
     }

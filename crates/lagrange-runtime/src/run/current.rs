@@ -28,7 +28,7 @@ impl<'a, M: OdeSystem> Current<'a, M> {
         end: M::Scalar,
         act: impl FnOnce(&M) -> Result<Option<M>, StepFailure<M::Scalar>>,
     ) -> Result<(), StepFailure<M::Scalar>> {
-        check_direction::<M>(t, end)?;
+        check_direction(self.system(), [t, end])?;
         check_clocks(self.system(), t, end)?;
         let acted = act(self.system())?;
         let system = acted.as_ref().unwrap_or(self.system());
@@ -86,11 +86,14 @@ fn check_clocks<M: OdeSystem>(
 ///
 /// # Errors
 /// If it may not, or if there are more events than can be looked for.
-pub fn check_direction<M: OdeSystem>(t: M::Scalar, end: M::Scalar) -> Result<(), SettingError<M::Scalar>> {
-    if M::EVENTS.len() > MOST_LOCATED {
+pub fn check_direction<M: OdeSystem>(
+    system: &M,
+    [t, end]: [M::Scalar; 2],
+) -> Result<(), SettingError<M::Scalar>> {
+    if system.events().len() > MOST_LOCATED {
         return Err(SettingError::Invalid("the system declares too many events"));
     }
-    if end < t && M::EVENTS.iter().any(|event| event.is_switch && !event.is_side) {
+    if end < t && system.events().iter().any(|event| event.is_switch && !event.is_side) {
         return Err(SettingError::Invalid("contacts and dry friction run forwards in time only"));
     }
     Ok(())

@@ -42,16 +42,17 @@ impl<M: OdeSystem> DeclaredEvents<M> {
     /// leave to be found.
     pub fn new<T: Stepper<M>>(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
         let is_left = |event: &DeclaredEvent| !T::FINDS_MODES || event.is_side || !event.is_switch;
-        if !M::EVENTS.iter().any(is_left) {
+        if !system.events().iter().any(is_left) {
             return None;
         }
         let mut directions = [Direction::Crossing; MOST_LOCATED];
-        for (direction, event) in directions.iter_mut().zip(M::EVENTS) {
+        for (direction, event) in directions.iter_mut().zip(system.events()) {
             *direction = event.direction;
         }
         let margins =
             Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]).without_modes(T::FINDS_MODES);
-        let detector = Detector::new(directions, t, margins.values(system, t, y)).with_switches(M::EVENTS);
+        let detector =
+            Detector::new(directions, t, margins.values(system, t, y)).with_switches(system.events());
         let together = [false; MOST_LOCATED];
         Some(DeclaredEvents { pending: Pending::new(detector), margins, start: t, change: None, together })
     }
@@ -78,7 +79,7 @@ impl<M: OdeSystem> DeclaredEvents<M> {
             _ => 0,
         };
         if returns >= MOST_RETURNS {
-            return Err(StepFailure::Slides { surface: M::EVENTS[event].name });
+            return Err(StepFailure::Slides { surface: system.events()[event].name });
         }
         self.change = Some(Change { event, time, value: M::Scalar::ZERO, returns });
         Ok(())
@@ -98,10 +99,10 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
         }
         let margins = self.margins;
         let found = self.pending.look(system, stepper, end, |t, y| margins.values(system, t, y));
-        found.map_err(|cause| cause.named(M::EVENTS))?;
+        found.map_err(|cause| cause.named(system.events()))?;
         if let Some(next) = self.pending.next
             && is_new
-            && M::EVENTS[next.event].is_side
+            && system.events()[next.event].is_side
         {
             let passage = Passage::new(system, stepper, &next);
             let next = passage.on_surface(system, stepper, next);
@@ -123,8 +124,8 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
     fn react(&mut self, system: &M, _origin: Origin, event: &Found<M>) -> Reacted<M> {
         let elapsed = (event.time - self.start).abs();
         let mut response = system.react(event.event, event.time, elapsed, &event.state)?;
-        if M::EVENTS[event.event].is_side {
-            for side in (0..M::EVENTS.len()).filter(|&side| self.together[side]) {
+        if system.events()[event.event].is_side {
+            for side in (0..system.events().len()).filter(|&side| self.together[side]) {
                 let before = response.system.as_ref().unwrap_or(system);
                 let after = before.react(side, event.time, elapsed, &event.state)?.system;
                 response.system = after.or(response.system);
@@ -163,7 +164,7 @@ impl<S: Scalar> Passage<S> {
     {
         let end = end_of_instant(first.time, stepper.last_time(), stepper.time());
         let at_end = exact_values(system, end, &stepper.interpolate(system, end));
-        let is_side = |k: usize| M::EVENTS.get(k).is_some_and(|event| event.is_side);
+        let is_side = |k: usize| system.events().get(k).is_some_and(|event| event.is_side);
         let is_passed = core::array::from_fn(|k| k == first.event || is_side(k) && at_end[k] < S::ZERO);
         let is_alone = is_passed.iter().filter(|is_passed| **is_passed).count() == 1;
         Passage { is_passed, end: if is_alone { first.time } else { end } }

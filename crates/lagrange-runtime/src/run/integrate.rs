@@ -53,7 +53,7 @@ where
     M: OdeSystem,
     K: Method<M>,
 {
-    if M::EVENTS.is_empty() {
+    if system.events().is_empty() {
         return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe).map(|(_, state)| state);
     }
     let events = |system: &M, y: &M::State| DeclaredEvents::new::<K::Stepper>(system, t0, y);

@@ -30,11 +30,11 @@ impl<S: Scalar> Margins<S> {
         M: OdeSystem<Scalar = S>,
     {
         let mut margins = [S::ZERO; MOST_LOCATED];
-        if M::EVENTS.iter().any(|event| event.is_side) {
+        if system.events().iter().any(|event| event.is_side) {
             let here = exact_values(system, time, y);
             let rounded = exact_values(system, time, &rounded::<S, M>(y));
-            let shared = if M::IS_CONSTRAINED { largest(y.as_ref()) } else { S::ZERO };
-            for (k, _) in M::EVENTS.iter().enumerate().filter(|(_, event)| event.is_side) {
+            let shared = if system.is_constrained() { largest(y.as_ref()) } else { S::ZERO };
+            for (k, _) in system.events().iter().enumerate().filter(|(_, event)| event.is_side) {
                 let own = ranges[k].max(here[k].abs()).max(shared);
                 let change = (rounded[k] - here[k]).abs();
                 let margin = SURFACE.part::<S>() * own + if change.is_finite() { change } else { S::ZERO };
@@ -64,7 +64,7 @@ impl<S: Scalar> Margins<S> {
         M: OdeSystem<Scalar = S>,
     {
         let values = exact_values(system, t, y);
-        let is_left_out = |k: usize| match M::EVENTS.get(k) {
+        let is_left_out = |k: usize| match system.events().get(k) {
             Some(event) => self.finds_modes && event.is_switch && !event.is_side,
             None => false,
         };
@@ -79,7 +79,7 @@ pub(super) fn exact_values<M: OdeSystem>(
     y: &M::State,
 ) -> [M::Scalar; MOST_LOCATED] {
     let mut values = [M::Scalar::ONE; MOST_LOCATED];
-    let count = M::EVENTS.len().min(MOST_LOCATED);
+    let count = system.events().len().min(MOST_LOCATED);
     system.event_values(t, y, &mut values[..count]);
     values
 }

@@ -238,7 +238,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
         let system = outcome.system.as_ref().unwrap_or(self.current.system());
         let response = self.events.react(system, origin, event);
         let kind = response.as_ref().map_or(EventKind::Zero, |response| response.kind);
-        let is_told = !(is_switch::<M>(origin, event) && kind == EventKind::Zero);
+        let is_told = !(is_switch(self.current.system(), origin, event) && kind == EventKind::Zero);
         if is_told {
             sink.happen(origin, event, kind);
         }
@@ -265,7 +265,7 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
             let next = next.filter(|(_, other)| is_at_once(time, *other, from, to));
             let Some((origin, _)) = next else { return Ok(None) };
             let Some(event) = self.events.take(origin) else { return Ok(None) };
-            if !is_switch::<M>(origin, &event) {
+            if !is_switch(self.current.system(), origin, &event) {
                 let state = outcome.state().unwrap_or(event.state);
                 return Ok(Some((origin, Occurrence { time, state, ..event })));
             }
@@ -304,6 +304,6 @@ impl<'r, 's, M: OdeSystem, T: Stepper<M>, E: Events<M>> Run<'r, 's, M, T, E> {
 }
 
 /// True if an event is that of a contact, of friction or of a switch, by which a mode ends.
-fn is_switch<M: OdeSystem>(origin: Origin, event: &Found<M>) -> bool {
-    origin == Origin::Declared && M::EVENTS[event.event].is_switch
+fn is_switch<M: OdeSystem>(system: &M, origin: Origin, event: &Found<M>) -> bool {
+    origin == Origin::Declared && system.events()[event.event].is_switch
 }

@@ -214,7 +214,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     where
         M: CanonicalSystem,
     {
-        let names = M::COORDINATES.iter().map(|name| format!("p_{name}"));
+        let names = self.system.description().coordinates.iter().map(|name| format!("p_{name}"));
         self.plan.observe(names, Box::new(columns_of(M::momenta)));
         self
     }
@@ -222,7 +222,8 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// Adds a column for each acceleration, such as `theta_ddot` of a coordinate `theta`, and
     /// `w_dot` of a velocity that is called `w`.
     pub fn accelerations(mut self) -> Self {
-        self.plan.observe(acceleration_names::<M>(), Box::new(columns_of(M::acceleration)));
+        self.plan
+            .observe(acceleration_names(self.system.description()), Box::new(columns_of(M::acceleration)));
         self
     }
 

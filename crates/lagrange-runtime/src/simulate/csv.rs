@@ -38,12 +38,12 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// # Errors
     /// If the writer fails.
     pub fn write_csv(&self, writer: impl Write) -> io::Result<()> {
-        self.table().write_csv(writer, labelled::<M>)
+        self.table().write_csv(writer, |name| labelled(self.description, name))
     }
 }
 
 impl<S: Copy + Debug> Table<S> {
-    fn write_csv(&self, writer: impl Write, label: fn(&str) -> Cow<'_, str>) -> io::Result<()> {
+    fn write_csv(&self, writer: impl Write, label: impl Fn(&str) -> Cow<'_, str>) -> io::Result<()> {
         let mut writer = BufWriter::new(writer);
         write!(writer, "{}", label(TIME))?;
         for name in self.names() {

@@ -75,7 +75,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
         if distance == S::ZERO {
             return states[nearest];
         }
-        let (mut sum, mut weights) = (Y::ZERO, S::ZERO);
+        let (mut sum, mut weights) = (states[nearest].zeros(), S::ZERO);
         let half = S::from_f64(0.5);
         let last = self.points.len() - 1;
         for (j, (point, state)) in self.points.iter().zip(states).enumerate() {

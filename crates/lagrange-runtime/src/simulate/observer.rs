@@ -4,7 +4,9 @@ use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use crate::system::{ControlledSystem, EnergyFunction, MechanicalSystem, ScalarOf, State, WithSuffix, split};
+use crate::system::{
+    ControlledSystem, Description, EnergyFunction, MechanicalSystem, ScalarOf, State, WithSuffix, split,
+};
 
 /// Adds one value for each column of an observer to a row.
 pub(crate) type Extend<'a, M> = Box<dyn FnMut(&M, ScalarOf<M>, &State<M>, &mut Vec<ScalarOf<M>>) + 'a>;
@@ -40,19 +42,19 @@ pub(crate) fn inputs<M: ControlledSystem>(
 }
 
 /// Returns the names of the state: positions, then velocities.
-pub(crate) fn state_names<M: MechanicalSystem>() -> impl Iterator<Item = String> {
-    M::COORDINATES.iter().map(ToString::to_string).chain(velocity_names::<M>())
+pub(crate) fn state_names(system: &Description) -> impl Iterator<Item = String> + use<> {
+    system.coordinates.iter().map(ToString::to_string).chain(velocity_names(system))
 }
 
 /// The names of the velocities.
-fn velocity_names<M: MechanicalSystem>() -> Vec<String> {
-    if M::VELOCITIES.is_empty() {
-        return M::COORDINATES.iter().map(|name| WithSuffix::velocity(name).to_string()).collect();
+fn velocity_names(system: &Description) -> Vec<String> {
+    if system.velocities.is_empty() {
+        return system.coordinates.iter().map(|name| WithSuffix::velocity(name).to_string()).collect();
     }
-    M::VELOCITIES.iter().map(ToString::to_string).collect()
+    system.velocities.iter().map(ToString::to_string).collect()
 }
 
 /// The names of the accelerations.
-pub(super) fn acceleration_names<M: MechanicalSystem>() -> Vec<String> {
-    velocity_names::<M>().iter().map(|velocity| WithSuffix::rate_of(velocity).to_string()).collect()
+pub(super) fn acceleration_names(system: &Description) -> Vec<String> {
+    velocity_names(system).iter().map(|velocity| WithSuffix::rate_of(velocity).to_string()).collect()
 }

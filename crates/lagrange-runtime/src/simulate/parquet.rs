@@ -19,7 +19,7 @@ use crate::simulate::csv::cannot_write;
 use crate::simulate::table::{TIME, Table};
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::unit;
-use crate::system::MechanicalSystem;
+use crate::system::{Description, MechanicalSystem};
 use lagrange_files::save;
 
 /// Name of the schema.
@@ -52,7 +52,7 @@ where
         let mut file = SerializedFileWriter::new(
             writer,
             Arc::new(schema(table)?),
-            Arc::new(properties::<M>(table.names())),
+            Arc::new(properties(self.description, table.names())),
         )?;
         let mut group = file.next_row_group()?;
         for column in std::iter::once(table.times()).chain(table.columns()) {
@@ -69,18 +69,19 @@ where
 }
 
 /// Numbers of a motion hardly repeat, so that a dictionary of them would only cost time.
-fn properties<M: MechanicalSystem>(names: &[String]) -> WriterProperties {
+fn properties(system: &Description, names: &[String]) -> WriterProperties {
     let columns = std::iter::once(TIME).chain(names.iter().map(String::as_str));
-    let units: Vec<_> = units::<M>(columns).collect();
+    let units: Vec<_> = units(system, columns).collect();
     let builder = WriterProperties::builder().set_dictionary_enabled(false);
     builder.set_key_value_metadata((!units.is_empty()).then_some(units)).build()
 }
 
 /// Entries of metadata for the units of these columns.
-pub(crate) fn units<'n, M: MechanicalSystem>(
+pub(crate) fn units<'n>(
+    system: &Description,
     names: impl Iterator<Item = &'n str>,
 ) -> impl Iterator<Item = KeyValue> {
-    names.filter_map(|name| Some(KeyValue::new(format!("{UNIT}{name}"), unit::<M>(name)?.to_string())))
+    names.filter_map(|name| Some(KeyValue::new(format!("{UNIT}{name}"), unit(system, name)?.to_string())))
 }
 
 /// One column of doubles for each name, after the time.

@@ -12,7 +12,9 @@ use crate::simulate::events::Watch;
 use crate::simulate::observer::{Extend, state_names};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::{TIME, repeated};
-use crate::system::{ControlledSystem, Direction, MechanicalSystem, SettingError, StateVector};
+use crate::system::{
+    ControlledSystem, Description, Direction, MechanicalSystem, OdeSystem, SettingError, description_of_type,
+};
 
 /// The plan of a run, or of all motions of an ensemble: data, and functions of columns X, events W
 /// and controllers A.
@@ -94,7 +96,8 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
         M: ControlledSystem,
     {
         if self.inputs.is_none() {
-            let first = M::State::ZERO.as_ref().len() + self.settings.columns.len();
+            let state = state_names(description_of_type::<M>()).count();
+            let first = state + self.settings.columns.len();
             self.inputs = Some(InputColumns::from(first));
             self.observe(M::INPUTS, extend);
         }
@@ -107,14 +110,18 @@ impl<S: Scalar> RunSettings<S> {
     ///
     /// # Errors
     /// If a setting makes no sense.
-    pub(crate) fn check<M, K>(&self, names: &[String], method: K) -> Result<K, SettingError<S>>
+    pub(crate) fn check<C, K>(
+        &self,
+        system: &impl OdeSystem<Scalar = S>,
+        names: &[String],
+        method: K,
+    ) -> Result<K, SettingError<S>>
     where
-        M: MechanicalSystem<Scalar = S>,
-        K: Method<M>,
+        C: OdeSystem<Scalar = S>,
+        K: Method<C>,
     {
-        let [start, end] = self.span;
         self.fault.map_or(Ok(()), Err)?;
-        check_direction::<M>(start, end)?;
+        check_direction(system, self.span)?;
         check_names(names)?;
         self.grid()?;
         self.periods.iter().try_for_each(|period| Grid::new(self.span, *period).map(drop))?;
@@ -131,8 +138,8 @@ impl<S: Scalar> RunSettings<S> {
     /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it
     /// is about.
     #[cfg(feature = "ensemble")]
-    pub(crate) fn explain<M: MechanicalSystem>(&self, error: SettingError<S>) -> String {
-        let names = self.names::<M>();
+    pub(crate) fn explain(&self, system: &Description, error: SettingError<S>) -> String {
+        let names = self.names(system);
         let name = repeated(&names).filter(|_| error == SettingError::RepeatedColumn);
         name.map_or_else(|| error.to_string(), |name| std::format!("two columns are called `{name}`"))
     }
@@ -143,8 +150,8 @@ impl<S: Scalar> RunSettings<S> {
     }
 
     /// Returns the names of all columns: coordinates, velocities, and those that were added.
-    pub(crate) fn names<M: MechanicalSystem>(&self) -> Vec<String> {
-        state_names::<M>().chain(self.columns.iter().cloned()).collect()
+    pub(crate) fn names(&self, system: &Description) -> Vec<String> {
+        state_names(system).chain(self.columns.iter().cloned()).collect()
     }
 
     /// Returns the times of samples between start and end, if an interval gives them.

@@ -8,7 +8,7 @@ use std::vec::Vec;
 use crate::simulate::builder::ENERGY;
 use crate::simulate::trajectory::Trajectory;
 use crate::simulate::units::{label_with_unit, unit};
-use crate::system::{MechanicalSystem, StateVector, WithSuffix};
+use crate::system::{Description, MechanicalSystem, WithSuffix};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 use lagrange_plot::{Curve, Figure, Panel, PlotError, Scale};
@@ -54,9 +54,16 @@ where
                 "first-order states are among the positions"
             );
         }
-        let names = &self.names()[..M::State::ZERO.as_ref().len()];
-        let (positions, velocities) = names.split_at(M::COORDINATES.len());
-        let (coordinates, states) = positions.split_at(positions.len() - M::FIRST_ORDER_STATES);
+        const {
+            assert!(
+                M::FIRST_ORDER_STATES <= M::COORDINATES.len(),
+                "first-order states are among the positions"
+            );
+        }
+        let Description { coordinates, first_order_states, .. } = self.description;
+        let names = &self.names()[..self.first().as_ref().len()];
+        let (positions, velocities) = names.split_at(coordinates.len());
+        let (coordinates, states) = positions.split_at(positions.len() - first_order_states);
         let count = coordinates.len();
         let is_grouped = count > SEPARATE || velocities.len() != count;
         let mut panels = match is_grouped {
@@ -90,7 +97,8 @@ where
     /// If there is no such coordinate, or none whose rate is a velocity, or the file cannot be
     /// written.
     pub fn plot_phase(&self, coordinate: &str, path: impl AsRef<Path>) -> Result<(), PlotError> {
-        let named = M::RATES_OF.iter().zip(M::VELOCITIES).find(|(of, _)| **of == coordinate);
+        let Description { rates_of, velocities, .. } = self.description;
+        let named = rates_of.iter().zip(*velocities).find(|(of, _)| **of == coordinate);
         let velocity = named
             .map_or_else(|| WithSuffix::velocity(coordinate).to_string(), |(_, name)| (*name).to_string());
         self.plot_pair(coordinate, &velocity, path)
@@ -133,7 +141,7 @@ where
         let is_growing = grows(&drift);
         let (name, y_scale) =
             if is_growing { (absolute, Scale::Logarithmic) } else { (signed, Scale::Linear) };
-        let y = label_with_unit(Label::parse(name), unit::<M>(ENERGY).filter(|_| !is_relative));
+        let y = label_with_unit(Label::parse(name), unit(self.description, ENERGY).filter(|_| !is_relative));
         let shown = drift.iter().map(|drift| if is_growing { drift.abs() } else { *drift });
         let curves = vec![Curve { name: y.clone(), points: self.seconds().zip(shown).collect() }];
         let panel = Panel { x: time_axis(), y, y_scale, curves, ..Panel::default() };
@@ -161,11 +169,11 @@ where
     /// several.
     fn panel(&self, x: Label, y: &str, curves: Vec<NamedCurve<'_>>) -> Panel {
         let columns = Columns::new(self.names().iter().map(String::as_str));
-        let mut units = curves.iter().map(|(name, _)| unit::<M>(name));
+        let mut units = curves.iter().map(|(name, _)| unit(self.description, name));
         let first = units.next().flatten();
         let shared = if units.all(|unit| unit == first) { first } else { None };
         let curve = |(name, points): (&str, _)| {
-            let unit = unit::<M>(name).filter(|_| shared.is_none());
+            let unit = unit(self.description, name).filter(|_| shared.is_none());
             Curve { name: label_with_unit(columns.label(name), unit), points }
         };
         let y = label_with_unit(columns.label(y), shared);
@@ -175,7 +183,7 @@ where
     /// Returns the label of an axis for a column.
     fn axis(&self, name: &str) -> Label {
         let columns = Columns::new(self.names().iter().map(String::as_str));
-        label_with_unit(columns.label(name), unit::<M>(name))
+        label_with_unit(columns.label(name), unit(self.description, name))
     }
 
     fn seconds(&self) -> impl Iterator<Item = f64> + '_ {

@@ -121,7 +121,7 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
     where
         M: OutputSystem,
     {
-        self.plan.observe(M::OUTPUTS, Box::new(columns_of(M::outputs)));
+        self.plan.observe(self.system.output_names(), Box::new(columns_of(M::outputs)));
         self
     }
 
@@ -134,12 +134,13 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         let belongs = |name: &str| {
             name.strip_prefix(output).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
         };
-        let chosen = (0..M::OUTPUTS.len()).filter(|&index| belongs(M::OUTPUTS[index])).collect::<Vec<_>>();
+        let known = self.system.output_names();
+        let chosen = (0..known.len()).filter(|&index| belongs(known[index])).collect::<Vec<_>>();
         if chosen.is_empty() {
-            self.plan.settings.refuse(SettingError::UnknownOutput { name: output, known: M::OUTPUTS });
+            self.plan.settings.refuse(SettingError::UnknownOutput { name: output, known });
             return self;
         }
-        let names: Vec<_> = chosen.iter().map(|&index| M::OUTPUTS[index]).collect();
+        let names: Vec<_> = chosen.iter().map(|&index| known[index]).collect();
         let extend = move |system: &M, t, y: &M::State, row: &mut Vec<_>| {
             let (q, v) = split::<M>(y);
             let outputs = system.outputs(t, &q, &v);

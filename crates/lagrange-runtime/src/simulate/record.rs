@@ -16,7 +16,7 @@ use crate::simulate::progress::{Progress, Reporter};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::Table;
 use crate::simulate::trajectory::{Ending, Trajectory};
-use crate::system::{EventKind, MechanicalSystem};
+use crate::system::{DeclaredEvent, EventKind, MechanicalSystem};
 use crate::tolerance::SAME_INSTANT;
 
 /// The record of a run in progress.
@@ -29,6 +29,8 @@ pub(super) struct Record<'a, M: MechanicalSystem, C> {
     row: Vec<M::Scalar>,
     dense: Option<Dense<M::Scalar, M::State>>,
     samples: Samples<M::Scalar>,
+    /// Events of the system.
+    declared: &'static [DeclaredEvent],
     /// Names of the events that the run was given.
     given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
@@ -68,6 +70,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             row: Vec::new(),
             dense: None,
             samples,
+            declared: current.system().events(),
             given: settings.events.iter().map(|(name, _)| name.clone()).collect(),
             events: Vec::new(),
             reporter,
@@ -131,11 +134,26 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         if self.last.0 != self.first.0 && self.table.times().last() != Some(&self.last.0) {
             self.sample(current.system(), self.last);
         }
+        let description = current.system().plant().description();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
-        let columns = table.into();
-        let inputs = None;
-        (given, Trajectory { columns, dense, events, work, ending, first, last, method, inputs, system })
+        let (columns, inputs) = (table.into(), None);
+        (
+            given,
+            Trajectory {
+                columns,
+                dense,
+                events,
+                work,
+                ending,
+                first,
+                last,
+                method,
+                inputs,
+                system,
+                description,
+            },
+        )
     }
 }
 
@@ -150,7 +168,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
 
     fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
         let name = match origin {
-            Origin::Declared => C::EVENTS[event.event].name.to_string(),
+            Origin::Declared => self.declared[event.event].name.to_string(),
             Origin::Given(index) => self.given[index].clone(),
         };
         self.events.push(Event { name, time: event.time, state: event.state, kind });

@@ -46,7 +46,7 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
             let mut record = Record::new(
                 &current,
                 &settings,
-                (settings.names::<M>(), columns),
+                (settings.names(system.description()), columns),
                 None,
                 (settings.span[0], state),
             );
@@ -72,8 +72,9 @@ where
     let (order, name, [t, end]) = (method.order(), method.name(), settings.span);
     let start = admitted(system, (t, state));
     let mut current = Current::new(system);
-    let names = settings.names::<M>();
-    let checked = settings.check::<D::Closed, K>(&names, method).map_err(StepFailure::Setting);
+    let description = system.plant().description();
+    let names = settings.names(description);
+    let checked = settings.check::<D::Closed, K>(system, &names, method).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
         current.begin::<K::Stepper>((t, &start.1), end, |system| {
@@ -100,7 +101,7 @@ where
     });
     let ending = *result.as_ref().unwrap_or(&Ending::Failed);
     let (time, state) = record.last();
-    let result = result.map_err(|cause| named::<M, _>(cause, current.system(), (time, &state), end));
+    let result = result.map_err(|cause| named(cause, current.system(), (time, &state), end));
     let (given, trajectory) = record.close(current, ending, name);
     let trajectory = Trajectory { inputs, ..trajectory };
     match result {
@@ -117,7 +118,9 @@ fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     end: M::Scalar,
 ) -> StepFailure<M::Scalar> {
     match explained(cause, system, stopped, end) {
-        StepFailure::Undefined(what) => StepFailure::Undefined(what.with_names_of::<M>()),
+        StepFailure::Undefined(what) => {
+            StepFailure::Undefined(what.with_names_of(system.plant().description()))
+        }
         cause => cause,
     }
 }

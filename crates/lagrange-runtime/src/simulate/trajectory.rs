@@ -12,7 +12,7 @@ use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::table::Table;
 use crate::simulate::units::unit;
-use crate::system::{MechanicalSystem, StateVector, normalised};
+use crate::system::{Description, MechanicalSystem, normalised};
 
 /// The result of a run: samples in named columns, and the work of the run.
 ///
@@ -35,6 +35,8 @@ pub struct Trajectory<M: MechanicalSystem> {
     /// The system as it was in the end, if it was switched. Shared, so that trajectories can be
     /// cloned whatever it is.
     pub(super) system: Option<Arc<M>>,
+    /// Names and units.
+    pub(super) description: &'static Description,
 }
 
 /// The ending of a run.
@@ -78,7 +80,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
     /// numbers. `None` if it is not known: the declaration has no units, or an observer added the
     /// column under a new name.
     pub fn unit(&self, name: &str) -> Option<&'static str> {
-        unit::<M>(name)
+        unit(self.description, name)
     }
 
     /// Returns all columns.
@@ -88,7 +90,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
 
     /// Returns the state of a sample, counted from zero.
     pub fn state(&self, index: usize) -> Option<M::State> {
-        let mut state = M::State::ZERO;
+        let mut state = self.first();
         for (component, column) in state.as_mut().iter_mut().zip(self.table().columns()) {
             *component = *column.get(index)?;
         }
@@ -153,7 +155,7 @@ impl<M: MechanicalSystem> Trajectory<M> {
             return Ok(self.last());
         }
         let outside = NotKept::Outside { time: t, start: self.start_time(), end: self.end_time() };
-        dense.at(t).map(|state| normalised::<M>(&state)).ok_or(outside)
+        dense.at(t).map(|state| normalised::<M>(self.description, &state)).ok_or(outside)
     }
 
     /// Returns the events in the order of the run: those of the declaration, and those that were

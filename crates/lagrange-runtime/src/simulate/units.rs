@@ -5,7 +5,7 @@ use std::format;
 
 use crate::simulate::builder::ENERGY;
 use crate::simulate::table::TIME;
-use crate::system::MechanicalSystem;
+use crate::system::Description;
 #[cfg(feature = "plot")]
 use lagrange_plot::{label::Label, notation};
 
@@ -13,11 +13,11 @@ use lagrange_plot::{label::Label, notation};
 const PLAIN: &str = "1";
 
 /// The unit of a column or a parameter of this name, if it is known; that of plain numbers is `1`.
-pub(crate) fn unit<M: MechanicalSystem>(name: &str) -> Option<&'static str> {
-    let declared = |name: &str| M::UNITS.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
+pub(crate) fn unit(system: &Description, name: &str) -> Option<&'static str> {
+    let declared = |name: &str| system.units.iter().find(|(known, _)| *known == name).map(|(_, unit)| *unit);
     let of_array = || name.split_once('[').and_then(|(array, _)| declared(array));
     declared(name).or_else(of_array).or(match name {
-        _ if M::UNITS.is_empty() => None,
+        _ if system.units.is_empty() => None,
         TIME => Some("s"),
         ENERGY => Some("J"),
         _ => None,
@@ -33,8 +33,8 @@ pub(super) fn with_unit<'n>(name: &'n str, unit: Option<&str>) -> Cow<'n, str> {
 }
 
 /// Returns the name of a column with its unit.
-pub(super) fn labelled<M: MechanicalSystem>(name: &str) -> Cow<'_, str> {
-    with_unit(name, unit::<M>(name))
+pub(super) fn labelled<'n>(system: &Description, name: &'n str) -> Cow<'n, str> {
+    with_unit(name, unit(system, name))
 }
 
 /// Returns a label followed by a unit, as in x in m/s².

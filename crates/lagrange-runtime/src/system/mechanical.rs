@@ -1,7 +1,7 @@
 //! Systems of mechanics: positions, velocities, accelerations.
 
 use super::lanes::LanesVisitor;
-use super::{OdeSystem, StateVector};
+use super::{Description, OdeSystem, StateVector};
 
 /// A system described by positions q and velocities v, to which accelerations a = v̇ belong.
 ///
@@ -197,6 +197,13 @@ pub trait MechanicalSystem: OdeSystem {
     /// Files of ensembles keep it, so that those of different declarations are not mixed.
     const FINGERPRINT: u64 = 0;
 
+    /// Returns the names and units of the variables of this system. They are the constants above
+    /// unless the system was read at run time.
+    #[inline]
+    fn description(&self) -> &'static Description {
+        description_of_type::<Self>()
+    }
+
     /// Computes the accelerations at time `t`, positions `q` and velocities `v`. They are not
     /// finite where the mass matrix is singular in some states only. Masses of emitted types must
     /// not be zero. Common factors of all terms of an equation are divided out, so a pendulum
@@ -256,10 +263,9 @@ pub trait MechanicalSystem: OdeSystem {
                 "a system whose velocities are not the rates of its positions must implement `displacement`"
             );
         }
-        let mut displacement = Self::Velocities::ZERO;
-        let ends = to.as_ref().iter().zip(from.as_ref());
-        for (entry, (to, from)) in displacement.as_mut().iter_mut().zip(ends) {
-            *entry = *to - *from;
+        let mut displacement = Self::Velocities::of(to.as_ref());
+        for (entry, from) in displacement.as_mut().iter_mut().zip(from.as_ref()) {
+            *entry = *entry - *from;
         }
         displacement
     }
@@ -296,6 +302,21 @@ pub trait MechanicalSystem: OdeSystem {
     /// ```
     fn parameter(&self, _index: usize) -> Option<(&'static str, Self::Scalar)> {
         None
+    }
+}
+
+/// Returns the names and units that the constants of a type give.
+#[inline]
+pub(crate) const fn description_of_type<M: MechanicalSystem + ?Sized>() -> &'static Description {
+    const {
+        &Description {
+            coordinates: M::COORDINATES,
+            velocities: M::VELOCITIES,
+            rates_of: M::RATES_OF,
+            first_order_states: M::FIRST_ORDER_STATES,
+            units: M::UNITS,
+            quaternions: &[],
+        }
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod canonical;
 mod constraint_values;
+mod description;
 mod event;
 mod kernel;
 mod lanes;
@@ -25,11 +26,13 @@ mod wrapper;
 
 pub use self::canonical::{CanonicalSystem, LeapfrogSystem, SeparableSystem};
 pub use self::constraint_values::ConstraintValues;
+pub use self::description::Description;
 pub(crate) use self::event::MOST_LOCATED;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
 pub use self::kernel::KernelSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::linearised::{LinearisedSystem, MatrixLayout};
+pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
@@ -37,8 +40,8 @@ pub use self::out_of_range::OutOfRange;
 pub use self::ports::{ControlledSystem, OutputSystem};
 #[cfg(feature = "std")]
 pub(crate) use self::positions::normalised;
-pub(crate) use self::positions::{displaced, reach};
-pub use self::positions::{join, normalise, split};
+pub(crate) use self::positions::{displaced, normalise_positions, reach};
+pub use self::positions::{join, normalise, normalise_described, split};
 #[cfg(feature = "std")]
 pub(crate) use self::rate_name::WithSuffix;
 pub use self::setting_error::SettingError;
@@ -175,6 +178,13 @@ pub trait OdeSystem {
     /// one.
     const IS_CONSTRAINED: bool = false;
 
+    /// True if states of this system must satisfy something beside the equations. That is
+    /// [`IS_CONSTRAINED`](Self::IS_CONSTRAINED) unless the system was read at run time.
+    #[inline]
+    fn is_constrained(&self) -> bool {
+        Self::IS_CONSTRAINED
+    }
+
     /// Brings a state onto the constraints; methods ask for this after every accepted step, and
     /// before they hand out a state within one.
     ///
@@ -207,6 +217,13 @@ pub trait OdeSystem {
     /// The events of the declaration, at most [`MOST_DECLARED`]. Runs look for them without
     /// being asked.
     const EVENTS: &'static [DeclaredEvent] = &[];
+
+    /// Returns the events of this system. They are [`EVENTS`](Self::EVENTS) unless the system was
+    /// read at run time.
+    #[inline]
+    fn events(&self) -> &'static [DeclaredEvent] {
+        Self::EVENTS
+    }
 
     /// Computes the functions of all declared events and writes them to as many `values`.
     #[inline]

@@ -67,6 +67,13 @@ pub trait OutputSystem: MechanicalSystem {
     /// `all.1`, ….
     const OUTPUTS: &'static [&'static str];
 
+    /// Returns the names of the outputs of this system. They are [`OUTPUTS`](Self::OUTPUTS) unless
+    /// the system was read at run time.
+    #[inline]
+    fn output_names(&self) -> &'static [&'static str] {
+        Self::OUTPUTS
+    }
+
     /// Computes all components at time `t`, positions `q` and velocities `v`.
     fn outputs(
         &self,

@@ -1,27 +1,21 @@
 //! Positions and velocities of a state, and displacements of positions.
 
-use super::{MechanicalSystem, StateVector, StepFailure};
+use super::mechanical::description_of_type;
+use super::{Description, MechanicalSystem, StateVector, StepFailure, quaternion};
 use crate::linalg::vector::add;
 use crate::scalar::{Number, Scalar};
 
 /// Splits a state into positions and velocities.
 #[inline]
 pub fn split<M: MechanicalSystem + ?Sized>(y: &M::State) -> (M::Coordinates, M::Velocities) {
-    let (mut q, mut v) = (M::Coordinates::ZERO, M::Velocities::ZERO);
-    let (positions, velocities) = y.as_ref().split_at(q.as_ref().len());
-    q.as_mut().copy_from_slice(positions);
-    v.as_mut().copy_from_slice(velocities);
-    (q, v)
+    let (positions, velocities) = y.parts(M::Coordinates::ZERO.as_ref().len());
+    (M::Coordinates::of(positions), M::Velocities::of(velocities))
 }
 
 /// Joins positions and velocities to a state, or the rates of both to those of a state.
 #[inline]
 pub fn join<M: MechanicalSystem + ?Sized>(q: &M::Coordinates, v: &M::Velocities) -> M::State {
-    let mut y = M::State::ZERO;
-    let (positions, velocities) = y.as_mut().split_at_mut(q.as_ref().len());
-    positions.copy_from_slice(q.as_ref());
-    velocities.copy_from_slice(v.as_ref());
-    y
+    M::State::joined(q.as_ref(), v.as_ref())
 }
 
 /// Error message for a quaternion that cannot be normalised.
@@ -36,10 +30,22 @@ const NO_ORIENTATION: &str = "a quaternion of zeros is not an orientation";
 /// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
 #[inline]
 pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), StepFailure<M::Scalar>> {
-    if M::VELOCITIES.is_empty() {
+    normalise_described::<M>(description_of_type::<M>(), y)
+}
+
+/// Normalises unit quaternions of a state as [`normalise`] does, of a system with this description.
+///
+/// # Errors
+/// [`StepFailure::Stuck`] if one is zero; the state is then unchanged.
+#[inline]
+pub fn normalise_described<M: MechanicalSystem + ?Sized>(
+    description: &Description,
+    y: &mut M::State,
+) -> Result<(), StepFailure<M::Scalar>> {
+    if description.velocities.is_empty() {
         return Ok(());
     }
-    let found = normalised::<M>(y);
+    let found = normalised::<M>(description, y);
     let is_finite = |y: &M::State| y.as_ref().iter().all(|entry| entry.is_finite());
     if is_finite(y) && !is_finite(&found) {
         return Err(StepFailure::Stuck(NO_ORIENTATION));
@@ -48,11 +54,23 @@ pub fn normalise<M: MechanicalSystem + ?Sized>(y: &mut M::State) -> Result<(), S
     Ok(())
 }
 
+/// Brings unit quaternions among positions back to length one.
+#[inline]
+pub(crate) fn normalise_positions<M: MechanicalSystem + ?Sized>(
+    description: &Description,
+    q: &mut M::Coordinates,
+) {
+    M::normalise(q);
+    for &first in description.quaternions {
+        quaternion::normalise::<M::Scalar>(q.as_mut(), first);
+    }
+}
+
 /// The state with unit quaternions brought to length one.
 #[inline]
-pub(crate) fn normalised<M: MechanicalSystem + ?Sized>(y: &M::State) -> M::State {
+pub(crate) fn normalised<M: MechanicalSystem + ?Sized>(description: &Description, y: &M::State) -> M::State {
     let (mut q, v) = split::<M>(y);
-    M::normalise(&mut q);
+    normalise_positions::<M>(description, &mut q);
     join::<M>(&q, &v)
 }
 
@@ -72,7 +90,7 @@ where
     for (part, displacement) in displacements {
         add(&mut to, part, &system.position_change(t, q, displacement));
     }
-    M::normalise(&mut to);
+    normalise_positions::<M>(system.description(), &mut to);
     to
 }
 
@@ -86,12 +104,14 @@ pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     q: &M::Coordinates,
     by: &M::Coordinates,
 ) -> M::Velocities {
-    let (mut reach, mut unit) = (M::Velocities::ZERO, M::Velocities::ZERO);
-    if M::VELOCITIES.is_empty() {
-        let magnitudes = reach.as_mut().iter_mut().zip(by.as_ref());
-        magnitudes.for_each(|(reach, by)| *reach = by.abs());
+    if system.description().velocities.is_empty() {
+        let mut reach = M::Velocities::of(by.as_ref());
+        reach.as_mut().iter_mut().for_each(|entry| *entry = entry.abs());
         return reach;
     }
+    let velocities = system.description().velocities.len();
+    let mut reach = M::Velocities::of(&M::Velocities::ZERO.as_ref()[..velocities]);
+    let mut unit = reach.zeros();
     for (j, reach) in reach.as_mut().iter_mut().enumerate() {
         unit.as_mut()[j] = M::Scalar::ONE;
         *reach = most(system.position_change(t, q, &unit).as_ref(), by.as_ref());

@@ -2,7 +2,7 @@
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
-use super::MechanicalSystem;
+use super::Description;
 use super::rate_name::WithSuffix;
 use crate::scalar::Scalar;
 
@@ -88,9 +88,10 @@ impl Component {
     /// Returns the component at this index of a state of the system M, or of a longer one that
     /// begins with that.
     #[must_use]
-    pub fn of<M: MechanicalSystem + ?Sized>(index: usize) -> Self {
-        let velocity = |place| Component::of_velocity::<M>(place);
-        match (M::COORDINATES.get(index), index.checked_sub(M::COORDINATES.len()).and_then(velocity)) {
+    pub fn of(system: &Description, index: usize) -> Self {
+        let Description { coordinates, .. } = system;
+        let velocity = |place| Component::of_velocity(system, place);
+        match (coordinates.get(index), index.checked_sub(coordinates.len()).and_then(velocity)) {
             (Some(name), _) => Component::Coordinate(name),
             (None, Some(velocity)) => velocity,
             (None, None) => Component::Index(index),
@@ -98,11 +99,11 @@ impl Component {
     }
 
     /// The velocity at this index among those of the system M.
-    pub(crate) fn of_velocity<M: MechanicalSystem + ?Sized>(index: usize) -> Option<Self> {
-        if M::VELOCITIES.is_empty() {
-            return M::COORDINATES.get(index).copied().map(Component::Velocity);
+    pub(crate) fn of_velocity(system: &Description, index: usize) -> Option<Self> {
+        if system.velocities.is_empty() {
+            return system.coordinates.get(index).copied().map(Component::Velocity);
         }
-        M::VELOCITIES.get(index).copied().map(Component::NamedVelocity)
+        system.velocities.get(index).copied().map(Component::NamedVelocity)
     }
 }
 
@@ -132,11 +133,11 @@ impl<S: Scalar> Undefined<S> {
     /// Replaces a component index by its name, for states of `M` and for longer states that start
     /// with one.
     #[must_use]
-    pub fn with_names_of<M: MechanicalSystem + ?Sized>(mut self) -> Self {
+    pub fn with_names_of(mut self, system: &Description) -> Self {
         if let Undefined::State { component, .. } | Undefined::Rate { component, .. } = &mut self
             && let Component::Index(index) = *component
         {
-            *component = Component::of::<M>(index);
+            *component = Component::of(system, index);
         }
         self
     }

@@ -1,8 +1,8 @@
 //! Systems that contain another and change its equations.
 
 use super::{
-    Component, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix, StateVector,
-    Undefined, join, split,
+    Component, Description, EnergyFunction, MechanicalSystem, NamedSystem, OdeSystem, Reacted, StateMatrix,
+    StateVector, Undefined, join, split,
 };
 use crate::system::{Action, DeclaredEvent, Response, StepFailure};
 
@@ -187,7 +187,17 @@ impl<W: Wrapper> OdeSystem for W {
         change(self, t, y, |inner, part| inner.restore(t, part))
     }
 
+    #[inline]
+    fn is_constrained(&self) -> bool {
+        W::IS_PROJECTED && self.inner().is_constrained()
+    }
+
     const EVENTS: &'static [DeclaredEvent] = W::Inner::EVENTS;
+
+    #[inline]
+    fn events(&self) -> &'static [DeclaredEvent] {
+        self.inner().events()
+    }
 
     #[inline]
     fn event_values(&self, t: InnerNumber<W>, y: &W::State, values: &mut [InnerNumber<W>]) {
@@ -234,6 +244,11 @@ where
     const FIRST_ORDER_STATES: usize = M::FIRST_ORDER_STATES;
     const UNITS: &'static [(&'static str, &'static str)] = M::UNITS;
     const FINGERPRINT: u64 = M::FINGERPRINT;
+
+    #[inline]
+    fn description(&self) -> &'static Description {
+        self.inner().description()
+    }
 
     #[inline]
     fn acceleration(&self, t: M::Scalar, q: &M::Coordinates, v: &M::Velocities) -> M::Velocities {

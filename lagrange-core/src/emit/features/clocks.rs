@@ -43,25 +43,23 @@ pub(in crate::emit) fn clock_members(shape: &Shape<'_>, members: &Members) -> Op
     let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
     let ArgumentNames { time, state, .. } = &members.names;
     let option = quote!(::core::option::Option);
-    let due = (0..members.clocks).map(|index| format_ident!("due_{index}")).collect::<Vec<_>>();
+    let periods = (0..members.clocks).map(|index| format_ident!("period_{index}")).collect::<Vec<_>>();
     let after = (0..members.clocks).map(|index| call(shape, members, &method(index)));
-    let found = local("found");
     Some(quote! {
         fn shortest_period(&self) -> #option<#scalar> {
             #krate::event::shortest_period(self.clock_periods())
         }
         #[inline]
         fn is_tick(&self, #time: #scalar) -> ::core::primitive::bool {
-            #krate::event::ticks(#time, self.clock_periods()).contains(&true)
+            self.clock_periods().iter().any(|period| #krate::event::ticks(#time, *period))
         }
         fn tick(&self, #time: #scalar, #state: &[#scalar; #all]) -> #option<[#scalar; #all]> {
-            let #found = #krate::event::ticks(#time, self.clock_periods());
-            if !#found.contains(&true) {
+            if !#krate::system::OdeSystem::is_tick(self, #time) {
                 return #option::None;
             }
-            let [#(#due),*] = #found;
+            let [#(#periods),*] = self.clock_periods();
             #(
-                let #state = &if #due { #after } else { *#state };
+                let #state = &if #krate::event::ticks(#time, #periods) { #after } else { *#state };
             )*
             #option::Some(*#state)
         }

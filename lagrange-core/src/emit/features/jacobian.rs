@@ -13,7 +13,7 @@ use lagrange_algebra::calculus::jacobian;
 use lagrange_expr::expr::ExprId;
 
 /// ∂ẏ/∂y from the rows of the accelerations.
-pub(in crate::emit) fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
+pub fn by_state(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     let rates = model.position_rates();
     let state = [model.positions(), model.velocities()].concat();
     let mut entries = jacobian(&mut model.graph, &rates, &state).concat();

@@ -100,7 +100,7 @@ fn position_change(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> 
 }
 
 /// Returns the spelling of a velocity: its own element, or the rate of one.
-fn written_velocity(shape: &Shape<'_>, velocity: &StateVelocity<'_>) -> String {
+pub(in crate::emit) fn written_velocity(shape: &Shape<'_>, velocity: &StateVelocity<'_>) -> String {
     let is_rate = |name: &&Name| velocity.name.text == format!("{}_dot", name.text);
     match velocity.coordinate.filter(is_rate).map(|name| shape.written(name)) {
         Some(coordinate) => {

@@ -172,7 +172,11 @@ pub(in crate::emit) fn units_of_outputs<'s>(
 }
 
 /// Names of the columns of an output.
-fn column_names(shape: &Shape<'_>, output: &Name, count: usize) -> impl Iterator<Item = String> {
+pub(in crate::emit) fn column_names(
+    shape: &Shape<'_>,
+    output: &Name,
+    count: usize,
+) -> impl Iterator<Item = String> {
     (0..count).map(move |index| column_name(shape.written(output), index, count))
 }
 

@@ -17,15 +17,25 @@ pub(in crate::emit) fn units_constant(
     outputs: Vec<(String, &str)>,
     has_momenta: bool,
 ) -> Option<TokenStream> {
+    let entries = units_by_name(shape, outputs, has_momenta);
+    let entries = entries.iter().map(|(name, unit)| quote!((#name, #unit))).collect::<Vec<_>>();
+    let text = quote!(&'static ::core::primitive::str);
+    (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
+}
+
+/// Units of state, accelerations, momenta, parameters, inputs and outputs, as far as they are
+/// known.
+pub(in crate::emit) fn units_by_name<'s>(
+    shape: &'s Shape<'_>,
+    outputs: Vec<(String, &'s str)>,
+    has_momenta: bool,
+) -> Vec<(String, &'s str)> {
     let state = shape.state_fields();
     let accelerations = accelerations(shape, &state);
     let momenta = if has_momenta { momenta(shape, &state) } else { Vec::new() };
     let fields = state.into_iter().chain(accelerations).chain(shape.number_fields());
     let named = fields.flat_map(|field| units_of(shape, &field)).chain(outputs);
-    let named = named.chain(momenta.iter().flat_map(|field| units_of(shape, field)));
-    let entries = named.map(|(name, unit)| quote!((#name, #unit))).collect::<Vec<_>>();
-    let text = quote!(&'static ::core::primitive::str);
-    (!entries.is_empty()).then(|| quote!(const UNITS: &'static [(#text, #text)] = &[#(#entries),*];))
+    named.chain(momenta.iter().flat_map(|field| units_of(shape, field))).collect()
 }
 
 /// Returns documentation of the units of parameters and inputs, as `` `m` in kg, `l` in m ``. It

@@ -70,7 +70,9 @@ where
     /// whether the processor fuses products and sums. They agree with those of a single run to
     /// within the tolerance only. [`one_by_one`](Self::one_by_one) gives the bits of single runs.
     pub fn is_in_lanes(&self) -> bool {
-        let is_plain = !self.batch.needs_runs() && !M::IS_CONSTRAINED && M::EVENTS.is_empty();
+        let is_plain = !self.batch.needs_runs()
+            && !self.batch.system.is_constrained()
+            && self.batch.system.events().is_empty();
         is_plain && self.method.in_lanes(Ask).is_ok() && M::with_lanes(Ask).is_ok()
     }
 

@@ -23,6 +23,7 @@ use super::sheet::Sheet;
 use crate::ensemble::error::EnsembleError;
 use crate::ensemble::plan::SharedSystem;
 use crate::simulate::units;
+use crate::system::description_of_type;
 
 /// Name of the schema.
 const SCHEMA: &str = "motions";
@@ -183,7 +184,8 @@ fn write_column<T: DataType>(
 /// do, the first columns, and times behind them, and indices are one more than those before, or the
 /// same.
 fn properties<M: SharedSystem>(names: &[&str], parameters: usize, label: &Label) -> WriterProperties {
-    let metadata = label.pairs().into_iter().chain(units::<M>(names.iter().copied()));
+    let system = description_of_type::<M>();
+    let metadata = label.pairs().into_iter().chain(units(system, names.iter().copied()));
     let builder = WriterProperties::builder()
         .set_dictionary_enabled(false)
         .set_column_encoding(path(INDEX), Encoding::DELTA_BINARY_PACKED)

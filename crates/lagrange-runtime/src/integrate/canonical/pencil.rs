@@ -18,10 +18,10 @@ impl<S: Scalar, Y: StateVector<S>> Pencil<S, Y> {
     pub(in crate::integrate) fn magnitude(&self, unknowns: &Y) -> Y {
         let constant = |i, j| self.constant[(i, j)].abs();
         match &self.derivatives {
-            None => Matrix::of(constant).apply(unknowns),
+            None => self.constant.with(constant).apply(unknowns),
             Some((linear, quadratic)) => {
-                Matrix::of(|i, j| constant(i, j) + linear[(i, j)].abs() + quadratic[(i, j)].abs())
-                    .apply(unknowns)
+                let sum = |i, j| constant(i, j) + linear[(i, j)].abs() + quadratic[(i, j)].abs();
+                self.constant.with(sum).apply(unknowns)
             }
         }
     }

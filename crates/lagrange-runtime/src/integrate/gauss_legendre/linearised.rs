@@ -50,7 +50,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
         match self {
             Linearised::Constant(factors) => right.map(|right| factors.solve(&right)),
             Linearised::Modes(real, complex) => {
-                let mut solution = [Y::ZERO; K];
+                let mut solution = [right[0].zeros(); K];
                 if let Some((mode, factors)) = real {
                     let component = factors.solve(&combination(&mode.row, right));
                     for (solution, part) in solution.iter_mut().zip(mode.column) {
@@ -75,7 +75,7 @@ impl<S: Scalar, Y: StateVector<S>, const K: usize> Linearised<S, Y, K> {
 /// Σ part vector
 #[inline]
 fn combination<S: Scalar, Y: StateVector<S>, const K: usize>(parts: &[f64; K], vectors: &[Y; K]) -> Y {
-    let mut sum = Y::ZERO;
+    let mut sum = vectors[0].zeros();
     for (part, vector) in parts.iter().zip(vectors) {
         add(&mut sum, S::from_f64(*part), vector);
     }
@@ -90,7 +90,7 @@ fn at_real<S: Scalar, Y: StateVector<S>>(
     value: f64,
 ) -> Option<Factors<S, Y>> {
     let (first, second) = (S::from_f64(value), S::from_f64(value * value));
-    Factors::new(Matrix::of(|i, j| constant[(i, j)] - first * linear[(i, j)] - second * quadratic[(i, j)]))
+    Factors::new(constant.with(|i, j| constant[(i, j)] - first * linear[(i, j)] - second * quadratic[(i, j)]))
 }
 
 /// Factorises as [`at_real`] for a complex λ.
@@ -103,7 +103,7 @@ fn at_complex<S: Scalar, Y: StateVector<S>>(
     let first = (S::from_f64(x), S::from_f64(y));
     let second = (S::from_f64(x * x - y * y), S::from_f64(2.0 * x * y));
     ComplexFactors::new(
-        Matrix::of(|i, j| constant[(i, j)] - first.0 * linear[(i, j)] - second.0 * quadratic[(i, j)]),
-        Matrix::of(|i, j| -(first.1 * linear[(i, j)]) - second.1 * quadratic[(i, j)]),
+        constant.with(|i, j| constant[(i, j)] - first.0 * linear[(i, j)] - second.0 * quadratic[(i, j)]),
+        linear.with(|i, j| -(first.1 * linear[(i, j)]) - second.1 * quadratic[(i, j)]),
     )
 }

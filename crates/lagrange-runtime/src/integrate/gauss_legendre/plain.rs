@@ -113,7 +113,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
         let linearised = Linearised::new(&pencil, tableau).ok_or(StepFailure::NotFinite)?;
         let mut equations = StageEquations { step, tableau, pencil, linearised };
         newton::solve(&mut equations, &mut stages, self.rounding, work)?;
-        let mut change = State::<M>::ZERO;
+        let mut change = step.y.zeros();
         for (weight, slope) in tableau.b.iter().zip(&stages) {
             add(&mut change, step.h * *weight, slope);
         }
@@ -135,8 +135,9 @@ impl<M: OdeSystem + ?Sized, const K: usize> Plain<M, K> {
             add(&mut y, half * *weight, slope);
         }
         let jacobian = source.jacobian(step.system, (step.t + half, &y), step.h, work);
-        let linear = jacobian.map(|jacobian| Matrix::of(|i, j| step.h * jacobian[(i, j)]));
-        Pencil { constant: Matrix::identity(), derivatives: linear.map(|linear| (linear, Matrix::ZERO)) }
+        let linear = jacobian.map(|jacobian| jacobian.with(|i, j| step.h * jacobian[(i, j)]));
+        let zeros = Matrix::zeros(step.y);
+        Pencil { constant: Matrix::identity(step.y), derivatives: linear.map(|linear| (linear, zeros)) }
     }
 }
 
@@ -152,7 +153,7 @@ impl<M: OdeSystem + ?Sized, const K: usize> Equations<M::Scalar, M::State, K> fo
     #[inline]
     fn residual(&mut self, slopes: &Stages<M, K>, work: &mut Work) -> Stages<M, K> {
         let Step { system, t, y, h } = *self.step;
-        let mut residual = [State::<M>::ZERO; K];
+        let mut residual = [y.zeros(); K];
         for (i, residual) in residual.iter_mut().enumerate() {
             let mut argument = *y;
             for (part, slope) in self.tableau.a[i].iter().zip(slopes) {

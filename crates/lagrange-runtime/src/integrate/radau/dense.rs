@@ -68,7 +68,7 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
     #[inline(always)]
     pub(super) fn continued(&self, s: S, h: S) -> StageChanges<Y> {
         let (start, ratio) = (parts(s), h / self.h);
-        let mut changes = [Y::ZERO; STAGES];
+        let mut changes = self.stages;
         for (change, node) in changes.iter_mut().zip(NODES) {
             let mut parts = parts(ratio.multiply_add(S::from_f64(node), s));
             for (part, start) in parts.iter_mut().zip(start) {
@@ -84,7 +84,8 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
         let StepTaken { h, ends: [from, to], slopes: [before, after], .. } = self;
         let place = Place { h: *h, s };
         let mut y = cubic(place, [from, to], [before, after]);
-        let mut motion = Motion { change: Y::ZERO, velocities: [Y::ZERO; 2], accelerations: [Y::ZERO; 2] };
+        let zeros = y.zeros();
+        let mut motion = Motion { change: zeros, velocities: [zeros; 2], accelerations: [zeros; 2] };
         for (position, velocity) in self.positions(positions) {
             motion.change.as_mut()[position] = self.change.as_ref()[position];
             for end in 0..2 {
@@ -115,7 +116,7 @@ impl<S: Scalar, Y: StateVector<S>> StepTaken<S, Y> {
     /// The slope of the interpolant at the part `s` of the step, by differences that are exact for
     /// quartic polynomials.
     pub(super) fn slope_at(&self, positions: LeadingPositions, s: S) -> Y {
-        let mut slope = Y::ZERO;
+        let mut slope = self.change.zeros();
         for (steps, weight) in [(-2.0, 1.0), (-1.0, -8.0), (1.0, 8.0), (2.0, -1.0)] {
             let y = self.state(positions, S::from_f64(steps * DISTANCE) + s);
             add(&mut slope, S::from_f64(weight), &y);

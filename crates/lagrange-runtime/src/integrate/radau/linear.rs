@@ -81,7 +81,7 @@ impl<S: Scalar, Y: StateVector<S>> LinearSystem<S, Y> {
         LeadingPositions { count, rates }: LeadingPositions,
         [mu, reciprocal, share]: [S; 3],
     ) -> Matrix<S, Y> {
-        let mut matrix = Matrix::ZERO;
+        let mut matrix = self.jacobian.with(|_, _| S::ZERO);
         for row in 0..matrix.rows() - count {
             for column in 0..matrix.rows() - count {
                 matrix[(row, column)] = -(share * self.jacobian[(count + row, count + column)]);
@@ -134,13 +134,13 @@ impl<S: Scalar, Y: StateVector<S>> RealShift<S, Y> {
             size,
             #[inline(always)]
             |LeadingPositions { count, rates }| {
-                let mut others = Y::ZERO;
+                let mut others = right.zeros();
                 for row in 0..size - count {
                     let known = linearised.by_positions(count, count + row, right);
                     others.as_mut()[row] = known.multiply_add(self.reciprocal, right.as_ref()[count + row]);
                 }
                 let found = self.factors.solve_leading(&others, size - count);
-                let mut solution = Y::ZERO;
+                let mut solution = right.zeros();
                 for (place, x) in solution.as_mut().iter_mut().enumerate() {
                     *x = match place.checked_sub(count) {
                         Some(row) => found.as_ref()[row],
@@ -188,7 +188,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
             size,
             #[inline(always)]
             |LeadingPositions { count, rates }| {
-                let (mut real, mut imaginary) = (Y::ZERO, Y::ZERO);
+                let (mut real, mut imaginary) = (right.0.zeros(), right.0.zeros());
                 for row in 0..size - count {
                     let by_positions = |right| linearised.by_positions(count, count + row, right);
                     let known = product((by_positions(right.0), by_positions(right.1)), self.reciprocal);
@@ -196,7 +196,7 @@ impl<S: Scalar, Y: StateVector<S>> ComplexShift<S, Y> {
                     (real.as_mut()[row], imaginary.as_mut()[row]) = (own.0 + known.0, own.1 + known.1);
                 }
                 let found = self.factors.solve_leading((&real, &imaginary), size - count);
-                let mut solution = (Y::ZERO, Y::ZERO);
+                let mut solution = (right.0.zeros(), right.0.zeros());
                 for place in 0..size {
                     let x = match place.checked_sub(count) {
                         Some(row) => at((&found.0, &found.1), row),

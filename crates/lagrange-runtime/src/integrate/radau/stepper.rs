@@ -85,7 +85,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
             is_due: true,
             factors: None,
             remainder: M::Scalar::ONE,
-            last: StepTaken::none(t, *y, M::State::ZERO),
+            last: StepTaken::none(t, *y, y.zeros()),
             end: 1,
             crawling: Crawling::new(t),
             work: Work::default(),
@@ -142,7 +142,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
         check_finite(clock.time(), state.value())?;
         let reached = *state.value();
         correct(system, clock.time(), &mut state)?;
-        if M::IS_CONSTRAINED {
+        if system.is_constrained() {
             add(&mut change, M::Scalar::ONE, &difference(state.value(), &reached));
         }
         let rate = system.rhs(clock.time(), state.value());
@@ -201,7 +201,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for RadauStepper<M> {
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt) {
                 Judgement::Taken => {
-                    self.crawling.look(attempt.h, self.clock.time(), M::IS_CONSTRAINED);
+                    self.crawling.look(attempt.h, self.clock.time(), system.is_constrained());
                     return Ok(());
                 }
                 Judgement::Inaccurate => None,

@@ -42,7 +42,7 @@ pub(super) fn interpolate<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S,
 /// Interpolates the state; always inlined.
 #[inline(always)]
 pub(super) fn interpolated<S: Number, Y: StateVector<S>>(span: &Span<S, Y>, s: S, rates: &[Y; RATES]) -> Y {
-    let (both, mut bend) = (s * (S::ONE - s), Y::ZERO);
+    let (both, mut bend) = (s * (S::ONE - s), span.y.zeros());
     // Loops and no closures, which are not inlined into functions of other instructions than their
     // own.
     for (rate, coefficients) in &BEND {
@@ -79,7 +79,7 @@ where
 /// Returns the same difference, given the rate of the system there.
 fn defect_of<S: Number, Y: StateVector<S>>(rate: Y, s: S, rates: &[Y; RATES]) -> Y {
     let (one, two) = (S::ONE, S::from_f64(2.0));
-    let mut slope = Y::ZERO;
+    let mut slope = rate.zeros();
     for (rate, coefficients) in &BEND {
         let (value, rise) = polynomial(coefficients, s);
         slope = combined(&slope, (one - two * s) * value + s * (one - s) * rise, &rates[*rate]);
@@ -140,7 +140,7 @@ impl FixedPart {
 /// A sum of the rates in the bend.
 #[inline(always)]
 fn weighted_bend<S: Number, Y: StateVector<S>>(weights: &[f64; BEND.len()], rates: &[Y; RATES]) -> Y {
-    let mut sum = Y::ZERO;
+    let mut sum = rates[0].zeros();
     for ((rate, _), weight) in BEND.iter().zip(weights) {
         sum = combined(&sum, S::from_f64(*weight), &rates[*rate]);
     }

@@ -41,7 +41,7 @@ impl<const N: usize> Stage<N> {
             // Opaque, or compilers write out all terms.
             return weighted_in_blocks(rates, core::hint::black_box(&self.weights));
         }
-        let mut sum = Y::ZERO;
+        let mut sum = rates[0].zeros();
         for (rate, weight) in self.weights {
             let weight = S::from_f64(weight);
             for (sum, rate) in sum.as_mut().iter_mut().zip(rates[rate].as_ref()) {
@@ -95,7 +95,7 @@ const BLOCK: usize = 4;
 /// Σ wⱼ kⱼ
 #[inline(always)]
 fn weighted_in_blocks<S: Number, Y: StateVector<S>>(rates: &[Y], weights: &[(usize, f64)]) -> Y {
-    let mut sum = Y::ZERO;
+    let mut sum = rates[0].zeros();
     let mut first = 0;
     let mut blocks = sum.as_mut().chunks_exact_mut(BLOCK);
     for block in &mut blocks {

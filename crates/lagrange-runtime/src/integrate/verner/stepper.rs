@@ -91,7 +91,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             before: (clock, state),
             is_at_rest: false,
             last: Span { t, y: *y, h: M::Scalar::ZERO },
-            rates: [M::State::ZERO; RATES],
+            rates: [y.zeros(); RATES],
             known: Known::End,
             crawling: Crawling::new(t),
             work: Work::default(),
@@ -235,7 +235,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             return Ok(());
         }
         let tolerance = self.settings.relative.max(self.settings.absolute);
-        let has_contacts = M::EVENTS.iter().any(|event| event.is_switch && !event.is_side);
+        let has_contacts = system.events().iter().any(|event| event.is_switch && !event.is_side);
         let wants_jacobian = !has_contacts && system.jacobian(t, self.state.value()).is_none();
         Err(StepFailure::Stiff { limit, tolerance, wants_jacobian })
     }
@@ -273,7 +273,7 @@ impl<M: OdeSystem + ?Sized> Stepper<M> for VernerStepper<M> {
             let attempt = self.next(limit).map_err(|underflow| lost.unwrap_or(underflow))?;
             lost = match self.attempt(system, attempt, limit)? {
                 Judgement::Taken => {
-                    self.crawling.look(attempt.h, self.clock.time(), M::IS_CONSTRAINED);
+                    self.crawling.look(attempt.h, self.clock.time(), system.is_constrained());
                     return Ok(());
                 }
                 Judgement::Inaccurate => None,

@@ -50,5 +50,5 @@ fn a_product_of_matrices_applies_one_after_the_other() {
     let (first, second) = (Matrix::<f64, [f64; 3]>(REAL), Matrix(IMAGINARY));
     let x = [1.0, -2.0, 0.25];
     assert!(difference(second.times(&first).apply(&x), second.apply(&first.apply(&x))) < 1e-14);
-    assert_eq!(Matrix::identity().times(&first).0, REAL);
+    assert_eq!(Matrix::identity(&[0.0; 3]).times(&first).0, REAL);
 }

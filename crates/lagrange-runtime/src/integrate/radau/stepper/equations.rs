@@ -77,7 +77,7 @@ impl<M: OdeSystem + ?Sized> RadauStepper<M> {
             }
         };
         let factors = self.factors.insert(factors);
-        let mut stages = [M::State::ZERO; STAGES];
+        let mut stages = [self.state.value().zeros(); STAGES];
         if self.last.h != M::Scalar::ZERO {
             stages = self.last.continued(if self.end == 0 { M::Scalar::ZERO } else { M::Scalar::ONE }, h);
         }

@@ -1,0 +1,242 @@
+//! Motions of declared systems: from settings as they are written to files.
+
+use std::io;
+use std::path::Path;
+
+use lagrange_core::model::Product;
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
+use lagrange_files::save_bytes;
+use lagrange_runtime::integrate::{Method, PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange_runtime::simulate::{Simulate, Trajectory};
+use lagrange_runtime::system::StepFailure;
+
+use crate::arguments::Settings;
+use crate::values::value;
+
+/// Tolerated error of a step if none is given.
+const TOLERANCE: f64 = 1e-9;
+/// Formats of files, by extension.
+const FORMATS: [&str; 4] = ["csv", "parquet", "svg", "png"];
+
+/// A motion that is not written, or not to its end.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// The settings make no sense.
+    Usage(String),
+    /// The motion failed; what it reached is written.
+    Ended(String),
+    /// A file cannot be written.
+    File(String),
+}
+
+/// A motion whose settings are understood.
+pub(crate) struct Motion<'a> {
+    start: Vec<f64>,
+    until: f64,
+    every: Option<f64>,
+    method: MethodChoice,
+    has_energy: bool,
+    output: Option<&'a Path>,
+    events: Option<&'a Path>,
+}
+
+/// A method with its settings.
+#[derive(Clone, Copy, Debug)]
+enum MethodChoice {
+    Verner(f64),
+    Radau(f64),
+    Equal { order: u32, step: f64 },
+}
+
+impl<'a> Motion<'a> {
+    /// Understands settings, and sets the parameters of the system.
+    ///
+    /// # Errors
+    /// The first setting that makes no sense.
+    pub(crate) fn new(
+        settings: &'a Settings,
+        output: Option<&'a Path>,
+        system: &mut DeclaredSystem,
+    ) -> Result<Self, Failure> {
+        check_format(output)?;
+        for (name, text) in &settings.fields {
+            let value = named_value("set", (name, text), system)?;
+            system.set(name, value).map_err(|error| Failure::Usage(format!("--set: {error}")))?;
+        }
+        if let Some(name) = system.missing() {
+            return Err(Failure::Usage(format!("`{name}` has no value: write `--set {name}=1`")));
+        }
+        let until = settings.until.as_deref().map(|text| time("until", text)).transpose()?;
+        let until =
+            until.ok_or_else(|| Failure::Usage("the end is missing: write `--until 10`".to_owned()))?;
+        if settings.has_energy && system.programs().product(Product::Energy).is_none() {
+            return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
+        }
+        Ok(Motion {
+            start: start(settings, system)?,
+            until,
+            every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
+            method: MethodChoice::new(settings)?,
+            has_energy: settings.has_energy,
+            output,
+            events: settings.events.as_deref(),
+        })
+    }
+}
+
+impl MethodChoice {
+    fn new(settings: &Settings) -> Result<Self, Failure> {
+        let name = settings.method.as_deref().unwrap_or("verner");
+        let [tolerance, step] = [&settings.tolerance, &settings.step].map(Option::as_deref);
+        let useless = |option: &str, given: Option<&str>| match given {
+            Some(_) => Err(Failure::Usage(format!("the method `{name}` has no `--{option}`"))),
+            None => Ok(()),
+        };
+        let equal = |order| {
+            useless("tolerance", tolerance)?;
+            let missing = || Failure::Usage(format!("the method `{name}` needs a step: write `--step 0.01`"));
+            Ok(MethodChoice::Equal { order, step: time("step", step.ok_or_else(missing)?)? })
+        };
+        let adaptive = || {
+            useless("step", step)?;
+            let bad =
+                |error| Failure::Usage(format!("--tolerance {}: {error}", tolerance.unwrap_or_default()));
+            tolerance.map_or(Ok(TOLERANCE), |text| value("--tolerance", text, None).map_err(bad))
+        };
+        match name {
+            "verner" => Ok(MethodChoice::Verner(adaptive()?)),
+            "radau" => Ok(MethodChoice::Radau(adaptive()?)),
+            "rk4" => equal(4),
+            "gauss" => equal(6),
+            _ => Err(Failure::Usage(format!(
+                "unknown method `{name}`: there are `verner`, `radau`, `rk4` and `gauss`"
+            ))),
+        }
+    }
+}
+
+/// The state at the start: declared values, or zeros for velocities, with those that are given.
+fn start(settings: &Settings, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
+    let (names, variables) = (system.state_names(), system.variables());
+    let mut start = system.start().unwrap_or_else(|| {
+        let mut start = vec![0.0; names.len()];
+        start[..variables.positions.len()].fill(f64::NAN);
+        start
+    });
+    for (name, text) in &settings.start {
+        let place = names.iter().position(|known| known == name);
+        let unknown = || {
+            let known = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+            Failure::Usage(format!("--start: the state has no `{name}`; known are {known}"))
+        };
+        start[place.ok_or_else(unknown)?] = named_value("start", (name, text), system)?;
+    }
+    match names.iter().zip(&start).find(|(_, value)| value.is_nan()) {
+        Some((name, _)) => Err(Failure::Usage(format!(
+            "the start of `{name}` is missing: write `--start {name}=0`, or declare it"
+        ))),
+        None => Ok(start),
+    }
+}
+
+/// The value of a variable of the system, in its unit.
+fn named_value(option: &str, (name, text): (&str, &str), system: &DeclaredSystem) -> Result<f64, Failure> {
+    let units = &system.variables().units;
+    let unit_of = |name: &str| units.iter().find(|(known, _)| known == name).map(|(_, unit)| unit.as_str());
+    let unit = unit_of(name).or_else(|| unit_of(name.split('[').next().unwrap_or(name)));
+    value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
+}
+
+/// A time, in seconds where no unit is written.
+fn time(option: &str, text: &str) -> Result<f64, Failure> {
+    value(&format!("--{option}"), text, Some("s"))
+        .map_err(|error| Failure::Usage(format!("--{option} {text}: {error}")))
+}
+
+fn check_format(output: Option<&Path>) -> Result<(), Failure> {
+    let Some(path) = output else { return Ok(()) };
+    match extension(path) {
+        Some(format) if FORMATS.contains(&format) => Ok(()),
+        _ => Err(Failure::Usage(format!(
+            "{}: the extension must be one of {}",
+            path.display(),
+            FORMATS.join(", ")
+        ))),
+    }
+}
+
+fn extension(path: &Path) -> Option<&str> {
+    path.extension()?.to_str()
+}
+
+impl Visitor for Motion<'_> {
+    type Output = Result<(), Failure>;
+
+    /// Computes and writes the motion.
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
+        match self.method {
+            MethodChoice::Verner(tolerance) => self.run(system, Verner98::tolerance(tolerance)),
+            MethodChoice::Radau(tolerance) => self.run(system, Radau5::tolerance(tolerance)),
+            MethodChoice::Equal { order: 4, step } => self.run(system, RungeKutta4 { step }),
+            MethodChoice::Equal { step, .. } => self.run(system, PlainGaussLegendre::<f64, 3> { step }),
+        }
+    }
+}
+
+impl Motion<'_> {
+    fn run<const CAPACITY: usize>(
+        &self,
+        system: &DynamicSystem<CAPACITY>,
+        method: impl Method<DynamicSystem<CAPACITY>>,
+    ) -> Result<(), Failure> {
+        let mut simulation = system.simulate(system.state(&self.start)).until(self.until).method(method);
+        if let Some(interval) = self.every {
+            simulation = simulation.every(interval);
+        }
+        if system.has_outputs() {
+            simulation = simulation.outputs();
+        }
+        if self.has_energy {
+            simulation = simulation.energy();
+        }
+        match simulation.run() {
+            Ok(motion) => self.write(&motion).map_err(Failure::File),
+            Err(failure) if matches!(failure.cause, StepFailure::Setting(_)) => {
+                Err(Failure::Usage(failure.cause.to_string()))
+            }
+            Err(failure) => {
+                self.write(&failure.trajectory).map_err(Failure::File)?;
+                Err(Failure::Ended(failure.to_string()))
+            }
+        }
+    }
+
+    fn write<const CAPACITY: usize>(
+        &self,
+        motion: &Trajectory<DynamicSystem<CAPACITY>>,
+    ) -> Result<(), String> {
+        match (self.output, self.output.and_then(extension)) {
+            (None, _) => motion.write_csv(io::stdout().lock()).map_err(|error| error.to_string())?,
+            (Some(path), Some("csv")) => motion.save_csv(path).map_err(|error| error.to_string())?,
+            (Some(path), Some("parquet")) => motion.save_parquet(path).map_err(|error| error.to_string())?,
+            (Some(path), _) => motion.plot_states(path).map_err(|error| error.to_string())?,
+        }
+        match self.events {
+            Some(path) => {
+                save_bytes(path, events(motion)).map_err(|error| format!("{}: {error}", path.display()))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// The events of a motion as CSV: time, name and state.
+fn events<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> String {
+    let state = &motion.names()[..motion.first().as_ref().len()];
+    let mut text = format!("t,event,{}\n", state.join(","));
+    for event in motion.events() {
+        let state = event.state.as_ref().iter().map(|value| format!(",{value:?}")).collect::<String>();
+        text += &format!("{:?},{}{state}\n", event.time, event.name);
+    }
+    text
+}

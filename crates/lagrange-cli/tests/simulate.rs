@@ -1,0 +1,223 @@
+//! Motions on the command line: files, values with units, and everything that can be wrong.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+const SWING: &str = "tests/data/swing.lag";
+
+fn simulate(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lagrange"));
+    command.arg("simulate").args(arguments).output().expect("the command starts")
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).expect("UTF-8")
+}
+
+/// The rows of a motion that is computed without mistakes.
+fn rows(arguments: &[&str]) -> (String, Vec<Vec<f64>>) {
+    let result = simulate(arguments);
+    assert_eq!((result.status.code(), text(&result.stderr)), (Some(0), ""), "{arguments:?}");
+    table(text(&result.stdout))
+}
+
+fn table(csv: &str) -> (String, Vec<Vec<f64>>) {
+    let (head, rows) = csv.split_once('\n').expect("a line of names");
+    let numbers = |row: &str| row.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    (head.to_owned(), rows.lines().map(numbers).collect())
+}
+
+fn temporary(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+/// A declaration in a file for temporary files.
+fn declaration(name: &str, text: &str) -> String {
+    let path = temporary(name);
+    fs::write(&path, text).expect("written");
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+/// θ = 2 arcsin(k sn(K(k) − √(g/l) t, k)) with k = sin(θ₀/2), by an integration in 200 000 steps of
+/// order four.
+#[test]
+fn a_pendulum_swings_from_its_declared_start() {
+    let (head, rows) =
+        rows(&[SWING, "--until", "1", "--every", "0.5", "--set", "l=2", "--tolerance", "1e-12"]);
+    assert_eq!(head, "t in s,theta in rad,theta_dot in rad/s,height in m");
+    assert_eq!(rows.len(), 3);
+    assert_eq!(rows[0][..3], [0.0, 0.5, 0.0]);
+    assert!((rows[2][1] + 0.28719127873525785).abs() < 1e-10, "{rows:?}");
+    assert!((rows[2][3] + 2.0 * rows[2][1].cos()).abs() < 1e-15, "outputs are columns");
+}
+
+#[test]
+fn values_have_units() {
+    let plain = rows(&[SWING, "--until", "1", "--set", "l=0.5", "--start", "theta=0.25"]);
+    let units = rows(&[SWING, "--until", "1000ms", "--set", "l=50 cm", "--start", "theta=250mrad"]);
+    assert_eq!(plain, units);
+}
+
+#[test]
+fn methods_agree_and_energy_is_conserved() {
+    let run =
+        |method: &[&str]| rows(&[&[SWING, "--until", "2", "--every", "2", "--energy"], method].concat()).1;
+    let reference = run(&["--tolerance", "1e-13"]);
+    let others: [&[&str]; 3] = [
+        &["--method", "radau", "--tolerance", "1e-11"],
+        &["--method", "rk4", "--step", "1 ms"],
+        &["--method", "gauss", "--step", "0.01"],
+    ];
+    for method in others {
+        let found = run(method);
+        assert!((found[1][1] - reference[1][1]).abs() < 1e-9, "{method:?}");
+        assert!((found[1][4] - found[0][4]).abs() < 1e-9, "{method:?}");
+    }
+}
+
+#[test]
+fn files_have_the_format_of_their_extension() {
+    let path = |extension: &str| temporary(&format!("swing.{extension}"));
+    let starts = [("csv", &b"t in s,"[..]), ("parquet", b"PAR1"), ("svg", b"<svg"), ("png", b"\x89PNG")];
+    for (extension, start) in starts {
+        let path = path(extension);
+        let result = simulate(&[SWING, "--until", "1", "-o", path.to_str().expect("UTF-8")]);
+        assert_eq!((result.status.code(), text(&result.stdout)), (Some(0), ""), "{extension}");
+        assert!(fs::read(&path).expect("written").starts_with(start), "{extension}");
+    }
+    let direct = simulate(&[SWING, "--until", "1"]);
+    assert_eq!(direct.stdout, fs::read(path("csv")).expect("written"));
+}
+
+#[test]
+fn events_are_listed_in_a_file() {
+    let path = temporary("events.csv");
+    rows(&[SWING, "--until", "2", "--events", path.to_str().expect("UTF-8")]);
+    let events = fs::read_to_string(path).expect("written");
+    let lines = events.lines().collect::<Vec<_>>();
+    assert_eq!(lines[0], "t,event,theta,theta_dot");
+    // A quarter and three quarters of the period, 4 K(sin(θ₀/2))/√(g/l).
+    let times = lines[1..].iter().map(|line| line.split(',').next().expect("a time").parse::<f64>());
+    let times = times.collect::<Result<Vec<_>, _>>().expect("numbers");
+    let quarter = 2.0378679151581687_f64 / 4.0;
+    assert_eq!(times.len(), 2);
+    assert!((times[0] - quarter).abs() < 1e-9 && (times[1] - 3.0 * quarter).abs() < 1e-9, "{times:?}");
+}
+
+#[test]
+fn options_that_make_no_sense_are_named() {
+    let cases: [(&[&str], &str); 15] = [
+        (&[], "the end is missing"),
+        (&["--until", "soon"], "--until soon: unknown name `soon`"),
+        (&["--until", "1 kg"], "--until 1 kg: "),
+        (&["--until", "1", "--set", "q=1"], "no `q`; known are `m`, `l`, `g`"),
+        (&["--until", "1", "--set", "m=two"], "--set m=two: unknown name `two`"),
+        (&["--until", "1", "--set", "m=2 s"], "kg"),
+        (&["--until", "1", "--set", "m"], "has no value"),
+        (&["--until", "1", "--set", "m=1/0"], "--set m=1/0: "),
+        (&["--until", "1", "--start", "phi=1"], "no `phi`; known are `theta`, `theta_dot`"),
+        (&["--until", "1", "--method", "euler"], "`verner`, `radau`, `rk4` and `gauss`"),
+        (&["--until", "1", "--method", "rk4"], "write `--step 0.01`"),
+        (&["--until", "1", "--step", "0.1"], "has no `--step`"),
+        (&["--until", "1", "--tolerance=-1"], "tolerances must be"),
+        (&["--until", "1", "--every", "0"], "interval"),
+        (&["--until", "1", "-o", "swing.pdf"], "csv, parquet, svg, png"),
+    ];
+    for (arguments, message) in cases {
+        let result = simulate(&[&[SWING], arguments].concat());
+        assert_eq!((result.status.code(), text(&result.stdout)), (Some(2), ""), "{arguments:?}");
+        assert!(text(&result.stderr).contains(message), "{arguments:?}: {}", text(&result.stderr));
+    }
+}
+
+#[test]
+fn missing_starts_and_parameters_are_named() {
+    let path = declaration(
+        "bare.lag",
+        "param k; coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = k * x;",
+    );
+    let refused = |arguments: &[&str]| {
+        let result = simulate(&[&[path.as_str(), "--until", "1"], arguments].concat());
+        assert_eq!(result.status.code(), Some(2));
+        text(&result.stderr).to_owned()
+    };
+    assert!(refused(&["--start", "x=0"]).contains("`k` has no value"));
+    assert!(refused(&["--set", "k=2", "--start", "x=0"]).contains("the start of `y` is missing"));
+    let (_, rows) = rows(&[&path, "--until", "1", "--set", "k=2", "--start", "x=0", "--start", "y=1"]);
+    assert!((rows.last().expect("an end")[1] + 1.0).abs() < 1e-12, "x = −k t²/2");
+}
+
+#[test]
+fn a_motion_that_fails_is_written_up_to_its_last_good_state() {
+    let path = declaration(
+        "root.lag",
+        "coord x = 1; start dot(x) = -1; kinetic = 1/2 * dot(x)^2; force x = -sqrt(x);",
+    );
+    let file = temporary("root.csv");
+    let result = simulate(&[&path, "--until", "5", "-o", file.to_str().expect("UTF-8")]);
+    assert_eq!((result.status.code(), text(&result.stdout)), (Some(3), ""));
+    assert!(text(&result.stderr).contains("x_ddot"), "{}", text(&result.stderr));
+    let (_, rows) = table(&fs::read_to_string(file).expect("written"));
+    let last = rows.last().expect("a state");
+    assert!(last[0] > 0.5 && last[0] < 1.0 && last[1].abs() < 1e-6, "{last:?}");
+}
+
+#[test]
+fn systems_that_need_a_compiler_are_refused_by_name() {
+    let path = declaration(
+        "ball.lag",
+        "coord h = 1; kinetic = 1/2 * dot(h)^2; potential = h; event floor = h, falling => impact(0.5);",
+    );
+    let result = simulate(&[&path, "--until", "1"]);
+    assert_eq!(result.status.code(), Some(1));
+    assert!(text(&result.stderr).contains("contacts and friction run in compiled code only: `floor`"));
+    let mistake = simulate(&[&declaration("mistake.lag", "coord x; kinetic = dot(y)^2;"), "--until", "1"]);
+    assert_eq!(mistake.status.code(), Some(1));
+    assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));
+}
+
+/// Words of a command line, in which quotes hold spaces.
+fn words(line: &str) -> Vec<String> {
+    let parts = line.split('\'').enumerate();
+    let words = parts.flat_map(|(place, part)| -> Vec<String> {
+        if place % 2 == 1 {
+            vec![part.to_owned()]
+        } else {
+            part.split_whitespace().map(str::to_owned).collect()
+        }
+    });
+    words.collect()
+}
+
+/// True for equal texts, but for the last digits of numbers, which differ between platforms.
+fn are_alike(one: &str, other: &str) -> bool {
+    let cells = |text: &str| text.split([',', '\n']).map(str::to_owned).collect::<Vec<_>>();
+    let (one, other) = (cells(one), cells(other));
+    let is_alike = |(a, b): (&String, &String)| match (a.parse::<f64>(), b.parse::<f64>()) {
+        (Ok(a), Ok(b)) => (a - b).abs() < 1e-9,
+        _ => a == b,
+    };
+    one.len() == other.len() && one.iter().zip(&other).all(is_alike)
+}
+
+#[test]
+fn documented_commands_print_what_the_page_shows() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/command_line.md");
+    let page = fs::read_to_string(page).expect("a page");
+    let declaration = fs::read_to_string(SWING).expect("a declaration");
+    assert!(page.contains(&format!("```text\n{declaration}```")), "the page shows the file");
+    let mut found = 0;
+    for block in page.split("```console\n").skip(1) {
+        let (block, _) = block.split_once("```").expect("the end of the block");
+        for command in block.split("$ lagrange ").skip(1) {
+            let (line, expected) = command.split_once('\n').expect("a line");
+            let mut lagrange = Command::new(env!("CARGO_BIN_EXE_lagrange"));
+            let result = lagrange.args(words(line)).current_dir("tests/data").output().expect("runs");
+            let printed = format!("{}{}", text(&result.stdout), text(&result.stderr));
+            assert!(are_alike(&printed, expected), "{line}: {printed} instead of {expected}");
+            found += 1;
+        }
+    }
+    assert_eq!(found, 3);
+}

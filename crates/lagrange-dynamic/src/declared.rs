@@ -1,0 +1,129 @@
+//! Declared systems with values for their parameters, before the size of their state is known to
+//! the compiler.
+
+use std::sync::Arc;
+
+use lagrange_core::emit::Variables;
+use lagrange_core::opaque::Opaque;
+use lagrange_core::pipeline::{NumericSystem, Programs};
+use lagrange_core::program::Program;
+
+use crate::names::{Names, names_of};
+use crate::refusal::{NoSuchName, Refusal};
+use crate::system::DynamicSystem;
+
+/// Room for entries of a state.
+const CAPACITIES: [usize; 3] = [8, 32, 128];
+
+/// A system that was read at run time, with values for its parameters and inputs.
+#[derive(Clone, Debug)]
+pub struct DeclaredSystem {
+    numeric: NumericSystem,
+    names: &'static Names,
+}
+
+/// A computation with a system.
+pub trait Visitor {
+    /// Its result.
+    type Output;
+
+    /// Computes with a system whose states have room for so many entries.
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output;
+}
+
+impl DeclaredSystem {
+    /// Takes the programs of a system. Parameters and inputs have their defaults, or are NaN until
+    /// they are set; inputs remain what they are set to.
+    ///
+    /// # Errors
+    /// If it holds what only compiled code can run.
+    pub fn new(programs: Programs) -> Result<Self, Refusal> {
+        check(&programs)?;
+        let names = names_of(&programs.variables, &programs.unknowns);
+        Ok(DeclaredSystem { numeric: NumericSystem::of(Arc::new(programs)), names })
+    }
+
+    /// Returns the names and units of the variables.
+    pub fn variables(&self) -> &Variables {
+        &self.numeric.programs().variables
+    }
+
+    /// Returns the programs.
+    pub fn programs(&self) -> &Programs {
+        self.numeric.programs()
+    }
+
+    /// Sets a parameter or an input, in coherent units.
+    ///
+    /// # Errors
+    /// If there is none of this name; elements of arrays are called `k[0]`.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), NoSuchName> {
+        match self.numeric.set(name, value) {
+            true => Ok(()),
+            false => Err(NoSuchName { name: name.to_owned(), known: self.variables().fields.clone() }),
+        }
+    }
+
+    /// Returns the first parameter or input without a value, if there is one.
+    pub fn missing(&self) -> Option<&str> {
+        let index = self.numeric.fields().iter().position(|value| value.is_nan())?;
+        self.variables().fields.get(index).map(String::as_str)
+    }
+
+    /// Returns the names of the entries of the state: positions, then velocities.
+    pub fn state_names(&self) -> Vec<String> {
+        let Variables { positions, velocities, .. } = self.variables();
+        let rates = || positions.iter().map(|name| rate_of(name)).collect();
+        let velocities = if velocities.is_empty() { rates() } else { velocities.clone() };
+        [positions.clone(), velocities].concat()
+    }
+
+    /// Returns the declared state at the start, whose entries without a value are zero; `None` if
+    /// nothing is declared.
+    pub fn start(&self) -> Option<Vec<f64>> {
+        self.programs().start.as_ref().map(|start| self.evaluated(start))
+    }
+
+    fn evaluated(&self, program: &Program) -> Vec<f64> {
+        self.numeric.evaluate(program, 0.0, &[], &[])
+    }
+
+    /// Computes with the system, in the smallest room that its state fits into.
+    pub fn visit<V: Visitor>(&self, visitor: V) -> V::Output {
+        let [small, middle, _] = CAPACITIES;
+        match room(self.programs()) {
+            entries if entries <= small => visitor.visit(&self.dynamic::<{ CAPACITIES[0] }>()),
+            entries if entries <= middle => visitor.visit(&self.dynamic::<{ CAPACITIES[1] }>()),
+            _ => visitor.visit(&self.dynamic::<{ CAPACITIES[2] }>()),
+        }
+    }
+
+    fn dynamic<const CAPACITY: usize>(&self) -> DynamicSystem<CAPACITY> {
+        DynamicSystem::new(self.numeric.clone(), self.names)
+    }
+}
+
+/// The rate of a coordinate as columns call it, `x_dot[0]` for `x[0]`.
+fn rate_of(name: &str) -> String {
+    let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
+    format!("{stem}_dot{index}")
+}
+
+/// The room that the longest vector of a system needs.
+fn room(programs: &Programs) -> usize {
+    let layout = &programs.layout;
+    (layout.positions + layout.velocities).max(layout.multipliers)
+}
+
+fn check(programs: &Programs) -> Result<(), Refusal> {
+    let touching = &programs.variables.touching;
+    if !touching.is_empty() {
+        return Err(Refusal::Touching(touching.clone()));
+    }
+    let functions = programs.functions();
+    if !functions.is_empty() {
+        return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));
+    }
+    let (entries, most) = (room(programs), CAPACITIES[CAPACITIES.len() - 1]);
+    if entries > most { Err(Refusal::TooLarge { entries, most }) } else { Ok(()) }
+}

@@ -1,0 +1,56 @@
+//! Motions of systems that are declared in text and read at run time.
+//!
+//! A [`DeclaredSystem`] is what the macro would emit a type for, as interpreted programs. It is
+//! visited as a [`DynamicSystem`], which implements the traits of emitted types. Simulations,
+//! methods, events, files and plots are therefore those of `lagrange-runtime`. Their results have
+//! the bits of the compiled type.
+//!
+//! ```
+//! use lagrange_core::derive::StrategyChoice;
+//! use lagrange_core::pipeline::{Programs, parse};
+//! use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
+//! use lagrange_runtime::simulate::Simulate;
+//!
+//! let text = "param l = 1, g = 9.81; coord theta = 0.5;
+//!     kinetic = 1/2 * (l * dot(theta))^2; potential = -g * l * cos(theta);";
+//! let derived = parse(text)?.derive(StrategyChoice::Cheapest)?;
+//! let mut pendulum = DeclaredSystem::new(Programs::new(&derived))?;
+//! pendulum.set("l", 2.0)?;
+//!
+//! /// The angle after a second.
+//! struct Swing<'a>(&'a DeclaredSystem);
+//!
+//! impl Visitor for Swing<'_> {
+//!     type Output = f64;
+//!
+//!     fn visit<const CAPACITY: usize>(self, pendulum: &DynamicSystem<CAPACITY>) -> f64 {
+//!         let start = pendulum.state(&self.0.start().expect("declared"));
+//!         let motion = pendulum.simulate(start).until(1.0).run().expect("a swing");
+//!         motion.column("theta").expect("a coordinate").last().copied().expect("an end")
+//!     }
+//! }
+//!
+//! assert!((pendulum.visit(Swing(&pendulum)) + 0.287191278735).abs() < 1e-8);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The interpreter takes some times as long as compiled code, `docs/command_line.md` has numbers.
+//! Contacts, friction and functions of the user's crate are [refused](Refusal). Numbers are `f64`,
+//! whatever scalar the declaration names.
+//!
+//! Users of the macro do not compile this crate.
+#![forbid(unsafe_code)]
+
+mod constraints;
+mod declared;
+mod inline;
+mod mechanics;
+mod motion;
+mod names;
+mod refusal;
+mod system;
+
+pub use declared::{DeclaredSystem, Visitor};
+pub use inline::{Inline, Rows};
+pub use refusal::{NoSuchName, Refusal};
+pub use system::DynamicSystem;

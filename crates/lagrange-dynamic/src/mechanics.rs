@@ -1,0 +1,77 @@
+//! Interpreted systems as mechanical systems, with energies and outputs.
+
+use lagrange_core::model::Product;
+use lagrange_runtime::system::{
+    Description, EnergyFunction, MechanicalSystem, OutputSystem, StateVector, Unnamed, quaternion,
+};
+
+use crate::inline::Inline;
+use crate::system::DynamicSystem;
+
+impl<const CAPACITY: usize> MechanicalSystem for DynamicSystem<CAPACITY> {
+    type Coordinates = Inline<CAPACITY>;
+    type Velocities = Inline<CAPACITY>;
+    type Columns<C> = Unnamed<C>;
+
+    const COORDINATES: &'static [&'static str] = &[];
+
+    fn description(&self) -> &'static Description {
+        &self.names.description
+    }
+
+    fn acceleration(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        Inline::of(&self.numeric.acceleration(t, q.as_ref(), v.as_ref()))
+    }
+
+    fn position_rates(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        Inline::of(&self.numeric.position_rates(t, q.as_ref(), v.as_ref()))
+    }
+
+    fn position_change(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        let mut change = self.position_rates(t, q, v);
+        let states = change.as_ref().len() - self.names.description.first_order_states;
+        change.as_mut()[states..].fill(0.0);
+        change
+    }
+
+    fn displacement(&self, _t: f64, from: &Inline<CAPACITY>, to: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        let (from, to) = (from.as_ref(), to.as_ref());
+        let quaternions = self.names.description.quaternions.iter();
+        let mut turns = quaternions.flat_map(|&first| quaternion::turn(from, to, first));
+        let velocities = self.programs().variables.positions_of_velocities.iter();
+        let entries = velocities.map(|position| match position {
+            Some(position) => to[*position] - from[*position],
+            None => turns.next().unwrap_or(f64::NAN),
+        });
+        Inline::of(&entries.collect::<Vec<_>>())
+    }
+
+    fn parameter(&self, index: usize) -> Option<(&'static str, f64)> {
+        let count = self.programs().layout.parameters;
+        let name = self.names.fields[..count].get(index)?;
+        Some((name, self.numeric.fields()[index]))
+    }
+}
+
+/// The energy is NaN if the declaration excludes it.
+impl<const CAPACITY: usize> EnergyFunction for DynamicSystem<CAPACITY> {
+    fn energy(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> f64 {
+        let energy = self.numeric.product(Product::Energy, t, q.as_ref(), v.as_ref());
+        energy.and_then(|values| values.first().copied()).unwrap_or(f64::NAN)
+    }
+}
+
+impl<const CAPACITY: usize> OutputSystem for DynamicSystem<CAPACITY> {
+    type Outputs = Vec<f64>;
+
+    const OUTPUTS: &'static [&'static str] = &[];
+
+    fn output_names(&self) -> &'static [&'static str] {
+        self.names.outputs
+    }
+
+    fn outputs(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Vec<f64> {
+        let outputs = self.programs().outputs.iter();
+        outputs.flat_map(|(_, output)| self.numeric.evaluate(output, t, q.as_ref(), v.as_ref())).collect()
+    }
+}

@@ -1,0 +1,160 @@
+//! Interpreted systems as systems of differential equations, with events.
+
+use std::ops::Bound;
+
+use lagrange_core::model::Product;
+use lagrange_core::pipeline::{Range, Reaction, TickingClock};
+use lagrange_runtime::event::{
+    Action, DeclaredEvent, Response, beyond, change_side, choose_sides, earlier, free_sides, next_switch_time,
+    next_tick, shortest_period, side_values, ticks,
+};
+use lagrange_runtime::integrate::undefined;
+use lagrange_runtime::system::{OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined};
+
+use crate::inline::{Inline, Rows};
+use crate::system::DynamicSystem;
+
+/// A mass matrix of more velocities is not asked whether it is singular, as in emitted code.
+const LARGEST_MASS_MATRIX: usize = 64;
+
+impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
+    /// Checks that parameters are in their declared ranges.
+    fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
+        let programs = self.programs();
+        programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
+            let name = self.names.fields[*parameter];
+            let units = self.names.description.units.iter();
+            let known = |(known, _): &&(&str, &str)| *known == name.split('[').next().unwrap_or(name);
+            let unit = units.clone().find(known).map_or("", |(_, unit)| unit);
+            let bounds = bounds.map(|bound| match bound {
+                None => Bound::Unbounded,
+                Some((value, true)) => Bound::Included(value),
+                Some((value, false)) => Bound::Excluded(value),
+            });
+            let unit = if unit == "1" { "" } else { unit };
+            OutOfRange::check(name, self.numeric.fields()[*parameter], bounds.into(), unit)
+        })
+    }
+
+    /// The mass matrix, where it determines the accelerations.
+    fn mass_matrix(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Option<Rows<CAPACITY>> {
+        let layout = &self.programs().layout;
+        let determines = layout.multipliers == 0 && layout.velocities <= LARGEST_MASS_MATRIX;
+        let program = self.programs().product(Product::MassMatrix).filter(|_| determines)?;
+        let entries = self.numeric.evaluate(program, t, q.as_ref(), v.as_ref());
+        Some(Rows::of(&entries, layout.velocities))
+    }
+
+    /// The periods of the clocks.
+    fn periods(&self) -> impl Iterator<Item = f64> {
+        self.programs().clocks.iter().map(|clock| self.numeric.evaluate(&clock.period, 0.0, &[], &[])[0])
+    }
+
+    /// The values of algebraic unknowns, by name.
+    fn unknowns(&self, t: f64, y: &Inline<CAPACITY>) -> Vec<(&'static str, f64)> {
+        let values = self.evaluate(&self.programs().unknown_values, t, y);
+        self.names.unknowns.iter().copied().zip(values).collect()
+    }
+}
+
+impl<const CAPACITY: usize> OdeSystem for DynamicSystem<CAPACITY> {
+    type Scalar = f64;
+    type State = Inline<CAPACITY>;
+
+    fn rhs(&self, t: f64, y: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        let (q, v) = y.parts(0);
+        Inline::joined(&self.numeric.position_rates(t, q, v), &self.numeric.acceleration(t, q, v))
+    }
+
+    fn undefined(&self, t: f64, y: &Inline<CAPACITY>, rates: &Inline<CAPACITY>) -> Option<Undefined<f64>> {
+        let parameters = self.programs().layout.parameters;
+        let fields = self.names.fields.iter().copied().zip(self.numeric.fields().iter().copied());
+        let inputs = fields.skip(parameters).collect::<Vec<_>>();
+        let found = undefined(self, (t, y, rates), &inputs, |q, v| self.mass_matrix(t, q, v))?;
+        Some(found.with_unknowns(t, &self.unknowns(t, y)))
+    }
+
+    fn jacobian(&self, t: f64, y: &Inline<CAPACITY>) -> Option<Rows<CAPACITY>> {
+        let program = self.programs().jacobian.as_ref()?;
+        Some(Rows::of(&self.evaluate(program, t, y), y.as_ref().len()))
+    }
+
+    fn next_restart(&self, t: f64, end: f64) -> Option<f64> {
+        earlier(next_switch_time(self, t, end), next_tick(t, end, self.periods()))
+    }
+
+    fn shortest_period(&self) -> Option<f64> {
+        shortest_period(self.periods())
+    }
+
+    fn is_tick(&self, t: f64) -> bool {
+        self.periods().any(|period| ticks(t, period))
+    }
+
+    fn tick(&self, t: f64, y0: &Inline<CAPACITY>) -> Option<Inline<CAPACITY>> {
+        let due = self.periods().zip(&self.programs().clocks).filter(|(period, _)| ticks(t, *period));
+        let after = |y: Option<Inline<CAPACITY>>, clock: &TickingClock| {
+            Some(self.state(&self.evaluate(&clock.after, t, &y.unwrap_or(*y0))))
+        };
+        due.fold(None, |y, (_, clock)| after(y, clock))
+    }
+
+    fn beyond(&self, t: f64, end: f64) -> Option<Self> {
+        beyond(self, t, end)
+    }
+
+    fn is_constrained(&self) -> bool {
+        self.is_projected() || !self.names.description.quaternions.is_empty()
+    }
+
+    fn correct(&self, t: f64, y: &mut Inline<CAPACITY>) -> Result<(), StepFailure<f64>> {
+        self.put_on_constraints(t, y)
+    }
+
+    fn admit(&self, t: f64, y: &mut Inline<CAPACITY>) -> Result<(), StepFailure<f64>> {
+        self.admit_to_constraints(t, y)
+    }
+
+    fn restore(&self, t: f64, y: &mut Inline<CAPACITY>) -> Result<(), StepFailure<f64>> {
+        self.restore_to_constraints(t, y)
+    }
+
+    fn events(&self) -> &'static [DeclaredEvent] {
+        self.names.events
+    }
+
+    fn event_values(&self, t: f64, y: &Inline<CAPACITY>, values: &mut [f64]) {
+        let found = self.evaluate(&self.programs().event_functions, t, y);
+        values.iter_mut().zip(found).for_each(|(value, found)| *value = found);
+        if self.programs().layout.sides > 0 {
+            side_values(self, t, y, values);
+        }
+    }
+
+    fn react(&self, event: usize, t: f64, _elapsed: f64, y: &Inline<CAPACITY>) -> Reacted<Self> {
+        match self.programs().reactions.get(event) {
+            None => change_side(self, event, t, y),
+            Some(Reaction::Stop) => Ok(Response::new(Action::Stop)),
+            Some(Reaction::Replace(state)) => {
+                Ok(Response::new(Action::Replace(self.state(&self.evaluate(state, t, y)))))
+            }
+            Some(Reaction::Record | Reaction::Impact) => Ok(Response::new(Action::Continue)),
+        }
+    }
+
+    fn begin(&self, t: f64, y: &Inline<CAPACITY>) -> Result<Option<Self>, StepFailure<f64>> {
+        self.check_parameters()?;
+        Ok(self.on_sides(t, y))
+    }
+
+    fn on_sides(&self, t: f64, y: &Inline<CAPACITY>) -> Option<Self> {
+        if self.programs().layout.sides == 0 {
+            return None;
+        }
+        choose_sides(self, t, y)
+    }
+
+    fn freed(&self) -> Option<Self> {
+        (self.programs().layout.sides > 0).then(|| free_sides(self))
+    }
+}

@@ -1,0 +1,79 @@
+//! Names of systems that are read at run time.
+//!
+//! Failures and tables hold names as `&'static str`, as those of emitted types are. Names are
+//! therefore kept for good, once for all systems with the same ones.
+
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
+use lagrange_core::emit::Variables;
+use lagrange_core::syntax::ast;
+use lagrange_runtime::event::{DeclaredEvent, Direction};
+use lagrange_runtime::system::Description;
+
+type Texts = &'static [&'static str];
+
+/// Names of a system.
+#[derive(Debug)]
+pub(crate) struct Names {
+    /// Names and units of the variables.
+    pub(crate) description: Description,
+    /// Parameters, then inputs.
+    pub(crate) fields: Texts,
+    pub(crate) constraints: Texts,
+    /// Declared events, then those of switches.
+    pub(crate) events: &'static [DeclaredEvent],
+    /// Columns of outputs.
+    pub(crate) outputs: Texts,
+    /// Algebraic unknowns.
+    pub(crate) unknowns: Texts,
+}
+
+/// Returns the names of a system with these variables and algebraic unknowns.
+pub(crate) fn names_of(variables: &Variables, unknowns: &[String]) -> &'static Names {
+    static KNOWN: Mutex<Option<HashMap<String, &'static Names>>> = Mutex::new(None);
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = known.get_or_insert_default();
+    known.entry(format!("{variables:?}{unknowns:?}")).or_insert_with(|| kept(variables, unknowns))
+}
+
+fn kept(variables: &Variables, unknowns: &[String]) -> &'static Names {
+    let units = variables.units.iter().map(|(name, unit)| (text(name), text(unit))).collect::<Vec<_>>();
+    let declared = variables
+        .events
+        .iter()
+        .map(|event| DeclaredEvent::new(text(&event.name), direction(event.direction)));
+    let sides = variables.switches.iter().map(|surface| DeclaredEvent::side(text(surface)));
+    let description = Description {
+        coordinates: texts(&variables.positions),
+        velocities: texts(&variables.velocities),
+        rates_of: texts(&variables.rates_of),
+        first_order_states: variables.first_order_states,
+        units: Vec::leak(units),
+        quaternions: Vec::leak(variables.quaternions.clone()),
+    };
+    Box::leak(Box::new(Names {
+        description,
+        fields: texts(&variables.fields),
+        constraints: texts(&variables.constraints),
+        events: Vec::leak(declared.chain(sides).collect()),
+        outputs: texts(&variables.outputs.concat()),
+        unknowns: texts(unknowns),
+    }))
+}
+
+fn texts(names: &[String]) -> Texts {
+    Vec::leak(names.iter().map(|name| text(name)).collect())
+}
+
+fn text(name: &str) -> &'static str {
+    String::leak(name.to_owned())
+}
+
+fn direction(direction: ast::Direction) -> Direction {
+    match direction {
+        ast::Direction::Rising => Direction::Rising,
+        ast::Direction::Falling => Direction::Falling,
+        ast::Direction::Crossing => Direction::Crossing,
+    }
+}

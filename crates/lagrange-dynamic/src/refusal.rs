@@ -1,0 +1,66 @@
+//! Systems that cannot be run, and names that a system does not have.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+/// The reason why a system is not run.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// It declares contacts or friction with these names.
+    Touching(Vec<String>),
+    /// It calls these functions of the user's crate.
+    Functions(Vec<String>),
+    /// Its state has more entries than there is room for.
+    TooLarge {
+        /// Entries of the state, or constraints if there are more of these.
+        entries: usize,
+        /// The largest number.
+        most: usize,
+    },
+}
+
+impl Display for Refusal {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::Touching(names) => {
+                write!(f, "contacts and friction run in compiled code only: {}", quoted(names))
+            }
+            Refusal::Functions(names) => {
+                write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))
+            }
+            Refusal::TooLarge { entries, most } => {
+                write!(
+                    f,
+                    "the state has {entries} entries, more than the {most} that run without compilation"
+                )
+            }
+        }
+    }
+}
+
+impl Error for Refusal {}
+
+/// A parameter or input that a system does not have.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct NoSuchName {
+    /// The name.
+    pub name: String,
+    /// The names that there are.
+    pub known: Vec<String>,
+}
+
+impl Display for NoSuchName {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match &self.known[..] {
+            [] => write!(f, "there is no `{}`, nor anything else to set", self.name),
+            known => write!(f, "there is no `{}`; known are {}", self.name, quoted(known)),
+        }
+    }
+}
+
+impl Error for NoSuchName {}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}

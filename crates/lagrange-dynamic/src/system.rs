@@ -1,0 +1,85 @@
+//! An interpreted system, with its switches.
+
+use std::iter::repeat_n;
+
+use lagrange_core::limits::MAX_LOCATED;
+use lagrange_core::pipeline::{NumericSystem, Programs};
+use lagrange_core::program::Program;
+use lagrange_runtime::event::{SwitchedSystem, Switches};
+use lagrange_runtime::system::StateVector;
+
+use crate::inline::Inline;
+use crate::names::Names;
+
+/// An interpreted system whose states have room for `CAPACITY` entries.
+#[derive(Clone, Debug)]
+pub struct DynamicSystem<const CAPACITY: usize> {
+    pub(crate) numeric: NumericSystem,
+    pub(crate) names: &'static Names,
+    switches: Switches,
+}
+
+impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
+    pub(crate) fn new(numeric: NumericSystem, names: &'static Names) -> Self {
+        DynamicSystem { numeric, names, switches: Switches::FREE }
+    }
+
+    pub(crate) fn programs(&self) -> &Programs {
+        self.numeric.programs()
+    }
+
+    /// Returns the state of these entries, positions first.
+    ///
+    /// # Panics
+    /// If there are fewer entries than positions, or more than there is room for.
+    pub fn state(&self, entries: &[f64]) -> Inline<CAPACITY> {
+        let (positions, velocities) = entries.split_at(self.programs().layout.positions);
+        Inline::joined(positions, velocities)
+    }
+
+    /// True if outputs are declared.
+    pub fn has_outputs(&self) -> bool {
+        !self.names.outputs.is_empty()
+    }
+
+    /// Runs a program at a state.
+    pub(crate) fn evaluate(&self, program: &Program, t: f64, y: &Inline<CAPACITY>) -> Vec<f64> {
+        let (q, v) = y.parts(0);
+        self.numeric.evaluate(program, t, q, v)
+    }
+}
+
+/// The places behind the last switch are not finite, and so never fixed.
+impl<const CAPACITY: usize> SwitchedSystem<MAX_LOCATED> for DynamicSystem<CAPACITY> {
+    const FIRST: usize = 0;
+
+    fn first(&self) -> usize {
+        self.programs().reactions.len()
+    }
+
+    fn switches(&self) -> Switches {
+        self.switches
+    }
+
+    fn with_switches(&self, switches: Switches) -> Self {
+        let mut system = DynamicSystem { switches, ..self.clone() };
+        system.numeric.fix_sides((0..self.programs().layout.sides).map(|k| switches.side(k)));
+        system
+    }
+
+    fn switch_values(&self, t: f64, y: &Inline<CAPACITY>) -> [f64; MAX_LOCATED] {
+        let mut values = [f64::NAN; MAX_LOCATED];
+        let found = self.evaluate(&self.programs().switches, t, y);
+        values.iter_mut().zip(found).for_each(|(value, found)| *value = found);
+        values
+    }
+
+    fn switch_times(&self) -> [Option<f64>; MAX_LOCATED] {
+        let times = self.programs().switch_times.iter().chain(repeat_n(&None, MAX_LOCATED));
+        let mut times = times.map(|time| {
+            let values = self.numeric.evaluate(time.as_ref()?, 0.0, &[], &[]);
+            values.first().copied()
+        });
+        std::array::from_fn(|_| times.next().flatten())
+    }
+}

@@ -1,0 +1,231 @@
+//! Motions of declarations that take both ways: compiled by the macro, and read as text. All
+//! samples, events and counts of work must be the same, bit by bit.
+
+mod systems;
+
+use std::fmt::Debug;
+
+use lagrange::Simulate;
+use lagrange::integrate::{PlainGaussLegendre, Radau5, RungeKutta4};
+use lagrange::simulate::{SimulationError, Trajectory};
+use lagrange::system::{Description, MechanicalSystem};
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::pipeline::{Programs, parse};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
+
+use systems::*;
+
+/// Everything that a motion consists of, in words, with all digits of numbers.
+#[derive(PartialEq)]
+struct Record(Vec<String>);
+
+impl Debug for Record {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.0.join("\n"))
+    }
+}
+
+fn record<M: MechanicalSystem<Scalar = f64>>(motion: Result<Trajectory<M>, SimulationError<M>>) -> Record
+where
+    M::State: Debug,
+{
+    let (motion, failure) = match motion {
+        Ok(motion) => (motion, None),
+        Err(failure) => (*failure.trajectory.clone(), Some(failure.to_string())),
+    };
+    let mut lines = vec![format!("{:?} {:?} {:?}", motion.ending(), motion.work(), failure)];
+    let mut csv = Vec::new();
+    motion.write_csv(&mut csv).expect("memory");
+    lines.extend(String::from_utf8(csv).expect("text").lines().map(str::to_owned));
+    let events = motion.events().iter();
+    lines.extend(events.map(|event| format!("{} {:?} {:?}", event.name, event.time, event.state)));
+    Record(lines)
+}
+
+fn declared(text: &str) -> DeclaredSystem {
+    let derived = parse(text).unwrap_or_else(|report| panic!("{report}")).derive(StrategyChoice::Cheapest);
+    let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+    DeclaredSystem::new(programs).unwrap_or_else(|refusal| panic!("{refusal}"))
+}
+
+/// The motion of a declared system from a state to a time, by a method.
+struct Motion<'a, K> {
+    start: &'a [f64],
+    end: f64,
+    method: K,
+}
+
+macro_rules! visit_by {
+    ($($method:ty),*) => {$(
+        impl Visitor for Motion<'_, $method> {
+            type Output = (Record, &'static Description);
+
+            fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+                let start = system.state(self.start);
+                let motion = system.simulate(start).until(self.end).method(self.method).every(0.05);
+                (record(motion.energy().run()), system.description())
+            }
+        }
+    )*};
+}
+
+visit_by!(lagrange::integrate::Verner98<f64>, RungeKutta4<f64>, Radau5<f64>, PlainGaussLegendre<f64, 2>);
+
+/// Compares both ways from a state to a time, by a method, and the kind of their end.
+macro_rules! assert_same_bits {
+    ($System:ident, $text:expr, $start:expr, $end:expr, $method:expr) => {
+        assert_same_bits!($System, $text, $start, $end, $method, "Reached")
+    };
+    ($System:ident, $text:expr, $start:expr, $end:expr, $method:expr, $ending:expr) => {{
+        let (start, end, method) = ($start, $end, $method);
+        let compiled = $System::default();
+        let motion = compiled.simulate(start).until(end).method(method).every(0.05).energy().run();
+        let read = declared($text);
+        let (found, description) = read.visit(Motion { start: &start, end, method });
+        assert!(found.0[0].starts_with($ending), "{}", found.0[0]);
+        assert_eq!(found, record(motion));
+        let expected = Description { quaternions: description.quaternions, ..*compiled.description() };
+        assert_eq!(*description, expected);
+    }};
+}
+
+fn adaptive() -> lagrange::integrate::Verner98<f64> {
+    lagrange::integrate::Verner98::tolerance(1e-9)
+}
+
+#[test]
+fn a_double_pendulum_moves_with_the_same_bits_by_every_method() {
+    let start = [1.5, 1.5, 0.0, 0.0];
+    assert_same_bits!(DoublePendulum, DOUBLE_PENDULUM, start, 3.0, adaptive());
+    assert_same_bits!(DoublePendulum, DOUBLE_PENDULUM, start, 1.0, RungeKutta4 { step: 0.01 });
+    assert_same_bits!(DoublePendulum, DOUBLE_PENDULUM, start, 1.0, Radau5::tolerance(1e-8));
+    assert_same_bits!(
+        DoublePendulum,
+        DOUBLE_PENDULUM,
+        start,
+        1.0,
+        PlainGaussLegendre::<f64, 2> { step: 0.01 }
+    );
+}
+
+#[test]
+fn states_as_large_as_their_room_and_a_little_larger_move_with_the_same_bits() {
+    let start = [0.1, 0.2, 0.3, 0.4, 0.0, 0.0, 0.0, 0.0];
+    assert_same_bits!(FourMasses, FOUR_MASSES, start, 2.0, adaptive());
+    let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0];
+    assert_same_bits!(FiveMasses, FIVE_MASSES, start, 2.0, adaptive());
+    assert_same_bits!(FiveMasses, FIVE_MASSES, start, 1.0, Radau5::tolerance(1e-8));
+}
+
+#[test]
+fn constraints_hold_with_the_same_bits() {
+    let start = [0.6, -0.8, 0.0, 0.0];
+    assert_same_bits!(Rod, ROD, start, 3.0, adaptive());
+    assert_same_bits!(Rod, ROD, start, 1.0, RungeKutta4 { step: 0.01 });
+    assert_same_bits!(Rod, ROD, start, 1.0, Radau5::tolerance(1e-8));
+    assert_same_bits!(StabilisedRod, STABILISED_ROD, start, 1.0, adaptive());
+    assert_same_bits!(Skate, SKATE, [0.0, 0.0, 0.0, 1.0, 0.0, 2.0], 1.0, adaptive());
+}
+
+#[test]
+fn states_off_their_constraints_are_refused_with_the_same_words() {
+    assert_same_bits!(Rod, ROD, [0.6, -0.7, 0.0, 0.0], 3.0, adaptive(), "Failed");
+}
+
+#[test]
+fn events_record_replace_and_stop_at_the_same_times() {
+    assert_same_bits!(Bounce, BOUNCE, [1.0, 0.0], 5.0, adaptive(), "Stopped");
+    assert_same_bits!(Bounce, BOUNCE, [1.0, 0.0], 2.0, RungeKutta4 { step: 0.01 });
+}
+
+#[test]
+fn switches_change_sides_at_the_same_times() {
+    assert_same_bits!(Kinks, KINKS, [1.0, 0.0], 4.0, adaptive());
+}
+
+#[test]
+fn sliding_on_a_surface_is_refused_with_the_same_words() {
+    assert_same_bits!(Slide, SLIDE, [0.0, 0.5], 4.0, adaptive(), "Failed");
+}
+
+#[test]
+fn quaternions_stay_of_length_one_with_the_same_bits() {
+    let start = [1.0, 0.0, 0.0, 0.0, 0.1, 3.0, 0.2];
+    assert_same_bits!(Top, TOP, start, 2.0, adaptive());
+    assert_same_bits!(Top, TOP, start, 1.0, RungeKutta4 { step: 0.01 });
+}
+
+#[test]
+fn first_order_states_tables_and_unknowns_move_with_the_same_bits() {
+    assert_same_bits!(Motor, MOTOR, [0.0, 0.2, 0.0], 2.0, adaptive());
+    assert_same_bits!(Wind, WIND, [0.0, 0.5], 4.0, adaptive());
+    assert_same_bits!(Implicit, IMPLICIT, [0.4, 0.0], 1.0, adaptive());
+}
+
+#[test]
+fn squares_of_both_signs_go_the_second_way_with_the_same_bits() {
+    assert_same_bits!(Indefinite, INDEFINITE, [0.3, 0.2, 0.1, -0.2], 0.5, adaptive());
+}
+
+#[test]
+fn failures_have_the_same_words() {
+    assert_same_bits!(Root, ROOT, [0.1, -1.0], 2.0, adaptive(), "Failed");
+}
+
+/// Runs with a parameter outside of its range, or with none.
+struct RangedMotion;
+
+impl Visitor for RangedMotion {
+    type Output = Record;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Record {
+        record(system.simulate(system.state(&[0.0, 1.0])).until(1.0).run())
+    }
+}
+
+#[test]
+fn parameters_outside_of_their_ranges_are_refused_with_the_same_words() {
+    let mut read = declared(RANGED);
+    assert_eq!(read.missing(), Some("m"));
+    for m in [5.0, f64::NAN, 1.0] {
+        read.set("m", m).expect("a parameter");
+        let compiled = record(Ranged { m }.simulate([0.0, 1.0]).until(1.0).run());
+        let found = read.visit(RangedMotion);
+        assert_eq!(found.0[0].contains("must be from 0.5 to 4.0 kg"), m != 1.0, "{}", found.0[0]);
+        assert_eq!(found, compiled);
+    }
+}
+
+#[test]
+fn everything_that_only_compiled_code_runs_is_refused_by_name() {
+    let refused = |text: &str| {
+        let derived = parse(text).expect("a declaration").derive(StrategyChoice::Cheapest).expect("regular");
+        DeclaredSystem::new(Programs::new(&derived)).expect_err("refused").to_string()
+    };
+    let ball = "coord h; kinetic = 1/2 * dot(h)^2; potential = h; event floor = h, falling => impact(0.5);";
+    assert!(refused(ball).ends_with(": `floor`"), "{}", refused(ball));
+    let rub = "coord x; kinetic = 1/2 * dot(x)^2; friction rub = dot(x), 0.3;";
+    assert!(refused(rub).ends_with(": `rub`"), "{}", refused(rub));
+    let road = "function road(x); coord x; kinetic = 1/2 * dot(x)^2; potential = road(x);";
+    assert!(refused(road).contains("`road_derivative`"), "{}", refused(road));
+    let long = "coord x[65]; kinetic = 1/2 * sum(i in 0..65, dot(x[i])^2);";
+    assert!(refused(long).contains("130 entries, more than the 128"), "{}", refused(long));
+}
+
+#[test]
+fn names_that_a_system_lacks_are_reported_with_those_it_has() {
+    let mut masses = declared(FOUR_MASSES);
+    assert!(masses.set("k[3]", 1.0).is_ok() && masses.set("push", 1.0).is_ok());
+    let error = masses.set("k", 1.0).expect_err("an array").to_string();
+    assert_eq!(error, "there is no `k`; known are `k[0]`, `k[1]`, `k[2]`, `k[3]`, `u`, `push`");
+    let names = ["x[0]", "x[1]", "x[2]", "x[3]", "x_dot[0]", "x_dot[1]", "x_dot[2]", "x_dot[3]"];
+    assert_eq!(masses.state_names(), names);
+}
+
+#[test]
+fn programs_are_shared_between_threads() {
+    fn assert_shared<T: Send + Sync>() {}
+    assert_shared::<Programs>();
+    assert_shared::<DeclaredSystem>();
+    assert_shared::<DynamicSystem<8>>();
+}

@@ -1,0 +1,95 @@
+//! Names and units of an emitted type as plain data, for systems that are not emitted.
+
+use proc_macro2::TokenStream;
+
+use super::features::orientations::written_velocity;
+use super::features::ports::column_names;
+use super::features::switches::derived_shape;
+use super::features::units::units_by_name;
+use crate::derive::Equations;
+use crate::model::{Model, Product};
+use lagrange_language::syntax::ast::{Declaration, Direction};
+
+/// Names and units of a system's variables, as its emitted type has them in constants.
+#[derive(Clone, Debug)]
+pub struct Variables {
+    /// Parameters, then inputs.
+    pub fields: Vec<String>,
+    /// Positions, first-order states among them.
+    pub positions: Vec<String>,
+    /// Velocities; empty if all of them are rates of the positions without names of their own.
+    pub velocities: Vec<String>,
+    /// Coordinates whose rates the named velocities are; empty names for other velocities.
+    pub rates_of: Vec<String>,
+    /// Number of first-order states, the last positions.
+    pub first_order_states: usize,
+    /// Indices of positions at which unit quaternions begin.
+    pub quaternions: Vec<usize>,
+    /// For each velocity, the index of the position whose rate it is; `None` for components of
+    /// angular velocities, three for each quaternion.
+    pub positions_of_velocities: Vec<Option<usize>>,
+    /// Constraints.
+    pub constraints: Vec<String>,
+    /// True if constraints are stabilised, so that steps are not projected.
+    pub is_stabilised: bool,
+    /// Events.
+    pub events: Vec<EventOfSystem>,
+    /// Contacts and friction.
+    pub touching: Vec<String>,
+    /// Surfaces of the switches whose sides runs fix.
+    pub switches: Vec<String>,
+    /// Columns of each output.
+    pub outputs: Vec<Vec<String>>,
+    /// Units by name, those of arrays for all of their elements.
+    pub units: Vec<(String, String)>,
+}
+
+/// A declared event.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct EventOfSystem {
+    /// Its name.
+    pub name: String,
+    /// Direction of the zeros that count.
+    pub direction: Direction,
+}
+
+/// Collects the names and units of a derived system.
+pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations) -> Variables {
+    let nowhere = TokenStream::new();
+    let shape = derived_shape(declaration, &nowhere, model, equations);
+    let text = |text: &str| text.to_owned();
+    let is_named = shape.names_velocities();
+    let named = shape.velocities.iter().filter(|_| is_named);
+    let rates_of = |name| text(shape.written(name));
+    let counted = shape.outputs.iter().zip(&model.outputs);
+    let outputs: Vec<Vec<String>> = counted
+        .map(|((name, _), output)| column_names(&shape, name, output.components.len()).collect())
+        .collect();
+    let units_of_outputs = shape.outputs.iter().zip(&outputs).flat_map(|((name, _), columns)| {
+        let columns = columns.iter().enumerate();
+        columns
+            .filter_map(|(index, column)| Some((column.clone(), shape.unit_of_component(&name.text, index)?)))
+    });
+    let has_momenta = shape.velocities_are_rates() && model.products.contains(&Product::MomentumRates);
+    let units = units_by_name(&shape, units_of_outputs.collect(), has_momenta);
+    Variables {
+        fields: shape.fields.iter().map(|name| text(shape.written(name))).collect(),
+        positions: shape.coordinates.iter().map(|name| text(shape.written(name))).collect(),
+        velocities: named.clone().map(|velocity| written_velocity(&shape, velocity)).collect(),
+        rates_of: named.map(|velocity| velocity.coordinate.map_or_else(String::new, rates_of)).collect(),
+        first_order_states: shape.states,
+        quaternions: shape.quaternions.clone(),
+        positions_of_velocities: shape.velocities.iter().map(|v| shape.position_of(v)).collect(),
+        constraints: shape.constraints.iter().map(|name| text(shape.written(name))).collect(),
+        is_stabilised: shape.is_stabilised,
+        events: shape
+            .events
+            .iter()
+            .map(|event| EventOfSystem { name: text(shape.written(&event.name)), direction: event.direction })
+            .collect(),
+        touching: shape.touching.iter().map(|(name, _)| text(shape.written(name))).collect(),
+        switches: shape.switches.clone(),
+        outputs,
+        units: units.into_iter().map(|(name, unit)| (name, text(unit))).collect(),
+    }
+}
