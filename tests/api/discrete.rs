@@ -218,7 +218,7 @@ lagrange::system! {
 
 #[test]
 fn parts_and_arrays_have_modes() {
-    let relays = Relays::default();
+    let relays = Relays;
     let run = relays.simulate(relays.start()).until(7.0).every(0.01).tolerance(1e-12);
     let run = run.outputs().run().unwrap();
     let (lamps, valves) = (run.column("lamps").unwrap(), run.column("valves").unwrap());

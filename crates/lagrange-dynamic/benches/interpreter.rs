@@ -11,7 +11,7 @@ use lagrange::Simulate;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::pipeline::{Programs, parse};
 use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
-use systems::*;
+use systems::{DOUBLE_PENDULUM, DoublePendulum, FIVE_MASSES, FiveMasses, ROD, Rod, TOP, Top};
 
 const ROUNDS: usize = 30;
 const END: f64 = 10.0;

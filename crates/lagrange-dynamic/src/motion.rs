@@ -5,8 +5,8 @@ use std::ops::Bound;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Range, Reaction, TickingClock};
 use lagrange_runtime::event::{
-    Action, DeclaredEvent, Response, beyond, change_side, choose_sides, earlier, free_sides, next_switch_time,
-    next_tick, shortest_period, side_values, ticks,
+    Action, DeclaredEvent, Response, beyond, change_side, choose_sides, earlier, free_sides,
+    next_switch_time, next_tick, shortest_period, side_values, ticks,
 };
 use lagrange_runtime::integrate::undefined;
 use lagrange_runtime::system::{OdeSystem, OutOfRange, Reacted, StateVector, StepFailure, Undefined};

@@ -109,6 +109,14 @@ fn a_double_pendulum_moves_with_the_same_bits_by_every_method() {
 }
 
 #[test]
+fn discrete_states_and_clocks_move_with_the_same_bits() {
+    let start = [0.0, 20.0, 0.0, 0.0, 1.0, 0.0, 0.0];
+    assert_same_bits!(Room, ROOM, start, 3.0, adaptive());
+    assert_same_bits!(Room, ROOM, start, 3.0, RungeKutta4 { step: 0.03 });
+    assert_same_bits!(Room, ROOM, [0.0; 7], -1.0, adaptive(), "");
+}
+
+#[test]
 fn states_as_large_as_their_room_and_a_little_larger_move_with_the_same_bits() {
     let start = [0.1, 0.2, 0.3, 0.4, 0.0, 0.0, 0.0, 0.0];
     assert_same_bits!(FourMasses, FOUR_MASSES, start, 2.0, adaptive());

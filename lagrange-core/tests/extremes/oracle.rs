@@ -47,6 +47,7 @@ fn printed<'a>(reference: &Reference, values: &'a Value, state: &'a Value, role:
         | Role::Reaction(_)
         | Role::Side(_)
         | Role::State(_)
+        | Role::Discrete(_)
         | Role::Operand(_)
         | Role::Placeholder(_) => &Value::Null,
     };

@@ -42,6 +42,7 @@ impl Sample {
             | Role::Reaction(_)
             | Role::Side(_)
             | Role::State(_)
+            | Role::Discrete(_)
             | Role::Operand(_)
             | Role::Placeholder(_) => f64::NAN,
         }

@@ -73,6 +73,7 @@ impl Laboratory {
             | Role::Reaction(_)
             | Role::Side(_)
             | Role::State(_)
+            | Role::Discrete(_)
             | Role::Operand(_)
             | Role::Placeholder(_) => f64::NAN,
         })[0]

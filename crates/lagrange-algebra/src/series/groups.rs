@@ -47,7 +47,7 @@ impl Groups {
         let stars = stars(products);
         let layers = (0..).map(|layer| row(&stars, layer)).take_while(|row| !row.is_empty());
         let layered = layers.flat_map(|layer| chunks(&layer)).collect::<Vec<_>>();
-        let listed = stars.iter().flat_map(|star| star.products()).collect::<Vec<_>>();
+        let listed = stars.iter().flat_map(Star::products).collect::<Vec<_>>();
         let [layered, listed] = [layered, chunks(&listed)].map(|groups| Groups::of(groups, products.len()));
         if layered.loads() < listed.loads() { layered } else { listed }
     }

@@ -40,6 +40,21 @@ both_ways! {
         potential = sum(i in 0..5, cos(x[i])) + 1/2 * sum(i in 0..4, (x[i + 1] - x[i])^4);
     }
 
+    Room = ROOM {
+        param low = 19.8, high = 20.2, period = 0.1;
+        coord x = 0;
+        state temperature = 20;
+        discrete count = 0, held = 0, mass = 1;
+        mode heater = off | on;
+        kinetic = 1/2 * mass * dot(x)^2;
+        force x = held;
+        dot(temperature) = 0.1 * (5 - temperature) + if heater == on { 3 } else { 0 };
+        event cold = temperature - low, falling => { heater = on; count = count + 1; }
+        event warm = temperature - high, rising => { heater = off; mass = 1.5 * mass; }
+        every period => { held = temperature - 20 - x - dot(x); }
+        every 3 * period => { held = held + 0.01; }
+    }
+
     Rod = ROD {
         param m = 1.0, g = 9.81;
         coord x, y;

@@ -17,7 +17,6 @@ use super::ast::{
 };
 use super::parse_text;
 use lagrange_expr::diagnostics::Report;
-use lagrange_expr::expr::Relation;
 
 /// A declaration without mistakes.
 fn read(text: &str) -> Declaration {

@@ -1,7 +1,7 @@
 //! The system of a run as it is at present.
 
-use crate::scalar::{Number, Scalar};
 use crate::integrate::Stepper;
+use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed

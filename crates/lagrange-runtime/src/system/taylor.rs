@@ -167,9 +167,9 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
     /// Inverts a positive definite matrix, which needs no search for pivots.
     ///
     /// Gauss and Jordan's elimination in place: Peters and Wilkinson, "On the stability of
-    /// Gauss–Jordan elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. The
-    /// inverse of the matrix \[\[2, 1\], \[1, 1\]\]: the pivot 2 leads to \[\[1/2, 1/2\],
-    /// \[−1/2, 1/2\]\], and the pivot 1/2 to \[\[1, −1\], \[−1, 2\]\].
+    /// Gauss–Jordan elimination with pivoting", *Communications of the ACM* 18 (1975) 20–24. For
+    /// the rows (2, 1) and (1, 1), the pivot 2 leads to (1/2, 1/2) and (−1/2, 1/2). The pivot 1/2
+    /// then leads to the inverse, (1, −1) and (−1, 2).
     #[inline(always)]
     pub fn definite<const ENTRIES: usize>(entries: [S; ENTRIES]) -> Self {
         let mut rows: [[S; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| entries[i * N + j]));
@@ -177,11 +177,11 @@ impl<S: Scalar, const N: usize> SeriesSolver<S, N> {
             let reciprocal = S::ONE / rows[pivot][pivot];
             rows[pivot][pivot] = S::ONE;
             let scaled = rows[pivot].map(|entry| entry * reciprocal);
-            for i in 0..N {
-                let factor = -rows[i][pivot];
-                rows[i][pivot] = S::ZERO;
-                let reduced: [S; N] = core::array::from_fn(|j| scaled[j].multiply_add(factor, rows[i][j]));
-                rows[i] = if i == pivot { scaled } else { reduced };
+            for (i, row) in rows.iter_mut().enumerate() {
+                let factor = -row[pivot];
+                row[pivot] = S::ZERO;
+                let reduced = core::array::from_fn(|j| scaled[j].multiply_add(factor, row[j]));
+                *row = if i == pivot { scaled } else { reduced };
             }
         }
         SeriesSolver(core::array::from_fn(|j| core::array::from_fn(|i| -rows[i][j])))

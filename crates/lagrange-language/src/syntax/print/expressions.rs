@@ -225,7 +225,7 @@ fn condition_pieces(condition: &Condition) -> Vec<PrintedPiece> {
 
 fn compared(left: AstId, comparison: Comparison, right: AstId) -> Vec<PrintedPiece> {
     let side = |id| PrintedPiece::Expression(id, PrintedBinding::Sum);
-    vec![side(left), text(&format!(" {} ", comparison.sign())), side(right)]
+    vec![side(left), text(format!(" {} ", comparison.sign())), side(right)]
 }
 
 /// `i > 0 && i < n || …`

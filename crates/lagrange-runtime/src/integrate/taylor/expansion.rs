@@ -1,7 +1,7 @@
 //! The motion through a state as a polynomial: how far it leads, and how well it fits.
 
 use super::Taylor;
-use super::widest::{Task, compute};
+use super::widest::{WideTask, compute};
 use crate::integrate::verner::tolerance::{Tolerated, longest_step};
 use crate::linalg::vector::combined;
 use crate::scalar::Scalar;
@@ -27,9 +27,9 @@ pub(super) struct Expansion<S, Y> {
     pub(super) coefficients: [Y; MAX_ORDER],
 }
 
-/// What is tolerated, and numbers that follow from it and from the order of the series.
+/// The tolerated errors, and numbers that follow from them and from the order of the series.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Rule<S> {
+pub(super) struct StepRule<S> {
     pub(super) order: usize,
     tolerated: Tolerated<S>,
     tolerance: S,
@@ -43,13 +43,13 @@ pub(super) struct Rule<S> {
     reciprocals: [S; LAST_ORDERS],
 }
 
-impl<S: Scalar> Rule<S> {
+impl<S: Scalar> StepRule<S> {
     /// The rule of steps over a time of this length.
-    pub(super) fn new(settings: &Taylor<S>, span: S) -> Rule<S> {
+    pub(super) fn new(settings: &Taylor<S>, span: S) -> StepRule<S> {
         let order = settings.chosen_order();
         let orders: [S; MAX_ORDER] = core::array::from_fn(|index| S::from_f64((index + 1) as f64));
         let tolerance = settings.loosest().max(LEAST_TOLERANCE.part::<S>());
-        Rule {
+        StepRule {
             order,
             tolerated: Tolerated::new(settings.relative, settings.absolute),
             tolerance,
@@ -70,22 +70,22 @@ impl<S: Scalar> Rule<S> {
 impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     /// The change of the state over a time `h`.
     #[inline]
-    pub(super) fn change(&self, rule: &Rule<S>, h: S) -> Y {
-        compute(Change { expansion: self, rule, h })
+    pub(super) fn change(&self, rule: &StepRule<S>, h: S) -> Y {
+        compute(Increment { expansion: self, rule, h })
     }
 
     /// Returns the length of a step whose last terms are small enough. It is the largest h with |cₖ|
     /// hᵏ ≤ tolerance for the last four orders k, each extrapolated to the order of the whole
     /// series.
     #[inline]
-    pub(super) fn length(&self, rule: &Rule<S>) -> S {
+    pub(super) fn length(&self, rule: &StepRule<S>) -> S {
         compute(Length { expansion: self, rule })
     }
 
     /// True if the polynomial has the slope, after a time `h`, that the motion has there, as far as
     /// is tolerated.
     #[inline]
-    pub(super) fn fits(&self, rule: &Rule<S>, h: S, ahead: &Self) -> bool {
+    pub(super) fn fits(&self, rule: &StepRule<S>, h: S, ahead: &Self) -> bool {
         compute(Fit { expansion: self, ahead, rule, h })
     }
 
@@ -118,18 +118,18 @@ impl<S: Scalar, Y: StateVector<S>> Expansion<S, Y> {
     }
 }
 
-struct Change<'a, S, Y> {
+struct Increment<'a, S, Y> {
     expansion: &'a Expansion<S, Y>,
-    rule: &'a Rule<S>,
+    rule: &'a StepRule<S>,
     h: S,
 }
 
-impl<S: Scalar, Y: StateVector<S>> Task for Change<'_, S, Y> {
+impl<S: Scalar, Y: StateVector<S>> WideTask for Increment<'_, S, Y> {
     type Output = Y;
 
     #[inline(always)]
     fn compute(self) -> Y {
-        let Change { expansion, rule, h } = self;
+        let Increment { expansion, rule, h } = self;
         let mut change = expansion.polynomial(rule.order, h, |_, coefficients| *coefficients);
         change.as_mut().iter_mut().for_each(|sum| *sum = *sum * h);
         change
@@ -138,10 +138,10 @@ impl<S: Scalar, Y: StateVector<S>> Task for Change<'_, S, Y> {
 
 struct Length<'a, S, Y> {
     expansion: &'a Expansion<S, Y>,
-    rule: &'a Rule<S>,
+    rule: &'a StepRule<S>,
 }
 
-impl<S: Scalar, Y: StateVector<S>> Task for Length<'_, S, Y> {
+impl<S: Scalar, Y: StateVector<S>> WideTask for Length<'_, S, Y> {
     type Output = S;
 
     #[inline(always)]
@@ -168,11 +168,11 @@ impl<S: Scalar, Y: StateVector<S>> Task for Length<'_, S, Y> {
 struct Fit<'a, S, Y> {
     expansion: &'a Expansion<S, Y>,
     ahead: &'a Expansion<S, Y>,
-    rule: &'a Rule<S>,
+    rule: &'a StepRule<S>,
     h: S,
 }
 
-impl<S: Scalar, Y: StateVector<S>> Task for Fit<'_, S, Y> {
+impl<S: Scalar, Y: StateVector<S>> WideTask for Fit<'_, S, Y> {
     type Output = bool;
 
     #[inline(always)]

@@ -1,8 +1,8 @@
 //! A motion followed along its Taylor series.
 
 use super::Taylor;
-use super::expansion::{Expansion, Rule};
-use super::widest::{Task, compute};
+use super::expansion::{Expansion, StepRule};
+use super::widest::{WideTask, compute};
 use crate::integrate::clock::{Clock, least_step};
 use crate::integrate::compensated::Compensated;
 use crate::integrate::corrected::{admitted, check_finite, correct, corrected};
@@ -13,7 +13,7 @@ use crate::system::{MAX_ORDER, StateVector, StepFailure, TaylorSystem};
 /// An integration by [`Taylor`] series in progress.
 #[derive(Clone, Debug)]
 pub struct TaylorStepper<M: TaylorSystem + ?Sized> {
-    rule: Rule<M::Scalar>,
+    rule: StepRule<M::Scalar>,
     max_steps: u64,
     clock: Clock<M::Scalar>,
     state: Compensated<M::State>,
@@ -33,7 +33,7 @@ struct Expand<'a, M: TaylorSystem + ?Sized> {
     expansion: &'a mut Expansion<M::Scalar, M::State>,
 }
 
-impl<M: TaylorSystem + ?Sized> Task for Expand<'_, M> {
+impl<M: TaylorSystem + ?Sized> WideTask for Expand<'_, M> {
     type Output = ();
 
     #[inline(always)]
@@ -54,7 +54,7 @@ impl<M: TaylorSystem + ?Sized> TaylorStepper<M> {
         check_finite(end, y)?;
         let expansion = Expansion { t, y: *y, coefficients: [M::State::ZERO; MAX_ORDER] };
         let mut stepper = TaylorStepper {
-            rule: Rule::new(&settings, end - t),
+            rule: StepRule::new(settings, end - t),
             max_steps: settings.max_steps,
             clock: Clock::new(t, M::Scalar::ZERO),
             state: Compensated::new(*y),

@@ -14,7 +14,7 @@
 )]
 
 /// Something to compute, all of whose functions are inlined.
-pub(super) trait Task {
+pub(super) trait WideTask {
     type Output;
 
     /// Computes it.
@@ -23,7 +23,7 @@ pub(super) trait Task {
 
 /// Computes a task with the instructions that the processor has.
 #[inline]
-pub(super) fn compute<T: Task>(task: T) -> T::Output {
+pub(super) fn compute<T: WideTask>(task: T) -> T::Output {
     #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
     if std::is_x86_feature_detected!("avx2") {
         // SAFETY: the processor has AVX2.
@@ -34,6 +34,6 @@ pub(super) fn compute<T: Task>(task: T) -> T::Output {
 
 #[cfg(all(feature = "std", target_arch = "x86_64", not(target_feature = "avx2")))]
 #[target_feature(enable = "avx2")]
-fn compute_with_avx2<T: Task>(task: T) -> T::Output {
+fn compute_with_avx2<T: WideTask>(task: T) -> T::Output {
     task.compute()
 }
