@@ -24,7 +24,7 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::units::NamedUnits;
-use lagrange_language::syntax::ast::StatementKind;
+use lagrange_language::syntax::ast::{StateKind, StatementKind};
 
 /// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
 pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>)> {
@@ -161,6 +161,7 @@ fn check_products(elaborator: &mut Elaborator<'_>) {
     }
     check_needed_products(elaborator);
     check_derivatives(elaborator);
+    check_linear_model(elaborator);
 }
 
 /// Returns the mistake of a product that requires bodies that do not exist, or that exist in the
@@ -209,6 +210,21 @@ fn check_derivatives(elaborator: &mut Elaborator<'_>) {
             let error =
                 elaborator.evaluator.report.error(span, message).help(messages::DERIVATIVE_OF_JUMPS_HELP);
             error.related(Origin::from(*declared), messages::acts_here(&reaction.name));
+        }
+    }
+}
+
+/// A linear model knows no jumps of the state, and the matrix of constants that have no rate is
+/// singular.
+fn check_linear_model(elaborator: &mut Elaborator<'_>) {
+    let discrete = elaborator.states.iter().filter(|state| state.kind == StateKind::Discrete);
+    let mut places = discrete.map(|state| state.name.span).chain(elaborator.clocks.iter().map(|(_, at)| *at));
+    let Some(place) = places.next() else { return };
+    for &(product, wanted, span) in &elaborator.wanted {
+        if wanted && product == Product::SystemMatrix {
+            let error = elaborator.evaluator.report.error(span, messages::DISCRETE_LINEAR_MODEL);
+            error.related(Origin::from(place), messages::DISCRETE_IS_HERE);
+            error.help(messages::DISCRETE_LINEAR_MODEL_HELP);
         }
     }
 }

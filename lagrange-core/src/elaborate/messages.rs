@@ -118,6 +118,10 @@ messages! {
     NEEDED_BY_PROJECTION = "it projects states back onto the constraints";
     derivative_of_jumps(name) =
         "`{name}` does not exist for a system with contacts or dry friction: its accelerations jump";
+    DISCRETE_LINEAR_MODEL = "`system_matrix` cannot be combined with discrete states or clocks";
+    DISCRETE_IS_HERE = "this changes in jumps";
+    DISCRETE_LINEAR_MODEL_HELP =
+        "declare a `param` for what stays, or an `input` for what a sampled controller sets";
     DERIVATIVE_OF_JUMPS_HELP = "remove it; implicit methods iterate without it";
     acts_here(name) = "`{name}` acts or not, depending on its mode";
     tuple_size(names, found) = "{names} names for {found}";
