@@ -465,7 +465,9 @@ fn a_ball_rolls_in_single_precision() {
     let ball: Ball<f32> = Ball { mu: 0.3, ..Ball::default() };
     let mut start = [0.0_f32; 13];
     (start[2], start[3], start[7], start[8]) = (0.1, 1.0, 2.0, -1.0);
-    let run = ball.simulate(start).until(1.0).run().expect("rolls");
+    // At 1e-6 the direction of the slip is rounding before it is zero, and a quarter of such runs
+    // end.
+    let run = ball.simulate(start).until(1.0).tolerance(1e-5).run().expect("rolls");
     let [event] = run.events() else { panic!("{:?}", run.events()) };
     assert_eq!(event.kind, EventKind::Stuck);
     let [vx, vy] = [run.last()[7], run.last()[8]].map(f64::from);

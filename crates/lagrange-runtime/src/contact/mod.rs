@@ -30,7 +30,7 @@
 //!   driven. If friction is so strong that no forces fit (the paradox of Painlevé), the contact
 //!   jams: an impact without approach stops its slip. A motion that would have to start there, or
 //!   that a jam does not free, ends with
-//!   [`StepFailure::Stuck`](crate::integrate::StepFailure::Stuck).
+//!   [`StepFailure::Stuck`].
 //! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are
 //!   hit elastically by a third leave with 2/3 of its speed, and it returns with 1/3. A hair's
 //!   breadth apart, they are hit one after the other, and the last one leaves with all of it, as in
