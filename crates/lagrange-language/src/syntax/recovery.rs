@@ -145,7 +145,9 @@ impl Parser<'_> {
         if let Some((message, help)) = self.strange_statement(&text, cursor) {
             return self.fail_with_help(word.span(), message, help);
         }
-        let help = match nearest(&text, keywords::STATEMENTS) {
+        // No equals sign follows `every`.
+        let is_possible = |keyword: &&str| !(*keyword == "every" && cursor.equals_past(0));
+        let help = match nearest(&text, keywords::STATEMENTS.into_iter().filter(is_possible)) {
             _ if self.declared(&text).is_some() => habits::equations_are_derived(),
             Some(keyword) => messages::meant(keyword),
             None if cursor.equals_past(0) => messages::meant_let(&text),
