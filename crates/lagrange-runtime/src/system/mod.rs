@@ -32,7 +32,7 @@ pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_
 pub use self::kernel::KernelSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::linearised::{LinearisedSystem, MatrixLayout};
-#[cfg(feature = "ensemble")]
+#[cfg(feature = "std")]
 pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]
