@@ -12,11 +12,6 @@ use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 
-/// Slip velocities in a plane have a direction from this fraction of their terms on.
-const SLOW: f64 = 1e-6;
-/// They have none up to so many times their rounding error.
-const ABOVE_NOISE: f64 = 8.0;
-
 /// Friction that gives way may go back by this part of the speed from which it has a direction. On
 /// redundant supports forces at their limits are known to less than rounding.
 const SLACK: f64 = 1e-3;
@@ -121,8 +116,7 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// and the time `elapsed` after the run started.
     pub(super) fn pace(&self, k: usize, [t, elapsed]: [S; 2], v: &[S; N]) -> Pace {
         let of = |size: &dyn Fn(usize) -> S| length(&[size(k), size(k + 1)]);
-        let slow = S::from_f64(SLOW) * of(&|row| self.slip_terms(row, elapsed, v));
-        Pace::new(slow.max(S::from_f64(ABOVE_NOISE) * of(&|row| self.slip_noise(row, t, v))))
+        Pace::of_slip(of(&|row| self.slip_terms(row, elapsed, v)), of(&|row| self.slip_noise(row, t, v)))
     }
 
     /// That speed less the present one.

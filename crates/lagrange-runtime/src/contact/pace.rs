@@ -1,6 +1,14 @@
 //! Speeds below which slipping has no direction yet.
 
 use crate::scalar::Scalar;
+use crate::tolerance::BOUND;
+
+/// Slip velocities in a plane have a direction from this fraction of their terms on.
+const SLOW: f64 = 1e-6;
+/// They have none up to so many times their rounding error.
+const ABOVE_NOISE: f64 = 8.0;
+/// Roundings of its terms that a slip velocity may consist of.
+const ROUNDINGS: f64 = 8.0;
 
 /// A speed, rounded down to a power of two so that modes can be compared and hashed.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -26,6 +34,18 @@ impl Pace {
             (exponent, power) = (exponent + 1, power + power);
         }
         Pace { exponent: Some(exponent) }
+    }
+
+    /// The speed from which slip velocities of these terms, with this rounding error, have a
+    /// direction.
+    pub(super) fn of_slip<S: Scalar>(terms: S, noise: S) -> Self {
+        Pace::new((S::from_f64(SLOW) * terms).max(S::from_f64(ABOVE_NOISE) * noise))
+    }
+
+    /// The size below which slip velocities with this pace are rounding.
+    pub(super) fn rounding<S: Scalar>(self) -> S {
+        let part = S::from_f64(SLOW).max(S::from_f64(ABOVE_NOISE) * BOUND.part::<S>());
+        S::from_f64(ROUNDINGS) * S::epsilon() * self.value::<S>() / part
     }
 
     /// The speed.

@@ -1,5 +1,7 @@
 //! Slip velocities of friction along a line and in a plane.
 
+use core::array;
+
 use super::{Friction, Mode, Terms};
 use crate::linalg::vector::dot;
 use crate::scalar::{Number, Scalar};
@@ -8,20 +10,25 @@ impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
     /// The direction in which friction k slips, if it has one.
     ///
     /// In a plane it is that of the slip velocity, and beyond zero its opposite. A slip velocity
-    /// that falls through zero then continues smoothly up to the event that ends it there.
+    /// that falls through zero then continues smoothly up to the event that ends it there. Where it
+    /// is rounding, it counts as going the way it went before. Any other direction would jump
+    /// between the stages of a step, however short the step is.
     pub(super) fn direction(&self, k: usize, is_planar: bool, friction: Friction) -> Option<[S; 2]> {
-        let heading = match friction {
+        let (heading, rounding) = match friction {
             Friction::Slips => return present_direction(self.slip(k, is_planar)),
-            Friction::SlipsForwards | Friction::GivesWay(_) | Friction::Sticks => [S::ONE, S::ZERO],
-            Friction::SlipsBackwards => [-S::ONE, S::ZERO],
-            Friction::SlipsTowards(heading, _) => heading.components(),
+            Friction::SlipsForwards | Friction::GivesWay(_) | Friction::Sticks => {
+                ([S::ONE, S::ZERO], S::ZERO)
+            }
+            Friction::SlipsBackwards => ([-S::ONE, S::ZERO], S::ZERO),
+            Friction::SlipsTowards(heading, pace) => (heading.components(), pace.rounding::<S>()),
         };
         if !is_planar {
             return Some(heading);
         }
         let slip = self.slip(k, true);
-        let is_reversed = dot(&slip, &heading) < S::ZERO;
-        present_direction(if is_reversed { slip.map(|component| -component) } else { slip }).or(Some(heading))
+        let side = if dot(&slip, &heading) < S::ZERO { -S::ONE } else { S::ONE };
+        let ahead = array::from_fn(|i| rounding.multiply_add(heading[i], side * slip[i]));
+        present_direction(ahead).or(Some(heading))
     }
 
     /// The slip velocity of friction k; its second component is zero unless it acts in a plane.
