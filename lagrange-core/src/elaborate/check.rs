@@ -232,7 +232,7 @@ fn check_linear_model(elaborator: &mut Elaborator<'_>) {
 /// Names of methods that systems with constraints, contacts or events have beside those of all
 /// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
-    let groups: [(bool, &[&str]); 6] = [
+    let groups: [(bool, &[&str]); 7] = [
         (!elaborator.declaration.has_start(), &["start"]),
         (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
         (velocities_are_rates(elaborator), &["position_rates"]),
@@ -242,6 +242,7 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
         ),
         (elaborator.reactions.is_empty(), &["reactions"]),
         (elaborator.events.is_empty(), &["event_functions"]),
+        (elaborator.clocks.is_empty(), &["clock_periods"]),
     ];
     let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
     let taken = taken.collect::<Vec<_>>();

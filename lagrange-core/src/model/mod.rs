@@ -357,6 +357,13 @@ impl Model {
         self.coordinates.iter().map(|coordinate| coordinate.rate).collect()
     }
 
+    /// Returns the state [q…, v…] after simultaneous assignments.
+    pub fn state_after(&self, assignments: &[Assignment]) -> Vec<ExprId> {
+        let mut state = [self.positions(), self.velocities()].concat();
+        assignments.iter().for_each(|assignment| state[assignment.index] = assignment.value);
+        state
+    }
+
     /// Returns the role of a position.
     pub fn role_of_position(&self, index: usize) -> Role {
         let coordinate = self.coordinates.get(index);

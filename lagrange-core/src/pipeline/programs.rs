@@ -384,9 +384,7 @@ impl<'a> Lowering<'a> {
 
     /// The state after assignments.
     fn assigned(&mut self, assignments: &[Assignment]) -> Program {
-        let mut state = [self.model.positions(), self.model.velocities()].concat();
-        assignments.iter().for_each(|assignment| state[assignment.index] = assignment.value);
-        self.on_sides(&state)
+        self.on_sides(&self.model.state_after(assignments))
     }
 
     fn products(&mut self) -> Vec<(Product, Program)> {

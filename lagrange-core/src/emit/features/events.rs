@@ -36,10 +36,7 @@ pub(in crate::emit) fn write_events(writer: &mut MethodWriter<'_>) {
 
 /// Writes a hidden method that returns the state after assignments.
 pub(super) fn write_assignments(writer: &mut MethodWriter<'_>, method: &str, assignments: &[Assignment]) {
-    let mut state = [writer.model.positions(), writer.model.velocities()].concat();
-    for assignment in assignments {
-        state[assignment.index] = assignment.value;
-    }
+    let state = writer.model.state_after(assignments);
     let returns = Returns::Vector(state.len());
     let (body, _) = writer.lowered(&state, Arguments::State, |results| returns.collect(results));
     writer.push_hidden(method, returns, &body);
