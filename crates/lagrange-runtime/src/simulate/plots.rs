@@ -73,7 +73,7 @@ where
             false => self.pairs(coordinates, velocities)?,
         };
         if let [first, others @ ..] = states {
-            let title = if others.is_empty() { first } else { "first-order states" };
+            let title = if others.is_empty() { first } else { "states" };
             panels.push(self.over_time(title, states)?);
         }
         let (columns, size) = if is_grouped || count == 1 { (1, WIDE) } else { (2, SMALL) };

@@ -103,7 +103,7 @@ fn states_have_a_panel_each() {
 fn first_order_states_share_a_panel_with_their_unit() {
     let run = Circuit.simulate([0.0, 1.0, 2.0, 3.0]).until(1.0).every(0.1).run().expect("runs");
     let svg = written("circuit", |path| run.plot_states(path));
-    points(&svg, &["x in m", "x'", "first-order states in A", "primary", "secondary"]);
+    points(&svg, &["x in m", "x'", "states in A", "primary", "secondary"]);
     let axes = labels(&svg).iter().filter(|label| *label == "time t in s").count();
     assert_eq!((axes, svg.contains("coordinates")), (3, false));
 }
