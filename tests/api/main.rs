@@ -7,6 +7,7 @@ mod bodies;
 mod boxes;
 mod coarse_times;
 mod columns;
+mod conserved;
 mod constrained_references;
 mod constraints;
 mod contacts;

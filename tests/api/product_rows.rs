@@ -11,7 +11,11 @@ fn member(product: Product) -> Option<&'static str> {
         Product::Kernel => Some("KERNEL_F64"),
         Product::Latex => Some("EQUATIONS_LATEX"),
         Product::Statements => Some("STATEMENTS"),
-        Product::Motion | Product::Frames | Product::FrameJacobians | Product::Drawing => None,
+        Product::Conserved
+        | Product::Motion
+        | Product::Frames
+        | Product::FrameJacobians
+        | Product::Drawing => None,
         product => Some(product.name()),
     }
 }

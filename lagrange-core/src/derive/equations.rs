@@ -1,5 +1,6 @@
 //! The equations derived from a model.
 
+use super::conserved::add_conserved;
 use super::constraints::ConstraintEquations;
 use super::elimination::order::eliminate_dense;
 use super::elimination::record::Elimination;
@@ -107,6 +108,7 @@ impl Equations {
         };
         let mass = mass_structure(model, &split, &mut forms);
         let structure = Structure::find(model, mass);
+        add_conserved(model, &structure);
         let labels = labels(model, forms.mass_matrix(), &solution);
         let mut products = jacobians(model, &split, &mut forms, (&solution, strategy));
         let rates = model.products.contains(&Product::MomentumRates).then(|| free_momentum_rates(model));

@@ -93,6 +93,7 @@
 //! switches are emitted as if there were none.
 
 mod algebra;
+mod conserved;
 mod constraints;
 mod cost;
 mod coupling;
@@ -109,6 +110,7 @@ mod inverse_dynamics;
 mod jacobian;
 mod least_constraint;
 mod messages;
+mod null_space;
 mod plane_rotation;
 mod quadratic_form;
 mod quasi_velocities;
@@ -119,6 +121,7 @@ mod structure;
 mod sum_of_squares;
 mod sweep;
 mod switches;
+mod symmetries;
 mod undetermined;
 mod virtual_displacements;
 

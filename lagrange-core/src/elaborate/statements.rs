@@ -107,7 +107,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
 
 fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     let value = value_of(&mut elaborator.evaluator, syntax);
-    let mut methods = Product::ALL.iter().filter(|product| !product.is_of_bodies());
+    let mut methods = Product::ALL.iter().filter(|product| product.is_method());
     if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str()) {
         let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
         error.help(messages::OTHER_NAME_HELP);
@@ -127,6 +127,7 @@ fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
         uses_accelerations,
         uses_multipliers,
         uses_reactions,
+        description: None,
     });
 }
 

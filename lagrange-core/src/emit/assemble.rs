@@ -140,7 +140,11 @@ fn write_outputs(writer: &mut MethodWriter<'_>) {
             1 => Returns::Scalar,
             count => Returns::Vector(count),
         };
-        let line = format!("Output `{}`{}.", output.name, writer.shape.in_unit(&output.name));
+        let unit = writer.shape.in_unit(&output.name);
+        let line = match &output.description {
+            Some(description) => format!("{description}{unit}."),
+            None => format!("Output `{}`{unit}.", output.name),
+        };
         add(writer, &output.name, &[&line], (Arguments::State, returns), &output.components);
     }
 }

@@ -72,8 +72,8 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
     let frames = frames.collect::<Vec<_>>();
     methods.extend(frames);
     let motions = shape.bodies.iter().map(|body| motion_name(body)).collect::<Vec<_>>();
-    for &(name, count) in &shape.outputs {
-        let returns = if count == 1 { Returns::Scalar } else { Returns::Vector(count) };
+    for (name, count) in &shape.outputs {
+        let returns = if *count == 1 { Returns::Scalar } else { Returns::Vector(*count) };
         let mut taken = methods.iter().map(|method| &method.name).chain(&motions);
         if !TAKEN.contains(&name.text.as_str()) && taken.all(|taken| *taken != name.text) {
             methods.push(placeholder(identifier(name), Arguments::State, returns));

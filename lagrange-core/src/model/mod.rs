@@ -227,6 +227,8 @@ pub struct Output {
     pub uses_multipliers: bool,
     /// True if it needs the forces of contacts or of friction.
     pub uses_reactions: bool,
+    /// Its meaning, if it is derived instead of declared.
+    pub description: Option<String>,
 }
 
 /// A zero to be found during a motion, and what happens there.

@@ -29,6 +29,7 @@ pub enum Product {
     Lanes,
     Taylor,
     Latex,
+    Conserved,
     Motion,
     Frames,
     FrameJacobians,
@@ -123,7 +124,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 27] = [
+const ROWS: [ProductRow; 28] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -326,6 +327,7 @@ const ROWS: [ProductRow; 27] = [
     ProductRow { product: Product::Lanes, name: "lanes", when: Availability::Demand, method: None },
     ProductRow { product: Product::Taylor, name: "taylor", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Conserved, name: "conserved", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },
     ProductRow {
@@ -381,6 +383,15 @@ impl Product {
     /// True if only systems with rigid bodies have it. No method has its name.
     pub fn is_of_bodies(self) -> bool {
         self.row().when == Availability::Bodies
+    }
+
+    /// True if its name is that of a method, or of a constant in lower case.
+    pub fn is_method(self) -> bool {
+        let is_other = matches!(
+            self,
+            Product::Prepared | Product::Kernel | Product::Lanes | Product::Taylor | Product::Latex
+        );
+        self.row().method.is_some() || is_other
     }
 
     /// Returns the end of the name of its method for each body, which begins with the name of the

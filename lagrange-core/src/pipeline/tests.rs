@@ -1,4 +1,5 @@
 mod attributes;
+mod conserved;
 mod frames;
 mod included;
 mod limits;

@@ -27,6 +27,9 @@ const IN_SPACE: &str = "
     force (1, 2, 3) at bob.point(1, 2, 3);
 ";
 
+/// An oscillator, which keeps its energy.
+const CONSERVATIVE: &str = "param k; coord x; kinetic = 1/2*dot(x)^2; potential = spring_energy(k, x);";
+
 /// A derivation with some products.
 struct Emission {
     expressions: usize,
@@ -91,6 +94,7 @@ fn a_product_adds_its_method_and_nothing_to_the_others() {
 fn system_with(product: Product) -> &'static str {
     match product {
         Product::Frames | Product::FrameJacobians => IN_SPACE,
+        Product::Conserved => CONSERVATIVE,
         _ => SYSTEM,
     }
 }
@@ -107,6 +111,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         // These are traits.
         Product::Drawing | Product::Lanes | Product::Taylor => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
+        Product::Conserved => vec!["conserved_energy"],
         _ => vec![product.name()],
     }
 }

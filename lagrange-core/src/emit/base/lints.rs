@@ -59,7 +59,7 @@ pub(in crate::emit) fn name_exception(shape: &Shape<'_>) -> Option<TokenStream> 
     let outputs = shape.outputs.iter().map(|(name, _)| name);
     let velocities = shape.velocities.iter().map(|velocity| &velocity.name);
     let names = shape.fields.iter().chain(&shape.coordinates).copied().chain(velocities);
-    let names = names.chain(touching.copied()).chain(outputs.copied());
+    let names = names.chain(touching.copied()).chain(outputs);
     // In names of their methods an underscore follows.
     let bodies = shape.bodies.iter().chain(&shape.frames).chain(&shape.frames_with_jacobian);
     let names = names.map(|name| name.text.clone()).chain(bodies.map(|name| format!("{}_", name.text)));

@@ -46,8 +46,8 @@ pub(in crate::emit) struct Shape<'a> {
     pub(in crate::emit) touching: Vec<(&'a Name, Touch)>,
     /// Names that messages give to the switches whose sides runs fix.
     pub(in crate::emit) switches: Vec<String>,
-    /// Declared outputs with their number of components; one for a scalar.
-    pub(in crate::emit) outputs: Vec<(&'a Name, usize)>,
+    /// Outputs, declared and derived, with their number of components; one for a scalar.
+    pub(in crate::emit) outputs: Vec<(Name, usize)>,
     /// The names of functions of the user's crate, where the user says them.
     pub(in crate::emit) callees: Vec<Name>,
     /// The user's documentation of fields, coordinates and outputs.
@@ -117,7 +117,7 @@ impl<'a> Shape<'a> {
                     shape.touching.push((&friction.name, touch));
                 }
                 StatementKind::Output(name, value) => {
-                    shape.outputs.push((name, components.get(value).copied().unwrap_or(1)));
+                    shape.outputs.push((name.clone(), components.get(value).copied().unwrap_or(1)));
                 }
                 // Part of the state, of the equations or of other types, or gone once the
                 // declaration is plain.

@@ -102,7 +102,7 @@ pub(in crate::emit) fn inputs_name(shape: &Shape<'_>) -> Ident {
 }
 
 /// The outputs that there are methods for.
-fn outputs<'a>(shape: &Shape<'a>, members: &Members) -> Vec<(&'a Name, Returns)> {
+fn outputs<'s>(shape: &'s Shape<'_>, members: &Members) -> Vec<(&'s Name, Returns)> {
     // In a declaration with errors something else may have the name of an output.
     let is_output = |method: &Method| {
         method.arguments == Arguments::State && !matches!(method.returns, Returns::Matrix(..))
@@ -111,8 +111,8 @@ fn outputs<'a>(shape: &Shape<'a>, members: &Members) -> Vec<(&'a Name, Returns)>
     // Of two methods of one name the first counts.
     let written = methods.rev().map(|method| (method.name.to_string(), method.returns));
     let written = written.collect::<HashMap<_, _>>();
-    let of_output = |name: &'a Name| Some((name, *written.get(&name.text)?));
-    shape.outputs.iter().filter_map(|&(name, _)| of_output(name)).collect()
+    let of_output = |name: &'s Name| Some((name, *written.get(&name.text)?));
+    shape.outputs.iter().filter_map(|(name, _)| of_output(name)).collect()
 }
 
 /// True if there is an implementation of `OutputSystem`.

@@ -16,7 +16,7 @@ use lagrange_algebra::formula::text;
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::limits::MAX_LOCATED;
-use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::{Declaration, Name};
 
 /// Surfaces with longer texts are not written out in messages.
 const LONGEST_SURFACE: usize = 60;
@@ -35,7 +35,8 @@ pub(in crate::emit) fn report_unlocated(
     }
 }
 
-/// The shape of a derived system, with the switches whose sides runs can fix, and units.
+/// The shape of a derived system, with the switches whose sides runs can fix, units, and derived
+/// outputs.
 pub(in crate::emit) fn derived_shape<'a>(
     declaration: &'a Declaration,
     krate: &'a TokenStream,
@@ -46,6 +47,11 @@ pub(in crate::emit) fn derived_shape<'a>(
     let located = equations.switches.iter().take(room_for_switches(&shape));
     shape.switches = located.map(|switch| surface_name(&model.graph, switch)).collect();
     shape.units = model.units.clone();
+    let derived = model.outputs.iter().filter(|output| output.description.is_some());
+    let span = declaration.name.span;
+    shape
+        .outputs
+        .extend(derived.map(|output| (Name::new(output.name.clone(), span), output.components.len())));
     shape
 }
 
