@@ -48,6 +48,12 @@ hints! {
     pub trait EmitsSystemMatrix {} for fn system_matrix in SystemMatrix:
         "the declaration of `{Self}` does not emit `system_matrix`",
         "add `emit {{ system_matrix }}` to the declaration";
+    pub trait EmitsLagrangian {} for fn lagrangian in LagrangianFunction:
+        "the declaration of `{Self}` does not emit `lagrangian`",
+        "add `emit {{ lagrangian }}` to the declaration";
+    pub trait EmitsGeneralisedForces {} for fn generalised_forces in GeneralisedForces:
+        "the declaration of `{Self}` does not emit `generalised_forces`",
+        "add `emit {{ generalised_forces }}` to the declaration";
     pub trait EmitsBias {} for fn bias in Bias:
         "the declaration of `{Self}` does not emit `bias`",
         "add `emit {{ bias }}` to the declaration";
@@ -145,10 +151,11 @@ macro_rules! __hints {
         #[allow(unused_imports, reason = "they are for what the compiler says of what is not emitted")]
         use $crate::private::hints::{
             Bias as _, ConstraintForces as _, ConstraintJacobian as _, ConstraintVelocity as _,
-            Constraints as _, Energy as _, Forcing as _, InverseDynamics as _, Jacobian as _, KernelF32 as _,
-            KernelF64 as _, KineticEnergy as _, Lanes as _, Latex as _, MassMatrix as _, Momenta as _,
-            MomentumRates as _, ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _,
-            Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
+            Constraints as _, Energy as _, Forcing as _, GeneralisedForces as _, InverseDynamics as _,
+            Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
+            Lanes as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
+            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Start as _,
+            Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

@@ -26,6 +26,7 @@ mod hints;
 mod hybrid;
 mod inertia;
 mod lanes;
+mod laws;
 mod long_rope;
 mod methods;
 mod orientations;

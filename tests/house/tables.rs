@@ -216,6 +216,7 @@ const RUNTIME: &[Layer] = &[
                   zeros of functions of time and state within a step, in the order of time",
     },
     Layer { modules: &["run"], purpose: "one loop over any `Stepper`: steps, events, restarts" },
+    Layer { modules: &["laws"], purpose: "laws that motions must obey, checked by differences (`std`)" },
     Layer {
         modules: &["simulate"],
         purpose: "the simulation builder (`std`); recorded columns, CSV and Parquet",

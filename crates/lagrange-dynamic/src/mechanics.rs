@@ -2,7 +2,8 @@
 
 use lagrange_core::model::Product;
 use lagrange_runtime::system::{
-    Description, EnergyFunction, MechanicalSystem, OutputSystem, StateVector, Unnamed, quaternion,
+    Description, EnergyFunction, LagrangianSystem, MechanicalSystem, OutputSystem, StateVector, Unnamed,
+    quaternion,
 };
 
 use crate::inline::Inline;
@@ -58,6 +59,19 @@ impl<const CAPACITY: usize> EnergyFunction for DynamicSystem<CAPACITY> {
     fn energy(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> f64 {
         let energy = self.numeric.product(Product::Energy, t, q.as_ref(), v.as_ref());
         energy.and_then(|values| values.first().copied()).unwrap_or(f64::NAN)
+    }
+}
+
+/// Values are NaN unless the declaration has `emit { tests }`.
+impl<const CAPACITY: usize> LagrangianSystem for DynamicSystem<CAPACITY> {
+    fn lagrangian(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> f64 {
+        let lagrangian = self.numeric.product(Product::Lagrangian, t, q.as_ref(), v.as_ref());
+        lagrangian.and_then(|values| values.first().copied()).unwrap_or(f64::NAN)
+    }
+
+    fn generalised_forces(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
+        let forces = self.numeric.product(Product::GeneralisedForces, t, q.as_ref(), v.as_ref());
+        Inline::of(&forces.unwrap_or_else(|| vec![f64::NAN; v.as_ref().len()]))
     }
 }
 

@@ -14,6 +14,7 @@
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
 //! | [`run`] | the one loop |
+//! | `laws` (`std`) | laws that motions must obey, checked |
 //! | `simulate` (`std`) | the front door |
 //! | `linear` (feature) | equilibria, linear models, modes |
 //! | `ensemble` (feature) | many motions |
@@ -31,6 +32,8 @@ pub mod ensemble;
 pub mod event;
 pub mod inertia;
 pub mod integrate;
+#[cfg(feature = "std")]
+pub mod laws;
 mod linalg;
 #[cfg(feature = "linear")]
 pub mod linear;

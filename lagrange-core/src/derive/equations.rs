@@ -19,13 +19,12 @@ use super::series::SeriesEquations;
 use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
 use super::structure::{MassStructure, Structure};
 use super::switches::Switch;
-use super::virtual_displacements::{add_slopes, add_turning};
+use super::virtual_displacements::{add_slopes, add_turning, applied_forces};
 use crate::model::{Constraint, Energies, Model, Product};
-use lagrange_algebra::calculus::{AccelerationTerms, adjoint, gradient};
+use lagrange_algebra::calculus::{AccelerationTerms, gradient};
 use lagrange_algebra::simplify::{self, Angles};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
-use lagrange_expr::number::Number;
 
 /// The equations of motion and the other requested products of a model. Products that are not
 /// requested are not among `products`; the two sides of M q̈ = f come with the accelerations.
@@ -111,8 +110,10 @@ impl Equations {
         add_conserved(model, &structure);
         let labels = labels(model, forms.mass_matrix(), &solution);
         let mut products = jacobians(model, &split, &mut forms, (&solution, strategy));
-        let rates = model.products.contains(&Product::MomentumRates).then(|| free_momentum_rates(model));
-        let rates = rates.unwrap_or_default();
+        let wants = |product| model.products.contains(&product);
+        let [wants_rates, wants_forces] = [Product::MomentumRates, Product::GeneralisedForces].map(wants);
+        let forces = if wants_rates || wants_forces { applied_forces(model) } else { Vec::new() };
+        let rates = if wants_rates { free_momentum_rates(model, &forces) } else { Vec::new() };
         let touching = reaction_forces(model, &reactions);
         let mut without_constraints = None;
         for product in model.products.clone() {
@@ -127,6 +128,8 @@ impl Equations {
                     all
                 }
                 Product::Energy => vec![energy_function(model)],
+                Product::Lagrangian => vec![model.lagrangian],
+                Product::GeneralisedForces => sums(model, &forces, &[&constraints.forces, &touching]),
                 Product::InverseDynamics => residual(model, &split, AccelerationTerms::Kept, Terms::All),
                 _ => continue,
             };
@@ -314,9 +317,8 @@ fn jacobians(
 
 /// ∂L/∂q + Q: Lagrange's equations say that ∂L/∂v changes at this rate, unless constraints act. An
 /// angular momentum p in turning axes changes by −ω × p besides.
-fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
+fn free_momentum_rates(model: &mut Model, forces: &[ExprId]) -> Vec<ExprId> {
     let (positions, velocities) = (model.positions(), model.velocities());
-    let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
     let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
     let mut form = QuadraticForm::default();
     add_slopes(model, &mut form, &slopes);
@@ -325,13 +327,10 @@ fn free_momentum_rates(model: &mut Model) -> Vec<ExprId> {
         add_turning(model, &mut form, &momenta);
     }
     let graph = &mut model.graph;
-    let forces = adjoint(graph, &loads, &velocities);
-    let resistances = gradient(graph, model.dissipation, &velocities);
     let form = push_down(graph, form, &velocities);
-    let rates = velocities.iter().zip(forces).zip(resistances).map(|((&velocity, force), resistance)| {
+    let rates = velocities.iter().zip(forces).map(|(&velocity, &force)| {
         let slope = form.linear(graph, velocity);
-        let terms = [(slope, Number::MINUS_ONE), (force, Number::ONE), (resistance, Number::MINUS_ONE)];
-        graph.sum(Number::ZERO, terms)
+        graph.subtract(force, slope)
     });
     rates.collect()
 }

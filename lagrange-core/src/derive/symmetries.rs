@@ -14,8 +14,9 @@
 //! conserved.
 
 use super::null_space::null_space;
+use super::virtual_displacements::applied_forces;
 use crate::model::{Action, Assignment, Model, Orientation};
-use lagrange_algebra::calculus::{adjoint, gradient, substitute_all};
+use lagrange_algebra::calculus::{gradient, substitute_all};
 use lagrange_algebra::simplify::{somewhere, vanishing};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node, evaluate};
@@ -191,15 +192,10 @@ fn world_axis(graph: &mut Graph, [w, vector @ ..]: [ExprId; 4], axis: usize) -> 
 impl Slopes {
     fn of(model: &mut Model) -> Slopes {
         let (positions, velocities) = (model.positions(), model.velocities());
-        let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
         let of_constraints = model.constraints.iter().map(|constraint| constraint.velocity);
         let held = of_constraints.chain(model.reactions.iter().map(|of| of.velocity)).collect::<Vec<_>>();
+        let forces = applied_forces(model);
         let graph = &mut model.graph;
-        let applied = adjoint(graph, &loads, &velocities);
-        let resistances = gradient(graph, model.dissipation, &velocities);
-        let forces =
-            applied.into_iter().zip(resistances).map(|(force, resistance)| graph.subtract(force, resistance));
-        let forces = forces.collect();
         Slopes {
             positions: gradient(graph, model.lagrangian, &positions),
             momenta: gradient(graph, model.lagrangian, &velocities),

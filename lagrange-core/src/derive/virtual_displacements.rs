@@ -12,6 +12,7 @@
 
 use super::quadratic_form::QuadraticForm;
 use crate::model::Model;
+use lagrange_algebra::calculus::{adjoint, gradient};
 use lagrange_expr::expr::ExprId;
 
 /// −∂L/∂q at the rates of the positions. First-order states are not displaced.
@@ -40,4 +41,14 @@ pub(super) fn add_turning(model: &mut Model, form: &mut QuadraticForm, momenta: 
             form.add_linear(graph, velocities[first + axis], moment);
         }
     }
+}
+
+/// Q of applied forces and of dissipation.
+pub(super) fn applied_forces(model: &mut Model) -> Vec<ExprId> {
+    let velocities = model.velocities();
+    let loads = model.loads.iter().map(|load| (load.velocity, load.force)).collect::<Vec<_>>();
+    let graph = &mut model.graph;
+    let forces = adjoint(graph, &loads, &velocities);
+    let resistances = gradient(graph, model.dissipation, &velocities);
+    forces.into_iter().zip(resistances).map(|(force, resistance)| graph.subtract(force, resistance)).collect()
 }

@@ -19,6 +19,7 @@ use super::features::frames::write_frames;
 use super::features::indefinite::write_indefinite;
 use super::features::kernel::{self as kernels, write_kernel};
 use super::features::lanes::write_lanes;
+use super::features::laws::write_tests;
 use super::features::missing::missing_derivatives;
 use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
@@ -96,6 +97,7 @@ fn assembled(
     write_kernel(&mut writer)?;
     write_lanes(&mut writer)?;
     write_taylor(&mut writer)?;
+    write_tests(&mut writer)?;
     write_solvers(&mut writer);
     if !writer.is_hopeless() {
         describe(&mut writer, statements, counts);

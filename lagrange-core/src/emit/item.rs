@@ -11,6 +11,7 @@ use super::base::state::{columns_impls, columns_struct, rhs, state_conversions, 
 use super::features::constrained::projections;
 use super::features::contacts::mode_fields;
 use super::features::lanes::{lanes_items, lanes_struct};
+use super::features::laws::laws_module;
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
 use super::features::ranges::check_method;
@@ -43,6 +44,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let inputs = inputs_struct(shape).map(|inputs| quote!(#conditions #inputs));
     let prepared = prepared_struct(shape, members).map(|prepared| quote!(#conditions #prepared));
     let lanes = lanes_struct(shape, members).map(|lanes| quote!(#conditions #lanes));
+    let laws = laws_module(shape, members);
     let (of_prepared, of_lanes) = (prepared_items(shape, members), lanes_items(shape, members));
     quote! {
         #system
@@ -53,6 +55,7 @@ pub(super) fn items(shape: &Shape<'_>, members: &Members) -> TokenStream {
         #inputs
         #prepared
         #lanes
+        #laws
         #conditions
         #krate::private::bring_hints! {}
         #default

@@ -30,6 +30,9 @@ pub enum Product {
     Taylor,
     Latex,
     Conserved,
+    Lagrangian,
+    GeneralisedForces,
+    Tests,
     Motion,
     Frames,
     FrameJacobians,
@@ -124,7 +127,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 28] = [
+const ROWS: [ProductRow; 31] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -328,6 +331,30 @@ const ROWS: [ProductRow; 28] = [
     ProductRow { product: Product::Taylor, name: "taylor", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Conserved, name: "conserved", when: Availability::Demand, method: None },
+    ProductRow {
+        product: Product::Lagrangian,
+        name: "lagrangian",
+        when: Availability::With(Product::Tests),
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Scalar,
+            docs: &["Lagrangian L."],
+        }),
+    },
+    ProductRow {
+        product: Product::GeneralisedForces,
+        name: "generalised_forces",
+        when: Availability::With(Product::Tests),
+        method: Some(ProductMethod {
+            arguments: ProductArguments::State,
+            returns: ProductShape::Vector(Extent::Velocities),
+            docs: &[
+                "Generalised forces Q of d/dt ∂L/∂v − ∂L/∂q = Q: applied forces, dissipation, forces of",
+                "constraints, contacts and friction.",
+            ],
+        }),
+    },
+    ProductRow { product: Product::Tests, name: "tests", when: Availability::Demand, method: None },
     ProductRow { product: Product::Motion, name: "motion", when: Availability::Bodies, method: None },
     ProductRow { product: Product::Frames, name: "frames", when: Availability::Bodies, method: None },
     ProductRow {

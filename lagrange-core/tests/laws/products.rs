@@ -28,7 +28,7 @@ const IN_SPACE: &str = "
 ";
 
 /// An oscillator, which keeps its energy.
-const CONSERVATIVE: &str = "param k; coord x; kinetic = 1/2*dot(x)^2; potential = spring_energy(k, x);";
+const CONSERVATIVE: &str = "param k = 1; coord x; kinetic = 1/2*dot(x)^2; potential = spring_energy(k, x);";
 
 /// A derivation with some products.
 struct Emission {
@@ -94,7 +94,7 @@ fn a_product_adds_its_method_and_nothing_to_the_others() {
 fn system_with(product: Product) -> &'static str {
     match product {
         Product::Frames | Product::FrameJacobians => IN_SPACE,
-        Product::Conserved => CONSERVATIVE,
+        Product::Conserved | Product::Tests => CONSERVATIVE,
         _ => SYSTEM,
     }
 }
@@ -110,6 +110,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::FrameJacobians => vec!["bob_jacobian"],
         // These are traits.
         Product::Drawing | Product::Lanes | Product::Taylor => Vec::new(),
+        Product::Tests => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
         Product::Conserved => vec!["conserved_energy"],
         _ => vec![product.name()],

@@ -8,6 +8,7 @@ mod constraint_values;
 mod description;
 mod event;
 mod kernel;
+mod lagrangian;
 mod lanes;
 mod linearised;
 mod mechanical;
@@ -30,6 +31,7 @@ pub use self::description::Description;
 pub(crate) use self::event::MOST_LOCATED;
 pub use self::event::{Action, DeclaredEvent, Direction, EventKind, Impact, MOST_DECLARED, Response};
 pub use self::kernel::KernelSystem;
+pub use self::lagrangian::LagrangianSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::linearised::{LinearisedSystem, MatrixLayout};
 #[cfg(feature = "std")]

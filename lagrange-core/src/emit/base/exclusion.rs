@@ -16,6 +16,7 @@ pub(in crate::emit) enum Exclusion {
     Events,
     Orientations,
     Functions,
+    Defaults,
 }
 
 impl Exclusion {
@@ -34,6 +35,7 @@ impl Exclusion {
             Exclusion::Events => !model.events.is_empty() || !model.clocks.is_empty(),
             Exclusion::Orientations => !model.orientations.is_empty(),
             Exclusion::Functions => calls_functions(model, equations),
+            Exclusion::Defaults => lacks_defaults(model),
         };
         exclusions.iter().find(is_there).copied()
     }
@@ -49,6 +51,7 @@ impl Exclusion {
             Exclusion::Events => messages::EVENTS,
             Exclusion::Orientations => messages::ORIENTATIONS,
             Exclusion::Functions => messages::FUNCTIONS,
+            Exclusion::Defaults => messages::WITHOUT_DEFAULTS,
         }
     }
 }
@@ -58,4 +61,9 @@ fn calls_functions(model: &Model, equations: &Equations) -> bool {
     let roots = [&equations.accelerations[..], &model.position_rates()].concat();
     let nodes = model.graph.reachable(&roots);
     nodes.into_iter().any(|id| matches!(model.graph.node(id), Node::Opaque(..)))
+}
+
+/// True if a parameter has no value by default.
+fn lacks_defaults(model: &Model) -> bool {
+    model.parameters.iter().any(|parameter| parameter.default.is_none())
 }

@@ -63,6 +63,8 @@ pub(in crate::emit) struct Members {
     /// Statements and a list of the unknowns that rates are made of, each with its name and its
     /// value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
+    /// True if tests of the user's crate check laws.
+    pub(in crate::emit) is_tested: bool,
     /// True if explicit symplectic methods take the system.
     pub(in crate::emit) is_separable: bool,
     /// True if the methods hold rounded values of irrational constants.
@@ -82,6 +84,7 @@ impl Members {
             terms: TokenStream::new(),
             clocks: 0,
             is_damped: false,
+            is_tested: false,
             switch_times: None,
             restitutions_vary: Vec::new(),
             limits_reverse: Vec::new(),

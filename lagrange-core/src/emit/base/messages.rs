@@ -84,6 +84,9 @@ pub(in crate::emit) fn without(product: Product) -> &'static str {
             "remove it; devices only run systems without constraints, contacts, friction and events"
         }
         Product::Taylor => "remove it and integrate with `Verner98`",
+        Product::Tests => {
+            "remove it, and call `lagrange::laws::check` in tests of your own; or give each parameter a value: `param m = 1;`"
+        }
         Product::Lanes => "remove it; ensembles run such systems one by one, on all threads",
         _ => {
             "remove it; only systems whose accelerations are computed in the same way for all states can be prepared"
@@ -112,6 +115,7 @@ pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or 
 pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
+pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, with which no test can run";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
 pub(in crate::emit) const REDUNDANT: &str =

@@ -11,6 +11,7 @@ mod items;
 pub(super) mod jacobian;
 pub(super) mod kernel;
 pub(super) mod lanes;
+pub(super) mod laws;
 pub(super) mod linearised;
 pub(in crate::emit) mod missing;
 pub(super) mod orientations;

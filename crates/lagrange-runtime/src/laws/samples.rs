@@ -1,0 +1,97 @@
+//! Random states in which laws are checked.
+
+use core::fmt::{self, Display, Formatter, LowerExp};
+use std::vec::Vec;
+
+use super::check;
+use super::report::Report;
+use crate::scalar::{Number, Scalar};
+use crate::system::LagrangianSystem;
+
+/// Number of states.
+const STATES: usize = 24;
+/// Number of states that are drawn at most to find them.
+const MOST_DRAWN: usize = 20 * STATES;
+
+/// A state in which a law is broken.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Broken<S> {
+    /// A law does not hold.
+    State {
+        /// Time.
+        time: S,
+        /// Entries of the state.
+        state: Vec<S>,
+        /// All laws there.
+        report: Report<S>,
+    },
+    /// No state around the given one could be judged.
+    NothingJudged,
+}
+
+impl<S: Scalar + Display + LowerExp> Display for Broken<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Broken::State { time, state, report } => {
+                writeln!(f, "a law is broken at t = {time} in the state {state:?}")?;
+                report.fmt(f)
+            }
+            Broken::NothingJudged => {
+                f.write_str("no state near the start can be judged: it is not finite or not smooth there")
+            }
+        }
+    }
+}
+
+impl<S: Scalar + Display + LowerExp> core::error::Error for Broken<S> {}
+
+/// Checks the laws in 24 states around `start`, the same in every run. Each entry is off by up to
+/// its magnitude, or one if that is larger. States are moved onto the constraints.
+///
+/// # Errors
+/// The first state in which a law is broken, or that no state can be judged.
+pub fn verify<M: LagrangianSystem>(system: &M, start: &M::State) -> Result<(), Broken<M::Scalar>> {
+    let mut judged = 0;
+    for index in 0..MOST_DRAWN {
+        let (time, mut state) = (spread::<M::Scalar>(index, 0), sample::<M>(start, index));
+        let is_found = system.restore(time, &mut state).is_ok() && is_finite(system, time, &state);
+        if !is_found {
+            continue;
+        }
+        let report = check(system, time, &state);
+        if !report.holds() {
+            return Err(Broken::State { time, state: state.as_ref().to_vec(), report });
+        }
+        judged += usize::from(report.is_judged());
+        if judged == STATES {
+            return Ok(());
+        }
+    }
+    if judged == 0 { Err(Broken::NothingJudged) } else { Ok(()) }
+}
+
+fn is_finite<M: LagrangianSystem>(system: &M, t: M::Scalar, y: &M::State) -> bool {
+    let rates = system.rhs(t, y);
+    y.as_ref().iter().chain(rates.as_ref()).all(|entry| entry.is_finite())
+}
+
+fn sample<M: LagrangianSystem>(start: &M::State, index: usize) -> M::State {
+    let mut state = *start;
+    for (place, entry) in state.as_mut().iter_mut().enumerate() {
+        let reach = entry.abs().max(M::Scalar::ONE);
+        *entry = reach.multiply_add(spread(index, place + 1), *entry);
+    }
+    state
+}
+
+/// Returns a number between −1 and 1 for each entry of each sample.
+///
+/// Source: the hash splitmix64 (Steele, Lea and
+/// Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
+fn spread<S: Scalar>(index: usize, place: usize) -> S {
+    let key = (index as u64).wrapping_mul(1 << 20).wrapping_add(place as u64 + 1);
+    let mut hash = key.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    S::from_f64((hash ^ (hash >> 31)) as f64 / 2.0_f64.powi(63) - 1.0)
+}
