@@ -7,3 +7,4 @@ mod models;
 mod modes;
 mod refusals;
 mod regulators;
+mod responses;

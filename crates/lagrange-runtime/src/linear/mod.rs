@@ -1,4 +1,5 @@
-//! Linear analysis: equilibria and steady motions, linear models, modes, regulators, observers.
+//! Linear analysis: equilibria and steady motions, linear models, modes, responses, regulators,
+//! observers.
 //!
 //! All derivatives are emitted, by `emit { system_matrix }`; nothing is approximated by differences
 //! of functions. Computations on matrices are in double precision.
@@ -49,21 +50,29 @@
 mod corner;
 mod equilibrium;
 mod error;
+mod frequency;
 mod model;
 mod modes;
 mod names;
+#[cfg(feature = "plot")]
+mod plots;
 mod regulator;
+mod response;
 mod riccati;
 mod sampled;
 mod tangent;
+mod transfer;
 mod weakest;
 
 pub use self::equilibrium::{Equilibrium, EquilibriumSearch};
 pub use self::error::{Equation, EquilibriumCause, EquilibriumError, LinearisationError, NotConverged};
+pub use self::frequency::{FrequencyResponse, StabilityMargins};
 pub use self::model::LinearModel;
 pub use self::modes::{Eigenmode, Modes, Stability};
 pub use self::regulator::{DesignError, DesignMatrix, Observer, Regulator};
+pub use self::response::TimeResponse;
 pub use self::sampled::SampledModel;
+pub use self::transfer::{NoSuchChannel, Transfer};
 pub use self::weakest::{Channel, WeakestDirection};
 pub use crate::linalg::dense::DenseMatrix;
 

@@ -10,6 +10,7 @@ use super::names::{Components, tangent_names};
 use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
 use super::sampled::{SampledModel, held};
 use super::tangent::{Blocks, TangentSpace, first_undefined};
+use super::transfer::{NoSuchChannel, Transfer};
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
 use crate::system::{LinearisedSystem, description_of_type};
@@ -161,6 +162,27 @@ impl LinearModel {
     /// grows.
     pub fn observer(&self, w: &DenseMatrix, v: &DenseMatrix) -> Result<Observer, DesignError> {
         observer(self.plant(), &self.c, w, v)
+    }
+
+    /// Returns the transfer function from an input to an output, by their names.
+    ///
+    /// # Errors
+    /// If there is no such input or output.
+    pub fn transfer(&self, input: &str, output: &str) -> Result<Transfer, NoSuchChannel> {
+        let matrices = [&self.a, &self.b, &self.c, &self.d];
+        Transfer::new(matrices, (self.inputs, input), (self.outputs, output))
+    }
+
+    /// Returns the model with the feedback u = r − K x, whose inputs are r. `None` unless K has a
+    /// row for each input and a column for each state.
+    #[must_use]
+    pub fn with_feedback(&self, gain: &DenseMatrix) -> Option<LinearModel> {
+        if (gain.rows(), gain.columns()) != (self.b.columns(), self.a.rows()) {
+            return None;
+        }
+        let a = self.a.plus(-1.0, &self.b.times(gain));
+        let c = self.c.plus(-1.0, &self.d.times(gain));
+        Some(LinearModel { a, c, ..self.clone() })
     }
 
     /// Returns the model in discrete time of inputs that are held for a period. `None` if the
