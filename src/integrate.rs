@@ -40,10 +40,10 @@
 #[doc(inline)]
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
-    ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method,
-    Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError, StepFailure, Stepper,
-    StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational, Verner98, VernerStepper,
-    Work, rk4_step, undefined,
+    Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper,
+    MOST_LANES, Method, Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError,
+    StepFailure, Stepper, StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational,
+    Verner98, VernerStepper, Work, rk4_step, undefined,
 };
 #[doc(inline)]
 pub use lagrange_runtime::run::integrate;

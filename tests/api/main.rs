@@ -22,6 +22,7 @@ mod fixed_steps;
 mod fractional_powers;
 mod frames;
 mod functions;
+mod hamiltonian;
 mod hints;
 mod hybrid;
 mod inertia;

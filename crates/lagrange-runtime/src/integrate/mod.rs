@@ -30,6 +30,7 @@ mod undefined;
 mod variational;
 mod verner;
 
+pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
 pub use self::fixed::{FixedStepper, Formula};
 pub use self::gauss_legendre::{

@@ -57,7 +57,7 @@ pub(in crate::emit) fn lagrangian_impl(shape: &Shape<'_>, members: &Members) -> 
 pub(in crate::emit) fn laws_module(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
     let (krate, name, all) = (shape.krate, &shape.declaration.name, shape.state_length());
     let conditions = conditions(&shape.declaration.attributes);
-    let module = format_ident!("{}_laws", name.text.to_lowercase());
+    let module = format_ident!("{}_laws", snake_case(&name.text));
     let (generics, scalar) = match shape.declaration.scalar {
         ScalarType::Generic(_) => (Some(quote!(::<::core::primitive::f64>)), quote!(::core::primitive::f64)),
         ScalarType::F64 | ScalarType::F32 => (None, shape.scalar_path()),
@@ -83,4 +83,18 @@ pub(in crate::emit) fn laws_module(shape: &Shape<'_>, members: &Members) -> Opti
             }
         }
     })
+}
+
+/// The name of a module for that of a type: `four_bar` for `FourBar`.
+fn snake_case(name: &str) -> String {
+    let mut snake = String::new();
+    let mut was_lower = false;
+    for letter in name.chars() {
+        if was_lower && letter.is_uppercase() {
+            snake.push('_');
+        }
+        was_lower = !letter.is_uppercase();
+        snake.extend(letter.to_lowercase());
+    }
+    snake
 }

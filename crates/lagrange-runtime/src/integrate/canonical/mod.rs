@@ -13,6 +13,7 @@
 //! does.
 
 mod constrained;
+mod hamiltonian;
 mod pencil;
 mod velocities;
 
@@ -25,6 +26,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{CanonicalSystem, MechanicalSystem, OdeSystem, StateVector, StepFailure, join, split};
 
 pub(super) use self::constrained::{stiffened, stiffness};
+pub use self::hamiltonian::Hamiltonian;
 pub(super) use self::pencil::Pencil;
 pub(super) use self::velocities::{factors, velocities};
 
