@@ -18,6 +18,7 @@ mod display_units;
 mod events;
 mod external_functions;
 mod failures;
+mod first_order;
 mod fixed_steps;
 mod fractional_powers;
 mod frames;

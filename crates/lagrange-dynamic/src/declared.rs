@@ -74,7 +74,11 @@ impl DeclaredSystem {
     pub fn state_names(&self) -> Vec<String> {
         let Variables { positions, velocities, .. } = self.variables();
         let rates = || positions.iter().map(|name| rate_of(name)).collect();
-        let velocities = if velocities.is_empty() { rates() } else { velocities.clone() };
+        let velocities = if velocities.is_empty() && self.variables().first_order_states == 0 {
+            rates()
+        } else {
+            velocities.clone()
+        };
         [positions.clone(), velocities].concat()
     }
 

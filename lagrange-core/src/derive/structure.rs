@@ -177,7 +177,8 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
         .collect::<Vec<_>>();
     let states = Dependencies::STATE | Dependencies::DISCRETE;
     let changing = Dependencies::TIME | Dependencies::INPUT | states;
-    let is_steady = !model.graph.dependencies(model.lagrangian).intersects(changing);
+    let has_energy = !velocities.is_empty();
+    let is_steady = has_energy && !model.graph.dependencies(model.lagrangian).intersects(changing);
     let is_unforced = (0..velocities.len()).all(is_free) && model.reactions.is_empty();
     if is_steady && is_unforced && constraints_do_no_work(model) {
         conserved.push(Conserved::Energy);

@@ -91,7 +91,10 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     }
     // The energy of a body that could not be read is missing because of that.
     let is_clear = declaration.bodies.is_empty() || !report.has_errors();
-    if is_clear && !has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_))) {
+    let has_energy = has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_)));
+    // States alone have no velocities, and no energy.
+    let is_mechanical = !declaration.velocities().is_empty();
+    if is_clear && is_mechanical && !has_energy {
         report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
     }
 }

@@ -94,7 +94,8 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (visibility, keyword) =
         (visibility.collect::<TokenStream>(), Ident::new("struct", emitted_at(declaration.keyword)));
     if docs.is_empty() {
-        docs.push(doc(&format!("A mechanical system with the {}.", coordinate_list(shape))));
+        let kind = if shape.velocities.is_empty() { "system of first order" } else { "mechanical system" };
+        docs.push(doc(&format!("A {kind} with the {}.", coordinate_list(shape))));
     }
     if !members.docs.is_empty() {
         docs.push(doc(""));
@@ -131,9 +132,10 @@ fn system_struct(shape: &Shape<'_>, members: &Members) -> TokenStream {
 
 fn coordinate_list(shape: &Shape<'_>) -> String {
     let names = shape.coordinates.iter().map(|name| format!("`{}`", name.text)).collect::<Vec<_>>();
+    let word = if shape.velocities.is_empty() { "state" } else { "coordinate" };
     match names.as_slice() {
-        [single] => format!("coordinate {single}"),
-        names => format!("coordinates {}", names.join(", ")),
+        [single] => format!("{word} {single}"),
+        names => format!("{word}s {}", names.join(", ")),
     }
 }
 

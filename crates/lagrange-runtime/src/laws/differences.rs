@@ -109,7 +109,7 @@ impl<'a, M: LagrangianSystem> Nearby<'a, M> {
     /// With q̇ = N v, N δv = (d/dt N) δ − ∂(N v)/∂q N δ. It is zero where velocities are rates
     /// (Lurie, *Analytical Mechanics*, §10.1).
     pub(super) fn turning(&self, index: usize) -> M::Scalar {
-        if self.system.description().velocities.is_empty() {
+        if self.system.description().velocities_are_rates() {
             return M::Scalar::ZERO;
         }
         let (system, t, unit) = (self.system, self.t, self.unit(index));

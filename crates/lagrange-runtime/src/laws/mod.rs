@@ -104,6 +104,6 @@ fn jacobian<M: LagrangianSystem>(nearby: &Nearby<'_, M>, y: &M::State) -> Vec<Fi
 fn name<M: LagrangianSystem>(nearby: &Nearby<'_, M>, index: usize) -> &'static str {
     let description = nearby.system.description();
     let names =
-        if description.velocities.is_empty() { description.coordinates } else { description.velocities };
+        if description.velocities_are_rates() { description.coordinates } else { description.velocities };
     names.get(index).copied().unwrap_or("a velocity")
 }

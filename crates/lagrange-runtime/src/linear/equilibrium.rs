@@ -309,7 +309,9 @@ where
         let value = |unknown: &usize| match *unknown {
             input if input >= tangent => point.inputs[input - tangent].into(),
             state if state >= n => point.y.as_ref()[M::COORDINATES.len() - states + state - n].into(),
-            position if M::VELOCITIES.is_empty() => point.y.as_ref()[position].into(),
+            position if description_of_type::<M>().velocities_are_rates() => {
+                point.y.as_ref()[position].into()
+            }
             position => match M::COORDINATES.iter().position(|name| *name == M::RATES_OF[position]) {
                 Some(position) => point.y.as_ref()[position].into(),
                 None => 1.0,

@@ -33,7 +33,7 @@ pub(super) fn tangent_names<M: MechanicalSystem>() -> Vec<String> {
 
 /// The name of the coordinate that a displacement changes, or of the rotation.
 fn displacement_name<M: MechanicalSystem>(index: usize) -> String {
-    if M::VELOCITIES.is_empty() {
+    if description_of_type::<M>().velocities_are_rates() {
         return M::COORDINATES[index].to_string();
     }
     match M::RATES_OF[index] {

@@ -48,7 +48,7 @@ pub(crate) fn state_names(system: &Description) -> impl Iterator<Item = String> 
 
 /// The names of the velocities.
 fn velocity_names(system: &Description) -> Vec<String> {
-    if system.velocities.is_empty() {
+    if system.velocities_are_rates() {
         return system.coordinates.iter().map(|name| WithSuffix::velocity(name).to_string()).collect();
     }
     system.velocities.iter().map(ToString::to_string).collect()

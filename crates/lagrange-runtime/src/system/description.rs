@@ -20,3 +20,11 @@ pub struct Description {
     /// length one.
     pub quaternions: &'static [usize],
 }
+
+impl Description {
+    /// True if velocities are the rates of the positions, one by one, and named after them.
+    #[must_use]
+    pub const fn velocities_are_rates(&self) -> bool {
+        self.velocities.is_empty() && self.first_order_states == 0
+    }
+}

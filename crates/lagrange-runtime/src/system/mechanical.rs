@@ -259,7 +259,7 @@ pub trait MechanicalSystem: OdeSystem {
     ) -> Self::Velocities {
         const {
             assert!(
-                Self::VELOCITIES.is_empty(),
+                Self::VELOCITIES.is_empty() && Self::FIRST_ORDER_STATES == 0,
                 "a system whose velocities are not the rates of its positions must implement `displacement`"
             );
         }

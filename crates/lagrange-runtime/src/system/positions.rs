@@ -42,7 +42,7 @@ pub fn normalise_described<M: MechanicalSystem + ?Sized>(
     description: &Description,
     y: &mut M::State,
 ) -> Result<(), StepFailure<M::Scalar>> {
-    if description.velocities.is_empty() {
+    if description.velocities_are_rates() {
         return Ok(());
     }
     let found = normalised::<M>(description, y);
@@ -104,7 +104,7 @@ pub(crate) fn reach<M: MechanicalSystem + ?Sized>(
     q: &M::Coordinates,
     by: &M::Coordinates,
 ) -> M::Velocities {
-    if system.description().velocities.is_empty() {
+    if system.description().velocities_are_rates() {
         let mut reach = M::Velocities::of(by.as_ref());
         reach.as_mut().iter_mut().for_each(|entry| *entry = entry.abs());
         return reach;

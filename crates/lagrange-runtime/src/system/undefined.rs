@@ -100,7 +100,7 @@ impl Component {
 
     /// The velocity at this index among those of the system M.
     pub(crate) fn of_velocity(system: &Description, index: usize) -> Option<Self> {
-        if system.velocities.is_empty() {
+        if system.velocities_are_rates() {
             return system.coordinates.get(index).copied().map(Component::Velocity);
         }
         system.velocities.get(index).copied().map(Component::NamedVelocity)

@@ -225,11 +225,13 @@ pub(in crate::emit) fn system_docs(
     }
     lines.extend([String::new(), "# State and structure".to_owned(), String::new()]);
     lines.push(format!("- State: `[{}]`.", state_order(model)));
-    lines.extend(structure_lines(model, &equations.structure));
-    if equations.is_separable(model) {
-        lines.push(if model.constraints.is_empty() { SEPARABLE } else { LEAPFROG }.to_owned());
+    if !model.speeds.is_empty() {
+        lines.extend(structure_lines(model, &equations.structure));
+        if equations.is_separable(model) {
+            lines.push(if model.constraints.is_empty() { SEPARABLE } else { LEAPFROG }.to_owned());
+        }
+        lines.push(format!("- Forward dynamics: {}.", strategy_text(equations)));
     }
-    lines.push(format!("- Forward dynamics: {}.", strategy_text(equations)));
     if !model.constraints.is_empty() {
         lines.push(multiplier_order(model));
     }
