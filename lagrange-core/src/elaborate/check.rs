@@ -93,7 +93,7 @@ fn check_header(elaborator: &mut Elaborator<'_>) {
     let is_clear = declaration.bodies.is_empty() || !report.has_errors();
     let has_energy = has(|kind| matches!(kind, StatementKind::Kinetic(_) | StatementKind::Lagrangian(_)));
     // States alone have no velocities, and no energy.
-    let is_mechanical = !declaration.velocities().is_empty();
+    let is_mechanical = !declaration.velocities().is_empty() || declaration.states().next().is_none();
     if is_clear && is_mechanical && !has_energy {
         report.error(declaration.name.span, messages::NO_ENERGY).help(messages::ENERGY_HELP);
     }
