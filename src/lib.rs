@@ -34,7 +34,8 @@
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
-//! | `linear` (feature) | equilibria, linear models, modes |
+//! | [`mod@laws`] | laws of mechanics that a system must obey, checked |
+//! | `linear` (feature) | equilibria, linear models, modes, responses |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
