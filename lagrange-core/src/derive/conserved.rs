@@ -1,8 +1,9 @@
 //! Conserved quantities as outputs: the momenta of symmetries, and the energy.
 
+use super::displacements::Displacement;
 use super::energy_function::energy_function;
 use super::structure::{Conserved, Structure};
-use super::symmetries::{Displacement, Symmetry, symmetries};
+use super::symmetries::{Symmetry, symmetries};
 use crate::model::{Model, Output, Product};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;

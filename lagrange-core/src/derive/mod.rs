@@ -98,6 +98,7 @@ mod constraints;
 mod cost;
 mod coupling;
 mod curvature;
+mod displacements;
 mod elimination;
 mod energy_function;
 mod equations;

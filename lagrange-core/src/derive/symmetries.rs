@@ -13,9 +13,10 @@
 //! at any other point a multiple of it. The null space is (1, 1): the sum of the momenta is
 //! conserved.
 
+use super::displacements::{Displacement, Generator, displacements, generator};
 use super::null_space::null_space;
 use super::virtual_displacements::applied_forces;
-use crate::model::{Action, Assignment, Model, Orientation};
+use crate::model::{Action, Assignment, Model};
 use lagrange_algebra::calculus::{gradient, substitute_all};
 use lagrange_algebra::simplify::{somewhere, vanishing};
 use lagrange_expr::collections::HashMap;
@@ -23,8 +24,6 @@ use lagrange_expr::expr::{ExprId, Function, Graph, Node, evaluate};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 
-/// Number of candidates up to which rotations in the planes of two coordinates are among them.
-const MOST_CANDIDATES: usize = 300;
 /// Number of points beyond that of the candidates, at which combinations are tested.
 const FURTHER_POINTS: usize = 8;
 /// Fraction of the largest number at a point that rounding may leave of a zero.
@@ -32,34 +31,12 @@ const ROUNDING: f64 = 1e-9;
 /// Largest denominator of a coefficient.
 const LARGEST_DENOMINATOR: i64 = 12;
 
-/// A candidate for a symmetry.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Displacement {
-    /// A displacement of a coordinate, by its index among the positions.
-    Translation(usize),
-    /// A rotation of the first coordinate towards the second, about the origin of both.
-    Rotation(usize, usize),
-    /// A rotation of an orientation about an axis of the world, by the indices of both.
-    Turn(usize, usize),
-    /// A rotation of an orientation about an axis of the body, by the indices of both.
-    Spin(usize, usize),
-}
-
 /// A combination of candidates that leaves the equations unchanged.
 pub(super) struct Symmetry {
     /// Candidates with their coefficients.
     pub(super) terms: Vec<(Displacement, Number)>,
     /// Its momentum.
     pub(super) momentum: ExprId,
-}
-
-/// A candidate as expressions: changes of positions and of velocities, and the displacement along
-/// each velocity.
-struct Generator {
-    displacement: Displacement,
-    positions: Vec<(usize, ExprId)>,
-    velocities: Vec<(usize, ExprId)>,
-    along: Vec<(usize, ExprId)>,
 }
 
 /// Derivatives of a model along its positions and velocities.
@@ -79,7 +56,7 @@ pub(super) fn symmetries(model: &mut Model) -> Vec<Symmetry> {
     let momenta = generators.iter().map(|of| pairing(&mut model.graph, &of.along, &slopes.momenta));
     let momenta = momenta.collect::<Vec<_>>();
     let columns = conditions(model, &slopes, &generators, &momenta);
-    let combinations = invariant_combinations(model, &slopes, &columns);
+    let combinations = invariant_combinations(model, &columns);
     combinations
         .into_iter()
         .map(|coefficients| {
@@ -90,103 +67,6 @@ pub(super) fn symmetries(model: &mut Model) -> Vec<Symmetry> {
             Symmetry { terms, momentum }
         })
         .collect()
-}
-
-fn displacements(model: &Model) -> Vec<Displacement> {
-    let plain = model.speeds.iter().filter_map(|speed| speed.coordinate).collect::<Vec<_>>();
-    let mut all = plain.iter().map(|&position| Displacement::Translation(position)).collect::<Vec<_>>();
-    let axes = || (0..model.orientations.len()).flat_map(|body| (0..3).map(move |axis| (body, axis)));
-    all.extend(axes().map(|(body, axis)| Displacement::Turn(body, axis)));
-    all.extend(axes().map(|(body, axis)| Displacement::Spin(body, axis)));
-    if all.len() + plain.len() * plain.len().saturating_sub(1) / 2 <= MOST_CANDIDATES {
-        for (index, &first) in plain.iter().enumerate() {
-            all.extend(plain[index + 1..].iter().map(|&second| Displacement::Rotation(first, second)));
-        }
-    }
-    all
-}
-
-fn generator(model: &mut Model, displacement: Displacement) -> Generator {
-    let (positions, velocities) = (model.positions(), model.velocities());
-    let speed_of = |model: &Model, position| {
-        model.speeds.iter().position(|speed| speed.coordinate == Some(position)).unwrap_or_default()
-    };
-    let mut generator =
-        Generator { displacement, positions: Vec::new(), velocities: Vec::new(), along: Vec::new() };
-    match displacement {
-        Displacement::Translation(position) => {
-            let one = model.graph.number(1);
-            generator.positions.push((position, one));
-            generator.along.push((speed_of(model, position), one));
-        }
-        Displacement::Rotation(first, second) => {
-            let [from, to] = [first, second].map(|position| speed_of(model, position));
-            let back = [model.graph.negate(positions[second]), model.graph.negate(velocities[to])];
-            generator.positions = vec![(first, back[0]), (second, positions[first])];
-            generator.velocities = vec![(from, back[1]), (to, velocities[from])];
-            generator.along = vec![(from, back[0]), (to, positions[first])];
-        }
-        Displacement::Turn(body, axis) => {
-            let of = model.orientations[body];
-            let quaternion = quaternion(of, &positions);
-            generator.positions = turned(&mut model.graph, of, quaternion, axis, &Number::ONE);
-            let components = world_axis(&mut model.graph, quaternion, axis);
-            generator.along = (of.velocity..).zip(components).collect();
-        }
-        Displacement::Spin(body, axis) => {
-            let of = model.orientations[body];
-            let [next, last] = [(axis + 1) % 3, (axis + 2) % 3].map(|other| of.velocity + other);
-            generator.positions =
-                turned(&mut model.graph, of, quaternion(of, &positions), axis, &Number::MINUS_ONE);
-            // The same vector ω in axes that are turned by d is ω + ω × d.
-            let back = model.graph.negate(velocities[next]);
-            generator.velocities = vec![(next, velocities[last]), (last, back)];
-            generator.along = vec![(of.velocity + axis, model.graph.number(1))];
-        }
-    }
-    generator
-}
-
-fn quaternion(of: Orientation, positions: &[ExprId]) -> [ExprId; 4] {
-    std::array::from_fn(|part| positions[of.position + part])
-}
-
-/// The change of a quaternion that is multiplied by half the unit of an axis. It is multiplied from
-/// the left, or from the right for a negative `sign` of the vector product.
-fn turned(
-    graph: &mut Graph,
-    of: Orientation,
-    [w, vector @ ..]: [ExprId; 4],
-    axis: usize,
-    sign: &Number,
-) -> Vec<(usize, ExprId)> {
-    let half = Number::HALF;
-    let [next, last] = [(axis + 1) % 3, (axis + 2) % 3];
-    let mut changes = vec![
-        (of.position, graph.scale(-&half, vector[axis])),
-        (of.position + 1 + axis, graph.scale(half.clone(), w)),
-    ];
-    // e × v has the components −v_last along the next axis and v_next along the last.
-    changes.push((of.position + 1 + next, graph.scale(-&(&half * sign), vector[last])));
-    changes.push((of.position + 1 + last, graph.scale(&half * sign, vector[next])));
-    changes
-}
-
-/// The components of an axis of the world in the axes of the body: a row of its rotation matrix.
-fn world_axis(graph: &mut Graph, [w, vector @ ..]: [ExprId; 4], axis: usize) -> [ExprId; 3] {
-    std::array::from_fn(|column| {
-        let product = graph.multiply(vector[axis], vector[column]);
-        let mut terms = vec![(product, Number::TWO)];
-        if column == axis {
-            let square = graph.multiply(w, w);
-            terms.push((square, Number::TWO));
-            return graph.sum(Number::MINUS_ONE, terms);
-        }
-        let (third, is_even) = (3 - axis - column, (axis + 1) % 3 == column);
-        let sign = if is_even { -&Number::TWO } else { Number::TWO };
-        terms.push((graph.multiply(w, vector[third]), sign));
-        graph.sum(Number::ZERO, terms)
-    })
 }
 
 impl Slopes {
@@ -202,11 +82,6 @@ impl Slopes {
             forces,
             rows: held.into_iter().map(|velocity| gradient(graph, velocity, &velocities)).collect(),
         }
-    }
-
-    fn all(&self) -> Vec<ExprId> {
-        let vectors = [&self.positions, &self.momenta, &self.forces];
-        vectors.into_iter().chain(&self.rows).flatten().copied().collect()
     }
 }
 
@@ -259,43 +134,97 @@ fn pairing(graph: &mut Graph, coefficients: &[(usize, ExprId)], of: &[ExprId]) -
     graph.total(products)
 }
 
-/// Combinations of columns that vanish at random points and, where a formula is made of pieces, by
-/// proof.
-fn invariant_combinations(model: &mut Model, slopes: &Slopes, columns: &[Vec<ExprId>]) -> Vec<Vec<Number>> {
-    let rows = rows_at_points(model, slopes, columns);
-    let (used, further) = rows.split_at(rows.len().min(columns.len() + 1));
+/// Combinations of columns that vanish at random points and, where a formula may be flat at these
+/// and not elsewhere, by proof.
+fn invariant_combinations(model: &mut Model, columns: &[Vec<ExprId>]) -> Vec<Vec<Number>> {
+    let samples = samples(model, columns);
+    let (used, further) = samples.split_at(samples.len().min(columns.len() + 1));
     if further.is_empty() {
         return Vec::new();
     }
-    let candidates = null_space(used.concat(), columns.len(), ROUNDING);
-    let simple = candidates.iter().filter_map(|vector| vector.iter().map(|&c| fraction(c)).collect());
-    let vanishes = |combination: &Vec<Number>| {
-        let numbers = combination.iter().map(Number::to_f64).collect::<Vec<_>>();
-        let sum = |row: &Vec<f64>| row.iter().zip(&numbers).map(|(entry, c)| entry * c).sum::<f64>();
-        further.iter().flatten().all(|row| sum(row).abs() <= ROUNDING * numbers.len() as f64)
+    let scale = |column: usize| {
+        let magnitudes = used.iter().flatten().map(|row| row[column].magnitude);
+        magnitudes.fold(0.0, f64::max)
     };
-    let found = simple.filter(vanishes).collect::<Vec<_>>();
-    if !columns.concat().iter().any(|&root| has_pieces(&model.graph, root)) {
+    let scales = (0..columns.len()).map(scale).map(|scale| if scale > 0.0 { scale } else { 1.0 });
+    let scales = scales.collect::<Vec<_>>();
+    let scaled =
+        |row: &Vec<Entry>| row.iter().zip(&scales).map(|(entry, scale)| entry.value / scale).collect();
+    let candidates = null_space(used.iter().flatten().map(scaled).collect(), columns.len(), ROUNDING);
+    let simple = candidates.iter().filter_map(|vector| combination(vector, &scales));
+    let found = simple.filter(|found| further.iter().flatten().all(|row| vanishes(row, found)));
+    let found = found.collect::<Vec<_>>();
+    if !columns.concat().iter().any(|&root| may_be_flat(&model.graph, root)) {
         return found;
     }
     found.into_iter().filter(|combination| is_proved(&mut model.graph, columns, combination)).collect()
 }
 
-/// Values of the columns at points where all are finite, relative to the largest number there.
-fn rows_at_points(model: &Model, slopes: &Slopes, columns: &[Vec<ExprId>]) -> Vec<Vec<Vec<f64>>> {
-    let (entries, scales) = (columns.concat(), slopes.all());
-    let roots = [entries.clone(), scales].concat();
+/// The coefficients of a vector of scaled columns, with a last one of one, if they are simple.
+fn combination(vector: &[f64], scales: &[f64]) -> Option<Vec<Number>> {
+    let known = vector.iter().map(|entry| if entry.abs() > ROUNDING { *entry } else { 0.0 });
+    let unscaled = known.zip(scales).map(|(entry, scale)| entry / scale).collect::<Vec<_>>();
+    let last = unscaled.iter().rev().find(|entry| **entry != 0.0)?;
+    unscaled.iter().map(|entry| fraction(entry / last)).collect()
+}
+
+/// True if the sum of the entries is no more than rounding beside their terms.
+fn vanishes(row: &[Entry], combination: &[Number]) -> bool {
+    let (mut sum, mut magnitude) = (0.0, 0.0);
+    for (entry, coefficient) in row.iter().zip(combination) {
+        let coefficient = coefficient.to_f64();
+        sum += coefficient * entry.value;
+        magnitude += coefficient.abs() * entry.magnitude;
+    }
+    sum.abs() <= ROUNDING * magnitude
+}
+
+/// The value of a condition, and the sum of the magnitudes of its terms.
+#[derive(Clone, Copy)]
+struct Entry {
+    value: f64,
+    magnitude: f64,
+}
+
+/// The rows of conditions at points where all are finite.
+fn samples(model: &Model, columns: &[Vec<ExprId>]) -> Vec<Vec<Vec<Entry>>> {
     let height = columns.first().map_or(0, Vec::len);
+    let parts = model.graph.reachable(&columns.concat());
     let at_point = |point: usize| {
-        let values = evaluate(&model.graph, &roots, |role| value_at(model, role, point));
-        let largest = values.iter().fold(1.0, |a: f64, b| if b.is_nan() { f64::NAN } else { a.max(b.abs()) });
-        let row = |i: usize| (0..columns.len()).map(|k| values[k * height + i] / largest).collect::<Vec<_>>();
-        largest.is_finite().then(|| (0..height).map(row).collect::<Vec<_>>())
+        let entries = entries(model, &parts, point);
+        let at = |column: &Vec<ExprId>, row: usize| entries.get(&column[row]).copied();
+        let row = |row: usize| columns.iter().map(|column| at(column, row)).collect::<Option<Vec<_>>>();
+        let rows = (0..height).map(row).collect::<Option<Vec<_>>>()?;
+        rows.iter().flatten().all(|entry| entry.magnitude.is_finite()).then_some(rows)
     };
-    (0..2 * columns.len() + 2 * FURTHER_POINTS)
-        .filter_map(at_point)
-        .take(columns.len() + 1 + FURTHER_POINTS)
-        .collect()
+    let wanted = columns.len() + 1 + FURTHER_POINTS;
+    (0..2 * wanted).filter_map(at_point).take(wanted).collect()
+}
+
+/// The values of expressions at a point, with magnitudes in which no terms cancel.
+fn entries(model: &Model, parts: &[ExprId], point: usize) -> HashMap<ExprId, Entry> {
+    let values = evaluate(&model.graph, parts, |role| value_at(model, role, point));
+    let mut entries = HashMap::default();
+    for (&id, value) in parts.iter().zip(values) {
+        let known = |id: &ExprId| entries.get(id).map_or(f64::NAN, |entry: &Entry| entry.magnitude);
+        let magnitude = match model.graph.node(id) {
+            Node::Sum { constant, terms } => terms
+                .iter()
+                .fold(constant.to_f64().abs(), |sum, (term, c)| sum + c.to_f64().abs() * known(term)),
+            Node::Product(factors) => factors.iter().fold(1.0, |product, (base, exponent)| {
+                let exponent = exponent.to_f64();
+                let base = if exponent > 0.0 {
+                    known(base)
+                } else {
+                    entries.get(base).map_or(f64::NAN, |of| of.value.abs())
+                };
+                product * base.powf(exponent)
+            }),
+            _ => value.abs(),
+        };
+        entries.insert(id, Entry { value, magnitude });
+    }
+    entries
 }
 
 /// A number between 1/2 and 3/2 for a symbol at a point; quaternions have the length one.
@@ -326,17 +255,15 @@ fn fraction(value: f64) -> Option<Number> {
     })
 }
 
-/// True of a formula that is not analytic: what holds at points may not hold elsewhere.
-fn has_pieces(graph: &Graph, root: ExprId) -> bool {
-    let is_piecewise = |id: ExprId| match graph.node(id) {
+/// True of a formula that may be flat at some points and not elsewhere: in pieces, or so steep that
+/// numbers do not show it.
+fn may_be_flat(graph: &Graph, root: ExprId) -> bool {
+    let may_be_flat = |id: ExprId| match graph.node(id) {
         Node::Choose { .. } | Node::Opaque(..) => true,
-        Node::Call(function, _) => matches!(
-            function,
-            Function::Abs | Function::Sign | Function::MagnitudeSlope | Function::Min | Function::Max
-        ),
+        Node::Call(function, _) => !matches!(function, Function::Sin | Function::Cos),
         _ => false,
     };
-    graph.reachable(&[root]).into_iter().any(is_piecewise)
+    graph.reachable(&[root]).into_iter().any(may_be_flat)
 }
 
 fn is_proved(graph: &mut Graph, columns: &[Vec<ExprId>], combination: &[Number]) -> bool {

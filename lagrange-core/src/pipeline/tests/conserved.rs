@@ -66,6 +66,16 @@ fn formulas_in_pieces_need_a_proof() {
 }
 
 #[test]
+fn weak_and_steep_forces_count() {
+    let weak = "potential = -6.67e-11 / sqrt(x^2 + y^2) + 1e-30 * z;";
+    assert_eq!(of_three(weak), ["energy", "angular_momentum"]);
+    assert_eq!(of_three("potential = x^2 + y + 1e-12 * z;"), ["energy"]);
+    assert_eq!(of_three("potential = tanh(1000 * (x - 5)) + y^2 + z;"), ["energy"]);
+    assert_eq!(of_three("potential = exp(-1000 * (x - y)) + z^2 + y;"), ["energy"]);
+    assert_eq!(of_three("potential = exp(-1000 * (x - y)^2) + z;"), ["energy", "x_y"]);
+}
+
+#[test]
 fn bodies_in_space_turn_about_what_leaves_them_unchanged() {
     let top = |inertia: &str| {
         conserved(&format!(
