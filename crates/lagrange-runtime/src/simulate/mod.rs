@@ -28,6 +28,7 @@
 //! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
 //! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
+//! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
 //! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
@@ -59,6 +60,7 @@ mod progress;
 mod record;
 mod run;
 mod sampling;
+mod sensitivity;
 mod start;
 mod table;
 mod trajectory;
@@ -75,7 +77,7 @@ pub(crate) use self::builder::{ENERGY, default_method};
 pub use self::builder::{Ended, Simulation, Start, Unended};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::control::Act;
-pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
+pub use self::control::{ClosedLoop, Drive, Driven, GivenEvent, Law, Undriven};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;
@@ -97,6 +99,7 @@ pub(crate) use self::ports::held;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::sampling::{Grid, Sampling};
+pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
 pub use self::start::InitialState;
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::table::TIME;

@@ -20,7 +20,7 @@ use crate::system::{DeclaredEvent, EventKind, MechanicalSystem};
 use crate::tolerance::SAME_INSTANT;
 
 /// The record of a run in progress.
-pub(super) struct Record<'a, M: MechanicalSystem, C> {
+pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
     table: Table<M::Scalar>,
@@ -35,8 +35,8 @@ pub(super) struct Record<'a, M: MechanicalSystem, C> {
     given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
     reporter: Option<Reporter<'a, M::Scalar>>,
-    first: (M::Scalar, M::State),
-    last: (M::Scalar, M::State),
+    first: (M::Scalar, C::State),
+    last: (M::Scalar, C::State),
     end: M::Scalar,
     pub(super) work: Work,
 }
@@ -56,7 +56,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         settings: &RunSettings<M::Scalar>,
         (names, columns): (Vec<String>, Vec<Extend<'a, M>>),
         reporter: Option<Reporter<'a, M::Scalar>>,
-        start: (M::Scalar, M::State),
+        start: (M::Scalar, C::State),
     ) -> Self {
         let samples = match (settings.sampling, settings.grid()) {
             (Sampling::EveryStep, _) => Samples::EveryStep,
@@ -89,7 +89,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     }
 
     /// The last good state, with its time.
-    pub(super) fn last(&self) -> (M::Scalar, M::State) {
+    pub(super) fn last(&self) -> (M::Scalar, C::State) {
         self.last
     }
 
@@ -100,7 +100,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
     /// Adds a sample that was computed elsewhere.
     #[cfg(feature = "ensemble")]
-    pub(super) fn push(&mut self, system: &C, reached: (M::Scalar, M::State)) {
+    pub(super) fn push(&mut self, system: &C, reached: (M::Scalar, C::State)) {
         self.sample(system, reached);
         self.last = reached;
     }
@@ -112,7 +112,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     }
 
     /// Adds a sample at this time and state.
-    fn sample(&mut self, system: &C, (time, state): (M::Scalar, M::State)) {
+    fn sample(&mut self, system: &C, (time, whole): (M::Scalar, C::State)) {
+        let state = C::state_of_plant(&whole);
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
         let system = self.freed.as_ref().unwrap_or(system);
@@ -120,6 +121,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         system.ask(time, &state, |plant| {
             columns.iter_mut().for_each(|extend| extend(plant, time, &state, row));
         });
+        system.extend_row(&whole, row);
         self.table.push(time, &self.row);
     }
 
@@ -135,8 +137,10 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             self.sample(current.system(), self.last);
         }
         let description = current.system().plant().description();
+        let variables = current.system().variables();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
+        let [first, last] = [first, last].map(|(time, state)| (time, C::state_of_plant(&state)));
         let (columns, inputs) = (table.into(), None);
         (
             given,
@@ -150,6 +154,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
                 last,
                 method,
                 inputs,
+                variables,
                 system,
                 description,
             },
@@ -171,7 +176,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
             Origin::Declared => self.declared[event.event].name.to_string(),
             Origin::Given(index) => self.given[index].clone(),
         };
-        self.events.push(Event { name, time: event.time, state: event.state, kind });
+        let state = C::state_of_plant(&event.state);
+        self.events.push(Event { name, time: event.time, state, kind });
     }
 
     fn reach_end(&mut self, system: &C, stepper: &mut impl Stepper<C>, time: M::Scalar) -> bool {
@@ -181,7 +187,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
 
     /// Keeps what is wanted of the last step, and reports after each sample within it. If the run
     /// is cancelled there, it ends at that sample.
-    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &M::State)) -> bool {
+    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &C::State)) -> bool {
         let (to, state) = reached;
         let steps = stepper.work().steps;
         let mut reached = (to, *state);
@@ -201,7 +207,9 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
             Samples::None => {}
         }
         if let Some(dense) = &mut self.dense {
-            dense.push((stepper.last_time(), reached.0), |t| stepper.interpolate(system, t));
+            let from = stepper.last_time();
+            let state = |t| C::state_of_plant(&stepper.interpolate(system, t));
+            dense.push((from, reached.0), state);
         }
         self.last = reached;
         reached.0 == to
@@ -211,7 +219,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         self.freed = system.freed();
     }
 
-    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &M::State), is_silent: bool) {
+    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &C::State), is_silent: bool) {
         if is_silent {
             return;
         }
@@ -222,7 +230,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
     }
 
     /// Replaces a sample that was kept at this time: it has the new inputs.
-    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &M::State)) {
+    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &C::State)) {
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding
