@@ -34,6 +34,7 @@
 //! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
 //! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
 //! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
+//! | `fit` (feature) | parameters from data |
 //! | `linear` (feature) | equilibria, linear models, modes |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
@@ -52,7 +53,8 @@
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
 //! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` let
 //! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
-//! threads and processes. `linear` finds equilibria, linear models and modes. `draw` makes pictures
+//! threads and processes. `linear` finds equilibria, linear models and modes, and `fit`
+//! parameters from data. `draw` makes pictures
 //! and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on
 //! a system. `double` adds numbers of 106 bits. `symbolic` re-exports the computer algebra as
 //! `lagrange::symbolic`, for tools that derive at run time.
@@ -79,6 +81,9 @@ pub use lagrange_draw as draw;
 #[cfg(feature = "ensemble")]
 #[doc(inline)]
 pub use lagrange_runtime::ensemble::{self, Ensembles};
+#[cfg(feature = "fit")]
+#[doc(inline)]
+pub use lagrange_runtime::fit;
 #[cfg(feature = "linear")]
 #[doc(inline)]
 pub use lagrange_runtime::linear;

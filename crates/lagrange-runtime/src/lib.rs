@@ -16,6 +16,7 @@
 //! | [`run`] | the one loop |
 //! | `simulate` (`std`) | the front door |
 //! | `linear` (feature) | equilibria, linear models, modes |
+//! | `fit` (feature) | parameters from data |
 //! | `ensemble` (feature) | many motions |
 #![no_std]
 #![deny(unsafe_code)]
@@ -29,6 +30,8 @@ pub mod contact;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod event;
+#[cfg(feature = "fit")]
+pub mod fit;
 pub mod inertia;
 pub mod integrate;
 mod linalg;

@@ -26,7 +26,7 @@
 //! | to | say |
 //! |---|---|
 //! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
-//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
+//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`at_times`](Simulation::at_times), [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
 //! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
@@ -73,7 +73,9 @@ use crate::integrate::Verner98;
 use crate::system::MechanicalSystem;
 
 #[cfg(feature = "ensemble")]
-pub(crate) use self::builder::{ENERGY, default_method};
+pub(crate) use self::builder::ENERGY;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::builder::default_method;
 pub use self::builder::{Ended, Simulation, Start, Unended};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::control::Act;
@@ -84,13 +86,15 @@ pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::events::EventOf;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::observer::state_names;
 #[cfg(feature = "ensemble")]
-pub(crate) use self::observer::{columns_of, energy, inputs, state_names};
+pub(crate) use self::observer::{columns_of, energy, inputs};
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::plan::RunSettings;
-#[cfg(feature = "ensemble")]
+#[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::plan::{Plan, RunPlan};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::plots::time_axis;
@@ -98,15 +102,21 @@ pub(crate) use self::plots::time_axis;
 pub(crate) use self::ports::held;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
-pub(crate) use self::sampling::{Grid, Sampling};
+pub(crate) use self::sampling::Grid;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::sampling::Sampling;
 pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
+#[cfg(feature = "fit")]
+pub(crate) use self::sensitivity::{slope, varied};
 pub use self::start::InitialState;
-#[cfg(all(feature = "ensemble", feature = "plot"))]
+#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
-pub(crate) use self::units::{label_with_unit, unit};
+pub(crate) use self::units::label_with_unit;
+#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
+pub(crate) use self::units::unit;
 #[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
 pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]

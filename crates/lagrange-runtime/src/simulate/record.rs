@@ -6,7 +6,7 @@ use std::vec::Vec;
 
 use crate::integrate::{Stepper, Work};
 use crate::run::{Current, Found, Origin, Sink};
-use crate::scalar::Number;
+use crate::scalar::{Number, Scalar};
 use crate::simulate::control::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
@@ -42,10 +42,51 @@ pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
 }
 
 /// The samples that are still to come.
+#[derive(Clone)]
 enum Samples<S> {
     EveryStep,
     Grid(Grid<S>),
+    /// In falling order of the run, with its end.
+    Times(Vec<S>, S),
     None,
+}
+
+impl<S: Scalar> Samples<S> {
+    /// The samples of a run after its start.
+    fn new(settings: &RunSettings<S>) -> Self {
+        match (settings.sampling, settings.grid()) {
+            (Sampling::EveryStep, _) => Samples::EveryStep,
+            (Sampling::Every(_), Ok(Some(grid))) => Samples::Grid(grid),
+            (Sampling::Times, _) => {
+                let [start, end] = settings.span;
+                let later = settings.times.iter().rev().copied().filter(|time| *time != start);
+                Samples::Times(later.collect(), end)
+            }
+            _ => Samples::None,
+        }
+    }
+
+    /// The next time of a sample if it is not after `to` and before the end.
+    fn ahead(&self, to: S) -> Option<S> {
+        match self {
+            Samples::Grid(grid) => { *grid }.up_to(to),
+            Samples::Times(times, end) => {
+                let is_reached = |time: &S| if *end < to { *time >= to } else { *time <= to };
+                times.last().copied().filter(|time| time != end && is_reached(time))
+            }
+            Samples::EveryStep | Samples::None => None,
+        }
+    }
+
+    /// Takes that time.
+    fn take(&mut self, to: S) -> Option<S> {
+        let next = self.ahead(to)?;
+        match self {
+            Samples::Grid(grid) => grid.up_to(to),
+            Samples::Times(times, _) => times.pop(),
+            Samples::EveryStep | Samples::None => Some(next),
+        }
+    }
 }
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
@@ -58,11 +99,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         reporter: Option<Reporter<'a, M::Scalar>>,
         start: (M::Scalar, C::State),
     ) -> Self {
-        let samples = match (settings.sampling, settings.grid()) {
-            (Sampling::EveryStep, _) => Samples::EveryStep,
-            (Sampling::Every(_), Ok(Some(grid))) => Samples::Grid(grid),
-            _ => Samples::None,
-        };
+        let samples = Samples::new(settings);
         let mut record = Record {
             freed: current.switched().and_then(C::freed),
             table: Table::new(names),
@@ -164,11 +201,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
 impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
     fn looks_before(&self, to: M::Scalar) -> bool {
-        let is_sampled = match self.samples {
-            Samples::Grid(mut grid) => grid.up_to(to).is_some_and(|time| time != to),
-            Samples::EveryStep | Samples::None => false,
-        };
-        is_sampled || self.dense.is_some()
+        self.samples.ahead(to).is_some_and(|time| time != to) || self.dense.is_some()
     }
 
     fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
@@ -191,20 +224,16 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         let (to, state) = reached;
         let steps = stepper.work().steps;
         let mut reached = (to, *state);
-        match self.samples {
-            Samples::EveryStep => self.sample(system, reached),
-            Samples::Grid(mut grid) => {
-                while let Some(time) = grid.up_to(to) {
-                    let state = if time == to { *state } else { stepper.interpolate(system, time) };
-                    self.sample(system, (time, state));
-                    if time != to && !self.report(time, steps) {
-                        reached = (time, state);
-                        break;
-                    }
-                }
-                self.samples = Samples::Grid(grid);
+        if let Samples::EveryStep = self.samples {
+            self.sample(system, reached);
+        }
+        while let Some(time) = self.samples.take(to) {
+            let state = if time == to { *state } else { stepper.interpolate(system, time) };
+            self.sample(system, (time, state));
+            if time != to && !self.report(time, steps) {
+                reached = (time, state);
+                break;
             }
-            Samples::None => {}
         }
         if let Some(dense) = &mut self.dense {
             let from = stepper.last_time();

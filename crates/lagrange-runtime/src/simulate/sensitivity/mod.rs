@@ -9,6 +9,8 @@ use std::string::String;
 use std::sync::Arc;
 use std::vec::Vec;
 
+#[cfg(feature = "fit")]
+pub(crate) use self::slope::slope;
 pub use self::stacked::Stacked;
 use self::system::VariedPlace;
 pub use self::system::{Sensitive, Varied};
@@ -93,7 +95,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         V: Variables,
         M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
     {
-        let find = |name| variable(self.system, &self.state, name, weight);
+        let find = |name| varied(self.system, &self.state, name, weight);
         let found = names.into_iter().map(find).collect::<Result<Vec<_>, _>>();
         let variables = found.unwrap_or_else(|error| {
             self.plan.settings.refuse(error);
@@ -106,7 +108,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
 }
 
 /// Finds a variable by its name.
-fn variable<M: ParametricSystem>(
+pub(crate) fn varied<M: ParametricSystem>(
     system: &M,
     start: &M::State,
     name: &'static str,
@@ -164,6 +166,15 @@ variables! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 }
 pub struct Differentiated<M: MechanicalSystem, D, const N: usize, const R: usize> {
     drive: D,
     variables: Arc<[Varied<M::Scalar>]>,
+}
+
+#[cfg(feature = "fit")]
+impl<M: MechanicalSystem, D, const N: usize, const R: usize> Differentiated<M, D, N, R> {
+    /// Returns the drive with derivatives by fewer than R variables.
+    pub(crate) fn new(drive: D, variables: Arc<[Varied<M::Scalar>]>) -> Self {
+        debug_assert!(variables.len() < R);
+        Differentiated { drive, variables }
+    }
 }
 
 impl<M: MechanicalSystem, D: Clone, const N: usize, const R: usize> Clone for Differentiated<M, D, N, R> {

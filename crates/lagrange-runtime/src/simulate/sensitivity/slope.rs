@@ -23,7 +23,7 @@ const MOST_REFINEMENTS: usize = 4;
 /// when its argument changes by one over `rate`, and the step is reduced if it does so earlier.
 /// Differences are one-sided where the function is not defined on the other side; `None` if it is
 /// not defined on either.
-pub(super) fn slope<S: Scalar, const N: usize>(
+pub(crate) fn slope<S: Scalar, const N: usize>(
     rate: S,
     mut function: impl FnMut(S) -> Option<[S; N]>,
 ) -> Option<[S; N]> {
