@@ -224,20 +224,23 @@ where
         self.closed.ask(t, y, question)
     }
 
-    /// Changes of parameters move the start as far as constraints do.
+    /// Changes of parameters and initial values move the start as constraints and closed contacts
+    /// let them.
     fn extended(&self, t: M::Scalar, y: &M::State) -> Self::State {
+        let begun = self.closed.begin(t, y).ok().flatten().map(|closed| self.around(closed));
+        let begun = begun.as_ref().unwrap_or(self);
         let mut whole = Stacked::new(*y, self.variables.len());
         for (variable, change) in self.variables.iter().zip(&mut whole.rows[1..]) {
             if let VariedPlace::Initial(index) = variable.place {
                 change[index] = variable.scale;
             }
-            if self.closed.is_constrained() {
+            if begun.is_constrained() {
                 let restored = |closed: &L, t, y: &M::State| {
                     let mut state = *y;
                     closed.restore(t, &mut state).ok().map(|()| state)
                 };
                 let direction = *change;
-                let found = self.along((t, y), (Number::ZERO, &direction), Some(variable), restored);
+                let found = begun.along((t, y), (Number::ZERO, &direction), Some(variable), restored);
                 *change = found.unwrap_or([M::Scalar::NAN; N]);
             }
         }

@@ -57,7 +57,7 @@ where
     L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
 {
     /// Returns this around a loop in other modes.
-    fn around(&self, closed: L) -> Self {
+    pub(super) fn around(&self, closed: L) -> Self {
         Sensitive { closed, variables: Arc::clone(&self.variables) }
     }
 
