@@ -106,6 +106,11 @@ struct Readme;
 struct ContactsAndFriction;
 
 /// Keeps the example of the page true.
+#[cfg(all(doctest, feature = "fit"))]
+#[doc = include_str!("../docs/sensitivities.md")]
+struct Sensitivities;
+
+/// Keeps the example of the page true.
 #[cfg(all(doctest, feature = "linear"))]
 #[doc = include_str!("../docs/linear.md")]
 struct LinearAnalysis;

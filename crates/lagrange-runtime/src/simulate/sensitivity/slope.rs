@@ -7,12 +7,12 @@
 
 use crate::scalar::Scalar;
 
-/// Places and weights of differences around a point.
-const AROUND: [(f64, f64); 4] =
-    [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
+/// A twelfth of these times the difference of the values at the first place and the second, in
+/// steps from a point, are its slope. What is constant has none, without rounding.
+type Differences = &'static [(f64, [f64; 2])];
 
-/// Places and weights of differences on one side of a point.
-const ASIDE: [(f64, f64); 5] = [(0.0, -25.0 / 12.0), (1.0, 4.0), (2.0, -3.0), (3.0, 4.0 / 3.0), (4.0, -0.25)];
+const AROUND: Differences = &[(8.0, [1.0, -1.0]), (-1.0, [2.0, -2.0])];
+const ASIDE: Differences = &[(48.0, [1.0, 0.0]), (-36.0, [2.0, 0.0]), (16.0, [3.0, 0.0]), (-3.0, [4.0, 0.0])];
 
 /// A step is divided by this until two in a row agree,
 const REFINEMENT: f64 = 8.0;
@@ -54,17 +54,17 @@ fn differences<S: Scalar, const N: usize>(
     step: S,
     function: &mut impl FnMut(S) -> Option<[S; N]>,
 ) -> Option<[S; N]> {
-    let mut sum = |places: &[(f64, f64)], step: S| {
+    let mut sum = |rule: Differences, step: S| {
         let mut sum = [S::ZERO; N];
-        for &(place, weight) in places {
-            let values = function(S::from_f64(place) * step)?;
-            for (sum, value) in sum.iter_mut().zip(values) {
-                *sum = *sum + S::from_f64(weight) * value;
+        for &(weight, places) in rule {
+            let [ahead, behind] = places.map(|place| function(S::from_f64(place) * step));
+            for (sum, (ahead, behind)) in sum.iter_mut().zip(ahead?.into_iter().zip(behind?)) {
+                *sum = *sum + S::from_f64(weight) * (ahead - behind);
             }
         }
-        Some(sum.map(|sum| sum / step))
+        Some(sum.map(|sum| sum / (S::from_f64(12.0) * step)))
     };
-    { sum(&AROUND, step) }.or_else(|| sum(&ASIDE, step)).or_else(|| sum(&ASIDE, -step))
+    { sum(AROUND, step) }.or_else(|| sum(ASIDE, step)).or_else(|| sum(ASIDE, -step))
 }
 
 /// The largest distance of two entries.
