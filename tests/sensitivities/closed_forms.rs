@@ -190,3 +190,66 @@ fn steps_alongside_are_those_of_the_state() {
     assert!((last(alongside.table(), "k") - by_stiffness(30.0)).abs() < 1e-4);
     assert!((last(weighed.table(), "k") - by_stiffness(30.0)).abs() < 1e-7);
 }
+
+#[test]
+fn time_may_run_backwards() {
+    let oscillator = Oscillator::<f64>::default();
+    let run = oscillator.simulate([1.0, 0.0]).until(-3.0).tolerance(1e-12);
+    assert!((last(run.sensitivities(["k"]).run().unwrap().table(), "k") - by_stiffness(-3.0)).abs() < 1e-10);
+}
+
+lagrange::system! {
+    /// A ball in any number type.
+    #[derive(Clone, Debug)]
+    struct AnyBall<S>;
+    param g = 9.81, e = 0.7;
+    coord h;
+    kinetic = 1/2 * dot(h)^2;
+    potential = g * h;
+    event floor = h, falling => impact(e);
+}
+
+/// The step of differences, ε^(1/5), is 0.04 in single precision, and so are derivatives worse.
+#[test]
+fn a_bounce_in_single_precision() {
+    let ball = AnyBall::<f32>::default();
+    let motion = ball.simulate([2.0, 0.0]).until(1.2).sensitivities(["g", "e", "h"]).run().unwrap();
+    for (name, wanted) in ["g", "e", "start.h"].into_iter().zip(slopes(1.2, 9.81, 0.7, 2.0)) {
+        let found = *motion.column(&format!("d(h)/d({name})")).unwrap().last().unwrap();
+        assert!((f64::from(found) - wanted).abs() < 1e-3 * wanted.abs(), "{name}: {found} {wanted}");
+    }
+}
+
+lagrange::system! {
+    /// A strongly damped mass.
+    #[derive(Clone, Debug)]
+    struct Damped;
+    param k = 1e4, c = 1e4;
+    coord h;
+    kinetic = 1/2 * dot(h)^2;
+    potential = 1/2 * k * h^2;
+    dissipation = 1/2 * c * dot(h)^2;
+    emit { jacobian }
+}
+
+/// h = (a e^(b t) − b e^(a t))/(a − b) with the roots a, b of x² + c x + k.
+#[test]
+fn an_implicit_method_differentiates_a_stiff_motion() {
+    let height = |k: f64, c: f64| {
+        let fast = -0.5 * (c + (c * c - 4.0 * k).sqrt());
+        let slow = k / fast;
+        (fast * (2.0 * slow).exp() - slow * (2.0 * fast).exp()) / (fast - slow)
+    };
+    let by = |slope: &dyn Fn(f64) -> f64| {
+        (8.0 * (slope(10.0) - slope(-10.0)) - slope(20.0) + slope(-20.0)) / 120.0
+    };
+    let wanted = [by(&|by| height(1e4 + by, 1e4)), by(&|by| height(1e4, 1e4 + by))];
+    let damped = Damped::default();
+    let run = damped.simulate([1.0, 0.0]).until(2.0).method(Radau5::tolerance(1e-10));
+    let motion = run.sensitivities(["k", "c"]).run().unwrap();
+    assert!(motion.work().steps < 1000);
+    for (name, wanted) in ["k", "c"].into_iter().zip(wanted) {
+        let found = last(motion.table(), name);
+        assert!((found / wanted - 1.0).abs() < 1e-6, "{name}: {found} {wanted}");
+    }
+}

@@ -8,7 +8,7 @@ use crate::event::{Detector, Occurrence};
 use crate::integrate::Stepper;
 use crate::run::{Events, Found, Next, Origin, Pending};
 use crate::scalar::Number;
-use crate::simulate::control::{ClosedLoop, GivenEvent};
+use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::system::{
     Action, Direction, EventKind, EventSource, MechanicalSystem, Reacted, Response, ScalarOf, State,
 };

@@ -44,6 +44,7 @@
 //! [`integrate()`](crate::run::integrate).
 
 mod builder;
+mod closed_loop;
 mod control;
 mod csv;
 mod dense;
@@ -77,9 +78,10 @@ pub(crate) use self::builder::ENERGY;
 #[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::builder::default_method;
 pub use self::builder::{Ended, Simulation, Start, Unended};
+pub use self::closed_loop::{ClosedLoop, GivenEvent};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::control::Act;
-pub use self::control::{ClosedLoop, Drive, Driven, GivenEvent, Law, Undriven};
+pub use self::control::{Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;

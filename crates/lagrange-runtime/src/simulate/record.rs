@@ -7,7 +7,7 @@ use std::vec::Vec;
 use crate::integrate::{Stepper, Work};
 use crate::run::{Current, Found, Origin, Sink};
 use crate::scalar::{Number, Scalar};
-use crate::simulate::control::ClosedLoop;
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::observer::Extend;

@@ -16,7 +16,8 @@ use self::system::VariedPlace;
 pub use self::system::{Sensitive, Varied};
 use crate::scalar::{Number, Scalar};
 use crate::simulate::builder::Simulation;
-use crate::simulate::control::{ClosedLoop, Drive, GivenEvent};
+use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
+use crate::simulate::control::Drive;
 use crate::simulate::observer::state_names;
 use crate::system::{
     EventSource, MechanicalSystem, OdeSystem, ParametricSystem, ScalarOf, SettingError, StepFailure,

@@ -18,7 +18,7 @@ use std::sync::Arc;
 use super::slope::slope;
 use super::stacked::Stacked;
 use crate::scalar::{Number, Scalar};
-use crate::simulate::control::ClosedLoop;
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::system::{
     Action, Component, DeclaredEvent, EventSource, MOST_LOCATED, OdeSystem, ParametricSystem, Reacted,
     Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
