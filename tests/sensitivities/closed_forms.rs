@@ -253,3 +253,14 @@ fn an_implicit_method_differentiates_a_stiff_motion() {
         assert!((found / wanted - 1.0).abs() < 1e-6, "{name}: {found} {wanted}");
     }
 }
+
+/// Infinitely many bounces end at √(2 H/g) (1 + e)/(1 − e), and the ball lies on the floor from
+/// there on, whatever its restitution was.
+#[test]
+fn a_ball_that_came_to_rest_has_no_slopes() {
+    let ball = Ball { e: 0.5, ..Ball::default() };
+    let motion = ball.simulate([2.0, 0.0]).until(4.0).sensitivities(["g", "e", "h"]).run().unwrap();
+    for slopes in motion.sensitivities(motion.len() - 1).unwrap() {
+        assert!(slopes.iter().all(|slope| slope.abs() < 1e-6), "{slopes:?}");
+    }
+}
