@@ -36,6 +36,7 @@
 //! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
 //! | [`mod@laws`] | laws of mechanics that a system must obey, checked |
 //! | `linear` (feature) | equilibria, linear models, modes, responses |
+//! | `fit` (feature) | parameters from data |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
@@ -53,7 +54,8 @@
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
 //! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` let
 //! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
-//! threads and processes. `linear` finds equilibria, linear models and modes. `draw` makes pictures
+//! threads and processes. `linear` finds equilibria, linear models and modes, and `fit`
+//! parameters from data. `draw` makes pictures
 //! and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on
 //! a system. `double` adds numbers of 106 bits. `symbolic` re-exports the computer algebra as
 //! `lagrange::symbolic`, for tools that derive at run time.
@@ -83,6 +85,9 @@ pub use lagrange_runtime::ensemble::{self, Ensembles};
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::laws;
+#[cfg(feature = "fit")]
+#[doc(inline)]
+pub use lagrange_runtime::fit;
 #[cfg(feature = "linear")]
 #[doc(inline)]
 pub use lagrange_runtime::linear;
@@ -103,6 +108,11 @@ struct Readme;
 #[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../docs/contacts.md")]
 struct ContactsAndFriction;
+
+/// Keeps the example of the page true.
+#[cfg(all(doctest, feature = "fit"))]
+#[doc = include_str!("../docs/sensitivities.md")]
+struct Sensitivities;
 
 /// Keeps the example of the page true.
 #[cfg(all(doctest, feature = "linear"))]

@@ -19,7 +19,7 @@ const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", 
 const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
 
 /// Pages that keep to plain English.
-const PAGES: [&str; 19] = [
+const PAGES: [&str; 20] = [
     "ARCHITECTURE.md",
     "CHANGELOG.md",
     "README.md",
@@ -33,6 +33,7 @@ const PAGES: [&str; 19] = [
     "docs/peers.md",
     "docs/performance.md",
     "docs/robots.md",
+    "docs/sensitivities.md",
     "docs/tour.md",
     "docs/trade.md",
     "src/language.md",

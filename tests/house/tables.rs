@@ -226,6 +226,10 @@ const RUNTIME: &[Layer] = &[
         purpose: "equilibria and steady motions, linear models with names, modes, controllers",
     },
     Layer {
+        modules: &["fit"],
+        purpose: "parameters from data: least squares with bounds, errors, what data do not tell",
+    },
+    Layer {
         modules: &["ensemble"],
         purpose: "many simulations on threads, with results independent of scheduling; final states, \
                   reductions, resumable files",

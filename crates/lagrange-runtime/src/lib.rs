@@ -17,6 +17,7 @@
 //! | `laws` (`std`) | laws that motions must obey, checked |
 //! | `simulate` (`std`) | the front door |
 //! | `linear` (feature) | equilibria, linear models, modes |
+//! | `fit` (feature) | parameters from data |
 //! | `ensemble` (feature) | many motions |
 #![no_std]
 #![deny(unsafe_code)]
@@ -30,6 +31,8 @@ pub mod contact;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 pub mod event;
+#[cfg(feature = "fit")]
+pub mod fit;
 pub mod inertia;
 pub mod integrate;
 #[cfg(feature = "std")]

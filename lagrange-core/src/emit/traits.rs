@@ -17,6 +17,7 @@ use super::features::lanes::with_lanes;
 use super::features::laws::lagrangian_impl;
 use super::features::linearised::linearised_impl;
 use super::features::orientations::{orientation_members, position_rates};
+use super::features::parametric::parametric_impl;
 use super::features::ports::units_of_outputs;
 use super::features::scene::scene_impl;
 use super::features::switches::{switched_impl, timed_members};
@@ -38,6 +39,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let constrained = constrained_impl(shape, members);
     let (contact, scene) = (contact_impl(shape, members), scene_impl(shape, members));
     let (switched, kernel) = (switched_impl(shape, members), kernel_impl(shape, members));
+    let parametric = parametric_impl(shape, members);
     let (taylor, linearised) = (taylor_impl(shape, members), linearised_impl(shape, members));
     let lagrangian = lagrangian_impl(shape, members);
     // With constraints there is only a skeleton of it.
@@ -48,7 +50,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let separable = members.is_separable.then(|| separable_impl(shape, &name));
         quote!(#canonical #separable)
     });
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian)
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #parametric)
 }
 
 /// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no

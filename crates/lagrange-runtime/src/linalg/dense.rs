@@ -159,11 +159,13 @@ impl IndexMut<(usize, usize)> for DenseMatrix {
 }
 
 /// Triangular factors of a regular square matrix, with the rows in the order of the pivots.
+#[cfg(any(feature = "linear", test))]
 pub(crate) struct TriangularFactors {
     factors: DenseMatrix,
     order: Vec<usize>,
 }
 
+#[cfg(any(feature = "linear", test))]
 impl TriangularFactors {
     /// Eliminates with the largest pivot of each column. `None` if a pivot is zero or not finite. A
     /// `least` magnitude replaces smaller pivots, for matrices that are meant to be singular.

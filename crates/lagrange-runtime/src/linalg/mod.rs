@@ -1,7 +1,7 @@
-//! Small dense linear algebra: in arrays of fixed size, without heap; for linear models, whose size
-//! is known at run time, in vectors.
+//! Small dense linear algebra: in arrays of fixed size, without heap; for linear models and fits,
+//! whose size is known at run time, in vectors.
 
-#[cfg(feature = "linear")]
+#[cfg(any(feature = "linear", feature = "fit"))]
 pub(crate) mod dense;
 #[cfg(feature = "linear")]
 pub(crate) mod eigenvalues;
@@ -9,6 +9,6 @@ pub(crate) mod orthogonal;
 pub(crate) mod pivoted;
 pub(crate) mod ranked;
 pub(crate) mod singular;
-#[cfg(feature = "linear")]
+#[cfg(any(feature = "linear", feature = "fit"))]
 pub(crate) mod singular_values;
 pub(crate) mod vector;

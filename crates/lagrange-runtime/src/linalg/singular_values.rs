@@ -60,6 +60,7 @@ impl SingularValues {
 
     /// The shortest x that minimises |A x − b|, where singular values below this part of the
     /// largest count as zero.
+    #[cfg(any(feature = "linear", test))]
     pub(crate) fn shortest(&self, b: &[f64], part: f64) -> Vec<f64> {
         let mut x = std::vec![0.0; self.triples.len()];
         for (direction, value, image) in &self.triples[..self.rank(part)] {
@@ -67,6 +68,30 @@ impl SingularValues {
             x.iter_mut().zip(direction).for_each(|(x, entry)| *x += share * entry);
         }
         x
+    }
+
+    /// The x that minimises |A x − b|² + λ|x|².
+    #[cfg(feature = "fit")]
+    pub(crate) fn damped(&self, b: &[f64], lambda: f64) -> Vec<f64> {
+        let mut x = std::vec![0.0; self.triples.len()];
+        for (direction, value, image) in self.triples.iter().filter(|(_, value, _)| *value > 0.0) {
+            let share = dot(image, b) / (value * value + lambda);
+            x.iter_mut().zip(direction).for_each(|(x, entry)| *x += share * entry);
+        }
+        x
+    }
+
+    /// Returns (AᵀA)⁻¹, if all singular values are positive.
+    #[cfg(feature = "fit")]
+    pub(crate) fn inverse_square(&self) -> Option<DenseMatrix> {
+        let n = self.triples.len();
+        let entry = |i, j| {
+            self.triples
+                .iter()
+                .fold(0.0, |sum, (v, value, _): &(Vec<f64>, f64, _)| sum + v[i] * v[j] / (value * value))
+        };
+        let inverse = DenseMatrix::from_fn(n, n, entry);
+        inverse.is_finite().then_some(inverse)
     }
 
     /// Returns the singular values.

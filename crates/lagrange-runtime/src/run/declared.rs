@@ -6,7 +6,9 @@ use super::pending::Pending;
 use crate::event::{Detector, Occurrence, end_of_instant, locate};
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{DeclaredEvent, Direction, MOST_LOCATED, OdeSystem, Reacted, StepFailure};
+use crate::system::{
+    Action, DeclaredEvent, Direction, MOST_LOCATED, OdeSystem, Reacted, Response, StepFailure,
+};
 
 /// The events that the declaration of the system M states.
 pub struct DeclaredEvents<M: OdeSystem> {
@@ -127,8 +129,12 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
         if system.events()[event.event].is_side {
             for side in (0..system.events().len()).filter(|&side| self.together[side]) {
                 let before = response.system.as_ref().unwrap_or(system);
-                let after = before.react(side, event.time, elapsed, &event.state)?.system;
-                response.system = after.or(response.system);
+                let state = if let Action::Replace(state) = response.action { state } else { event.state };
+                let Response { action, system, .. } = before.react(side, event.time, elapsed, &state)?;
+                response.system = system.or(response.system);
+                if let Action::Replace(_) = action {
+                    response.action = action;
+                }
             }
         }
         Ok(response)

@@ -84,7 +84,7 @@ impl<'a, M: MechanicalSystem> Start<'a, M> {
     }
 }
 
-#[cfg(feature = "ensemble")]
+#[cfg(any(feature = "ensemble", feature = "fit"))]
 impl<'a, M: MechanicalSystem, K, D> Simulation<'a, M, K, D> {
     /// Returns the run of a plan from a state.
     pub(crate) fn new(system: &'a M, state: M::State, plan: RunPlan<'a, M>, (method, drive): (K, D)) -> Self {
@@ -164,6 +164,14 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     /// The method steps as it would without samples; what lies within a step is interpolated.
     pub fn every(mut self, interval: M::Scalar) -> Self {
         self.plan.settings.sampling = Sampling::Every(interval);
+        self
+    }
+
+    /// Keeps a sample at the start, at the end, and at each of these times between them, as those
+    /// of a measurement. They must be in the order of the run.
+    pub fn at_times(mut self, times: impl IntoIterator<Item = M::Scalar>) -> Self {
+        self.plan.settings.sampling = Sampling::Times;
+        self.plan.settings.times = times.into_iter().collect();
         self
     }
 

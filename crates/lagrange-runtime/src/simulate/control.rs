@@ -7,6 +7,7 @@ use std::vec::Vec;
 
 use crate::contact::{ContactSystem, Mode, Terms};
 use crate::scalar::{Number, Scalar};
+use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
@@ -69,50 +70,6 @@ where
     }
 }
 
-/// A system M, the plant, in a closed loop.
-pub trait ClosedLoop<M: MechanicalSystem>:
-    MechanicalSystem<
-        Scalar = M::Scalar,
-        State = M::State,
-        Coordinates = M::Coordinates,
-        Velocities = M::Velocities,
-    > + Sized
-{
-    /// Returns the plant in its present modes, with its own inputs.
-    fn plant(&self) -> &M;
-
-    /// Returns the loop around another plant.
-    fn with_plant(&self, plant: M) -> Self;
-
-    /// Returns the plant.
-    fn into_plant(self) -> M;
-
-    /// Asks the plant with the inputs that it has at this time and state.
-    fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R;
-}
-
-impl<M: MechanicalSystem> ClosedLoop<M> for M {
-    #[inline]
-    fn plant(&self) -> &M {
-        self
-    }
-
-    #[inline]
-    fn with_plant(&self, plant: M) -> M {
-        plant
-    }
-
-    #[inline]
-    fn into_plant(self) -> M {
-        self
-    }
-
-    #[inline]
-    fn ask<R>(&self, _t: M::Scalar, _y: &M::State, question: impl FnOnce(&M) -> R) -> R {
-        question(self)
-    }
-}
-
 /// A system whose inputs follow a law.
 pub struct Driven<M, F> {
     plant: M,
@@ -139,6 +96,25 @@ where
     #[inline]
     fn ask<R>(&self, t: M::Scalar, y: &M::State, question: impl FnOnce(&M) -> R) -> R {
         self.present(t, y, question)
+    }
+
+    #[inline]
+    fn extended(&self, _t: M::Scalar, y: &M::State) -> M::State {
+        *y
+    }
+
+    #[inline]
+    fn state_of_plant(y: &M::State) -> M::State {
+        *y
+    }
+
+    fn after_event(
+        &self,
+        _at: (M::Scalar, &M::State),
+        after: M::State,
+        _event: &mut dyn GivenEvent<M>,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        Ok(after)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::event::{Detector, Occurrence};
 use crate::integrate::Stepper;
 use crate::run::{Events, Found, Next, Origin, Pending};
 use crate::scalar::Number;
-use crate::simulate::control::ClosedLoop;
+use crate::simulate::closed_loop::{ClosedLoop, GivenEvent};
 use crate::system::{
     Action, Direction, EventKind, EventSource, MechanicalSystem, Reacted, Response, ScalarOf, State,
 };
@@ -40,23 +40,23 @@ pub(crate) type React<'a, M> = Box<dyn FnMut(&M, &EventOf<M>) -> Action<State<M>
 pub(crate) type Watch<'a, M> = (Value<'a, M>, React<'a, M>);
 
 /// An event of a run and its next occurrence.
-struct Watcher<'a, M: MechanicalSystem> {
+struct Watcher<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     name: String,
     value: Value<'a, M>,
     react: React<'a, M>,
-    pending: Pending<M::Scalar, M::State, 1>,
+    pending: Pending<M::Scalar, C::State, 1>,
 }
 
 /// The events that a run looks for.
-pub(super) struct Watchers<'a, M: MechanicalSystem>(Vec<Watcher<'a, M>>);
+pub(super) struct Watchers<'a, M: MechanicalSystem, C: ClosedLoop<M>>(Vec<Watcher<'a, M, C>>);
 
-impl<'a, M: MechanicalSystem> Watchers<'a, M> {
+impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
     /// Starts to watch at a time and state for events with these names and directions.
-    pub(super) fn new<C: ClosedLoop<M>>(
+    pub(super) fn new(
         events: &[(String, Direction)],
         watches: Vec<Watch<'a, M>>,
         system: &C,
-        (t, y): (M::Scalar, &M::State),
+        (t, y): (M::Scalar, &C::State),
     ) -> Self {
         let start = |((name, direction), (mut value, react)): (&(String, _), Watch<'a, M>)| {
             let detector = Detector::new([*direction], t, [ask(&mut value, system, t, y)]);
@@ -71,12 +71,13 @@ fn ask<M: MechanicalSystem, C: ClosedLoop<M>>(
     value: &mut Value<'_, M>,
     system: &C,
     t: M::Scalar,
-    y: &M::State,
+    y: &C::State,
 ) -> M::Scalar {
-    system.ask(t, y, |plant| value(plant, t, y))
+    let y = C::state_of_plant(y);
+    system.ask(t, &y, |plant| value(plant, t, &y))
 }
 
-impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
+impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M, C> {
     fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -103,22 +104,58 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Events<C> for Watchers<'_, M> {
 
     fn react(&mut self, system: &C, origin: Origin, found: &Found<C>) -> Reacted<C> {
         let Origin::Given(index) = origin else { return Ok(Response::new(Action::Continue)) };
-        let watcher = &mut self.0[index];
-        let Occurrence { time, state, .. } = *found;
-        let event = Event { name: watcher.name.clone(), time, state, kind: EventKind::Zero };
-        let action = system.ask(time, &state, |plant| (watcher.react)(plant, &event));
+        let Watcher { name, value, react, .. } = &mut self.0[index];
+        let Occurrence { time, state: whole, .. } = *found;
+        let state = C::state_of_plant(&whole);
+        let mut event = Given { index, name, value, react };
+        let action = match system.ask(time, &state, |plant| event.react(plant, time, &state)) {
+            Action::Continue => Action::Continue,
+            Action::Stop => Action::Stop,
+            Action::Replace(after) => {
+                Action::Replace(system.after_event((time, &whole), after, &mut event)?)
+            }
+        };
         Ok(Response::new(action))
     }
 
-    fn restart(&mut self, system: &C, t: M::Scalar, y: &M::State) {
+    fn restart(&mut self, system: &C, t: M::Scalar, y: &C::State) {
         for Watcher { value, pending, .. } in &mut self.0 {
             pending.restart(t, [ask(value, system, t, y)]);
         }
     }
 
-    fn jump(&mut self, system: &C, t: M::Scalar, y: &M::State) {
+    fn jump(&mut self, system: &C, t: M::Scalar, y: &C::State) {
         for Watcher { value, pending, .. } in &mut self.0 {
             pending.jump([ask(value, system, t, y)]);
         }
+    }
+}
+
+/// An event of a run at one of its occurrences.
+struct Given<'w, 'a, M: MechanicalSystem> {
+    index: usize,
+    name: &'w str,
+    value: &'w mut Value<'a, M>,
+    react: &'w mut React<'a, M>,
+}
+
+impl<M: MechanicalSystem> Given<'_, '_, M> {
+    fn react(&mut self, plant: &M, time: M::Scalar, y: &M::State) -> Action<M::State> {
+        let event = Event { name: self.name.into(), time, state: *y, kind: EventKind::Zero };
+        (self.react)(plant, &event)
+    }
+}
+
+impl<M: MechanicalSystem> GivenEvent<M> for Given<'_, '_, M> {
+    fn value(&mut self, plant: &M, t: M::Scalar, y: &M::State) -> M::Scalar {
+        (self.value)(plant, t, y)
+    }
+
+    fn outcome(&mut self, plant: &M, t: M::Scalar, y: &M::State) -> Option<M::State> {
+        if let Action::Replace(state) = self.react(plant, t, y) { Some(state) } else { None }
+    }
+
+    fn index(&self) -> usize {
+        self.index
     }
 }

@@ -26,8 +26,9 @@
 //! | to | say |
 //! |---|---|
 //! | ask for accuracy | [`tolerance`](Simulation::tolerance), or another [`method`](Simulation::method) |
-//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
+//! | sample | [`every_step`](Simulation::every_step), [`every`](Simulation::every) so often, [`at_times`](Simulation::at_times), [`ends_only`](Simulation::ends_only), [`dense`](Simulation::dense) for any time |
 //! | watch quantities | [`energy`](Simulation::energy), [`momenta`](Simulation::momenta), [`accelerations`](Simulation::accelerations), [`outputs`](Simulation::outputs), [`observe`](Simulation::observe) anything |
+//! | differentiate by parameters | [`sensitivities`](Simulation::sensitivities) |
 //! | set inputs | [`drive`](Simulation::drive) by a law, or by a controller that is [`sampled`](Simulation::sampled) |
 //! | find events | [`event`](Simulation::event), [`stop_at`](Simulation::stop_at), [`event_with`](Simulation::event_with) a reaction |
 //! | name times at which forces jump | [`restart_at`](Simulation::restart_at) |
@@ -43,6 +44,7 @@
 //! [`integrate()`](crate::run::integrate).
 
 mod builder;
+mod closed_loop;
 mod control;
 mod csv;
 mod dense;
@@ -59,6 +61,7 @@ mod progress;
 mod record;
 mod run;
 mod sampling;
+mod sensitivity;
 mod start;
 mod table;
 mod trajectory;
@@ -71,24 +74,29 @@ use crate::integrate::Verner98;
 use crate::system::MechanicalSystem;
 
 #[cfg(feature = "ensemble")]
-pub(crate) use self::builder::{ENERGY, default_method};
+pub(crate) use self::builder::ENERGY;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::builder::default_method;
 pub use self::builder::{Ended, Simulation, Start, Unended};
+pub use self::closed_loop::{ClosedLoop, GivenEvent};
 #[cfg(feature = "ensemble")]
 pub(crate) use self::control::Act;
-pub use self::control::{ClosedLoop, Drive, Driven, Law, Undriven};
+pub use self::control::{Drive, Driven, Law, Undriven};
 pub use self::error::SimulationError;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::error::explain_run;
 pub use self::events::Event;
 #[cfg(feature = "ensemble")]
 pub(crate) use self::events::EventOf;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::observer::state_names;
 #[cfg(feature = "ensemble")]
-pub(crate) use self::observer::{columns_of, energy, inputs, state_names};
+pub(crate) use self::observer::{columns_of, energy, inputs};
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::parquet::units;
 #[cfg(all(feature = "ensemble", feature = "parquet"))]
 pub(crate) use self::plan::RunSettings;
-#[cfg(feature = "ensemble")]
+#[cfg(any(feature = "ensemble", feature = "fit"))]
 pub(crate) use self::plan::{Plan, RunPlan};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
 pub(crate) use self::plots::time_axis;
@@ -96,14 +104,21 @@ pub(crate) use self::plots::time_axis;
 pub(crate) use self::ports::held;
 pub use self::progress::{Progress, Verdict};
 #[cfg(feature = "ensemble")]
-pub(crate) use self::sampling::{Grid, Sampling};
+pub(crate) use self::sampling::Grid;
+#[cfg(any(feature = "ensemble", feature = "fit"))]
+pub(crate) use self::sampling::Sampling;
+pub use self::sensitivity::{Differentiated, Sensitive, Stacked, Variables, Varied};
+#[cfg(feature = "fit")]
+pub(crate) use self::sensitivity::{slope, varied};
 pub use self::start::InitialState;
-#[cfg(all(feature = "ensemble", feature = "plot"))]
+#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
 pub(crate) use self::table::TIME;
 pub use self::table::Table;
 pub use self::trajectory::{Ending, NotKept, Trajectory};
 #[cfg(all(feature = "ensemble", feature = "plot"))]
-pub(crate) use self::units::{label_with_unit, unit};
+pub(crate) use self::units::label_with_unit;
+#[cfg(any(feature = "fit", all(feature = "ensemble", feature = "plot")))]
+pub(crate) use self::units::unit;
 #[cfg(all(feature = "ensemble", not(all(feature = "plot", feature = "parquet"))))]
 pub(crate) use self::without_features::without_feature;
 #[cfg(feature = "plot")]

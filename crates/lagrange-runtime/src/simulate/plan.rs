@@ -36,6 +36,8 @@ pub(crate) struct RunSettings<S> {
     /// The times of start and end.
     pub(crate) span: [S; 2],
     pub(crate) sampling: Sampling<S>,
+    /// Times of samples, if they are given, in the order of the run.
+    pub(crate) times: Vec<S>,
     pub(crate) is_dense: bool,
     pub(crate) max_steps: Option<u64>,
     pub(crate) longest_step: Option<S>,
@@ -55,6 +57,7 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
         let settings = RunSettings {
             span: [M::Scalar::ZERO; 2],
             sampling,
+            times: Vec::new(),
             is_dense: false,
             max_steps: None,
             longest_step: None,
@@ -124,6 +127,7 @@ impl<S: Scalar> RunSettings<S> {
         check_direction(system, self.span)?;
         check_names(names)?;
         self.grid()?;
+        check_times(&self.times, self.span)?;
         self.periods.iter().try_for_each(|period| Grid::new(self.span, *period).map(drop))?;
         if !self.restarts.iter().all(|time| time.is_finite()) {
             return Err(SettingError::Invalid("times of restart must be finite"));
@@ -176,6 +180,17 @@ impl<S: Scalar> RunSettings<S> {
         }
         times
     }
+}
+
+/// Checks that times of samples are in the order of a run and within it.
+fn check_times<S: Scalar>(times: &[S], [start, end]: [S; 2]) -> Result<(), SettingError<S>> {
+    let is_before = |one: S, other: S| if end < start { one > other } else { one < other };
+    let are_ordered = times.windows(2).all(|pair| is_before(pair[0], pair[1]));
+    let is_within = |time: &S| !is_before(*time, start) && !is_before(end, *time) && time.is_finite();
+    if are_ordered && times.iter().all(is_within) {
+        return Ok(());
+    }
+    Err(SettingError::Invalid("times of samples must follow each other and lie between start and end"))
 }
 
 fn check_names<S>(names: &[String]) -> Result<(), SettingError<S>> {

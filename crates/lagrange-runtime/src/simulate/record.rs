@@ -6,8 +6,8 @@ use std::vec::Vec;
 
 use crate::integrate::{Stepper, Work};
 use crate::run::{Current, Found, Origin, Sink};
-use crate::scalar::Number;
-use crate::simulate::control::ClosedLoop;
+use crate::scalar::{Number, Scalar};
+use crate::simulate::closed_loop::ClosedLoop;
 use crate::simulate::dense::Dense;
 use crate::simulate::events::Event;
 use crate::simulate::observer::Extend;
@@ -20,7 +20,7 @@ use crate::system::{DeclaredEvent, EventKind, MechanicalSystem};
 use crate::tolerance::SAME_INSTANT;
 
 /// The record of a run in progress.
-pub(super) struct Record<'a, M: MechanicalSystem, C> {
+pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
     /// The system as it is at present with its switches free, if it has any.
     freed: Option<C>,
     table: Table<M::Scalar>,
@@ -35,17 +35,58 @@ pub(super) struct Record<'a, M: MechanicalSystem, C> {
     given: Vec<String>,
     events: Vec<Event<M::Scalar, M::State>>,
     reporter: Option<Reporter<'a, M::Scalar>>,
-    first: (M::Scalar, M::State),
-    last: (M::Scalar, M::State),
+    first: (M::Scalar, C::State),
+    last: (M::Scalar, C::State),
     end: M::Scalar,
     pub(super) work: Work,
 }
 
 /// The samples that are still to come.
+#[derive(Clone)]
 enum Samples<S> {
     EveryStep,
     Grid(Grid<S>),
+    /// In falling order of the run, with its end.
+    Times(Vec<S>, S),
     None,
+}
+
+impl<S: Scalar> Samples<S> {
+    /// The samples of a run after its start.
+    fn new(settings: &RunSettings<S>) -> Self {
+        match (settings.sampling, settings.grid()) {
+            (Sampling::EveryStep, _) => Samples::EveryStep,
+            (Sampling::Every(_), Ok(Some(grid))) => Samples::Grid(grid),
+            (Sampling::Times, _) => {
+                let [start, end] = settings.span;
+                let later = settings.times.iter().rev().copied().filter(|time| *time != start);
+                Samples::Times(later.collect(), end)
+            }
+            _ => Samples::None,
+        }
+    }
+
+    /// The next time of a sample if it is not after `to` and before the end.
+    fn ahead(&self, to: S) -> Option<S> {
+        match self {
+            Samples::Grid(grid) => { *grid }.up_to(to),
+            Samples::Times(times, end) => {
+                let is_reached = |time: &S| if *end < to { *time >= to } else { *time <= to };
+                times.last().copied().filter(|time| time != end && is_reached(time))
+            }
+            Samples::EveryStep | Samples::None => None,
+        }
+    }
+
+    /// Takes that time.
+    fn take(&mut self, to: S) -> Option<S> {
+        let next = self.ahead(to)?;
+        match self {
+            Samples::Grid(grid) => grid.up_to(to),
+            Samples::Times(times, _) => times.pop(),
+            Samples::EveryStep | Samples::None => Some(next),
+        }
+    }
 }
 
 impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
@@ -56,13 +97,9 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         settings: &RunSettings<M::Scalar>,
         (names, columns): (Vec<String>, Vec<Extend<'a, M>>),
         reporter: Option<Reporter<'a, M::Scalar>>,
-        start: (M::Scalar, M::State),
+        start: (M::Scalar, C::State),
     ) -> Self {
-        let samples = match (settings.sampling, settings.grid()) {
-            (Sampling::EveryStep, _) => Samples::EveryStep,
-            (Sampling::Every(_), Ok(Some(grid))) => Samples::Grid(grid),
-            _ => Samples::None,
-        };
+        let samples = Samples::new(settings);
         let mut record = Record {
             freed: current.switched().and_then(C::freed),
             table: Table::new(names),
@@ -89,7 +126,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     }
 
     /// The last good state, with its time.
-    pub(super) fn last(&self) -> (M::Scalar, M::State) {
+    pub(super) fn last(&self) -> (M::Scalar, C::State) {
         self.last
     }
 
@@ -100,7 +137,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
     /// Adds a sample that was computed elsewhere.
     #[cfg(feature = "ensemble")]
-    pub(super) fn push(&mut self, system: &C, reached: (M::Scalar, M::State)) {
+    pub(super) fn push(&mut self, system: &C, reached: (M::Scalar, C::State)) {
         self.sample(system, reached);
         self.last = reached;
     }
@@ -112,7 +149,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
     }
 
     /// Adds a sample at this time and state.
-    fn sample(&mut self, system: &C, (time, state): (M::Scalar, M::State)) {
+    fn sample(&mut self, system: &C, (time, whole): (M::Scalar, C::State)) {
+        let state = C::state_of_plant(&whole);
         self.row.clear();
         self.row.extend_from_slice(state.as_ref());
         let system = self.freed.as_ref().unwrap_or(system);
@@ -120,6 +158,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         system.ask(time, &state, |plant| {
             columns.iter_mut().for_each(|extend| extend(plant, time, &state, row));
         });
+        system.extend_row(&whole, row);
         self.table.push(time, &self.row);
     }
 
@@ -135,8 +174,10 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             self.sample(current.system(), self.last);
         }
         let description = current.system().plant().description();
+        let variables = current.system().variables();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
+        let [first, last] = [first, last].map(|(time, state)| (time, C::state_of_plant(&state)));
         let (columns, inputs) = (table.into(), None);
         (
             given,
@@ -150,6 +191,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
                 last,
                 method,
                 inputs,
+                variables,
                 system,
                 description,
             },
@@ -159,11 +201,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
 
 impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
     fn looks_before(&self, to: M::Scalar) -> bool {
-        let is_sampled = match self.samples {
-            Samples::Grid(mut grid) => grid.up_to(to).is_some_and(|time| time != to),
-            Samples::EveryStep | Samples::None => false,
-        };
-        is_sampled || self.dense.is_some()
+        self.samples.ahead(to).is_some_and(|time| time != to) || self.dense.is_some()
     }
 
     fn happen(&mut self, origin: Origin, event: &Found<C>, kind: EventKind<M::Scalar>) {
@@ -171,7 +209,8 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
             Origin::Declared => self.declared[event.event].name.to_string(),
             Origin::Given(index) => self.given[index].clone(),
         };
-        self.events.push(Event { name, time: event.time, state: event.state, kind });
+        let state = C::state_of_plant(&event.state);
+        self.events.push(Event { name, time: event.time, state, kind });
     }
 
     fn reach_end(&mut self, system: &C, stepper: &mut impl Stepper<C>, time: M::Scalar) -> bool {
@@ -181,27 +220,25 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
 
     /// Keeps what is wanted of the last step, and reports after each sample within it. If the run
     /// is cancelled there, it ends at that sample.
-    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &M::State)) -> bool {
+    fn reach(&mut self, system: &C, stepper: &mut impl Stepper<C>, reached: (M::Scalar, &C::State)) -> bool {
         let (to, state) = reached;
         let steps = stepper.work().steps;
         let mut reached = (to, *state);
-        match self.samples {
-            Samples::EveryStep => self.sample(system, reached),
-            Samples::Grid(mut grid) => {
-                while let Some(time) = grid.up_to(to) {
-                    let state = if time == to { *state } else { stepper.interpolate(system, time) };
-                    self.sample(system, (time, state));
-                    if time != to && !self.report(time, steps) {
-                        reached = (time, state);
-                        break;
-                    }
-                }
-                self.samples = Samples::Grid(grid);
+        if let Samples::EveryStep = self.samples {
+            self.sample(system, reached);
+        }
+        while let Some(time) = self.samples.take(to) {
+            let state = if time == to { *state } else { stepper.interpolate(system, time) };
+            self.sample(system, (time, state));
+            if time != to && !self.report(time, steps) {
+                reached = (time, state);
+                break;
             }
-            Samples::None => {}
         }
         if let Some(dense) = &mut self.dense {
-            dense.push((stepper.last_time(), reached.0), |t| stepper.interpolate(system, t));
+            let from = stepper.last_time();
+            let state = |t| C::state_of_plant(&stepper.interpolate(system, t));
+            dense.push((from, reached.0), state);
         }
         self.last = reached;
         reached.0 == to
@@ -211,7 +248,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         self.freed = system.freed();
     }
 
-    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &M::State), is_silent: bool) {
+    fn replace(&mut self, system: &C, (_, state): (M::Scalar, &C::State), is_silent: bool) {
         if is_silent {
             return;
         }
@@ -222,7 +259,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
     }
 
     /// Replaces a sample that was kept at this time: it has the new inputs.
-    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &M::State)) {
+    fn exchange(&mut self, system: &C, (time, state): (M::Scalar, &C::State)) {
         let rounding = SAME_INSTANT.part::<M::Scalar>() * time.abs();
         if let Some(&last) = self.table.times().last()
             && (time - last).abs() <= rounding

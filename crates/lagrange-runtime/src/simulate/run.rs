@@ -5,7 +5,8 @@ use crate::integrate::Work;
 use crate::integrate::{Method, Stepper, explained};
 use crate::run::{AllEvents, Current, DeclaredEvents, Events, Run, Turn};
 use crate::simulate::builder::{KnowsItsEnd, Simulation};
-use crate::simulate::control::{ClosedLoop, Controllers, Drive};
+use crate::simulate::closed_loop::ClosedLoop;
+use crate::simulate::control::{Controllers, Drive};
 use crate::simulate::error::SimulationError;
 use crate::simulate::events::Watchers;
 use crate::simulate::plan::Plan;
@@ -43,14 +44,10 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
         let Simulation { system, state, plan: Plan { settings, columns, .. }, method, drive, .. } = self;
         drive.close(system, |closed| {
             let current = Current::new(closed);
-            let mut record = Record::new(
-                &current,
-                &settings,
-                (settings.names(system.description()), columns),
-                None,
-                (settings.span[0], state),
-            );
-            samples.into_iter().for_each(|sample| record.push(closed, sample));
+            let start = (settings.span[0], closed.extended(settings.span[0], &state));
+            let names = settings.names(system.description());
+            let mut record = Record::new(&current, &settings, (names, columns), None, start);
+            samples.into_iter().for_each(|(t, y)| record.push(closed, (t, closed.extended(t, &y))));
             record.work = work;
             record.close(current, Ending::Reached, method.name()).1
         })
@@ -70,15 +67,19 @@ where
     let Simulation { state, plan, reporter, method, .. } = simulation;
     let Plan { settings, columns, watches, controllers, inputs } = plan;
     let (order, name, [t, end]) = (method.order(), method.name(), settings.span);
-    let start = admitted(system, (t, state));
+    let start = admitted(system, (t, system.extended(t, &state)));
     let mut current = Current::new(system);
     let description = system.plant().description();
-    let names = settings.names(description);
-    let checked = settings.check::<D::Closed, K>(system, &names, method).map_err(StepFailure::Setting);
+    let mut names = settings.names(description);
+    names.extend(system.further_columns());
+    let checked = settings.check::<D::Closed, K>(system, &names, method);
+    let checked =
+        system.check(settings.span, !controllers.is_empty()).and(checked).map_err(StepFailure::Setting);
     let begun = checked.and_then(|method| {
         let mut controllers = Controllers::new(settings.span, &settings.periods, controllers)?;
         current.begin::<K::Stepper>((t, &start.1), end, |system| {
-            let acted = controllers.begin(system.plant(), (t, &start.1))?;
+            let state = D::Closed::state_of_plant(&start.1);
+            let acted = controllers.begin(system.plant(), (t, &state))?;
             Ok(acted.map(|plant| system.with_plant(plant)))
         })?;
         Ok((method, controllers))
@@ -114,7 +115,7 @@ where
 fn named<M: MechanicalSystem, C: ClosedLoop<M>>(
     cause: StepFailure<M::Scalar>,
     system: &C,
-    stopped: (M::Scalar, &M::State),
+    stopped: (M::Scalar, &C::State),
     end: M::Scalar,
 ) -> StepFailure<M::Scalar> {
     match explained(cause, system, stopped, end) {
@@ -156,7 +157,8 @@ where
                 return Err(StepFailure::TooManySteps { limit: max_steps });
             }
             let plant = record.seen(run.system()).plant();
-            if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), run.state()))? {
+            let state = C::state_of_plant(run.state());
+            if let Some(plant) = controllers.act(plant, run.beyond(), (run.time(), &state))? {
                 run.exchange(record, run.system().with_plant(plant))?;
             }
             match run.next(record, controllers.next()).map_err(|error| error.cause)? {

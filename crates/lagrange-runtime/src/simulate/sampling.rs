@@ -11,6 +11,8 @@ pub(crate) enum Sampling<S> {
     EveryStep,
     /// The start plus multiples of this interval.
     Every(S),
+    /// Times that were given.
+    Times,
     /// None.
     Ends,
 }

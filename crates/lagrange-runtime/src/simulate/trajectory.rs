@@ -32,6 +32,8 @@ pub struct Trajectory<M: MechanicalSystem> {
     pub(super) last: (M::Scalar, M::State),
     pub(super) method: &'static str,
     pub(super) inputs: Option<InputColumns<M>>,
+    /// Number of variables by which the state is differentiated, in the last columns.
+    pub(super) variables: usize,
     /// The system as it was in the end, if it was switched. Shared, so that trajectories can be
     /// cloned whatever it is.
     pub(super) system: Option<Arc<M>>,
@@ -95,6 +97,21 @@ impl<M: MechanicalSystem> Trajectory<M> {
             *component = *column.get(index)?;
         }
         Some(state)
+    }
+
+    /// Returns the derivatives of the state of a sample, counted from zero: a vector like the state
+    /// for each variable of [`sensitivities`](crate::simulate::Simulation::sensitivities), in their
+    /// order. `None` if there is no such sample.
+    pub fn sensitivities(&self, index: usize) -> Option<Vec<M::State>> {
+        let length = self.first().as_ref().len();
+        let before = self.names().len() - self.variables * length;
+        let mut entries = self.table().columns().skip(before).map(|column| column.get(index).copied());
+        let mut vector = || {
+            let mut vector = self.first();
+            vector.as_mut().iter_mut().try_for_each(|entry| entries.next()?.map(|value| *entry = value))?;
+            Some(vector)
+        };
+        (index < self.len()).then(|| (0..self.variables).map_while(|_| vector()).collect())
     }
 
     /// Returns the states of the samples.

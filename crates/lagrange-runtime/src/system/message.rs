@@ -120,5 +120,10 @@ pub(crate) fn explain<S: Debug>(
             "the zero of {event} could not be located: times near {time:?} are {spacing:?} apart, too coarse for this \
             motion; measure time from near the start"
         ),
+        StepFailure::NotDifferentiable { variable, .. } => write!(
+            f,
+            "the motion after {event} has no derivative by `{variable}`: the event is only touched there, or its \
+            reaction is not smooth"
+        ),
     }
 }

@@ -14,6 +14,7 @@ mod linearised;
 mod mechanical;
 mod message;
 mod out_of_range;
+mod parametric;
 mod ports;
 mod positions;
 pub mod quaternion;
@@ -40,6 +41,7 @@ pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSyste
 #[cfg(feature = "std")]
 pub(crate) use self::message::{EventName, explain};
 pub use self::out_of_range::OutOfRange;
+pub use self::parametric::{ParametricSystem, pick_columns};
 pub use self::ports::{ControlledSystem, OutputSystem};
 #[cfg(feature = "std")]
 pub(crate) use self::positions::normalised;

@@ -2,6 +2,8 @@
 
 use core::fmt::{Debug, Display, Formatter, Result};
 
+use super::{Component, Description};
+
 /// A setting that makes no sense, reported before anything moves.
 #[derive(Clone, Copy, PartialEq, Debug)]
 #[non_exhaustive]
@@ -24,6 +26,21 @@ pub enum SettingError<S> {
         /// The declared outputs or their components.
         known: &'static [&'static str],
     },
+    /// The system has no parameter, input or state of this name.
+    UnknownVariable {
+        /// Requested name.
+        name: &'static str,
+        /// Parameters and inputs.
+        numbers: &'static [&'static str],
+        /// The states.
+        state: &'static Description,
+    },
+    /// Times at which the equations jump depend on a parameter or input, so that the motion has no
+    /// derivatives by it that are integrated here.
+    MovesTimes {
+        /// Its name.
+        name: &'static str,
+    },
 }
 
 impl<S: Debug> Display for SettingError<S> {
@@ -41,6 +58,18 @@ impl<S: Debug> Display for SettingError<S> {
                 known
                     .try_for_each(|(index, name)| write!(f, "{} `{name}`", if index == 0 { "" } else { "," }))
             }
+            SettingError::UnknownVariable { name, numbers, state } => {
+                write!(f, "there is no parameter, input or state `{name}`; there are")?;
+                let known = numbers.iter().map(|name| Component::Coordinate(name));
+                let states = (0..).map_while(|index| Component::named(state, index));
+                { known.chain(states).enumerate() }
+                    .try_for_each(|(index, name)| write!(f, "{} {name}", if index == 0 { "" } else { "," }))
+            }
+            SettingError::MovesTimes { name } => write!(
+                f,
+                "the equations jump at times that depend on `{name}`: sensitivities to it are not \
+                 supported; write the condition as a function of the state"
+            ),
         }
     }
 }

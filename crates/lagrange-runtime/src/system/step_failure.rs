@@ -130,6 +130,14 @@ pub enum StepFailure<S> {
         /// Its distance from the next one.
         spacing: S,
     },
+    /// The state after an event has no derivative by this variable. The function of the event
+    /// touches zero without a rate, or its outcome changes with the variable.
+    NotDifferentiable {
+        /// Source of the event.
+        event: EventSource,
+        /// The parameter, input or initial state.
+        variable: &'static str,
+    },
 }
 
 /// The source of an event function.
@@ -161,7 +169,8 @@ impl<S> StepFailure<S> {
             StepFailure::EventNotFinite { event }
             | StepFailure::EventsAccumulate { event, .. }
             | StepFailure::EventNotLocated { event, .. }
-            | StepFailure::EventUnresolved { event, .. } => Some(event),
+            | StepFailure::EventUnresolved { event, .. }
+            | StepFailure::NotDifferentiable { event, .. } => Some(event),
             _ => None,
         }
     }
@@ -171,7 +180,8 @@ impl<S> StepFailure<S> {
         if let StepFailure::EventNotFinite { event }
         | StepFailure::EventsAccumulate { event, .. }
         | StepFailure::EventNotLocated { event, .. }
-        | StepFailure::EventUnresolved { event, .. } = &mut self
+        | StepFailure::EventUnresolved { event, .. }
+        | StepFailure::NotDifferentiable { event, .. } = &mut self
         {
             *event = source(*event);
         }

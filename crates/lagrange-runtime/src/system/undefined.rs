@@ -89,12 +89,14 @@ impl Component {
     /// begins with that.
     #[must_use]
     pub fn of(system: &Description, index: usize) -> Self {
-        let Description { coordinates, .. } = system;
-        let velocity = |place| Component::of_velocity(system, place);
-        match (coordinates.get(index), index.checked_sub(coordinates.len()).and_then(velocity)) {
-            (Some(name), _) => Component::Coordinate(name),
-            (None, Some(velocity)) => velocity,
-            (None, None) => Component::Index(index),
+        Component::named(system, index).unwrap_or(Component::Index(index))
+    }
+
+    /// Returns the component at this index, if it has a name.
+    pub(crate) fn named(system: &Description, index: usize) -> Option<Self> {
+        match system.coordinates.get(index) {
+            Some(name) => Some(Component::Coordinate(name)),
+            None => Component::of_velocity(system, index - system.coordinates.len()),
         }
     }
 

@@ -15,6 +15,7 @@ pub(super) mod laws;
 pub(super) mod linearised;
 pub(in crate::emit) mod missing;
 pub(super) mod orientations;
+pub(super) mod parametric;
 pub(super) mod ports;
 pub(super) mod prepared;
 pub(super) mod product;

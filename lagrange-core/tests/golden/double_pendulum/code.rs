@@ -422,4 +422,38 @@ const _: () = {
             self.energy(t, q, v)
         }
     }
+    #[automatically_derived]
+    impl ::lagrange::system::ParametricSystem for DoublePendulum {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m1",
+            "m2",
+            "l1",
+            "l2",
+            "g",
+        ];
+        fn number(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<f64> {
+            <[f64]>::get(&[self.m1, self.m2, self.l1, self.l2, self.g], index).copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: f64) -> Self {
+            let mut other = Self {
+                m1: self.m1,
+                m2: self.m2,
+                l1: self.l1,
+                l2: self.l2,
+                g: self.g,
+            };
+            match index {
+                0 => other.m1 = value,
+                1 => other.m2 = value,
+                2 => other.l1 = value,
+                3 => other.l2 = value,
+                4 => other.g = value,
+                _ => {}
+            }
+            other
+        }
+    }
 };

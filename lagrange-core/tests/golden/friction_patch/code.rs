@@ -403,4 +403,43 @@ const _: () = {
             self.switch_functions(t, &[s], &[s_dot])
         }
     }
+    #[automatically_derived]
+    impl ::lagrange::system::ParametricSystem for FrictionPatch {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m",
+            "r",
+            "mu",
+            "l1",
+            "alpha",
+            "g",
+        ];
+        fn number(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<f64> {
+            <[f64]>::get(&[self.m, self.r, self.mu, self.l1, self.alpha, self.g], index)
+                .copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: f64) -> Self {
+            let mut other = Self {
+                m: self.m,
+                r: self.r,
+                mu: self.mu,
+                l1: self.l1,
+                alpha: self.alpha,
+                g: self.g,
+                switches: self.switches,
+            };
+            match index {
+                0 => other.m = value,
+                1 => other.r = value,
+                2 => other.mu = value,
+                3 => other.l1 = value,
+                4 => other.alpha = value,
+                5 => other.g = value,
+                _ => {}
+            }
+            other
+        }
+    }
 };

@@ -1159,6 +1159,44 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::ParametricSystem for HungArm {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m",
+            "l",
+            "r",
+            "k",
+            "g",
+            "u",
+        ];
+        fn number(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<f64> {
+            <[f64]>::get(&[self.m, self.l, self.r, self.k, self.g, self.u], index)
+                .copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: f64) -> Self {
+            let mut other = Self {
+                m: self.m,
+                l: self.l,
+                r: self.r,
+                k: self.k,
+                g: self.g,
+                u: self.u,
+            };
+            match index {
+                0 => other.m = value,
+                1 => other.l = value,
+                2 => other.r = value,
+                3 => other.k = value,
+                4 => other.g = value,
+                5 => other.u = value,
+                _ => {}
+            }
+            other
+        }
+    }
+    #[automatically_derived]
     impl ::core::convert::From<[f64; 1]> for HungArmInputs {
         #[inline]
         fn from([u]: [f64; 1]) -> Self {

@@ -554,6 +554,38 @@ LAGRANGE_FUNCTION void lagrange_normalise(REAL *q)
         }
     }
     #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::ParametricSystem for Pendulum<S> {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m",
+            "l",
+            "c",
+            "g",
+            "motor",
+        ];
+        fn number(&self, index: ::core::primitive::usize) -> ::core::option::Option<S> {
+            <[S]>::get(&[self.m, self.l, self.c, self.g, self.motor], index).copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: S) -> Self {
+            let mut other = Self {
+                m: self.m,
+                l: self.l,
+                c: self.c,
+                g: self.g,
+                motor: self.motor,
+                switches: self.switches,
+            };
+            match index {
+                0 => other.m = value,
+                1 => other.l = value,
+                2 => other.c = value,
+                3 => other.g = value,
+                4 => other.motor = value,
+                _ => {}
+            }
+            other
+        }
+    }
+    #[automatically_derived]
     impl<S> ::core::convert::From<[S; 1]> for PendulumInputs<S> {
         #[inline]
         fn from([motor]: [S; 1]) -> Self {

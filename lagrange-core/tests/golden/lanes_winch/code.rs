@@ -351,6 +351,51 @@ const _: () = {
         }
     }
     #[automatically_derived]
+    impl ::lagrange::system::ParametricSystem for Winch {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m",
+            "r",
+            "k",
+            "limit",
+            "stop",
+            "g",
+            "u",
+        ];
+        fn number(
+            &self,
+            index: ::core::primitive::usize,
+        ) -> ::core::option::Option<f64> {
+            <[f64]>::get(
+                    &[self.m, self.r, self.k, self.limit, self.stop, self.g, self.u],
+                    index,
+                )
+                .copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: f64) -> Self {
+            let mut other = Self {
+                m: self.m,
+                r: self.r,
+                k: self.k,
+                limit: self.limit,
+                stop: self.stop,
+                g: self.g,
+                u: self.u,
+                switches: self.switches,
+            };
+            match index {
+                0 => other.m = value,
+                1 => other.r = value,
+                2 => other.k = value,
+                3 => other.limit = value,
+                4 => other.stop = value,
+                5 => other.g = value,
+                6 => other.u = value,
+                _ => {}
+            }
+            other
+        }
+    }
+    #[automatically_derived]
     impl ::core::convert::From<[f64; 1]> for WinchInputs {
         #[inline]
         fn from([u]: [f64; 1]) -> Self {

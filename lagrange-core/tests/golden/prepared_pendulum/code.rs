@@ -346,6 +346,37 @@ const _: () = {
     #[automatically_derived]
     impl<S: ::lagrange::Scalar> ::lagrange::system::SeparableSystem for RodPrepared<S> {}
     #[automatically_derived]
+    impl<S: ::lagrange::Scalar> ::lagrange::system::ParametricSystem for Rod<S> {
+        const NUMBERS: &'static [&'static ::core::primitive::str] = &[
+            "m",
+            "l",
+            "i",
+            "g",
+            "motor",
+        ];
+        fn number(&self, index: ::core::primitive::usize) -> ::core::option::Option<S> {
+            <[S]>::get(&[self.m, self.l, self.i, self.g, self.motor], index).copied()
+        }
+        fn with_number(&self, index: ::core::primitive::usize, value: S) -> Self {
+            let mut other = Self {
+                m: self.m,
+                l: self.l,
+                i: self.i,
+                g: self.g,
+                motor: self.motor,
+            };
+            match index {
+                0 => other.m = value,
+                1 => other.l = value,
+                2 => other.i = value,
+                3 => other.g = value,
+                4 => other.motor = value,
+                _ => {}
+            }
+            other
+        }
+    }
+    #[automatically_derived]
     impl<S> ::core::convert::From<[S; 1]> for RodInputs<S> {
         #[inline]
         fn from([motor]: [S; 1]) -> Self {

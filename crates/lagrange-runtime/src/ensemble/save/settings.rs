@@ -15,6 +15,7 @@ use crate::ensemble::plan::SharedSystem;
 use crate::ensemble::rows::samples;
 use crate::integrate::Method;
 use crate::scalar::Scalar;
+use crate::simulate::ClosedLoop;
 use crate::simulate::{Drive, RunSettings, Sampling};
 use crate::system::OdeSystem;
 
@@ -60,7 +61,8 @@ where
     fn probe(&self, index: usize) -> String {
         let (varied, state) = self.batch.origin(index);
         let system = varied.as_ref().unwrap_or(self.batch.system);
-        let rates = self.drive.close(system, |closed| closed.rhs(self.batch.span()[0], &state));
+        let t = self.batch.span()[0];
+        let rates = self.drive.close(system, |closed| closed.rhs(t, &closed.extended(t, &state)));
         let parameters: Vec<_> =
             (0..).map_while(|index| system.parameter(index)).map(|(_, value)| value).collect();
         let [start, rates, parameters] = [state.as_ref(), rates.as_ref(), &parameters].map(bits);

@@ -142,3 +142,27 @@ fn the_default_tolerance_is_what_numbers_can_give() {
     assert_eq!(default_method::<f64>().relative, 1e-9);
     assert!((5e-7..3e-6).contains(&default_method::<f32>().relative));
 }
+
+#[test]
+fn given_times_are_kept_exactly_with_start_and_end() {
+    let times = [0.0, 0.1 + 0.2, 0.7, 2.0];
+    let run = |end: f64, times: &[f64]| {
+        let run =
+            Oscillator.simulate(START).until(end).at_times(times.iter().copied()).tolerance(1e-10).run();
+        run.map(|trajectory| {
+            assert_exact(&trajectory, 1e-8);
+            trajectory.times().to_vec()
+        })
+    };
+    assert_eq!(run(2.0, &times).expect("runs"), times);
+    assert_eq!(run(2.0, &[1.5]).expect("runs"), [0.0, 1.5, 2.0]);
+    assert_eq!(run(2.0, &[]).expect("runs"), [0.0, 2.0]);
+    assert_eq!(run(-2.0, &[-0.5, -0.75]).expect("runs"), [0.0, -0.5, -0.75, -2.0]);
+    for (end, wrong) in
+        [(2.0, [0.5, 0.5]), (2.0, [0.7, 0.5]), (2.0, [0.5, 2.5]), (-1.0, [-0.5, 0.5]), (2.0, [0.5, f64::NAN])]
+    {
+        let error = run(end, &wrong).expect_err("refused");
+        let text = std::format!("{error}");
+        assert!(text.starts_with("times of samples must follow each other"), "{text}");
+    }
+}

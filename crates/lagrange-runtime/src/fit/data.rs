@@ -1,0 +1,115 @@
+//! Measured columns.
+
+use std::fmt::{Display, Formatter, Result as Written};
+use std::path::PathBuf;
+use std::string::{String, ToString};
+use std::vec::Vec;
+
+/// Measured values in columns, at times that follow each other. Values may be missing.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Data {
+    pub(super) times: Vec<f64>,
+    pub(super) columns: Vec<Measured>,
+}
+
+/// A measured column.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Measured {
+    pub(super) name: String,
+    /// The unit that was written behind the name.
+    pub(super) unit: Option<String>,
+    pub(super) values: Vec<Option<f64>>,
+}
+
+impl Data {
+    /// Returns data without columns, at these times.
+    pub fn new(times: impl Into<Vec<f64>>) -> Data {
+        Data { times: times.into(), columns: Vec::new() }
+    }
+
+    /// Adds a column of numbers, or of optional numbers where some are missing.
+    #[must_use]
+    pub fn with<T: Into<Option<f64>>>(mut self, name: &str, values: impl IntoIterator<Item = T>) -> Data {
+        let values = values.into_iter().map(Into::into).collect();
+        self.columns.push(Measured { name: name.to_string(), unit: None, values });
+        self
+    }
+
+    /// Returns the data with these columns only, such as those that the system knows. Names that
+    /// there are no columns for are ignored.
+    #[must_use]
+    pub fn only<const N: usize>(mut self, names: [&str; N]) -> Data {
+        self.columns.retain(|column| names.contains(&column.name.as_str()));
+        self
+    }
+
+    /// Returns the times.
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Returns the values of a column.
+    pub fn column(&self, name: &str) -> Option<&[Option<f64>]> {
+        let found = self.columns.iter().find(|column| column.name == name)?;
+        Some(&found.values)
+    }
+}
+
+/// Why data cannot be read from a file.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum DataError {
+    /// The operating system cannot read the file.
+    Unreadable {
+        /// Its path.
+        path: PathBuf,
+        /// The reason.
+        reason: String,
+    },
+    /// There is no column of times.
+    NoTimes,
+    /// A line has more or fewer cells than the first one.
+    Cells {
+        /// Number of the line, counted from one.
+        line: usize,
+        /// Number of cells.
+        found: usize,
+        /// Number of names.
+        wanted: usize,
+    },
+    /// A cell is not a finite number.
+    NotANumber {
+        /// Number of the line, counted from one.
+        line: usize,
+        /// Name of the column.
+        column: String,
+        /// The cell.
+        text: String,
+    },
+    /// A cell begins with a quotation mark and has no other.
+    OpenQuotation {
+        /// Number of the line, counted from one.
+        line: usize,
+    },
+}
+
+impl Display for DataError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        match self {
+            DataError::Unreadable { path, reason } => write!(f, "cannot read `{}`: {reason}", path.display()),
+            DataError::NoTimes => {
+                f.write_str("there is no column `t`: the first line must name one, as in `t in s,x in m`")
+            }
+            DataError::Cells { line, found, wanted } => {
+                write!(f, "line {line} has {found} cells and the first line {wanted}")
+            }
+            DataError::NotANumber { line, column, text } => write!(
+                f,
+                "`{text}` in line {line}, column `{column}`, is not a finite number; leave cells of missing values empty"
+            ),
+            DataError::OpenQuotation { line } => write!(f, "a quotation in line {line} does not end there"),
+        }
+    }
+}
+
+impl std::error::Error for DataError {}

@@ -1,0 +1,105 @@
+//! States followed by derivatives of them.
+
+use crate::scalar::Number;
+use crate::system::StateVector;
+
+/// A state of N entries, followed by as many entries for each variable by which it is
+/// differentiated. There is room for R rows, and `count` of them are used.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Stacked<S, const N: usize, const R: usize> {
+    pub(super) rows: [[S; N]; R],
+    count: usize,
+}
+
+impl<S: Number, const N: usize, const R: usize> Stacked<S, N, R> {
+    /// Returns a state whose derivatives by `variables` variables are zero.
+    pub(super) fn new(state: [S; N], variables: usize) -> Self {
+        let mut rows = [[S::ZERO; N]; R];
+        rows[0] = state;
+        Stacked { rows, count: 1 + variables }
+    }
+
+    /// Returns the derivatives of the state.
+    pub(super) fn derivatives(&self) -> &[[S; N]] {
+        &self.rows[1..self.count]
+    }
+}
+
+impl<S, const N: usize, const R: usize> AsRef<[S]> for Stacked<S, N, R> {
+    #[inline]
+    fn as_ref(&self) -> &[S] {
+        self.rows[..self.count].as_flattened()
+    }
+}
+
+impl<S, const N: usize, const R: usize> AsMut<[S]> for Stacked<S, N, R> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [S] {
+        self.rows[..self.count].as_flattened_mut()
+    }
+}
+
+impl<S: Number, const N: usize, const R: usize> StateVector<S> for Stacked<S, N, R> {
+    type Square = StackedSquare<S, N, R>;
+    type Indices = StackedIndices<N, R>;
+
+    const ZERO: Self = Stacked { rows: [[S::ZERO; N]; R], count: R };
+    const ZERO_SQUARE: StackedSquare<S, N, R> = StackedSquare { rows: [[Self::ZERO; N]; R], count: R };
+    const ZERO_INDICES: StackedIndices<N, R> = StackedIndices([[0; N]; R]);
+
+    #[inline]
+    fn zeros(&self) -> Self {
+        Stacked { count: self.count, ..Self::ZERO }
+    }
+
+    #[inline]
+    fn zero_square(&self) -> StackedSquare<S, N, R> {
+        StackedSquare { rows: [[self.zeros(); N]; R], count: self.count }
+    }
+
+    #[inline]
+    fn of(entries: &[S]) -> Self {
+        let mut vector = Stacked { count: entries.len().checked_div(N).unwrap_or(R), ..Self::ZERO };
+        vector.as_mut().copy_from_slice(entries);
+        vector
+    }
+}
+
+/// A square matrix in rows.
+#[derive(Clone, Copy, Debug)]
+pub struct StackedSquare<S, const N: usize, const R: usize> {
+    rows: [[Stacked<S, N, R>; N]; R],
+    count: usize,
+}
+
+impl<S, const N: usize, const R: usize> AsRef<[Stacked<S, N, R>]> for StackedSquare<S, N, R> {
+    #[inline]
+    fn as_ref(&self) -> &[Stacked<S, N, R>] {
+        self.rows[..self.count].as_flattened()
+    }
+}
+
+impl<S, const N: usize, const R: usize> AsMut<[Stacked<S, N, R>]> for StackedSquare<S, N, R> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [Stacked<S, N, R>] {
+        self.rows[..self.count].as_flattened_mut()
+    }
+}
+
+/// An index for each entry.
+#[derive(Clone, Copy, Debug)]
+pub struct StackedIndices<const N: usize, const R: usize>([[usize; N]; R]);
+
+impl<const N: usize, const R: usize> AsRef<[usize]> for StackedIndices<N, R> {
+    #[inline]
+    fn as_ref(&self) -> &[usize] {
+        self.0.as_flattened()
+    }
+}
+
+impl<const N: usize, const R: usize> AsMut<[usize]> for StackedIndices<N, R> {
+    #[inline]
+    fn as_mut(&mut self) -> &mut [usize] {
+        self.0.as_flattened_mut()
+    }
+}

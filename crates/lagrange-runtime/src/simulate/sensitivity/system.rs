@@ -1,0 +1,333 @@
+//! A system with the derivatives of its state as further unknowns.
+//!
+//! Along a motion ẏ = f(t, y, p), the derivatives s = ∂y/∂p at fixed times obey the variational
+//! equations ṡ = ∂f/∂y s + ∂f/∂p. At an event g(t, y, p) = 0 the motion continues from R(t, y, p),
+//! with the rates f⁺ in place of f⁻. The event moves by τ = −(∂g/∂y s + ∂g/∂p)/(dg/dt), with
+//! dg/dt = ∂g/∂t + ∂g/∂y f⁻, and
+//!
+//! ```text
+//! s⁺ = ∂R/∂y (s + f⁻ τ) + ∂R/∂t τ + ∂R/∂p − f⁺ τ.
+//! ```
+//!
+//! Sources: Hiskens, Pai, "Trajectory sensitivity analysis of hybrid systems", *IEEE Transactions
+//! on Circuits and Systems I* 47 (2000) 204–220; Leine, Nijmeijer, *Dynamics and Bifurcations of
+//! Non-Smooth Mechanical Systems*, 2004, §7.
+
+use std::sync::Arc;
+
+use super::slope::slope;
+use super::stacked::Stacked;
+use crate::scalar::{Number, Scalar};
+use crate::simulate::closed_loop::ClosedLoop;
+use crate::system::{
+    Action, Component, DeclaredEvent, EventSource, MOST_LOCATED, OdeSystem, ParametricSystem, Reacted,
+    Response, ScalarOf, StateMatrix, StateVector, StepFailure, Undefined,
+};
+
+/// A parameter, input or initial value by which a motion is differentiated.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Varied<S> {
+    /// Its name.
+    pub(super) name: &'static str,
+    pub(super) place: VariedPlace,
+    /// Derivatives are kept as changes of the state per change of the variable by this.
+    pub(super) scale: S,
+    /// The relative change of the variable that the scale is.
+    pub(super) weight: S,
+}
+
+/// The place of a variable.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum VariedPlace {
+    /// Among the parameters and inputs.
+    Number(usize),
+    /// In the initial state.
+    Initial(usize),
+}
+
+/// A loop L around the plant M, with a state of N entries and their derivatives, R rows in all.
+pub struct Sensitive<M: ParametricSystem, L, const N: usize, const R: usize> {
+    pub(super) closed: L,
+    pub(super) variables: Arc<[Varied<M::Scalar>]>,
+}
+
+impl<M, L, const N: usize, const R: usize> Sensitive<M, L, N, R>
+where
+    M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
+    L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
+{
+    /// Returns this around a loop in other modes.
+    pub(super) fn around(&self, closed: L) -> Self {
+        Sensitive { closed, variables: Arc::clone(&self.variables) }
+    }
+
+    /// Asks the loop as it is with a variable changed by this many of its scales.
+    pub(super) fn moved<T>(
+        &self,
+        variable: &Varied<M::Scalar>,
+        by: M::Scalar,
+        ask: impl FnOnce(&L) -> T,
+    ) -> T {
+        match variable.place {
+            VariedPlace::Initial(_) => ask(&self.closed),
+            VariedPlace::Number(index) => {
+                let plant = self.closed.plant();
+                let value = plant.number(index).unwrap_or(Number::ZERO) + by * variable.scale;
+                ask(&self.closed.with_plant(plant.with_number(index, value)))
+            }
+        }
+    }
+
+    /// The derivative of a function of the loop, time and state along a change of the time, the
+    /// state and a variable.
+    pub(super) fn along<const C: usize>(
+        &self,
+        (t, y): (M::Scalar, &M::State),
+        (dt, dy): (M::Scalar, &M::State),
+        variable: Option<&Varied<M::Scalar>>,
+        mut function: impl FnMut(&L, M::Scalar, &M::State) -> Option<[M::Scalar; C]>,
+    ) -> Option<[M::Scalar; C]> {
+        let size = largest(y);
+        let part = if size > Number::ZERO { largest(dy) / size } else { largest(dy) };
+        let is_number = |variable: &&Varied<M::Scalar>| matches!(variable.place, VariedPlace::Number(_));
+        let weight = variable.filter(is_number).map_or(Number::ZERO, |variable| variable.weight);
+        let mut rate = part.max(weight);
+        if rate == Number::ZERO {
+            rate = dt.abs();
+        }
+        slope(rate, |by| {
+            let there = core::array::from_fn(|i| y[i] + by * dy[i]);
+            let mut ask = |closed: &L| function(closed, t + by * dt, &there);
+            match variable {
+                Some(variable) => self.moved(variable, by, ask),
+                None => ask(&self.closed),
+            }
+        })
+    }
+
+    /// The rates of derivatives by the Jacobians that the plant knows; false if it knows none.
+    fn linear_rates(
+        &self,
+        t: M::Scalar,
+        y: &Stacked<M::Scalar, N, R>,
+        rates: &mut Stacked<M::Scalar, N, R>,
+    ) -> bool {
+        let state = &y.rows[0];
+        let Some(jacobian) = self.closed.jacobian(t, state).filter(|_| L::IS_PLANT) else { return false };
+        let (mut indices, mut columns, mut count) = ([0; R], [[M::Scalar::ZERO; N]; R], 0);
+        for variable in self.variables.iter() {
+            if let VariedPlace::Number(index) = variable.place {
+                indices[count] = index;
+                count += 1;
+            }
+        }
+        if count > 0 && !self.closed.plant().derivatives(t, state, &indices[..count], &mut columns[..count]) {
+            return false;
+        }
+        let mut columns = columns.iter();
+        for ((variable, changes), rates) in
+            self.variables.iter().zip(y.derivatives()).zip(&mut rates.rows[1..])
+        {
+            let column = match variable.place {
+                VariedPlace::Number(_) => columns.next(),
+                VariedPlace::Initial(_) => None,
+            };
+            for (i, (rate, row)) in rates.iter_mut().zip(jacobian.as_ref()).enumerate() {
+                let direct = column.map_or(M::Scalar::ZERO, |column| variable.scale * column[i]);
+                *rate = row
+                    .iter()
+                    .zip(changes)
+                    .fold(direct, |sum, (slope, change)| slope.multiply_add(*change, sum));
+            }
+        }
+        true
+    }
+
+    /// The state after an event. Given are the function that vanishes there, the outcome for a loop
+    /// at a time and state, and the loop and the state that follow.
+    pub(super) fn after(
+        &self,
+        (t, y): (M::Scalar, &Stacked<M::Scalar, N, R>),
+        source: EventSource,
+        mut value: impl FnMut(&L, M::Scalar, &M::State) -> M::Scalar,
+        mut outcome: impl FnMut(&L, M::Scalar, &M::State) -> Option<M::State>,
+        (next, after): (&L, M::State),
+    ) -> Result<Stacked<M::Scalar, N, R>, StepFailure<M::Scalar>> {
+        let state = &y.rows[0];
+        let (rates, rates_after) = (self.closed.rhs(t, state), next.rhs(t, &after));
+        let mut value = |closed: &L, t: M::Scalar, y: &M::State| Some([value(closed, t, y)]);
+        let passing = self.along((t, state), (Number::ONE, &rates), None, &mut value);
+        let mut stacked = Stacked::new(after, self.variables.len());
+        let pairs = self.variables.iter().zip(y.derivatives()).zip(&mut stacked.rows[1..]);
+        for ((variable, change), changed) in pairs {
+            let shift = self.along((t, state), (Number::ZERO, change), Some(variable), &mut value);
+            let shift = passing.zip(shift).map(|([passing], [shift])| -shift / passing);
+            let moved = shift.filter(|shift| shift.is_finite()).and_then(|shift| {
+                let change = core::array::from_fn(|i| rates[i].multiply_add(shift, change[i]));
+                let outcome = self.along((t, state), (shift, &change), Some(variable), &mut outcome)?;
+                Some(core::array::from_fn(|i| rates_after[i].multiply_add(-shift, outcome[i])))
+            });
+            *changed =
+                moved.ok_or(StepFailure::NotDifferentiable { event: source, variable: variable.name })?;
+        }
+        Ok(stacked)
+    }
+
+    /// The state after a declared event, in the modes in which the motion goes on.
+    fn settled(
+        closed: &L,
+        event: usize,
+        (t, elapsed): (M::Scalar, M::Scalar),
+        y: &M::State,
+    ) -> Result<M::State, StepFailure<M::Scalar>> {
+        let Response { action, system, .. } = closed.react(event, t, elapsed, y)?;
+        let mut state = if let Action::Replace(state) = action { state } else { *y };
+        system.as_ref().unwrap_or(closed).restore(t, &mut state)?;
+        Ok(state)
+    }
+}
+
+impl<M, L, const N: usize, const R: usize> OdeSystem for Sensitive<M, L, N, R>
+where
+    M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
+    L: ClosedLoop<M> + OdeSystem<Scalar = ScalarOf<M>, State = [ScalarOf<M>; N]>,
+{
+    type Scalar = M::Scalar;
+    type State = Stacked<M::Scalar, N, R>;
+
+    fn rhs(&self, t: M::Scalar, y: &Self::State) -> Self::State {
+        let state = &y.rows[0];
+        let mut rates = Stacked::new(self.closed.rhs(t, state), self.variables.len());
+        if !self.linear_rates(t, y, &mut rates) {
+            let pairs = self.variables.iter().zip(y.derivatives()).zip(&mut rates.rows[1..]);
+            for ((variable, change), rate) in pairs {
+                let found = self.along((t, state), (Number::ZERO, change), Some(variable), |closed, t, y| {
+                    Some(closed.rhs(t, y))
+                });
+                *rate = found.unwrap_or([M::Scalar::NAN; N]);
+            }
+        }
+        rates
+    }
+
+    fn undefined(&self, t: M::Scalar, y: &Self::State, rates: &Self::State) -> Option<Undefined<M::Scalar>> {
+        let own = || Undefined::of_state(t, y.as_ref(), rates.as_ref(), Component::Index);
+        self.closed.undefined(t, &y.rows[0], &rates.rows[0]).or_else(own)
+    }
+
+    /// Returns a block of ∂f/∂y for the state and for each derivative. How ∂f/∂y changes with the
+    /// state is left out: Newton's method finds the state first and then the rest.
+    fn jacobian(&self, t: M::Scalar, y: &Self::State) -> Option<StateMatrix<Self>> {
+        let block = self.closed.jacobian(t, &y.rows[0])?;
+        let mut jacobian = y.zero_square();
+        for (row, whole) in jacobian.as_mut().iter_mut().enumerate() {
+            whole.rows[row / N] = block[row % N];
+        }
+        Some(jacobian)
+    }
+
+    fn next_restart(&self, t: M::Scalar, end: M::Scalar) -> Option<M::Scalar> {
+        self.closed.next_restart(t, end)
+    }
+
+    fn beyond(&self, t: M::Scalar, end: M::Scalar) -> Option<Self> {
+        self.closed.beyond(t, end).map(|closed| self.around(closed))
+    }
+
+    fn tick(&self, t: M::Scalar, y: &Self::State) -> Option<Self::State> {
+        let state = &y.rows[0];
+        let mut after = Stacked::new(self.closed.tick(t, state)?, self.variables.len());
+        let pairs = self.variables.iter().zip(y.derivatives()).zip(&mut after.rows[1..]);
+        for ((variable, change), changed) in pairs {
+            let found = self.along((t, state), (Number::ZERO, change), Some(variable), L::tick);
+            *changed = found.unwrap_or([M::Scalar::NAN; N]);
+        }
+        Some(after)
+    }
+
+    fn is_tick(&self, t: M::Scalar) -> bool {
+        self.closed.is_tick(t)
+    }
+
+    fn shortest_period(&self) -> Option<M::Scalar> {
+        self.closed.shortest_period()
+    }
+
+    const IS_CONSTRAINED: bool = L::IS_CONSTRAINED;
+
+    fn is_constrained(&self) -> bool {
+        self.closed.is_constrained()
+    }
+
+    fn correct(&self, t: M::Scalar, y: &mut Self::State) -> Result<(), StepFailure<M::Scalar>> {
+        self.closed.correct(t, &mut y.rows[0])
+    }
+
+    fn admit(&self, t: M::Scalar, y: &mut Self::State) -> Result<(), StepFailure<M::Scalar>> {
+        self.closed.admit(t, &mut y.rows[0])
+    }
+
+    fn restore(&self, t: M::Scalar, y: &mut Self::State) -> Result<(), StepFailure<M::Scalar>> {
+        self.closed.restore(t, &mut y.rows[0])
+    }
+
+    const EVENTS: &'static [DeclaredEvent] = L::EVENTS;
+
+    fn events(&self) -> &'static [DeclaredEvent] {
+        self.closed.events()
+    }
+
+    fn event_values(&self, t: M::Scalar, y: &Self::State, values: &mut [M::Scalar]) {
+        self.closed.event_values(t, &y.rows[0], values);
+    }
+
+    fn react(&self, event: usize, t: M::Scalar, elapsed: M::Scalar, y: &Self::State) -> Reacted<Self> {
+        let Response { action, system, kind } = self.closed.react(event, t, elapsed, &y.rows[0])?;
+        let mut after = match action {
+            Action::Stop => return Ok(Response { action: Action::Stop, system: None, kind }),
+            Action::Continue if system.is_none() => {
+                return Ok(Response { action: Action::Continue, system: None, kind });
+            }
+            Action::Continue => y.rows[0],
+            Action::Replace(state) => state,
+        };
+        let system = match system {
+            Some(system) => Some(system),
+            None => self.closed.begin(t, &after)?,
+        };
+        let next = system.as_ref().unwrap_or(&self.closed);
+        next.restore(t, &mut after)?;
+        let value = |closed: &L, t: M::Scalar, y: &M::State| {
+            let mut values = [M::Scalar::ONE; MOST_LOCATED];
+            let count = closed.events().len().min(MOST_LOCATED);
+            closed.event_values(t, y, &mut values[..count]);
+            values[event]
+        };
+        let is_side = self.events()[event].is_side;
+        let outcome = |closed: &L, t: M::Scalar, y: &M::State| match is_side {
+            true => Some(*y),
+            false => Self::settled(closed, event, (t, elapsed), y).ok(),
+        };
+        let source = EventSource::Declared(self.events()[event].name);
+        let after = self.after((t, y), source, value, outcome, (next, after))?;
+        let system = system.map(|closed| self.around(closed));
+        Ok(Response { action: Action::Replace(after), system, kind })
+    }
+
+    fn begin(&self, t: M::Scalar, y: &Self::State) -> Result<Option<Self>, StepFailure<M::Scalar>> {
+        Ok(self.closed.begin(t, &y.rows[0])?.map(|closed| self.around(closed)))
+    }
+
+    fn on_sides(&self, t: M::Scalar, y: &Self::State) -> Option<Self> {
+        self.closed.on_sides(t, &y.rows[0]).map(|closed| self.around(closed))
+    }
+
+    fn freed(&self) -> Option<Self> {
+        self.closed.freed().map(|closed| self.around(closed))
+    }
+}
+
+/// The largest magnitude of an entry.
+fn largest<S: Scalar>(vector: &[S]) -> S {
+    vector.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()))
+}

@@ -1,0 +1,73 @@
+//! Parameters and inputs of systems by their places.
+
+use super::MechanicalSystem;
+
+/// A system whose parameters and inputs are known by their places. Emitted types implement it.
+///
+/// [`sensitivities`](crate::simulate::Simulation::sensitivities) and fits ask for it.
+///
+/// ```
+/// use lagrange::system::ParametricSystem;
+///
+/// lagrange::system! {
+///     struct Cart;
+///     param m = 2.0;
+///     coord x;
+///     input push;
+///     kinetic = 1/2 * m * dot(x)^2;
+///     force x = push;
+///     emit { parameter_jacobian }
+/// }
+///
+/// let cart = Cart::default().with_number(1, 6.0);
+/// assert_eq!((Cart::NUMBERS, cart.push, cart.number(0)), (&["m", "push"][..], 6.0, Some(2.0)));
+///
+/// // The derivative of a = push/m by m.
+/// let mut columns = [[0.0; 2]];
+/// assert!(cart.derivatives(0.0, &[0.0, 0.0], &[0], &mut columns));
+/// assert_eq!(columns, [[0.0, -1.5]]);
+/// ```
+#[diagnostic::on_unimplemented(
+    message = "the parameters of `{Self}` are not known by their places",
+    note = "emitted types implement `ParametricSystem`; implement it for a handwritten system"
+)]
+pub trait ParametricSystem: MechanicalSystem + Sized {
+    /// Names of the parameters, followed by those of the inputs.
+    const NUMBERS: &'static [&'static str];
+
+    /// Returns the value of the parameter or input at this place.
+    fn number(&self, index: usize) -> Option<Self::Scalar>;
+
+    /// Returns the system with another value at this place; a copy if there is no such place.
+    #[must_use]
+    fn with_number(&self, index: usize, value: Self::Scalar) -> Self;
+
+    /// Writes ∂f/∂p of the right-hand side to a column for each of the parameters and inputs at
+    /// these places. Returns false if the derivatives are not known. Emitted types know them with
+    /// `emit { parameter_jacobian }`, which is part of `emit { jacobian }`.
+    #[inline]
+    fn derivatives(
+        &self,
+        _t: Self::Scalar,
+        _y: &Self::State,
+        _indices: &[usize],
+        _columns: &mut [Self::State],
+    ) -> bool {
+        false
+    }
+}
+
+/// Writes columns of a matrix in rows to as many vectors.
+///
+/// # Panics
+/// If there is no such column.
+#[inline]
+pub fn pick_columns<S: Copy, const N: usize, const P: usize>(
+    rows: &[[S; P]; N],
+    indices: &[usize],
+    columns: &mut [[S; N]],
+) {
+    for (column, &index) in columns.iter_mut().zip(indices) {
+        *column = core::array::from_fn(|row| rows[row][index]);
+    }
+}

@@ -1,0 +1,78 @@
+//! `ParametricSystem`: parameters and inputs by their places, and derivatives by them.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::switches::kept_switches;
+use crate::emit::base::fields::places;
+use crate::emit::base::members::Members;
+use crate::emit::base::method::ArgumentNames;
+use crate::emit::base::shape::{Shape, length, local};
+use crate::model::Product;
+
+/// The implementation of `ParametricSystem`.
+pub(in crate::emit) fn parametric_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
+    let (name, generics, bounds, scalar) = (shape.name(), shape.generics(), shape.bounds(), shape.scalar());
+    let krate = shape.krate;
+    let (index, value, other) = (local("index"), local("value"), local("other"));
+    let names = shape.fields.iter().map(|name| shape.written(name));
+    let places = places(&shape.number_fields());
+    let arms = places.iter().enumerate().map(|(place, field)| {
+        let place = length(place);
+        quote!(#place => #other.#field = #value,)
+    });
+    let (kept, switches) = (shape.kept_fields(|_| true), kept_switches(shape));
+    let with_number = match places.is_empty() {
+        true => quote! {
+            fn with_number(&self, _: ::core::primitive::usize, _: #scalar) -> Self {
+                Self { #kept #switches }
+            }
+        },
+        false => quote! {
+            fn with_number(&self, #index: ::core::primitive::usize, #value: #scalar) -> Self {
+                let mut #other = Self { #kept #switches };
+                match #index {
+                    #(#arms)*
+                    _ => {}
+                }
+                #other
+            }
+        },
+    };
+    let derivatives = derivatives(shape, members);
+    quote! {
+        #[automatically_derived]
+        impl #bounds #krate::system::ParametricSystem for #name #generics {
+            const NUMBERS: &'static [&'static ::core::primitive::str] = &[#(#names),*];
+            fn number(&self, #index: ::core::primitive::usize) -> ::core::option::Option<#scalar> {
+                <[#scalar]>::get(&[#(self.#places),*], #index).copied()
+            }
+            #with_number
+            #derivatives
+        }
+    }
+}
+
+/// The member that gives columns of `parameter_jacobian`, if that is emitted.
+fn derivatives(shape: &Shape<'_>, members: &Members) -> Option<TokenStream> {
+    let (krate, scalar, all) = (shape.krate, shape.scalar(), shape.state_length());
+    let ArgumentNames { time, state, .. } = &members.names;
+    let (indices, columns) = (local("indices"), local("columns"));
+    let is_emitted = |method: &crate::emit::base::method::Method| {
+        method.name == Product::ParameterJacobian.name() && !shape.fields.is_empty()
+    };
+    members.methods.iter().any(is_emitted).then(|| {
+        quote! {
+            fn derivatives(
+                &self,
+                #time: #scalar,
+                #state: &[#scalar; #all],
+                #indices: &[::core::primitive::usize],
+                #columns: &mut [[#scalar; #all]],
+            ) -> ::core::primitive::bool {
+                #krate::system::pick_columns(&self.parameter_jacobian(#time, #state), #indices, #columns);
+                true
+            }
+        }
+    })
+}

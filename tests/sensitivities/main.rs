@@ -1,0 +1,5 @@
+//! Are derivatives of motions by parameters those of differences and closed forms?
+
+mod closed_forms;
+mod differences;
+mod refusals;
