@@ -14,9 +14,10 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 16] = [
+pub(crate) const LIBRARIES: [Library; 17] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
+    Library { name: "lagrange-c", layers: C },
     Library { name: "lagrange-cli", layers: CLI },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-double", layers: DOUBLE },
@@ -136,6 +137,19 @@ const DYNAMIC: &[Layer] = &[
         modules: &["declared"],
         purpose: "systems with values for their parameters, visited in some room",
     },
+];
+
+const C: &[Layer] = &[
+    Layer {
+        modules: &["names", "refusal"],
+        purpose: "names and numbers as C; systems that C cannot compute",
+    },
+    Layer { modules: &["functions"], purpose: "the functions of a module, with programs and shapes" },
+    Layer { modules: &["callables"], purpose: "tables and solutions of equations" },
+    Layer { modules: &["bodies"], purpose: "bodies of functions of the state" },
+    Layer { modules: &["arrays"], purpose: "names, units and defaults as arrays" },
+    Layer { modules: &["header"], purpose: "the header" },
+    Layer { modules: &["source"], purpose: "the source file" },
 ];
 
 const CLI: &[Layer] = &[

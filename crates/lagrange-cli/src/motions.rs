@@ -141,9 +141,7 @@ fn start(settings: &Settings, system: &DeclaredSystem) -> Result<Vec<f64>, Failu
 
 /// The value of a variable of the system, in its unit.
 fn named_value(option: &str, (name, text): (&str, &str), system: &DeclaredSystem) -> Result<f64, Failure> {
-    let units = &system.variables().units;
-    let unit_of = |name: &str| units.iter().find(|(known, _)| known == name).map(|(_, unit)| unit.as_str());
-    let unit = unit_of(name).or_else(|| unit_of(name.split('[').next().unwrap_or(name)));
+    let unit = system.variables().unit(name);
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }
 

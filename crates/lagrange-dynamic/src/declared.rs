@@ -72,10 +72,7 @@ impl DeclaredSystem {
 
     /// Returns the names of the entries of the state: positions, then velocities.
     pub fn state_names(&self) -> Vec<String> {
-        let Variables { positions, velocities, .. } = self.variables();
-        let rates = || positions.iter().map(|name| rate_of(name)).collect();
-        let velocities = if velocities.is_empty() { rates() } else { velocities.clone() };
-        [positions.clone(), velocities].concat()
+        self.variables().state_names()
     }
 
     /// Returns the declared state at the start, whose entries without a value are zero; `None` if
@@ -101,12 +98,6 @@ impl DeclaredSystem {
     fn dynamic<const CAPACITY: usize>(&self) -> DynamicSystem<CAPACITY> {
         DynamicSystem::new(self.numeric.clone(), self.names)
     }
-}
-
-/// The rate of a coordinate as columns call it, `x_dot[0]` for `x[0]`.
-fn rate_of(name: &str) -> String {
-    let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
-    format!("{stem}_dot{index}")
 }
 
 /// The room that the longest vector of a system needs.
