@@ -127,8 +127,9 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "names", "refusal"],
-        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run",
+        modules: &["inline", "names", "refusal", "source"],
+        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run; \
+                  texts with declarations",
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
@@ -155,7 +156,7 @@ const C: &[Layer] = &[
 const CLI: &[Layer] = &[
     Layer {
         modules: &["arguments", "source"],
-        purpose: "the command line, read into a command; files that hold declarations",
+        purpose: "the command line, read into a command; files with declarations, and the standard input",
     },
     Layer {
         modules: &["mistakes", "values"],

@@ -9,7 +9,7 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs, System};
-use lagrange_dynamic::DeclaredSystem;
+use lagrange_dynamic::{DeclaredSystem, Source};
 use lagrange_files::save_bytes;
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
@@ -20,7 +20,7 @@ use serde_json::Value;
 use crate::arguments::{Action, Command, Settings, Text};
 use crate::mistakes;
 use crate::motions::{Failure, Motion};
-use crate::source::Source;
+use crate::source;
 
 /// The end of a command; mistakes are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -98,13 +98,13 @@ impl Command {
     /// Reads the only file.
     fn source(&self) -> Outcome<Source> {
         let path = self.inputs.first().ok_or(Printed)?;
-        Source::read(path).map_err(|message| print_error(&message))
+        source::read(path).map_err(|message| print_error(&message))
     }
 
     fn check(&self, is_json: bool) -> bool {
         let (mut has_errors, mut all) = (false, Vec::new());
         for path in &self.inputs {
-            let Ok(source) = Source::read(path).map_err(|message| print_error(&message)) else {
+            let Ok(source) = source::read(path).map_err(|message| print_error(&message)) else {
                 has_errors = true;
                 continue;
             };
