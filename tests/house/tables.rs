@@ -14,9 +14,10 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 16] = [
+pub(crate) const LIBRARIES: [Library; 17] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
+    Library { name: "lagrange-c", layers: C },
     Library { name: "lagrange-cli", layers: CLI },
     Library { name: "lagrange-core", layers: CORE },
     Library { name: "lagrange-double", layers: DOUBLE },
@@ -126,8 +127,9 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "names", "refusal"],
-        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run",
+        modules: &["inline", "names", "refusal", "source"],
+        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run; \
+                  texts with declarations",
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
@@ -138,10 +140,23 @@ const DYNAMIC: &[Layer] = &[
     },
 ];
 
+const C: &[Layer] = &[
+    Layer {
+        modules: &["names", "refusal"],
+        purpose: "names and numbers as C; systems that C cannot compute",
+    },
+    Layer { modules: &["functions"], purpose: "the functions of a module, with programs and shapes" },
+    Layer { modules: &["callables"], purpose: "tables and solutions of equations" },
+    Layer { modules: &["bodies"], purpose: "bodies of functions of the state" },
+    Layer { modules: &["arrays"], purpose: "names, units and defaults as arrays" },
+    Layer { modules: &["header"], purpose: "the header" },
+    Layer { modules: &["source"], purpose: "the source file" },
+];
+
 const CLI: &[Layer] = &[
     Layer {
         modules: &["arguments", "source"],
-        purpose: "the command line, read into a command; files that hold declarations",
+        purpose: "the command line, read into a command; files with declarations, and the standard input",
     },
     Layer {
         modules: &["mistakes", "values"],

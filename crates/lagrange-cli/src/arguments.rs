@@ -18,7 +18,8 @@ Commands:
   equations FILE    write the equations of motion, their structure and their cost
   statements FILE   write the declaration in plain statements: no arrays, loops or bodies
   rust FILE         write the code that the macro emits
-  c FILE            write the equations of motion as C
+  c FILE            write a module of C: NAME.h and NAME.c, named for the struct
+  kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
   urdf FILE         write the declaration of a robot that a URDF file describes
 
@@ -27,10 +28,11 @@ A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:
   -o, --output FILE   write to a file instead of the standard output; for motions, the
-                      extension selects the format: csv, parquet, svg or png
+                      extension selects the format: csv, parquet, svg or png; for modules of
+                      C, a folder, or the path of both files without their extensions
       --json          list mistakes as JSON: an array of objects on the standard output (check)
       --latex         write the equations in LaTeX (equations)
-      --single        compute in single precision (c)
+      --single        compute in single precision (kernel)
       --until TIME    end of the motion, which starts at 0 (simulate)
       --every TIME    sample so often, instead of at every step (simulate)
       --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate)
@@ -91,6 +93,8 @@ pub(crate) enum Action {
     },
     /// Writes what follows from a declaration.
     Write(Text),
+    /// Writes a module of C.
+    Module,
     /// Computes a motion.
     Simulate(Settings),
     /// Imports a robot.
@@ -157,7 +161,7 @@ pub(crate) enum Text {
     /// Emitted code.
     Rust,
     /// The kernel in C.
-    C(Precision),
+    Kernel(Precision),
 }
 
 impl Action {
@@ -167,7 +171,8 @@ impl Action {
             "equations" => Action::Write(Text::Equations),
             "statements" => Action::Write(Text::Statements),
             "rust" => Action::Write(Text::Rust),
-            "c" => Action::Write(Text::C(Precision::Double)),
+            "c" => Action::Module,
+            "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "simulate" => Action::Simulate(Settings::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
@@ -179,7 +184,7 @@ impl Action {
         match (self, flag) {
             (Action::Check { is_json }, "json") => *is_json = true,
             (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
-            (Action::Write(Text::C(precision)), "single") => *precision = Precision::Single,
+            (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
             (Action::Simulate(settings), "energy") => settings.has_energy = true,
             (Action::Urdf(options), "free") => options.is_free = true,
             (Action::Urdf(options), "inputs") => options.has_inputs = true,

@@ -1,12 +1,15 @@
 //! The commands.
 
+use std::ffi::OsStr;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
+use lagrange_c::{Module, Refusal};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
-use lagrange_core::pipeline::Programs;
-use lagrange_dynamic::DeclaredSystem;
+use lagrange_core::model::Product;
+use lagrange_core::pipeline::{Derived, Programs, System};
+use lagrange_dynamic::{DeclaredSystem, Source};
 use lagrange_files::save_bytes;
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
@@ -17,7 +20,7 @@ use serde_json::Value;
 use crate::arguments::{Action, Command, Settings, Text};
 use crate::mistakes;
 use crate::motions::{Failure, Motion};
-use crate::source::Source;
+use crate::source;
 
 /// The end of a command; mistakes are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -43,6 +46,7 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
+            Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
             Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
         };
@@ -72,16 +76,35 @@ impl Command {
         }
     }
 
+    /// Writes the header and the source file of a module.
+    fn module(&self, source: &Source) -> Outcome<()> {
+        let refused = |refusal: Refusal| print_error(&format!("{}: {refusal}", source.name));
+        let programs = Programs::new(&with_jacobian(source)?);
+        let folder = self.output.as_deref().unwrap_or(Path::new(".")).to_owned();
+        let stem = match folder.is_dir() {
+            true => folder.join(Module::new(&programs, None).map_err(refused)?.name),
+            false => folder,
+        };
+        let module = Module::new(&programs, stem.file_name().and_then(OsStr::to_str)).map_err(refused)?;
+        let file = |extension: &str| {
+            let mut path = stem.clone().into_os_string();
+            path.push(extension);
+            PathBuf::from(path)
+        };
+        write(Some(&file(".h")), &module.header)?;
+        write(Some(&file(".c")), &module.source)
+    }
+
     /// Reads the only file.
     fn source(&self) -> Outcome<Source> {
         let path = self.inputs.first().ok_or(Printed)?;
-        Source::read(path).map_err(|message| print_error(&message))
+        source::read(path).map_err(|message| print_error(&message))
     }
 
     fn check(&self, is_json: bool) -> bool {
         let (mut has_errors, mut all) = (false, Vec::new());
         for path in &self.inputs {
-            let Ok(source) = Source::read(path).map_err(|message| print_error(&message)) else {
+            let Ok(source) = source::read(path).map_err(|message| print_error(&message)) else {
                 has_errors = true;
                 continue;
             };
@@ -104,14 +127,28 @@ fn ended(is_well: bool) -> Ended {
 
 /// Returns a system that can be run; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
-    let derived = source.system().and_then(|system| system.derive(StrategyChoice::Cheapest));
-    let derived = derived.map_err(|report| {
+    let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+    DeclaredSystem::new(Programs::new(&derived))
+        .map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
+}
+
+/// Returns a system with the derivatives of its rates, if they are small enough to be written out;
+/// prints warnings and errors.
+fn with_jacobian(source: &Source) -> Outcome<Derived> {
+    derived(source, |system| {
+        let choice = StrategyChoice::Cheapest;
+        system.clone().with(Product::Jacobian).derive(choice).or_else(|_| system.derive(choice))
+    })
+}
+
+/// Derives a system; prints warnings and errors.
+fn derived(source: &Source, derive: impl FnOnce(System) -> Result<Derived, Report>) -> Outcome<Derived> {
+    let derived = source.system().and_then(derive).map_err(|report| {
         mistakes::print(source, &report);
         Printed
     })?;
     mistakes::print(source, &derived.report);
-    DeclaredSystem::new(Programs::new(&derived))
-        .map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
+    Ok(derived)
 }
 
 /// Returns everything that is reported of a declaration, up to its code.
@@ -140,7 +177,7 @@ fn written(source: &Source, text: Text) -> Outcome<String> {
     match text {
         Text::Statements | Text::Equations => Ok(derived.documentation().join("\n") + "\n"),
         Text::Latex => Ok(derived.equations_latex() + "\n"),
-        Text::C(precision) => derived.kernel(precision).map_err(refused),
+        Text::Kernel(precision) => derived.kernel(precision).map_err(refused),
         Text::Rust => rust(derived.emit(&quote!(::lagrange)).map_err(refused)?),
     }
 }

@@ -4,9 +4,8 @@ use std::io::{IsTerminal, stderr};
 
 use annotate_snippets::{Annotation, AnnotationKind, Group, Level, Renderer, Snippet};
 use lagrange_core::diagnostics::{Diagnostic, Origin, Report, Severity};
+use lagrange_dynamic::Source;
 use serde_json::{Value, json};
-
-use crate::source::Source;
 
 /// Prints all mistakes of a file to the standard error, in colours where that is a terminal.
 pub(crate) fn print(source: &Source, report: &Report) {

@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use lagrange_core::model::Product;
-use lagrange_dynamic::{DeclaredSystem, DynamicSystem, Visitor};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, StartError, Visitor};
 use lagrange_files::save_bytes;
 use lagrange_runtime::integrate::{Method, PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
 use lagrange_runtime::simulate::{Simulate, Trajectory};
@@ -115,35 +115,22 @@ impl MethodChoice {
     }
 }
 
-/// The state at the start: declared values, or zeros for velocities, with those that are given.
+/// The state at the start.
 fn start(settings: &Settings, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
-    let (names, variables) = (system.state_names(), system.variables());
-    let mut start = system.start().unwrap_or_else(|| {
-        let mut start = vec![0.0; names.len()];
-        start[..variables.positions.len()].fill(f64::NAN);
-        start
-    });
-    for (name, text) in &settings.start {
-        let place = names.iter().position(|known| known == name);
-        let unknown = || {
-            let known = names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-            Failure::Usage(format!("--start: the state has no `{name}`; known are {known}"))
-        };
-        start[place.ok_or_else(unknown)?] = named_value("start", (name, text), system)?;
-    }
-    match names.iter().zip(&start).find(|(_, value)| value.is_nan()) {
-        Some((name, _)) => Err(Failure::Usage(format!(
+    let named =
+        |(name, text): &(String, String)| Ok((name.clone(), named_value("start", (name, text), system)?));
+    let values = settings.start.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
+    system.start_with(&values).map_err(|error| match error {
+        StartError::Missing(name) => Failure::Usage(format!(
             "the start of `{name}` is missing: write `--start {name}=0`, or declare it"
-        ))),
-        None => Ok(start),
-    }
+        )),
+        error => Failure::Usage(format!("--start: {error}")),
+    })
 }
 
 /// The value of a variable of the system, in its unit.
 fn named_value(option: &str, (name, text): (&str, &str), system: &DeclaredSystem) -> Result<f64, Failure> {
-    let units = &system.variables().units;
-    let unit_of = |name: &str| units.iter().find(|(known, _)| known == name).map(|(_, unit)| unit.as_str());
-    let unit = unit_of(name).or_else(|| unit_of(name.split('[').next().unwrap_or(name)));
+    let unit = system.variables().unit(name);
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }
 

@@ -112,13 +112,35 @@ fn code_is_that_of_the_macro() {
 
 #[test]
 fn a_compiler_of_c_takes_the_kernel() {
-    for arguments in [&["c", &data("kernel.lag")][..], &["c", "--single", &data("kernel.lag")]] {
+    for arguments in [&["kernel", &data("kernel.lag")][..], &["kernel", "--single", &data("kernel.lag")]] {
         let path = temporary(&format!("kernel_{}.c", arguments.len()));
         fs::write(&path, written(arguments)).expect("written");
-        let options = ["-std=c99", "-Wall", "-Werror", "-Wno-unused-function", "-fsyntax-only"];
-        let result = Command::new("cc").args(options).arg(&path).output().expect("a compiler of C");
-        assert!(result.status.success(), "{}", errors(&result));
+        compile(&path);
     }
+}
+
+fn compile(path: &Path) {
+    let options = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror", "-fsyntax-only"];
+    let result = Command::new("cc").args(options).arg(path).output().expect("a compiler of C");
+    assert!(result.status.success(), "{}", errors(&result));
+}
+
+#[test]
+fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
+    let folder = temporary("module");
+    fs::create_dir_all(&folder).expect("a folder");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    assert_eq!(written(&["c", &data("pendulum.lag"), "-o", &path("")]), "");
+    compile(&folder.join("pendulum.c"));
+    assert_eq!(written(&["c", &data("pendulum.lag"), "-o", &path("clock")]), "");
+    compile(&folder.join("clock.c"));
+    let [header, renamed] = ["pendulum.h", "clock.h"].map(|name| fs::read(path(name)).expect("written"));
+    assert_eq!(header, renamed, "functions are named for the struct");
+    let ball = "coord h; kinetic = 1/2 * dot(h)^2; event floor = h, falling => impact(0.5);";
+    let refused = run_on(ball, &["c", "-", "-o", &path("ball")]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert_eq!(errors(&refused), "error: <stdin>: contacts and friction are not written as C: `floor`\n");
+    assert!(!folder.join("ball.h").exists() && !folder.join("ball.c").exists());
 }
 
 #[test]
@@ -159,13 +181,14 @@ fn files_that_cannot_be_read_or_written_are_named() {
 
 #[test]
 fn commands_without_meaning_name_what_is_wrong() {
-    let cases: [(&[&str], &str); 9] = [
+    let cases: [(&[&str], &str); 10] = [
         (&[], "a command is missing"),
         (&["solve"], "unknown command `solve`"),
         (&["check"], "the name of a file is missing"),
         (&["rust", "a", "b"], "one file at a time"),
         (&["rust", "a", "--latex"], "invalid option '--latex'"),
-        (&["c", "a", "--name", "b"], "invalid option '--name'"),
+        (&["c", "a", "--single"], "invalid option '--single'"),
+        (&["kernel", "a", "--name", "b"], "invalid option '--name'"),
         (&["rust", "a", "-o"], "missing argument"),
         (&["rust", "a", "--limits"], "invalid option '--limits'"),
         (&["--verbose"], "invalid option '--verbose'"),

@@ -9,7 +9,7 @@ use lagrange_core::pipeline::{NumericSystem, Programs};
 use lagrange_core::program::Program;
 
 use crate::names::{Names, names_of};
-use crate::refusal::{NoSuchName, Refusal};
+use crate::refusal::{NoSuchName, Refusal, StartError};
 use crate::system::DynamicSystem;
 
 /// Room for entries of a state.
@@ -72,20 +72,37 @@ impl DeclaredSystem {
 
     /// Returns the names of the entries of the state: positions, then velocities.
     pub fn state_names(&self) -> Vec<String> {
-        let Variables { positions, velocities, .. } = self.variables();
-        let rates = || positions.iter().map(|name| rate_of(name)).collect();
-        let velocities = if velocities.is_empty() && self.variables().first_order_states == 0 {
-            rates()
-        } else {
-            velocities.clone()
-        };
-        [positions.clone(), velocities].concat()
+        self.variables().state_names()
     }
 
     /// Returns the declared state at the start, whose entries without a value are zero; `None` if
     /// nothing is declared.
     pub fn start(&self) -> Option<Vec<f64>> {
         self.programs().start.as_ref().map(|start| self.evaluated(start))
+    }
+
+    /// Returns the declared state at the start with other values for some of its entries. If
+    /// nothing is declared, velocities are zero, and each position needs a value.
+    ///
+    /// # Errors
+    /// If the state has no entry of a name, or an entry has no value.
+    pub fn start_with(&self, values: &[(String, f64)]) -> Result<Vec<f64>, StartError> {
+        let (names, positions) = (self.state_names(), self.variables().positions.len());
+        let undeclared = || {
+            let mut start = vec![0.0; names.len()];
+            start[..positions].fill(f64::NAN);
+            start
+        };
+        let mut start = self.start().unwrap_or_else(undeclared);
+        for (name, value) in values {
+            let place = names.iter().position(|known| known == name);
+            let unknown = || StartError::Unknown(NoSuchName { name: name.clone(), known: names.clone() });
+            start[place.ok_or_else(unknown)?] = *value;
+        }
+        match names.iter().zip(&start).find(|(_, value)| value.is_nan()) {
+            Some((name, _)) => Err(StartError::Missing(name.clone())),
+            None => Ok(start),
+        }
     }
 
     fn evaluated(&self, program: &Program) -> Vec<f64> {
@@ -105,12 +122,6 @@ impl DeclaredSystem {
     fn dynamic<const CAPACITY: usize>(&self) -> DynamicSystem<CAPACITY> {
         DynamicSystem::new(self.numeric.clone(), self.names)
     }
-}
-
-/// The rate of a coordinate as columns call it, `x_dot[0]` for `x[0]`.
-fn rate_of(name: &str) -> String {
-    let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
-    format!("{stem}_dot{index}")
 }
 
 /// The room that the longest vector of a system needs.

@@ -48,9 +48,11 @@ mod mechanics;
 mod motion;
 mod names;
 mod refusal;
+mod source;
 mod system;
 
 pub use declared::{DeclaredSystem, Visitor};
 pub use inline::{Inline, Rows};
-pub use refusal::{NoSuchName, Refusal};
+pub use refusal::{NoSuchName, Refusal, StartError};
+pub use source::Source;
 pub use system::DynamicSystem;

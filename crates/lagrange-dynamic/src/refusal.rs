@@ -1,4 +1,4 @@
-//! Systems that cannot be run, and names that a system does not have.
+//! Systems and starts that cannot be run, and names that a system does not have.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -41,7 +41,7 @@ impl Display for Refusal {
 
 impl Error for Refusal {}
 
-/// A parameter or input that a system does not have.
+/// A name that a system does not have.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct NoSuchName {
     /// The name.
@@ -60,6 +60,29 @@ impl Display for NoSuchName {
 }
 
 impl Error for NoSuchName {}
+
+/// The reason why no state follows from the values of its entries.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum StartError {
+    /// The state has no such entry.
+    Unknown(NoSuchName),
+    /// This entry has no value.
+    Missing(String),
+}
+
+impl Display for StartError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            StartError::Unknown(NoSuchName { name, known }) => {
+                write!(f, "the state has no `{name}`; known are {}", quoted(known))
+            }
+            StartError::Missing(name) => write!(f, "the start of `{name}` is missing"),
+        }
+    }
+}
+
+impl Error for StartError {}
 
 fn quoted(names: &[String]) -> String {
     names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")

@@ -44,6 +44,28 @@ pub struct Variables {
     pub units: Vec<(String, String)>,
 }
 
+impl Variables {
+    /// Returns the names of the entries of the state: positions, then velocities.
+    pub fn state_names(&self) -> Vec<String> {
+        let rates = || self.positions.iter().map(|name| rate_of(name)).collect();
+        let are_rates = self.velocities.is_empty() && self.first_order_states == 0;
+        let velocities = if are_rates { rates() } else { self.velocities.clone() };
+        [self.positions.clone(), velocities].concat()
+    }
+
+    /// Returns the unit of a variable, that of its array for an element; `None` if it is unknown.
+    pub fn unit(&self, name: &str) -> Option<&str> {
+        let of = |name: &str| self.units.iter().find(|(known, _)| known == name).map(|(_, unit)| &**unit);
+        of(name).or_else(|| of(name.split('[').next().unwrap_or(name)))
+    }
+}
+
+/// The rate of a coordinate as columns call it, `x_dot[0]` for `x[0]`.
+fn rate_of(name: &str) -> String {
+    let (stem, index) = name.split_at(name.find('[').unwrap_or(name.len()));
+    format!("{stem}_dot{index}")
+}
+
 /// A declared event.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct EventOfSystem {

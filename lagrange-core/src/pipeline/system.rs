@@ -5,7 +5,7 @@ use proc_macro2::TokenStream;
 use super::phases::{DerivedPart, equations_of, items_of, model_of};
 use crate::derive::{Equations, StrategyChoice};
 use crate::emit;
-use crate::model::Model;
+use crate::model::{Model, Product};
 use lagrange_algebra::code::Precision;
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::Declaration;
@@ -70,6 +70,18 @@ impl System {
     /// comments and pictures do not change it.
     pub fn fingerprint(&self) -> u64 {
         emit::fingerprint(&self.declaration)
+    }
+
+    /// Adds a product to those that the declaration emits. Systems with contacts or friction have
+    /// no derivatives.
+    pub fn with(mut self, product: Product) -> System {
+        let Model { products, reactions, .. } = &mut self.model;
+        let is_undefined = product.is_derivative() && !reactions.is_empty();
+        if !is_undefined && !products.contains(&product) {
+            products.push(product);
+            products.sort_unstable();
+        }
+        self
     }
 
     /// Derives the equations of motion.

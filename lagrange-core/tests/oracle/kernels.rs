@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use lagrange_core::code::{Precision, prelude, statements};
+use lagrange_core::code::{Precision, Surroundings, prelude, statements};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::elementary::ROWS;
 use lagrange_core::expr::{Function, Graph, Relation};
 use lagrange_core::functions::apply;
 use lagrange_core::number::Number;
+use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Derived, NumericSystem, parse};
 use lagrange_core::program::{Labels, lower, run as interpret};
 use lagrange_core::symbol::Role;
@@ -75,6 +76,23 @@ fn single_precision_is_that_throughout() {
     }
 }
 
+/// The variables x and y of C.
+struct TwoNumbers;
+
+impl Surroundings for TwoNumbers {
+    fn place(&self, role: Role) -> String {
+        if role == Role::Coordinate(0) { "x".to_owned() } else { "y".to_owned() }
+    }
+
+    fn name(&self, _role: Role) -> Option<String> {
+        None
+    }
+
+    fn call(&self, function: &Opaque, _arguments: &[&str]) -> String {
+        unreachable!("{function:?}")
+    }
+}
+
 /// Of every function, large powers and every relation, where they are defined and where they are
 /// not.
 #[test]
@@ -87,8 +105,7 @@ fn functions_have_the_limits_of_the_language() {
     let (one, two) = (graph.number(1), graph.number(2));
     roots.extend(relations.map(|relation| graph.choose(relation, x, y, one, two)));
     let computed = lower(&graph, &roots, &Labels::default());
-    let place = |role| if role == Role::Coordinate(0) { "x".to_owned() } else { "y".to_owned() };
-    let body = statements(&computed, graph.symbols(), Precision::Double, place, "a").expect("no numbers");
+    let body = statements(&computed, Precision::Double, &TwoNumbers, "a").expect("no numbers");
     let special = [0.0, -0.0, 0.5, -0.5, 1.0, 3.0, -2.0, 1e200, f64::INFINITY, -f64::INFINITY, f64::NAN];
     let places = special.iter().flat_map(|x| special.iter().map(|y| [*x, *y])).collect::<Vec<_>>();
     let calls = places.iter().map(|[x, y]| {

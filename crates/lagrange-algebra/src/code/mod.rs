@@ -21,7 +21,7 @@ mod values;
 mod writer;
 
 pub use body::{FunctionBody, Scalar, Unrepresentable};
-pub use c::{Precision, prelude, statements};
+pub use c::{Precision, Surroundings, prelude, statements};
 pub use literal::float;
 pub use names::Names;
 

@@ -16,9 +16,10 @@ use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, length};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Model, Product};
-use lagrange_algebra::code::{Precision, Unrepresentable, prelude, statements};
+use lagrange_algebra::code::{Precision, Surroundings, Unrepresentable, prelude, statements};
 use lagrange_algebra::program::{Labels, lower, optimise};
 use lagrange_expr::expr::ExprId;
+use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
 /// Features that a kernel does not support.
@@ -94,16 +95,34 @@ fn body(
     let mut labels = Labels::default();
     equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
     let program = optimise(&lower(&model.graph, roots, &labels), model.accuracy);
-    let parameters = model.parameters.len();
-    let place = |role| match role {
-        Role::Time => "t".to_owned(),
-        Role::Coordinate(index) | Role::State(index) | Role::Discrete(index) => format!("q[{index}]"),
-        Role::Velocity(index) => format!("v[{index}]"),
-        Role::Parameter(index) => format!("p[{index}]"),
-        Role::Input(index) => format!("p[{}]", parameters + index as usize),
-        _ => unreachable!("accelerations are found in one way, of the state and the parameters: {role:?}"),
-    };
-    statements(&program, model.graph.symbols(), precision, place, results)
+    statements(&program, precision, &Arguments(model), results)
+}
+
+/// The arguments of the functions of a kernel.
+struct Arguments<'a>(&'a Model);
+
+impl Surroundings for Arguments<'_> {
+    fn place(&self, role: Role) -> String {
+        match role {
+            Role::Time => "t".to_owned(),
+            Role::Coordinate(index) | Role::State(index) | Role::Discrete(index) => format!("q[{index}]"),
+            Role::Velocity(index) => format!("v[{index}]"),
+            Role::Parameter(index) => format!("p[{index}]"),
+            Role::Input(index) => format!("p[{}]", self.0.parameters.len() + index as usize),
+            _ => {
+                unreachable!("accelerations are found in one way, of the state and the parameters: {role:?}")
+            }
+        }
+    }
+
+    fn name(&self, role: Role) -> Option<String> {
+        let symbols = self.0.graph.symbols();
+        symbols.find(role).map(|symbol| symbols.get(symbol).identifier())
+    }
+
+    fn call(&self, function: &Opaque, _arguments: &[&str]) -> String {
+        unreachable!("kernels exclude functions: {function:?}")
+    }
 }
 
 /// The function that brings quaternions to length one, by which their rates do not hold them.

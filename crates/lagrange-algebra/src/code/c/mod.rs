@@ -11,7 +11,8 @@ use crate::program::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Relation;
-use lagrange_expr::symbol::{Role, Symbols};
+use lagrange_expr::opaque::Opaque;
+use lagrange_expr::symbol::Role;
 
 /// The numbers that C computes with.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,34 +46,41 @@ pub fn prelude(precision: Precision) -> String {
     format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{text}")
 }
 
+/// The names that a body in C refers to.
+pub trait Surroundings {
+    /// Returns the expression under which C finds a symbol.
+    fn place(&self, role: Role) -> String;
+
+    /// Returns the name of a symbol in the declaration.
+    fn name(&self, role: Role) -> Option<String>;
+
+    /// Returns a call of a function without a formula, for these arguments.
+    fn call(&self, function: &Opaque, arguments: &[&str]) -> String;
+}
+
 /// Writes the statements of a function that computes a program, each on a separate line, indented
 /// once.
 ///
-/// `place` is the expression under which C finds a symbol, and the results are stored to the
-/// elements of `results`.
+/// `surroundings` is where C finds symbols and functions without a formula. The results are stored
+/// to the elements of `results`.
 ///
 /// # Errors
 /// If a constant of the program is out of the range of the numbers.
-///
-/// # Panics
-/// If the program calls a function without a formula, which C does not have.
 pub fn statements(
     program: &Program,
-    symbols: &Symbols,
     precision: Precision,
-    place: impl Fn(Role) -> String,
+    surroundings: &dyn Surroundings,
     results: &str,
 ) -> Result<String, Unrepresentable> {
-    let mut writer =
-        StatementWriter { program, precision, names: ValueNames::new(program), out: String::new() };
+    let names = ValueNames::new(program);
+    let mut writer = StatementWriter { program, precision, surroundings, names, out: String::new() };
     let mut unrepresentable = Vec::new();
     for (id, op) in program.values() {
         match op {
             Op::Constant(number) => writer.constant(Constant::Exact(number), &mut unrepresentable),
             Op::Float(value) => writer.constant(Constant::Rounded(*value), &mut unrepresentable),
             Op::Input(role) => {
-                let name = symbols.find(*role).map(|symbol| symbols.get(symbol).identifier());
-                writer.define(&place(*role), name.as_deref());
+                writer.define(&surroundings.place(*role), surroundings.name(*role).as_deref());
             }
             _ => writer.value(id, op),
         }
@@ -111,6 +119,7 @@ impl ValueNames {
 struct StatementWriter<'a> {
     program: &'a Program,
     precision: Precision,
+    surroundings: &'a dyn Surroundings,
     names: ValueNames,
     out: String,
 }
@@ -196,6 +205,9 @@ impl StatementWriter<'_> {
             Op::Call(function, arguments) => {
                 let arguments = arguments.iter().map(at).collect::<Vec<_>>().join(", ");
                 format!("{}({arguments})", function_name(row(*function).rust))
+            }
+            Op::Opaque(function, arguments) => {
+                self.surroundings.call(function, &arguments.iter().map(at).collect::<Vec<_>>())
             }
             Op::Select { relation, left, right, then, otherwise } => {
                 let (holds, fails) = relations(*relation);

@@ -13,7 +13,11 @@
 #define LAGRANGE_SIN_COS(x, sine, cosine) LAGRANGE_OF(sincos)(x, &(sine), &(cosine))
 #else
 #include <math.h>
+#if defined(__GNUC__)
+#define LAGRANGE_FUNCTION static inline __attribute__((unused))
+#else
 #define LAGRANGE_FUNCTION static inline
+#endif
 #define LAGRANGE_SIN_COS(x, sine, cosine) ((sine) = LAGRANGE_OF(sin)(x), (cosine) = LAGRANGE_OF(cos)(x))
 #endif
 

@@ -1,11 +1,35 @@
-use super::{Precision, function_name, prelude, statements};
+use super::{Precision, Surroundings, function_name, prelude, statements};
 use crate::program::{Labels, lower, optimise};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::elementary::ROWS;
 use lagrange_expr::expr::{Function, Graph, Relation};
 use lagrange_expr::functions::apply;
 use lagrange_expr::number::Number;
+use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
+
+/// Vectors of positions, velocities and parameters, with the names of a graph.
+struct Vectors<'a>(&'a Graph);
+
+impl Surroundings for Vectors<'_> {
+    fn place(&self, role: Role) -> String {
+        match role {
+            Role::Coordinate(index) => format!("q[{index}]"),
+            Role::Velocity(index) => format!("v[{index}]"),
+            Role::Parameter(_) => "p[0]".to_owned(),
+            _ => "p[1]".to_owned(),
+        }
+    }
+
+    fn name(&self, role: Role) -> Option<String> {
+        let symbols = self.0.symbols();
+        symbols.find(role).map(|symbol| symbols.get(symbol).identifier())
+    }
+
+    fn call(&self, function: &Opaque, arguments: &[&str]) -> String {
+        format!("{}({})", function.rust_name(), arguments.join(", "))
+    }
+}
 
 /// A one-sided spring with dry friction, on a turning disc.
 fn body(precision: Precision, accuracy: Accuracy) -> String {
@@ -28,13 +52,7 @@ fn body(precision: Precision, accuracy: Accuracy) -> String {
     let mut labels = Labels::default();
     labels.insert(normal, "normal");
     let program = optimise(&lower(g, &[force, lever], &labels), accuracy);
-    let place = |role| match role {
-        Role::Coordinate(index) => format!("q[{index}]"),
-        Role::Velocity(index) => format!("v[{index}]"),
-        Role::Parameter(_) => "p[0]".to_owned(),
-        _ => "p[1]".to_owned(),
-    };
-    statements(&program, g.symbols(), precision, place, "a").expect("moderate numbers")
+    statements(&program, precision, &Vectors(g), "a").expect("moderate numbers")
 }
 
 #[test]
@@ -56,7 +74,7 @@ fn numbers_out_of_range_are_reported_once() {
     let large = Number::parse_decimal("1e60").expect("a literal");
     let scaled = graph.scale(large, x);
     let program = lower(&graph, &[scaled], &Labels::default());
-    let write = |precision| statements(&program, graph.symbols(), precision, |_| "q[0]".to_owned(), "a");
+    let write = |precision| statements(&program, precision, &Vectors(&graph), "a");
     assert_eq!(
         write(Precision::Double).as_deref(),
         Ok("    const REAL x0 = q[0]; // x\n    const REAL x1 = 1e60 * x0;\n    a[0] = x1;\n")

@@ -1,0 +1,148 @@
+//! Functions without a formula: tables, and solutions of equations.
+
+use lagrange_core::code::{Precision, Surroundings, Unrepresentable, statements};
+use lagrange_core::opaque::{Opaque, Table};
+use lagrange_core::pipeline::Programs;
+use lagrange_core::program::{NewtonProgram, Op, Program};
+use lagrange_core::symbol::Role;
+
+use crate::functions::Function;
+use crate::names::number;
+
+/// The functions without a formula that a module calls.
+pub(crate) struct Callables<'a> {
+    /// Tables and their derivatives, each once.
+    tables: Vec<&'a Opaque>,
+    solutions: &'a [NewtonProgram],
+}
+
+impl<'a> Callables<'a> {
+    pub(crate) fn new(programs: &'a Programs, functions: &[Function<'a>]) -> Callables<'a> {
+        let solutions = &programs.solutions[..];
+        let of_solutions = solutions.iter().flat_map(|solution| [&solution.start, &solution.equation]);
+        let of_functions = functions.iter().flat_map(|function| &function.parts).map(|part| part.program);
+        let mut tables: Vec<&Opaque> = Vec::new();
+        for (_, op) in of_functions.chain(of_solutions).flat_map(Program::values) {
+            if let Op::Opaque(function, _) = op
+                && function.table().is_some()
+                && !tables.contains(&function)
+            {
+                tables.push(function);
+            }
+        }
+        Callables { tables, solutions }
+    }
+
+    /// Returns a call of a function for these arguments.
+    pub(crate) fn call(&self, function: &Opaque, arguments: &[&str]) -> String {
+        let arguments = arguments.join(", ");
+        match self.tables.iter().position(|known| *known == function) {
+            Some(index) => format!("table_{index}({arguments})"),
+            None => {
+                let index = self.solutions.iter().position(|solution| solution.function == *function);
+                let index = index.unwrap_or_else(|| unreachable!("refused before: {function:?}"));
+                let arguments = if arguments.is_empty() { "0" } else { &arguments };
+                format!("solution_{index}((const double[]){{ {arguments} }})")
+            }
+        }
+    }
+
+    /// Returns the definitions of all these functions.
+    pub(crate) fn definitions(&self) -> Result<String, Unrepresentable> {
+        let mut out = String::new();
+        if !self.tables.is_empty() {
+            out += &format!("\n{}", include_str!("tables.h"));
+        }
+        for (index, function) in self.tables.iter().enumerate() {
+            let first =
+                self.tables.iter().position(|table| table.function().name == function.function().name);
+            out += &definition(index, first.unwrap_or(index), function);
+        }
+        if !self.solutions.is_empty() {
+            out += &format!("\n{}", include_str!("newton.h"));
+        }
+        for index in 0..self.solutions.len() {
+            out += &format!("\nLAGRANGE_FUNCTION double solution_{index}(const double *x);");
+        }
+        for (index, solution) in self.solutions.iter().enumerate() {
+            out += &self.solution(index, solution)?;
+        }
+        Ok(out)
+    }
+
+    fn solution(&self, index: usize, solution: &NewtonProgram) -> Result<String, Unrepresentable> {
+        let equation = Equation { solution, callables: self };
+        let [start, residual] = [&solution.start, &solution.equation]
+            .map(|program| statements(program, Precision::Double, &equation, "out"));
+        let (start, residual, iterations) = (start?, residual?, solution.iterations);
+        Ok(format!(
+            "\n// The residual of {}, its slope and its rounding error.\n\
+             LAGRANGE_FUNCTION void equation_{index}(double y, const double *x, double *out)\n\
+             {{\n    (void)y, (void)x;\n{residual}}}\n\
+             \nLAGRANGE_FUNCTION double solution_{index}(const double *x)\n\
+             {{\n    double out[1];\n    (void)x;\n{start}\
+             \x20   return newton(out[0], {iterations}, equation_{index}, x);\n}}\n",
+            solution.function.function().name.escape_default()
+        ))
+    }
+}
+
+/// The definition of a table or of one of its derivatives, whose numbers are those of the `first`
+/// with its name.
+fn definition(index: usize, first: usize, function: &Opaque) -> String {
+    let Some(table) = function.table() else { return String::new() };
+    let size = table.interpolation.coefficients();
+    let mut out = format!("\n// {}\n", function.describe().replace('`', "").escape_default());
+    if first == index {
+        for (argument, axis) in table.axes.iter().enumerate() {
+            out += &array(&format!("knots_{index}_{argument}"), &axis.knots);
+        }
+        out += &array(&format!("coefficients_{index}"), &table.coefficients);
+    }
+    let parameters = ["double x", "double x, double y"][usize::from(table.axes.len() > 1)];
+    let call = call(first, function, table);
+    out + &format!(
+        "LAGRANGE_FUNCTION double table_{index}({parameters})\n{{\n    return {call}, coefficients_{first}, {size});\n}}\n"
+    )
+}
+
+/// A call of the function that looks a value up, up to the coefficients.
+fn call(first: usize, function: &Opaque, table: &Table) -> String {
+    let arguments = table.axes.iter().zip(["x", "y"]).zip(function.orders()).enumerate();
+    let axes = arguments.map(|(argument, ((axis, variable), order))| {
+        let density = number(axis.density);
+        format!(
+            "&(const Axis){{ knots_{first}_{argument}, {}, {density}, {order} }}, {variable}",
+            axis.knots.len()
+        )
+    });
+    let name = ["curve", "surface"][usize::from(table.axes.len() > 1)];
+    format!("{name}({}", axes.collect::<Vec<_>>().join(", "))
+}
+
+fn array(name: &str, values: &[f64]) -> String {
+    let values = values.iter().map(|value| number(*value)).collect::<Vec<_>>();
+    let lines = values.chunks(8).map(|line| format!("    {},\n", line.join(", "))).collect::<String>();
+    format!("static const double {name}[] = {{\n{lines}}};\n")
+}
+
+/// The arguments of the equation of an algebraic unknown.
+struct Equation<'a> {
+    solution: &'a NewtonProgram,
+    callables: &'a Callables<'a>,
+}
+
+impl Surroundings for Equation<'_> {
+    fn place(&self, role: Role) -> String {
+        let index = self.solution.arguments.iter().position(|argument| *argument == role);
+        index.map_or_else(|| "y".to_owned(), |index| format!("x[{index}]"))
+    }
+
+    fn name(&self, role: Role) -> Option<String> {
+        (role == self.solution.value).then(|| self.solution.function.function().name.clone())
+    }
+
+    fn call(&self, function: &Opaque, arguments: &[&str]) -> String {
+        self.callables.call(function, arguments)
+    }
+}

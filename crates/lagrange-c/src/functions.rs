@@ -1,0 +1,155 @@
+//! The functions of a module, with what they compute and in which order.
+
+use lagrange_core::model::{Extent, Product, ProductShape};
+use lagrange_core::pipeline::{Layout, Programs, Reaction};
+use lagrange_core::program::Program;
+
+use crate::names::with_unit;
+
+/// A function of a module.
+pub(crate) struct Function<'a> {
+    /// Its name behind the prefix.
+    pub(crate) name: String,
+    /// Documentation, and below it the meaning of the results.
+    pub(crate) docs: Vec<String>,
+    /// Rows and columns of the results, or their number.
+    pub(crate) shape: Vec<usize>,
+    /// The programs whose results stand one after the other.
+    pub(crate) parts: Vec<Part<'a>>,
+}
+
+/// The results of a program, or the first of them.
+pub(crate) struct Part<'a> {
+    pub(crate) program: &'a Program,
+    /// Number of results.
+    pub(crate) count: usize,
+    /// Number of values at the end of the program that must be small: the growth of rounding
+    /// errors.
+    pub(crate) growths: usize,
+}
+
+impl<'a> Part<'a> {
+    fn of(program: &'a Program) -> Part<'a> {
+        Part { program, count: program.outputs().len(), growths: 0 }
+    }
+}
+
+/// Returns the functions of a system, without those that have no results.
+pub(crate) fn functions(programs: &Programs) -> Vec<Function<'_>> {
+    let mut functions = of_motion(programs);
+    functions.extend(of_products(programs));
+    functions.extend(of_ports(programs));
+    functions.extend(of_changes(programs));
+    functions.retain(|function| function.shape.iter().all(|extent| *extent > 0));
+    functions
+}
+
+fn function<'a>(name: &str, docs: &[&str], parts: Vec<Part<'a>>) -> Function<'a> {
+    let docs = docs.iter().map(|line| (*line).to_owned()).collect();
+    let shape = vec![parts.iter().map(|part| part.count).sum()];
+    Function { name: name.to_owned(), docs, shape, parts }
+}
+
+fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
+    let (layout, growths) = (&programs.layout, programs.growths);
+    let rates = || Part::of(&programs.position_rates);
+    let accelerations = || Part { program: &programs.accelerations, count: layout.velocities, growths };
+    let multipliers = Part { program: &programs.multipliers, count: layout.multipliers, growths };
+    let states = layout.positions + layout.velocities;
+    let jacobian = function(
+        "jacobian",
+        &["Derivatives of the rates by the state, in rows: entry [i][j] is that of rate i by y[j]."],
+        programs.jacobian.iter().map(Part::of).collect(),
+    );
+    let is_derived = programs.jacobian.is_some();
+    let jacobian = Function { shape: if is_derived { vec![states; 2] } else { vec![0] }, ..jacobian };
+    vec![
+        function(
+            "rhs",
+            &["Rates of the state: of the positions, then accelerations. Units are those of y per second."],
+            vec![rates(), accelerations()],
+        ),
+        function("position_rates", &["Rates of the positions."], vec![rates()]),
+        function("accelerations", &["Accelerations, in the order of the velocities."], vec![accelerations()]),
+        function("multipliers", &["Multipliers of the constraints, in their order."], vec![multipliers]),
+        jacobian,
+    ]
+}
+
+/// Functions of products that depend on the state alone.
+fn of_products(programs: &Programs) -> Vec<Function<'_>> {
+    let is_of_state = |product: Product| !product.is_derivative() && product != Product::InverseDynamics;
+    let known = programs.products.iter().filter(|(product, _)| is_of_state(*product));
+    let written = known.filter_map(|(product, program)| {
+        let method = product.row().method.as_ref()?;
+        let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
+        let shape = shape(method.returns, &programs.layout, program.outputs().len());
+        Some(Function { name: product.name().to_owned(), docs, shape, parts: vec![Part::of(program)] })
+    });
+    written.collect()
+}
+
+/// The shape of a product with so many entries.
+fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
+    let extent = |extent| match extent {
+        Extent::Velocities => layout.velocities,
+        Extent::Constraints => layout.multipliers,
+        _ => entries,
+    };
+    match shape {
+        ProductShape::Scalar | ProductShape::Vector(_) => vec![entries],
+        ProductShape::Matrix(rows, columns) => vec![extent(rows), extent(columns)],
+    }
+}
+
+fn of_ports(programs: &Programs) -> Vec<Function<'_>> {
+    let mut outputs = function(
+        "outputs",
+        &["Outputs:"],
+        programs.outputs.iter().map(|(_, program)| Part::of(program)).collect(),
+    );
+    outputs.docs.extend(listed(programs, programs.variables.outputs.concat().iter()));
+    let start = &["The declared state at the start; zero where nothing is declared. t and y are not read."];
+    vec![outputs, function("start", start, programs.start.iter().map(Part::of).collect())]
+}
+
+/// Functions of events, switches and clocks.
+fn of_changes(programs: &Programs) -> Vec<Function<'_>> {
+    let variables = &programs.variables;
+    let mut events = function(
+        "events",
+        &["Functions whose zeros are the events:"],
+        vec![Part::of(&programs.event_functions)],
+    );
+    events.docs.extend(listed(programs, variables.events.iter().map(|event| &event.name)));
+    let mut switches = function(
+        "switches",
+        &["Functions at whose zeros the rates have kinks or jumps:"],
+        vec![Part::of(&programs.switches)],
+    );
+    switches.docs.extend(listed(programs, variables.switches.iter()));
+    let after_events = programs.reactions.iter().zip(&variables.events).enumerate();
+    let after_events = after_events.filter_map(|(index, (reaction, event))| match reaction {
+        Reaction::Replace(program) => {
+            let docs = format!("The state after the event {}.", event.name);
+            Some(function(&format!("after_event_{index}"), &[&docs], vec![Part::of(program)]))
+        }
+        _ => None,
+    });
+    let clocks = programs.clocks.iter();
+    let periods = clocks.clone().map(|clock| Part::of(&clock.period)).collect();
+    let after_clocks = clocks.enumerate().map(|(index, clock)| {
+        let name = format!("after_clock_{index}");
+        function(&name, &["The state after a tick of this clock."], vec![Part::of(&clock.after)])
+    });
+    let periods = function("clock_periods", &["Periods of the clocks, in seconds."], periods);
+    [events, switches, periods].into_iter().chain(after_events).chain(after_clocks).collect()
+}
+
+/// Returns a line for each of these names.
+fn listed<'a>(programs: &Programs, names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    let line = |(index, name): (usize, &String)| {
+        format!("    out[{index}] {}", with_unit(&programs.variables, name))
+    };
+    names.enumerate().map(line).collect()
+}

@@ -1,0 +1,63 @@
+//! Systems that C cannot compute.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use lagrange_core::opaque::Opaque;
+use lagrange_core::pipeline::Programs;
+
+/// The reason why a system is not written as C.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// It declares contacts or friction with these names.
+    Touching(Vec<String>),
+    /// It calls these functions of the user's crate.
+    Functions(Vec<String>),
+    /// Some of these constraints always follow from others.
+    Redundant(Vec<String>),
+    /// These constants are out of the range of `double`.
+    Constants(Vec<String>),
+}
+
+impl Display for Refusal {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::Touching(names) => {
+                write!(f, "contacts and friction are not written as C: {}", quoted(names))
+            }
+            Refusal::Functions(names) => {
+                write!(f, "functions of a crate are not known to C: {}", quoted(names))
+            }
+            Refusal::Redundant(names) => write!(
+                f,
+                "some constraints always follow from others, which C does not solve: {}",
+                quoted(names)
+            ),
+            Refusal::Constants(constants) => {
+                write!(f, "constants are out of the range of `double`: {}", constants.join(", "))
+            }
+        }
+    }
+}
+
+impl Error for Refusal {}
+
+fn quoted(names: &[String]) -> String {
+    names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// Checks that a system can be written.
+pub(crate) fn check(programs: &Programs) -> Result<(), Refusal> {
+    let (variables, functions) = (&programs.variables, programs.functions());
+    if !variables.touching.is_empty() {
+        return Err(Refusal::Touching(variables.touching.clone()));
+    }
+    if !functions.is_empty() {
+        return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));
+    }
+    match programs.is_redundant {
+        true => Err(Refusal::Redundant(variables.constraints.clone())),
+        false => Ok(()),
+    }
+}

@@ -1,0 +1,64 @@
+//! Texts that hold a declaration, alone or in `lagrange::system! { … }`.
+
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+use lagrange_core::diagnostics::Report;
+use lagrange_core::files;
+use lagrange_core::pipeline::{System, parse_with};
+use lagrange_core::tables::FileText;
+
+/// A text with the place that it was read from.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Source {
+    /// Name of the file in messages.
+    pub name: String,
+    /// Content.
+    pub text: String,
+    /// Folder where its tables are.
+    pub folder: PathBuf,
+}
+
+impl Source {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// The name of the file and the reason why it cannot be read.
+    pub fn read(path: &Path) -> Result<Source, String> {
+        let name = path.display().to_string();
+        let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+        let file = path.file_name().and_then(|file| file.to_str()).unwrap_or_default();
+        let file = files::read(&folder, file).map_err(|reason| format!("{name}: {reason}"))?;
+        Ok(Source { name, text: file.text, folder })
+    }
+
+    /// Parses and checks the declaration.
+    ///
+    /// # Errors
+    /// All mistakes in it and in its tables.
+    pub fn system(&self) -> Result<System, Report> {
+        // Code that is written holds the points of tables, so it is compiled without their files.
+        let table = |path: &str| {
+            let file = files::read(&self.folder, path)?;
+            Ok(FileText { path: String::new(), ..file })
+        };
+        parse_with(&without_macro(&self.text), &table)
+    }
+}
+
+/// Blanks the macro around a declaration, as files of Rust and imported robots have it. Everything
+/// else keeps its place.
+fn without_macro(text: &str) -> Cow<'_, str> {
+    let inside = || {
+        let path = text.trim_start().trim_start_matches("::").strip_prefix("lagrange::system!")?;
+        path.trim_start().strip_prefix('{')?.trim_end().strip_suffix('}')
+    };
+    match inside() {
+        Some(inside) => {
+            let before = text.find('{').map_or(0, |brace| brace + 1);
+            let lines = text[..before].chars().map(|c| if c == '\n' { c } else { ' ' });
+            Cow::Owned(lines.collect::<String>() + inside)
+        }
+        None => Cow::Borrowed(text),
+    }
+}
