@@ -82,12 +82,12 @@ pub use lagrange_draw as draw;
 #[cfg(feature = "ensemble")]
 #[doc(inline)]
 pub use lagrange_runtime::ensemble::{self, Ensembles};
-#[cfg(feature = "std")]
-#[doc(inline)]
-pub use lagrange_runtime::laws;
 #[cfg(feature = "fit")]
 #[doc(inline)]
 pub use lagrange_runtime::fit;
+#[cfg(feature = "std")]
+#[doc(inline)]
+pub use lagrange_runtime::laws;
 #[cfg(feature = "linear")]
 #[doc(inline)]
 pub use lagrange_runtime::linear;
