@@ -1,4 +1,4 @@
-//! What a fit says of data and settings that make no sense.
+//! Mistakes in data and settings, and their messages.
 
 use lagrange::fit::{Data, FitSearch, Fits};
 use lagrange::integrate::Verner98;

@@ -5,7 +5,7 @@ use lagrange::{Simulate, simulate::Trajectory};
 
 const TOLERANCE: f64 = 1e-13;
 
-/// Of systems whose derivatives are differences: smaller tolerances see their errors.
+/// Tolerance for derivatives by differences, whose errors smaller ones see.
 const WITH_CONTACTS: f64 = 1e-11;
 
 /// Compares all derivatives at the end of a run with differences of runs, to this part of the

@@ -1,4 +1,4 @@
-//! What has no derivative says so.
+//! Errors of motions without derivatives.
 
 use lagrange::Simulate;
 use lagrange::integrate::StepFailure;

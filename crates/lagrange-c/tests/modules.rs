@@ -72,7 +72,7 @@ impl Case {
         lines.filter_map(|line| line.strip_prefix(&head)?.split('(').next()).collect()
     }
 
-    /// What the interpreter computes for a function of the module.
+    /// Computes the values of a function of the module by the interpreter.
     fn expected(&self, function: &str, Sample { t, y, p }: &Sample) -> Vec<f64> {
         let mut numeric = self.numeric.clone();
         p.iter().enumerate().for_each(|(index, value)| assert!(numeric.set_field(index, *value)));
@@ -161,7 +161,7 @@ fn functions_of_modules_have_the_bits_of_the_interpreter() {
     }
 }
 
-/// What the functions of all cases return, a line for each.
+/// Runs the functions of all cases; returns their values, a line for each.
 fn run(folder: &Path, cases: &[Case], compiler: &str) -> String {
     fs::create_dir_all(folder).expect("a folder");
     let mut sources = vec![written(folder, "main.c", &main_of(cases))];

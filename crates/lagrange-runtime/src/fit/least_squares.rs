@@ -24,7 +24,7 @@ const FIRST_DAMPING: f64 = 1e-3;
 /// Steps are given up at this λ.
 const MOST_DAMPING: f64 = 1e20;
 
-/// Comparison, and their derivatives by the variables.
+/// Residuals and their derivatives by the variables.
 #[derive(Clone)]
 pub(super) struct Comparison {
     pub(super) residuals: Vec<f64>,

@@ -46,7 +46,7 @@ pub(super) struct Record<'a, M: MechanicalSystem, C: ClosedLoop<M>> {
 enum Samples<S> {
     EveryStep,
     Grid(Grid<S>),
-    /// In falling order of the run, with its end.
+    /// Given times, the next one last, and the end of the run.
     Times(Vec<S>, S),
     None,
 }

@@ -39,9 +39,9 @@ pub struct Varied<S> {
 /// The place of a variable.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum VariedPlace {
-    /// Among the parameters and inputs.
+    /// A parameter or an input, by its index.
     Number(usize),
-    /// In the initial state.
+    /// An entry of the initial state, by its index.
     Initial(usize),
 }
 
