@@ -56,6 +56,10 @@ fn takes(program: &Program, has: fn(Role) -> bool) -> bool {
 
 /// Statements that store the results of a part from a place on.
 fn written(part: &Part<'_>, first: usize, state: &State<'_>) -> Result<String, Unrepresentable> {
+    if part.count == 0 {
+        // C has no arrays without entries.
+        return Ok(String::new());
+    }
     let (program, values) = (part.program, part.program.outputs().len());
     if first == 0 && part.count == values {
         return statements(program, Precision::Double, state, "out");

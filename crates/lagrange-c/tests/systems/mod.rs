@@ -25,7 +25,7 @@ pub(crate) const SYSTEMS: [&str; 14] = [
     "struct Motor; param j = 0.01, r = 0.5, l = 0.02, k = 0.05; input voltage = 6.0;
         coord phi; state current; kinetic = 1/2 * j * dot(phi)^2; force phi = k * current;
         dot(current) = (voltage - r * current - k * dot(phi)) / l; output moment = k * current;",
-    "struct Lorenz; param s = 10, r = 28; coord idle; kinetic = 1/2 * dot(idle)^2; state x, y, z;
+    "struct Lorenz; param s = 10, r = 28; state x, y, z;
         dot(x) = s * (y - x); dot(y) = x * (r - z) - y; dot(z) = x * y - 8/3 * z;",
     "struct Wind;
         table gust(time) = [(0, 0), (1, 2), (1.5, -1), (3, 0.5)], interpolation: monotone, outside: clamp;
