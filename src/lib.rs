@@ -36,6 +36,7 @@
 //! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
 //! | [`mod@laws`] | laws of mechanics that a system must obey, checked |
 //! | `linear` (feature) | equilibria, linear models, modes, responses |
+//! | `orbits` (feature `linear`) | periodic orbits, their stability, Lyapunov exponents |
 //! | `fit` (feature) | parameters from data |
 //! | [`mod@integrate`] | methods that advance a system in time, without heap |
 //! | [`mod@event`] | zeros of functions of time and state |
@@ -89,9 +90,6 @@ pub use lagrange_runtime::fit;
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::laws;
-#[cfg(feature = "linear")]
-#[doc(inline)]
-pub use lagrange_runtime::linear;
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};
@@ -100,6 +98,9 @@ pub use lagrange_runtime::{
     Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, root, scalar, scene, system,
     table,
 };
+#[cfg(feature = "linear")]
+#[doc(inline)]
+pub use lagrange_runtime::{linear, orbits};
 
 /// Keeps the example of the README true.
 #[cfg(doctest)]

@@ -142,7 +142,7 @@ fn a_goal_out_of_reach_is_missed_by_the_least_distance() {
 
 #[test]
 fn seven_joints_reach_the_poses_of_random_postures_within_their_limits() {
-    let (arm, mut seed) = (Seven::default(), 0x9e37_79b9_7f4a_7c15);
+    let (arm, mut seed) = (Seven, 0x9e37_79b9_7f4a_7c15);
     let (mut first, mut steps, mut reached) = (0, 0, 0);
     for _ in 0..300 {
         let q: [f64; 7] = LIMITS.map(|(_, lower, upper)| {
@@ -167,7 +167,7 @@ fn seven_joints_reach_the_poses_of_random_postures_within_their_limits() {
 
 #[test]
 fn a_trunk_turns_and_its_feet_stand() {
-    let walker = Walker::default();
+    let walker = Walker;
     let mut seed = 0x0123_4567_89ab_cdef;
     let mut near = [0.0; 13];
     (near[2], near[3]) = (0.35, 1.0);
@@ -197,7 +197,7 @@ fn a_trunk_turns_and_its_feet_stand() {
 
 #[test]
 fn slides_in_millimetres_and_in_single_precision() {
-    let gantry = Gantry::default();
+    let gantry = Gantry;
     let tasks = [FrameTask::position(Gantry::tool_frame, Gantry::tool_jacobian, [1250.0, -730.5, 88.0])];
     let found = gantry.reach(&tasks, &[0.0; 3]).within("x", 0.0, 1250.0).solve().expect("in reach");
     assert!(distance(&found.q, &[1250.0, -730.5, 88.0]) < 1e-9, "{found:?}");
@@ -231,7 +231,7 @@ fn what_makes_no_sense_is_reported() {
 
 #[test]
 fn resolved_rates_move_the_frame_as_given() {
-    let arm = Seven::default();
+    let arm = Seven;
     let jacobian = arm.hand_jacobian(0.0, &HOME);
     let (twist, preferred) = ([0.1, -0.2, 0.3, 0.4, -0.5, 0.6], [0.5, 0.0, -0.5, 0.2, 0.0, 0.0, 0.1]);
     let rates = resolved_rates(&jacobian, &twist, &preferred);
@@ -262,7 +262,7 @@ use guided::Guided;
 
 #[test]
 fn postures_beside_constraints_are_reported() {
-    let rod = Guided::default();
+    let rod = Guided;
     let to = |goal| [FrameTask::position(Guided::rod_frame, Guided::rod_jacobian, goal)];
     let along = rod.reach(&to([2.0, 0.0, 0.0]), &[0.0; 2]).solve().expect("along the slot");
     assert!((along.q[0] - 2.0).abs() < 1e-11);
@@ -274,7 +274,7 @@ fn postures_beside_constraints_are_reported() {
 /// With more joints than rows, JᵀJ is singular at every goal.
 #[test]
 fn a_hand_follows_a_circle_in_small_steps() {
-    let (arm, mut q, mut steps) = (Seven::default(), HOME, 0);
+    let (arm, mut q, mut steps) = (Seven, HOME, 0);
     let (rotation, [x, y, z]) = arm.hand_frame(0.0, &HOME);
     for k in 0..6500 {
         let (sin, cos) = (1e-3 * f64::from(k)).sin_cos();

@@ -249,6 +249,7 @@ const RUNTIME: &[Layer] = &[
         modules: &["fit"],
         purpose: "parameters from data: least squares with bounds, errors, what data do not tell",
     },
+    Layer { modules: &["orbits"], purpose: "periodic orbits by shooting, Lyapunov exponents" },
     Layer {
         modules: &["ensemble"],
         purpose: "many simulations on threads, with results independent of scheduling; final states, \

@@ -5,6 +5,7 @@ mod constrained;
 mod equilibria;
 mod models;
 mod modes;
+mod orbits;
 mod refusals;
 mod regulators;
 mod responses;

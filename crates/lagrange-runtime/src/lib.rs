@@ -18,6 +18,7 @@
 //! | `laws` (`std`) | laws that motions must obey, checked |
 //! | `simulate` (`std`) | the front door |
 //! | `linear` (feature) | equilibria, linear models, modes |
+//! | `orbits` (feature `linear`) | periodic orbits, Lyapunov exponents |
 //! | `fit` (feature) | parameters from data |
 //! | `ensemble` (feature) | many motions |
 #![no_std]
@@ -42,6 +43,8 @@ pub mod laws;
 mod linalg;
 #[cfg(feature = "linear")]
 pub mod linear;
+#[cfg(feature = "linear")]
+pub mod orbits;
 pub mod root;
 pub mod run;
 pub mod scalar;

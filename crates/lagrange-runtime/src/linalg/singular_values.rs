@@ -71,7 +71,6 @@ impl SingularValues {
     }
 
     /// The x that minimises |A x − b|² + λ|x|².
-    #[cfg(feature = "fit")]
     pub(crate) fn damped(&self, b: &[f64], lambda: f64) -> Vec<f64> {
         let mut x = std::vec![0.0; self.triples.len()];
         for (direction, value, image) in self.triples.iter().filter(|(_, value, _)| *value > 0.0) {

@@ -108,6 +108,25 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
     }
 }
 
+#[cfg(feature = "linear")]
+impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
+    /// Adds the derivatives by initial values, from one of them on, under fewer than R names.
+    pub(crate) fn by_initial_values<const N: usize, const R: usize>(
+        self,
+        first: usize,
+        names: &[&'static str],
+    ) -> Simulation<'a, M, K, Differentiated<M, D, N, R>, E>
+    where
+        M: ParametricSystem + OdeSystem<State = [ScalarOf<M>; N]>,
+    {
+        let Simulation { system, state, plan, reporter, method, drive, end } = self;
+        let initial = |index, name| of_place(name, VariedPlace::Initial(index), system, &state, Number::ONE);
+        let variables = (first..N).zip(names).map(|(index, name)| initial(index, name));
+        let drive = Differentiated { drive, variables: variables.collect() };
+        Simulation { system, state, plan, reporter, method, drive, end }
+    }
+}
+
 /// Finds a variable by its name.
 pub(crate) fn varied<M: ParametricSystem>(
     system: &M,
@@ -121,13 +140,24 @@ pub(crate) fn varied<M: ParametricSystem>(
     let place = number.or_else(initial);
     let place =
         place.ok_or(SettingError::UnknownVariable { name, numbers: M::NUMBERS, state: description })?;
+    Ok(of_place(name, place, system, start, weight))
+}
+
+/// The variable of a place.
+fn of_place<M: ParametricSystem>(
+    name: &'static str,
+    place: VariedPlace,
+    system: &M,
+    start: &M::State,
+    weight: M::Scalar,
+) -> Varied<M::Scalar> {
     let value = match place {
         VariedPlace::Number(index) => system.number(index),
         VariedPlace::Initial(index) => start.as_ref().get(index).copied(),
     };
     let size = value.map_or(Number::ONE, Number::abs);
     let size = if size > Number::ZERO && size.is_finite() { size } else { Number::ONE };
-    Ok(Varied { name, place, scale: weight * size, weight })
+    Varied { name, place, scale: weight * size, weight }
 }
 
 /// Names of variables: an array of 1 to 24 names.

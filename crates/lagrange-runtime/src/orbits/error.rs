@@ -1,0 +1,52 @@
+//! Reasons for which there is no orbit.
+
+use std::error::Error;
+use std::fmt::{Display, Formatter, Result as Written};
+use std::string::String;
+
+/// A reason for which there is no orbit.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum OrbitError {
+    /// A setting makes no sense: its reason.
+    Setting(&'static str),
+    /// There is no coordinate of this name that could advance.
+    UnknownCoordinate {
+        /// Requested name.
+        name: String,
+        /// Names of all coordinates.
+        known: &'static [&'static str],
+    },
+    /// A motion or its derivatives fail: the reason, as the run states it.
+    Motion(String),
+    /// An event ends a motion at this time.
+    Ends(f64),
+    /// The search found no orbit near its start. It ended where the motion misses its start by this
+    /// distance.
+    NotFound {
+        /// Distance of the end of the motion from its start.
+        distance: f64,
+        /// Number of steps.
+        iterations: u32,
+    },
+}
+
+impl Display for OrbitError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        match self {
+            OrbitError::Setting(reason) => f.write_str(reason),
+            OrbitError::UnknownCoordinate { name, known } => {
+                write!(f, "there is no coordinate `{name}`; coordinates are {known:?}")
+            }
+            OrbitError::Motion(reason) => write!(f, "the motion fails: {reason}"),
+            OrbitError::Ends(time) => write!(f, "an event ends the motion at time {time}"),
+            OrbitError::NotFound { distance, iterations } => write!(
+                f,
+                "after {iterations} steps the motion still misses its start by {distance:e}: \
+                 start nearer to an orbit"
+            ),
+        }
+    }
+}
+
+impl Error for OrbitError {}
