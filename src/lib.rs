@@ -104,21 +104,6 @@ pub use lagrange_runtime::{
 #[doc = include_str!("../README.md")]
 struct Readme;
 
-/// Keeps the examples of the page true.
-#[cfg(all(doctest, feature = "std"))]
-#[doc = include_str!("../docs/contacts.md")]
-struct ContactsAndFriction;
-
-/// Keeps the example of the page true.
-#[cfg(all(doctest, feature = "fit"))]
-#[doc = include_str!("../docs/sensitivities.md")]
-struct Sensitivities;
-
-/// Keeps the example of the page true.
-#[cfg(all(doctest, feature = "linear"))]
-#[doc = include_str!("../docs/linear.md")]
-struct LinearAnalysis;
-
 #[cfg(feature = "symbolic")]
 pub use lagrange_core as symbolic;
 

@@ -9,12 +9,14 @@
 //!    ([`habits`]).
 //! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs
 //!    ([`prose`]), and so are messages ([`literals`]).
+//! 6. The book has every page, its links lead somewhere, and its code is tested ([`book`]).
 //!
 //! Sources become files and modules ([`sources`]), these become items and what names mean
 //! ([`names`], [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds
 //! what each file needs of which other ([`imports`]). Tests are left out.
 
 mod architecture;
+mod book;
 mod circles;
 mod english;
 mod habits;
@@ -65,6 +67,22 @@ fn architecture_shows_the_layers() {
 #[test]
 fn documents_name_files_that_exist() {
     nothing_in(architecture::missing_paths(&workspace().root));
+}
+
+#[test]
+fn every_page_is_in_the_book() {
+    nothing_in(book::unlisted(&workspace().root));
+}
+
+#[test]
+fn links_of_pages_lead_somewhere() {
+    let root = &workspace().root;
+    nothing_in(book::dead_links(root).into_iter().chain(book::missing_sections(root)));
+}
+
+#[test]
+fn code_of_pages_is_tested() {
+    nothing_in(book::untested(&workspace().root));
 }
 
 #[test]
