@@ -59,6 +59,16 @@ pub(crate) fn unlisted(root: &Path) -> Vec<String> {
     pages.map(|page| format!("{CONTENTS} names {page} {} times", times(&page))).collect()
 }
 
+/// Finds examples that the gallery does not lead to.
+pub(crate) fn examples_without_line(root: &Path) -> Vec<String> {
+    let gallery = text(root, "docs/gallery/README.md");
+    let entries = fs::read_dir(root.join("examples")).expect("a folder").map(|entry| entry.expect("a file"));
+    let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let programs = names.filter(|name| name.ends_with(".rs"));
+    let missing = programs.filter(|name| !gallery.contains(&format!("](../../examples/{name})")));
+    missing.map(|name| format!("the gallery does not lead to examples/{name}")).collect()
+}
+
 /// Finds links to files or headings that do not exist.
 pub(crate) fn dead_links(root: &Path) -> Vec<String> {
     let pages = pages(root).into_iter().chain([CONTENTS.to_owned()]);
