@@ -49,6 +49,9 @@
 //! | [`Portable`] | numbers with the same bits on every platform |
 //! | `Double` (feature `double`) | numbers of 106 bits |
 //!
+//! The folder `docs` of the repository is a book. It leads from an empty crate to films, control,
+//! robots and ensembles, and its gallery shows what the examples draw.
+//!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,

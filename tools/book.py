@@ -204,11 +204,14 @@ def outside_code(text, change):
 
 def one_page(text):
     """Returns a page of included sections with one title, and with the code that rustdoc takes for Rust marked as such."""
-    titles, lines = 0, []
+    title, lines = None, []
     for line, kind in kinds(text):
-        is_heading = kind == "text" and HEADING.match(line)
-        lines.append("#" + line if is_heading and titles else line + "rust" if kind == "begin" and line == "```" else line)
-        titles += bool(is_heading)
+        if kind == "text" and HEADING.match(line):
+            # A page of one section has the title of this section.
+            lines += [line] if title is None else [] if line == title else ["#" + line]
+            title = title or line
+        else:
+            lines.append("```rust" if kind == "begin" and line == "```" else line)
     return "\n".join(lines)
 
 

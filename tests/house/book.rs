@@ -5,6 +5,8 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::prose::MAX_COLUMNS;
+
 /// Pages beside those of `docs/`.
 const OTHERS: [&str; 7] = [
     "ARCHITECTURE.md",
@@ -145,6 +147,24 @@ pub(crate) fn untested(root: &Path) -> Vec<String> {
         }
     };
     book(root).into_iter().filter_map(complaint).collect()
+}
+
+/// Finds lines of code that are wider than the book. Those of `text` show what tools write.
+pub(crate) fn wide_code(root: &Path) -> Vec<String> {
+    let mut wide = Vec::new();
+    for page in book(root) {
+        let mut fence = None;
+        for (index, line) in text(root, &page).lines().enumerate() {
+            if let Some(language) = line.trim_start().strip_prefix("```") {
+                fence = if fence.is_none() { Some(language.to_owned()) } else { None };
+            } else if fence.as_deref().is_some_and(|language| language != "text")
+                && line.chars().count() > MAX_COLUMNS
+            {
+                wide.push(format!("{page}:{}: this line is wider than {MAX_COLUMNS} columns", index + 1));
+            }
+        }
+    }
+    wide
 }
 
 /// Returns what stands behind the fences that begin blocks.

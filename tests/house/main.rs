@@ -111,7 +111,7 @@ fn sentences_are_short() {
 #[test]
 fn paragraphs_are_wrapped() {
     let Workspace { root, crates } = workspace();
-    nothing_in(english::wide_files(root, crates));
+    nothing_in(english::wide_files(root, crates).into_iter().chain(book::wide_code(root)));
 }
 
 fn each_library(rule: fn(&Crate, &Library) -> Vec<String>) -> Vec<String> {
