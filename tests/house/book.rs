@@ -71,6 +71,15 @@ pub(crate) fn examples_without_line(root: &Path) -> Vec<String> {
     missing.map(|name| format!("the gallery does not lead to examples/{name}")).collect()
 }
 
+/// Finds pages that do not end with the place to go next.
+pub(crate) fn dead_ends(root: &Path) -> Vec<String> {
+    let dead = book(root).into_iter().filter(|page| {
+        let text = text(root, page);
+        text.lines().rfind(|line| line.starts_with("## ")) != Some("## Where next")
+    });
+    dead.map(|page| format!("{page} does not end with \"## Where next\"")).collect()
+}
+
 /// Finds links to files or headings that do not exist.
 pub(crate) fn dead_links(root: &Path) -> Vec<String> {
     let pages = pages(root).into_iter().chain([CONTENTS.to_owned()]);
