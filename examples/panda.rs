@@ -9,8 +9,9 @@
 //! ```
 //!
 //! those that move the hand in this way and are nearest to z, a motion back to a comfortable
-//! posture q₀. See Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5. A thousand times a
-//! second a controller computes torques. If it knew the load of the hand, deviations e of the
+//! posture q₀. See Siciliano, Sciavicco, Villani, Oriolo, *Robotics*, §3.5. After each step inverse
+//! kinematics puts the hand back on the circle, by 10⁻⁹ m or so. A thousand times a second a
+//! controller computes torques. If it knew the load of the hand, deviations e of the
 //! joints would decay as ë + 2 ω ė + ω² e = 0 (§8.5.2 there). It does not: the load causes
 //! additional accelerations d, and
 //! |e| ≤ max |d| / ω², since the response of a critically damped oscillator to an impulse never changes its sign.
@@ -31,6 +32,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 use common::compare;
 use lagrange::Simulate;
 use lagrange::draw::Drawing;
+use lagrange::kinematics::{FrameTask, InverseKinematics, resolved_rates};
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
@@ -115,9 +117,10 @@ const TWIST: [f64; 6] = [
 
 const END: f64 = 3.0;
 const PERIOD: f64 = 1e-3;
-/// Rate of the feedback, of the return to the path and of that to the posture, in 1/s.
+/// X ahead, Z down.
+const DOWN: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
+/// Rate of the feedback, and of the return to the posture, in 1/s.
 const FEEDBACK: f64 = 30.0;
-const RETURN: f64 = 10.0;
 const COMFORT: f64 = 0.5;
 /// The load, in N.
 const LOAD: f64 = 10.0;
@@ -125,7 +128,7 @@ const LOAD: f64 = 10.0;
 fn main() -> Result<(), Box<dyn Error>> {
     let arm = Panda::default();
     check_torques(&arm);
-    let plan = plan(&arm);
+    let plan = plan(&arm)?;
     let off_circle = plan.iter().enumerate().map(|(k, joints)| {
         let (is, should) = (arm.hand_frame(0.0, &joints.q).1, circle(k as f64 * PERIOD));
         distance(is, should)
@@ -180,44 +183,30 @@ struct Joints {
     a: [f64; 7],
 }
 
-/// Plans the joint angles at every instant, by the midpoint rule.
-fn plan(arm: &Panda) -> Vec<Joints> {
+/// Plans the joint angles at every instant: by the midpoint rule, then on the circle.
+fn plan(arm: &Panda) -> Result<Vec<Joints>, Box<dyn Error>> {
     let count = (END / PERIOD).round() as usize;
     let (mut q, mut plan) = (HOME, Vec::with_capacity(count + 1));
     let mut v = rates(arm, 0.0, &q);
     for k in 0..=count {
         let t = k as f64 * PERIOD;
         let middle = rates(arm, t + 0.5 * PERIOD, &plus(&q, 0.5 * PERIOD, &v));
-        let next = plus(&q, PERIOD, &middle);
+        let hand = [FrameTask::pose(Panda::hand_frame, Panda::hand_jacobian, (DOWN, circle(t + PERIOD)))];
+        let next = arm.reach(&hand, &plus(&q, PERIOD, &middle)).solve()?.q;
         let after = rates(arm, t + PERIOD, &next);
         plan.push(Joints { q, v, a: std::array::from_fn(|i| (after[i] - v[i]) / PERIOD) });
         (q, v) = (next, after);
     }
-    plan
+    Ok(plan)
 }
 
 /// Rates of the joints that lead the hand along the circle and keep its orientation.
 fn rates(arm: &Panda, t: f64, q: &[f64; 7]) -> [f64; 7] {
     const MOMENT: f64 = 1e-5;
-    let (axes, place) = arm.hand_frame(t, q);
-    let wanted = circle(t);
-    // Half the sum of cross products of the axes that it has with those it should have: X ahead, Z
-    // down.
-    let should = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
-    let column = |matrix: &[[f64; 3]; 3], i: usize| [matrix[0][i], matrix[1][i], matrix[2][i]];
-    let turns = [0, 1, 2].map(|i| cross(column(&axes, i), column(&should, i)));
     let (ahead, behind) = (circle(t + MOMENT), circle(t - MOMENT));
-    let twist: [f64; 6] = std::array::from_fn(|i| match i {
-        0..3 => RETURN * 0.5 * (turns[0][i] + turns[1][i] + turns[2][i]),
-        _ => (ahead[i - 3] - behind[i - 3]) / (2.0 * MOMENT) + RETURN * (wanted[i - 3] - place[i - 3]),
-    });
-    let jacobian = arm.hand_jacobian(t, q);
+    let [x, y, z] = std::array::from_fn(|i| (ahead[i] - behind[i]) / (2.0 * MOMENT));
     let comfortable = std::array::from_fn(|i| COMFORT * (HOME[i] - q[i]));
-    let already = times(&jacobian, &comfortable);
-    let missing = std::array::from_fn(|i| twist[i] - already[i]);
-    let square = jacobian.map(|row| jacobian.map(|other| inner(&row, &other)));
-    let shares = solve(square, missing);
-    std::array::from_fn(|i| comfortable[i] + (0..6).map(|row| jacobian[row][i] * shares[row]).sum::<f64>())
+    resolved_rates(&arm.hand_jacobian(t, q), &[0.0, 0.0, 0.0, x, y, z], &comfortable)
 }
 
 /// The motion under torques that are computed without knowledge of the load, and held between
@@ -304,26 +293,6 @@ fn plus(a: &[f64; 7], factor: f64, b: &[f64; 7]) -> [f64; 7] {
     std::array::from_fn(|i| a[i] + factor * b[i])
 }
 
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-}
-
-/// The solution of a symmetric positive definite system, by elimination.
-fn solve(mut matrix: [[f64; 6]; 6], mut right: [f64; 6]) -> [f64; 6] {
-    for k in 0..6 {
-        for row in k + 1..6 {
-            let factor = matrix[row][k] / matrix[k][k];
-            (k..6).for_each(|column| matrix[row][column] -= factor * matrix[k][column]);
-            right[row] -= factor * right[k];
-        }
-    }
-    for k in (0..6).rev() {
-        let known: f64 = (k + 1..6).map(|column| matrix[k][column] * right[column]).sum();
-        right[k] = (right[k] - known) / matrix[k][k];
-    }
-    right
 }

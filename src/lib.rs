@@ -43,6 +43,7 @@
 //! | [`mod@table`], [`mod@root`] | tables and algebraic unknowns of declarations, as they are evaluated |
 //! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
+//! | [`mod@kinematics`] | postures in which frames stand at given places, and velocities that move them |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
 //! | `trade` (feature) | methods measured against each other |
 //! | [`Scalar`] | numbers that emitted code can compute with |
@@ -99,7 +100,8 @@ pub use lagrange_runtime::linear;
 pub use lagrange_runtime::simulate::{self, Simulate};
 #[doc(inline)]
 pub use lagrange_runtime::{
-    Number, Portable, Scalar, body, constraint, contact, inertia, root, scalar, scene, system, table,
+    Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, root, scalar, scene, system,
+    table,
 };
 
 /// Keeps the example of the README true.

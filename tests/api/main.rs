@@ -27,6 +27,7 @@ mod hamiltonian;
 mod hints;
 mod hybrid;
 mod inertia;
+mod kinematics;
 mod lanes;
 mod laws;
 mod long_rope;

@@ -203,8 +203,9 @@ const DOUBLE: &[Layer] = &[
 const RUNTIME: &[Layer] = &[
     Layer { modules: &["scalar"], purpose: "the number types that emitted code computes with" },
     Layer {
-        modules: &["tolerance"],
-        purpose: "rounding tolerances: one table, with reasons and the tests that depend on them",
+        modules: &["spread", "tolerance"],
+        purpose: "points that look random; rounding tolerances: one table, with reasons and the tests that \
+                  depend on them",
     },
     Layer {
         modules: &["body", "inertia", "linalg", "root", "table"],
@@ -219,6 +220,10 @@ const RUNTIME: &[Layer] = &[
         modules: &["constraint", "scene"],
         purpose: "constraint residuals, projection onto constraints, dependent constraints; a \
                   description of what to draw: names and numbers, no graphics",
+    },
+    Layer {
+        modules: &["kinematics"],
+        purpose: "inverse kinematics: postures in which frames are at their goals",
     },
     Layer {
         modules: &["integrate"],

@@ -14,6 +14,7 @@
 //! | [`integrate`] | methods |
 //! | [`contact`], [`event`] | contacts and friction; zeros within steps |
 //! | [`run`] | the one loop |
+//! | [`kinematics`] | postures in which frames stand at given places |
 //! | `laws` (`std`) | laws that motions must obey, checked |
 //! | `simulate` (`std`) | the front door |
 //! | `linear` (feature) | equilibria, linear models, modes |
@@ -35,6 +36,7 @@ pub mod event;
 pub mod fit;
 pub mod inertia;
 pub mod integrate;
+pub mod kinematics;
 #[cfg(feature = "std")]
 pub mod laws;
 mod linalg;
@@ -46,6 +48,7 @@ pub mod scalar;
 pub mod scene;
 #[cfg(feature = "std")]
 pub mod simulate;
+mod spread;
 pub mod system;
 pub mod table;
 mod tolerance;

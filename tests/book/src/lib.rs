@@ -27,6 +27,7 @@ pages! {
     FirstFilm = "first_film.md";
     Game = "cookbook/game.md";
     Introduction = "README.md";
+    Kinematics = "cookbook/kinematics.md";
     Kernel = "cookbook/kernel.md";
     Laws = "cookbook/laws.md";
     Linear = "linear.md";

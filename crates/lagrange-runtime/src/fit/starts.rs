@@ -1,9 +1,8 @@
 //! Points from which to search for minima.
-//!
-//! Multiples of irrational numbers, modulo one, fill a cube evenly. Source: Roberts, "The
-//! unreasonable effectiveness of quasirandom sequences", 2018.
 
 use std::vec::Vec;
+
+use crate::spread::spread;
 
 /// Without a bound, starts are within this factor of the value,
 const DECADE: f64 = 10.0;
@@ -12,14 +11,10 @@ const UNIT: f64 = 1.0;
 
 /// Returns points between bounds, the first of which are these values.
 pub(super) fn starts(values: &[f64], bounds: &[(f64, f64)], count: usize) -> Vec<Vec<f64>> {
-    let ratio = irrational(values.len());
     let point = |index: usize| {
-        let mut part = 1.0;
-        let place = |(value, bounds): (&f64, &(f64, f64))| {
-            part *= ratio;
-            within(*value, *bounds, (0.5 + index as f64 * part).fract())
-        };
-        values.iter().zip(bounds).map(place).collect()
+        let places = values.iter().zip(bounds).enumerate();
+        let part = |place: usize| 0.5 + 0.5 * spread::<f64>(index, place);
+        places.map(|(place, (value, bounds))| within(*value, *bounds, part(place))).collect()
     };
     (0..count.max(1)).map(|index| if index == 0 { values.to_vec() } else { point(index) }).collect()
 }
@@ -36,12 +31,6 @@ fn within(value: f64, (low, high): (f64, f64), part: f64) -> f64 {
     let high = if high.is_finite() { high } else { far.max(low) };
     let is_wide = low * high > 0.0 && !(1.0 / DECADE..=DECADE).contains(&(low / high));
     if is_wide { low * (high / low).powf(part) } else { low + part * (high - low) }
-}
-
-/// The reciprocal of the root of x^(d + 1) = x + 1.
-fn irrational(dimension: usize) -> f64 {
-    let power = 1.0 / (dimension as f64 + 1.0);
-    1.0 / (0..60).fold(2.0_f64, |x, _| (1.0 + x).powf(power))
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use std::vec::Vec;
 use super::check;
 use super::report::Report;
 use crate::scalar::{Number, Scalar};
+use crate::spread::spread;
 use crate::system::LagrangianSystem;
 
 /// Number of states.
@@ -82,16 +83,4 @@ fn sample<M: LagrangianSystem>(start: &M::State, index: usize) -> M::State {
         *entry = reach.multiply_add(spread(index, place + 1), *entry);
     }
     state
-}
-
-/// Returns a number between −1 and 1 for each entry of each sample.
-///
-/// Source: the hash splitmix64 (Steele, Lea and
-/// Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014).
-fn spread<S: Scalar>(index: usize, place: usize) -> S {
-    let key = (index as u64).wrapping_mul(1 << 20).wrapping_add(place as u64 + 1);
-    let mut hash = key.wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    hash = (hash ^ (hash >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    hash = (hash ^ (hash >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    S::from_f64((hash ^ (hash >> 31)) as f64 / 2.0_f64.powi(63) - 1.0)
 }

@@ -5,7 +5,7 @@ use core::array;
 use super::{Cone, ForcePoint};
 use crate::contact::choice::Choice;
 use crate::linalg::singular::{nearest, regular};
-use crate::linalg::vector::dot;
+use crate::linalg::vector::{combined, difference, dot};
 use crate::scalar::Scalar;
 use crate::tolerance::{BALANCED_BY_SEARCH, BOUND};
 
@@ -22,6 +22,11 @@ const DAMPING: f64 = 0.1;
 const LEFT: f64 = 1e-2;
 /// A step is halved so often.
 const MOST_HALVINGS: i32 = 8;
+
+/// Leaps along the change of a sweep may raise the error by this factor.
+const DRIFT: f64 = 1.01;
+/// Leaps are doubled so often.
+const MOST_DOUBLINGS: i32 = 16;
 
 /// The kind of a step.
 #[derive(Clone, Copy)]
@@ -43,19 +48,23 @@ pub(super) struct ForceSearch<S, const K: usize> {
     pub(super) is_exact: bool,
     /// The error beside the forces at which it ends.
     goal: S,
+    /// True if forces that are undetermined may become large.
+    may_leap: bool,
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
     /// Reactions that are their targets but for rounding, near these or from zero on.
     pub(super) fn solve(&self, near: [S; K]) -> Option<[S; K]> {
-        let mut search = ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false };
+        let mut search =
+            ForceSearch { forces: near, iterations: 0, goal: S::epsilon(), is_exact: false, may_leap: false };
         let is_found = self.descend(&mut search, Step::Short) || self.restart(&mut search);
         is_found.then_some(search.forces)
     }
 
     /// The reactions nearest to their targets that are found from these on.
     pub(super) fn follow(&self, start: [S; K]) -> ForceSearch<S, K> {
-        let mut search = ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal() };
+        let mut search =
+            ForceSearch { forces: start, iterations: 0, is_exact: false, goal: step_goal(), may_leap: true };
         search.is_exact = self.descend(&mut search, Step::Newton) || self.fall_back(&mut search);
         search
     }
@@ -65,13 +74,29 @@ impl<S: Scalar, const N: usize, const K: usize> Cone<'_, S, N, K> {
         search.forces = [S::ZERO; K];
         (0..MOST_STARTS).any(|start| {
             let share = S::from_f64(if start % 2 == 0 { 1.0 } else { 0.5 });
-            let mut at = self.point(search.forces);
+            let (mut at, mut before) = (self.point(search.forces), search.forces);
             for _ in 0..1 << start {
+                before = at.forces;
                 self.sweep(&mut at, share);
             }
-            search.forces = at.forces;
+            search.forces = match search.may_leap {
+                true => self.leap(&at.forces, &difference(&at.forces, &before)),
+                false => at.forces,
+            };
             self.descend(search, Step::Newton)
         })
+    }
+
+    /// Goes as many times this change further as the error stays about the same, by powers of two.
+    ///
+    /// Where reactions are undetermined, sweeps move them by the same little change each, for
+    /// thousands of sweeps, until one of them sticks or slips.
+    fn leap(&self, from: &[S; K], change: &[S; K]) -> [S; K] {
+        let after = |doublings: i32| combined(from, S::from_f64(2.0).powi(doublings), change);
+        let error = |forces: &[S; K]| size(&self.errors(&self.point(*forces)));
+        let allowed = S::from_f64(DRIFT) * error(from);
+        let is_allowed = |doublings: &i32| error(&after(*doublings)) <= allowed;
+        (0..MOST_DOUBLINGS).take_while(is_allowed).last().map_or(*from, after)
     }
 
     /// Searches from zero on, and then by short steps; keeps the best that there was.

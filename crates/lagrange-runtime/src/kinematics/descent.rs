@@ -1,0 +1,240 @@
+//! A damped Gauss–Newton method between limits.
+//!
+//! A step δ of the freedoms minimises |e − J δ|² + λ |δ|², with the rotation vectors and
+//! displacements e that lead to the goals. λ is proportional to |e|², so that steps stay short far
+//! from the goal and in singular postures, and converge quadratically near it. Freedoms at a limit
+//! that the gradient pushes against take no part. Those that a step would bring beyond a limit go
+//! to it, and the others step anew. Displacements count beside rotations in units of the largest
+//! lever arm. Sources: Sugihara, "Solvability-unconcerned inverse kinematics by the
+//! Levenberg–Marquardt method", *IEEE Trans. Robotics* 27 (2011) 984–991; Fan, Yuan, "On the
+//! quadratic convergence of the Levenberg–Marquardt method without nonsingularity assumption",
+//! *Computing* 74 (2005) 23–39.
+//!
+//! Fits solve the same goals by singular values, in `f64` with heap. Their data are many and
+//! their variables badly scaled; here steps must be cheap and of a fixed size.
+//!
+//! Example: a rod of length 1 at θ = 0 whose end should be at height 1/2. e = ½, J = 1, and with λ
+//! = |e|²/10 = 0.025 the step is 0.5/1.025 = 0.488. Then e = 0.0313 and the next steps lead to θ =
+//! 0.523 and π/6.
+
+use super::limit::Limit;
+use super::task::FrameTask;
+use crate::linalg::singular::regular;
+use crate::linalg::vector::dot;
+use crate::scalar::{Number, Scalar};
+use crate::system::{MechanicalSystem, OdeSystem, displaced};
+
+/// Steps of a search from one start.
+const MAX_STEPS: u32 = 100;
+/// The first λ, beside the squared error.
+const FIRST_DAMPING: f64 = 0.1;
+/// λ falls by the factor four after a step that does more than this part of what it promises,
+const GOOD: f64 = 0.75;
+/// and grows by it after one that does less than this part.
+const POOR: f64 = 0.25;
+const GROWTH: f64 = 4.0;
+/// λ is no smaller than so many units of rounding: with more freedoms than rows, JᵀJ is singular.
+const ROUNDING: f64 = 256.0;
+/// A search is given up at this λ, beside the squared error.
+const MAX_DAMPING: f64 = 1e12;
+/// A search ends where steps promise to decrease the squared error by less than this part of it.
+const LEAST_DECREASE: f64 = 1e-13;
+
+/// Frames, their goals, and limits.
+pub(super) struct Goals<'a, M: MechanicalSystem, const N: usize> {
+    pub(super) system: &'a M,
+    pub(super) tasks: &'a [FrameTask<M, N>],
+    pub(super) time: M::Scalar,
+    /// Limits of the coordinate that each velocity changes.
+    pub(super) limits: [Option<Limit<M::Scalar>>; N],
+    /// The angle, and the distance in levers, at which a frame is at its goal.
+    pub(super) tolerance: M::Scalar,
+}
+
+/// A search from one start.
+pub(super) struct Descent<'a, M: MechanicalSystem, const N: usize> {
+    goals: &'a Goals<'a, M, N>,
+    /// The unit of displacements: the largest lever arm at the start.
+    pub(super) lever: M::Scalar,
+}
+
+/// A posture on the way.
+pub(super) struct PostureTrial<M: MechanicalSystem> {
+    pub(super) q: M::Coordinates,
+    /// The sum of the squares of angles, and of distances in levers.
+    pub(super) cost: M::Scalar,
+    /// The largest angle, or distance in levers.
+    worst: M::Scalar,
+}
+
+/// JᵀJ and Jᵀe of a posture.
+struct Normal<S, const N: usize> {
+    matrix: [[S; N]; N],
+    right: [S; N],
+    /// The largest diagonal entries of the search so far.
+    scales: [S; N],
+}
+
+impl<'a, M, const N: usize> Descent<'a, M, N>
+where
+    M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>,
+{
+    pub(super) fn new(goals: &'a Goals<'a, M, N>, start: &M::Coordinates) -> Self {
+        let mut lever = M::Scalar::ZERO;
+        for task in goals.tasks {
+            let rows = task.jacobian(goals.system, goals.time, start);
+            for j in 0..N {
+                let square = |rows: &[[M::Scalar; N]]| {
+                    rows.iter().fold(M::Scalar::ZERO, |sum, row| row[j].multiply_add(row[j], sum))
+                };
+                let (turns, moves) = (square(&rows[..3]), square(&rows[3..]));
+                if turns > M::Scalar::ZERO {
+                    lever = lever.max((moves / turns).sqrt());
+                }
+            }
+        }
+        Descent { goals, lever: if lever > M::Scalar::ZERO { lever } else { M::Scalar::ONE } }
+    }
+
+    /// Goes to the goals, or to a posture from which no step leads nearer; `None` if frames are not
+    /// finite at the start.
+    pub(super) fn run(&self, start: M::Coordinates, iterations: &mut u32) -> Option<PostureTrial<M>> {
+        let mut now = Some(self.trial(start)).filter(|now| now.cost.is_finite())?;
+        let mut normal = self.normal(&now.q, &[M::Scalar::ZERO; N]);
+        let mut damping = M::Scalar::from_f64(FIRST_DAMPING);
+        for _ in 0..MAX_STEPS {
+            if self.is_reached(&now) || damping > M::Scalar::from_f64(MAX_DAMPING) {
+                break;
+            }
+            *iterations += 1;
+            let rounding = M::Scalar::from_f64(ROUNDING) * M::Scalar::epsilon();
+            let step = self.step(&now.q, &normal, (damping * now.cost).max(rounding));
+            let (next, expected) = (self.trial(self.moved(&now.q, &step)), normal.decrease(&step));
+            let is_level = expected <= M::Scalar::from_f64(LEAST_DECREASE) * now.cost;
+            if is_level || !expected.is_finite() {
+                break;
+            }
+            damping = adapted(damping, (now.cost - next.cost) / expected);
+            if next.cost < now.cost {
+                now = next;
+                normal = self.normal(&now.q, &normal.scales);
+            }
+        }
+        Some(now)
+    }
+
+    /// True if all frames are at their goals.
+    pub(super) fn is_reached(&self, trial: &PostureTrial<M>) -> bool {
+        trial.worst <= self.goals.tolerance
+    }
+
+    fn trial(&self, q: M::Coordinates) -> PostureTrial<M> {
+        let (mut cost, mut worst) = (M::Scalar::ZERO, M::Scalar::ZERO);
+        for task in self.goals.tasks {
+            let error = task.error(self.goals.system, self.goals.time, &q);
+            for size in [error.angle(), error.distance() / self.lever] {
+                cost = size.multiply_add(size, cost);
+                worst = worst.max(size);
+            }
+        }
+        PostureTrial { q, cost, worst }
+    }
+
+    fn normal(&self, q: &M::Coordinates, scales: &[M::Scalar; N]) -> Normal<M::Scalar, N> {
+        let (mut matrix, mut right) = ([[M::Scalar::ZERO; N]; N], [M::Scalar::ZERO; N]);
+        for task in self.goals.tasks {
+            let rows = task.rows(self.goals.system, self.goals.time, q);
+            let error = task.error(self.goals.system, self.goals.time, q);
+            let errors = error.rotation.iter().chain(&error.displacement);
+            for (index, (row, error)) in rows.iter().zip(errors).enumerate() {
+                let unit = if index < 3 { M::Scalar::ONE } else { self.lever };
+                let row = row.map(|entry| entry / unit);
+                for (i, entry) in row.iter().enumerate() {
+                    right[i] = entry.multiply_add(*error / unit, right[i]);
+                    matrix[i] = core::array::from_fn(|j| entry.multiply_add(row[j], matrix[i][j]));
+                }
+            }
+        }
+        Normal { matrix, right, scales: core::array::from_fn(|j| scales[j].max(matrix[j][j])) }
+    }
+
+    /// The step of all freedoms, within the limits.
+    fn step(&self, q: &M::Coordinates, normal: &Normal<M::Scalar, N>, damping: M::Scalar) -> [M::Scalar; N] {
+        let value = |limit: &Limit<M::Scalar>| q.as_ref()[limit.position];
+        let limits = &self.goals.limits;
+        let mut is_free: [bool; N] = core::array::from_fn(|j| {
+            limits[j].as_ref().is_none_or(|limit| !limit.holds(value(limit), normal.right[j]))
+        });
+        let mut step = [M::Scalar::ZERO; N];
+        // Each time, at least one freedom goes to its limit.
+        for _ in 0..=N {
+            step = normal.step(&is_free, &step, damping);
+            let mut is_within = true;
+            for j in 0..N {
+                let Some(limit) = limits[j].as_ref().filter(|_| is_free[j]) else { continue };
+                let to = value(limit) + step[j];
+                if limit.nearest(to) != to {
+                    (step[j], is_free[j], is_within) = (limit.nearest(to) - value(limit), false, false);
+                }
+            }
+            if is_within {
+                break;
+            }
+        }
+        step
+    }
+
+    /// The posture after a step.
+    fn moved(&self, q: &M::Coordinates, step: &[M::Scalar; N]) -> M::Coordinates {
+        let Goals { system, time, limits, .. } = self.goals;
+        let mut q = displaced(*system, *time, q, [(M::Scalar::ONE, step)]);
+        // Rounding may lead beyond.
+        for limit in limits.iter().flatten() {
+            let entry = &mut q.as_mut()[limit.position];
+            *entry = limit.nearest(*entry);
+        }
+        q
+    }
+}
+
+impl<S: Scalar, const N: usize> Normal<S, N> {
+    /// The decrease |e|² − |e − J δ|² that linear equations promise.
+    fn decrease(&self, step: &[S; N]) -> S {
+        let shorter: [S; N] =
+            core::array::from_fn(|i| self.right[i] + self.right[i] - dot(&self.matrix[i], step));
+        dot(step, &shorter)
+    }
+
+    /// The step of the free freedoms beside that of the others.
+    fn step(&self, is_free: &[bool; N], fixed: &[S; N], damping: S) -> [S; N] {
+        let (mut free, mut count) = ([0; N], 0);
+        let mut step = *fixed;
+        for j in (0..N).filter(|&j| is_free[j]) {
+            (free[count], step[j], count) = (j, S::ZERO, count + 1);
+        }
+        let (mut matrix, mut right) = ([[S::ZERO; N]; N], [S::ZERO; N]);
+        for (place, &i) in free[..count].iter().enumerate() {
+            right[place] = self.right[i] - dot(&self.matrix[i], &step);
+            for (other, &j) in free[..count].iter().enumerate() {
+                matrix[place][other] = self.matrix[i][j];
+            }
+            let scale = if self.scales[i] > S::ZERO { self.scales[i] } else { S::ONE };
+            matrix[place][place] = damping.multiply_add(scale, matrix[place][place]);
+        }
+        let solution = regular(&matrix, &right, count);
+        free[..count].iter().zip(solution).for_each(|(&j, entry)| step[j] = entry);
+        step
+    }
+}
+
+/// The damping after a step that did this part of what it promised.
+fn adapted<S: Scalar>(damping: S, ratio: S) -> S {
+    let growth = S::from_f64(GROWTH);
+    if ratio > S::from_f64(GOOD) {
+        damping / growth
+    } else if ratio > S::from_f64(POOR) {
+        damping
+    } else {
+        damping * growth
+    }
+}

@@ -1,0 +1,189 @@
+//! Postures in which frames stand at their goals: what is asked for, and the search from its
+//! starts.
+
+use super::descent::{Descent, Goals};
+use super::error::{ReachError, Shortfall};
+use super::limit::Limit;
+use super::task::FrameTask;
+use crate::linalg::singular::negligible;
+use crate::scalar::{Number, Scalar};
+use crate::spread::spread;
+use crate::system::{MechanicalSystem, OdeSystem, displaced, join};
+
+/// Starts reach so far without limits, in rad or units of the coordinate.
+const REACH: f64 = core::f64::consts::PI;
+
+/// A result of a search on a system.
+type Reached<M, T> = Result<T, ReachError<<M as MechanicalSystem>::Coordinates, <M as OdeSystem>::Scalar>>;
+
+/// Inverse kinematics of systems whose velocities are an array.
+pub trait InverseKinematics<const N: usize>:
+    OdeSystem + MechanicalSystem<Velocities = [<Self as OdeSystem>::Scalar; N]>
+{
+    /// Searches for positions in which the frames of all tasks stand at their goals, from `near`
+    /// on. Of several postures one next to it is found.
+    fn reach<'a>(&'a self, tasks: &'a [FrameTask<Self, N>], near: &Self::Coordinates) -> Reach<'a, Self, N>
+    where
+        Self: Sized,
+    {
+        Reach {
+            goals: Goals {
+                system: self,
+                tasks,
+                time: <Self as OdeSystem>::Scalar::ZERO,
+                limits: [None; N],
+                tolerance: negligible(),
+            },
+            near: *near,
+            starts: 1,
+            mistake: None,
+        }
+    }
+}
+
+impl<M, const N: usize> InverseKinematics<N> for M where
+    M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>
+{
+}
+
+/// A search for a posture.
+#[must_use = "a search does nothing before `solve`"]
+pub struct Reach<'a, M: MechanicalSystem, const N: usize> {
+    goals: Goals<'a, M, N>,
+    near: M::Coordinates,
+    starts: usize,
+    mistake: Option<ReachError<M::Coordinates, M::Scalar>>,
+}
+
+/// A posture in which all frames stand at their goals.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Posture<Q> {
+    /// Positions.
+    pub q: Q,
+    /// Number of steps, of all starts together.
+    pub iterations: u32,
+}
+
+impl<M, const N: usize> Reach<'_, M, N>
+where
+    M: OdeSystem + MechanicalSystem<Velocities = [<M as OdeSystem>::Scalar; N]>,
+{
+    /// Sets the time, which is 0 otherwise. It matters only if frames depend on it.
+    pub fn at(mut self, time: M::Scalar) -> Self {
+        self.goals.time = time;
+        self
+    }
+
+    /// Keeps a coordinate between limits, infinite ones included.
+    pub fn within(mut self, name: &'static str, lower: M::Scalar, upper: M::Scalar) -> Self {
+        match freedom_of(self.goals.system, name) {
+            Some((position, freedom)) if lower < upper => {
+                self.goals.limits[freedom] = Some(Limit { name, position, lower, upper });
+            }
+            Some(_) => self.mistake = self.mistake.or(Some(ReachError::Limits { name })),
+            None => {
+                let known = self.goals.system.description().coordinates;
+                self.mistake = self.mistake.or(Some(ReachError::UnknownCoordinate { name, known }));
+            }
+        }
+        self
+    }
+
+    /// Searches from up to so many starts until a posture is found.
+    ///
+    /// The first start is the given one. Others are the same in every run: between the limits, and
+    /// within half a turn of the first where there are none.
+    pub fn starts(self, starts: usize) -> Self {
+        Reach { starts, ..self }
+    }
+
+    /// Sets the largest angle in rad, and distance beside the largest lever arm, of a frame at its
+    /// goal. It is 2·10⁻¹² otherwise, and 6·10⁻⁶ in `f32`.
+    pub fn tolerance(mut self, tolerance: M::Scalar) -> Self {
+        self.goals.tolerance = tolerance;
+        self
+    }
+
+    /// Searches for the posture.
+    ///
+    /// # Errors
+    /// If a setting makes no sense, or if no start leads to the goals. The error then has the
+    /// nearest posture.
+    pub fn solve(&self) -> Reached<M, Posture<M::Coordinates>> {
+        self.check()?;
+        let (mut iterations, mut nearest) = (0, None::<(M::Scalar, Shortfall<_, _>)>);
+        for start in 0..self.starts.max(1) {
+            let start = self.start(start);
+            let descent = Descent::new(&self.goals, &start);
+            let Some(found) = descent.run(start, &mut iterations) else { continue };
+            if descent.is_reached(&found) {
+                return self.admitted(found.q).map(|q| Posture { q, iterations });
+            }
+            if nearest.as_ref().is_none_or(|(cost, _)| found.cost < *cost) {
+                nearest = Some((found.cost, self.shortfall(found.q, descent.lever)));
+            }
+        }
+        let (_, shortfall) = nearest.ok_or(ReachError::NotFinite)?;
+        Err(ReachError::Short(shortfall))
+    }
+
+    fn check(&self) -> Reached<M, ()> {
+        if let Some(mistake) = self.mistake {
+            return Err(mistake);
+        }
+        self.goals
+            .tasks
+            .iter()
+            .position(|task| !task.is_valid())
+            .map_or(Ok(()), |task| Err(ReachError::Goal { task }))
+    }
+
+    /// The positions of a start, within the limits.
+    fn start(&self, start: usize) -> M::Coordinates {
+        let mut q = displaced(self.goals.system, self.goals.time, &self.near, []);
+        if start > 0 {
+            let by = core::array::from_fn(|j| M::Scalar::from_f64(REACH) * spread(start, j));
+            q = displaced(self.goals.system, self.goals.time, &q, [(M::Scalar::ONE, &by)]);
+        }
+        for (j, limit) in self.goals.limits.iter().enumerate() {
+            let Some(limit) = limit else { continue };
+            let Limit { position, lower, upper, .. } = *limit;
+            let entry = &mut q.as_mut()[position];
+            let is_bounded = lower.is_finite() && upper.is_finite();
+            if start > 0 && is_bounded {
+                let half = M::Scalar::from_f64(0.5);
+                *entry = half.multiply_add(lower + upper, half * (upper - lower) * spread(start, j));
+            }
+            *entry = limit.nearest(*entry);
+        }
+        q
+    }
+
+    /// These positions, if constraints do not exclude them.
+    fn admitted(&self, q: M::Coordinates) -> Reached<M, M::Coordinates> {
+        let mut y = join::<M>(&q, &[M::Scalar::ZERO; N]);
+        let is_admitted = self.goals.system.admit(self.goals.time, &mut y);
+        is_admitted.map(|()| q).map_err(|cause| ReachError::Constrained { q, cause })
+    }
+
+    /// The nearest posture, with the task that it misses by most.
+    fn shortfall(&self, q: M::Coordinates, lever: M::Scalar) -> Shortfall<M::Coordinates, M::Scalar> {
+        let error = |task: usize| self.goals.tasks[task].error(self.goals.system, self.goals.time, &q);
+        let size = |task: usize| error(task).angle().max(error(task).distance() / lever);
+        let worst = (0..self.goals.tasks.len())
+            .fold(0, |worst, task| if size(task) > size(worst) { task } else { worst });
+        let is_at = |limit: &&Limit<M::Scalar>| limit.is_at(q.as_ref()[limit.position]);
+        let at_limit = self.goals.limits.iter().flatten().find(is_at).map(|limit| limit.name);
+        Shortfall { q, task: worst, distance: error(worst).distance(), angle: error(worst).angle(), at_limit }
+    }
+}
+
+/// The place among the positions of a coordinate, and the velocity that is its rate.
+fn freedom_of<M: MechanicalSystem>(system: &M, name: &str) -> Option<(usize, usize)> {
+    let description = system.description();
+    let position = description.coordinates.iter().position(|known| *known == name)?;
+    match description.velocities_are_rates() {
+        true => Some((position, position)),
+        false => Some((position, description.rates_of.iter().position(|of| *of == name)?)),
+    }
+}
