@@ -14,7 +14,8 @@ use crate::system::{MechanicalSystem, OdeSystem, displaced, join};
 const REACH: f64 = core::f64::consts::PI;
 
 /// A result of a search on a system.
-type Reached<M, T> = Result<T, ReachError<<M as MechanicalSystem>::Coordinates, <M as OdeSystem>::Scalar>>;
+type SearchResult<M, T> =
+    Result<T, ReachError<<M as MechanicalSystem>::Coordinates, <M as OdeSystem>::Scalar>>;
 
 /// Inverse kinematics of systems whose velocities are an array.
 pub trait InverseKinematics<const N: usize>:
@@ -109,7 +110,7 @@ where
     /// # Errors
     /// If a setting makes no sense, or if no start leads to the goals. The error then has the
     /// nearest posture.
-    pub fn solve(&self) -> Reached<M, Posture<M::Coordinates>> {
+    pub fn solve(&self) -> SearchResult<M, Posture<M::Coordinates>> {
         self.check()?;
         let (mut iterations, mut nearest) = (0, None::<(M::Scalar, Shortfall<_, _>)>);
         for start in 0..self.starts.max(1) {
@@ -127,7 +128,7 @@ where
         Err(ReachError::Short(shortfall))
     }
 
-    fn check(&self) -> Reached<M, ()> {
+    fn check(&self) -> SearchResult<M, ()> {
         if let Some(mistake) = self.mistake {
             return Err(mistake);
         }
@@ -160,7 +161,7 @@ where
     }
 
     /// These positions, if constraints do not exclude them.
-    fn admitted(&self, q: M::Coordinates) -> Reached<M, M::Coordinates> {
+    fn admitted(&self, q: M::Coordinates) -> SearchResult<M, M::Coordinates> {
         let mut y = join::<M>(&q, &[M::Scalar::ZERO; N]);
         let is_admitted = self.goals.system.admit(self.goals.time, &mut y);
         is_admitted.map(|()| q).map_err(|cause| ReachError::Constrained { q, cause })
