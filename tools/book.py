@@ -71,7 +71,7 @@ def mdbook():
     own = OWN_MDBOOK / "bin" / "mdbook"
     found = shutil.which("mdbook") or (own if own.is_file() else None)
     if not found:
-        # Unoptimised it builds the book as fast, and is there in half the time.
+        # It is compiled once and runs for a second: less optimised it is there sooner.
         settings = {"CARGO_PROFILE_RELEASE_OPT_LEVEL": "1", "CARGO_PROFILE_RELEASE_LTO": "off"}
         install = ["cargo", "install", "--locked", f"mdbook@{MDBOOK_VERSION}", "--no-default-features", "--features", "search", "--root"]
         subprocess.run([*install, OWN_MDBOOK], env={**os.environ, **settings}, check=True, cwd="/")
