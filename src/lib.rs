@@ -51,6 +51,9 @@
 //! | [`Portable`] | numbers with the same bits on every platform |
 //! | `Double` (feature `double`) | numbers of 106 bits |
 //!
+//! The folder `docs` of the repository is a book. It leads from an empty crate to films, control,
+//! robots and ensembles, and its gallery shows what the examples draw.
+//!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
@@ -106,21 +109,6 @@ pub use lagrange_runtime::{linear, orbits};
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
-
-/// Keeps the examples of the page true.
-#[cfg(all(doctest, feature = "std"))]
-#[doc = include_str!("../docs/contacts.md")]
-struct ContactsAndFriction;
-
-/// Keeps the example of the page true.
-#[cfg(all(doctest, feature = "fit"))]
-#[doc = include_str!("../docs/sensitivities.md")]
-struct Sensitivities;
-
-/// Keeps the example of the page true.
-#[cfg(all(doctest, feature = "linear"))]
-#[doc = include_str!("../docs/linear.md")]
-struct LinearAnalysis;
 
 #[cfg(feature = "symbolic")]
 pub use lagrange_core as symbolic;

@@ -14,6 +14,7 @@ between them. A base that moves freely is called `root_joint`.
 
 import json
 import math
+import re
 import subprocess
 import sys
 import tempfile
@@ -290,7 +291,8 @@ def write_robots():
         for is_free in (False, True):
             cells, reason = row(tool, path, is_free)
             counts["trusted" if "trust" in reason else "refused" if reason else "imported"] += 1
-            reason = " ".join(reason.replace("|", "\\|").split())
+            # Markdown would take elements for HTML.
+            reason = re.sub(r"<\w+>", r"`\g<0>`", " ".join(reason.replace("|", "\\|").split()))
             name = f"`{path.relative_to(root)}`" if not is_free else ""
             freedoms, constraints, operations, difference, own = cells
             cells = [name, "free" if is_free else "fixed", freedoms, constraints, operations, difference, own, reason]

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::{env, fs};
 
+use crate::book::book;
 use crate::tables::{LIBRARIES, Library};
 
 const START: &str = "<!-- Layers: tests/house/tables.rs -->\n";
@@ -25,17 +26,12 @@ const FOLDERS: [&str; 7] = ["crates/", "docs/", "examples/", "lagrange-", "src/"
 
 /// Finds the files and folders in backticks, in the documents of the project, that do not exist.
 pub(crate) fn missing_paths(root: &Path) -> Vec<String> {
-    let guides =
-        fs::read_dir(root.join("docs")).expect("a folder").map(|entry| entry.expect("a file").path());
-    let guides = guides.filter(|path| path.extension().is_some_and(|extension| extension == "md"));
-    let others = ["ARCHITECTURE.md", "README.md", "tests/README.md"].map(|name| root.join(name));
+    let others = ["ARCHITECTURE.md", "README.md", "tests/README.md"].map(str::to_owned);
     let mut missing = Vec::new();
-    for document in others.into_iter().chain(guides) {
-        let text = fs::read_to_string(&document).expect("a document");
+    for document in others.into_iter().chain(book(root)) {
+        let text = fs::read_to_string(root.join(&document)).expect("a document");
         let quoted = paths(&text).filter(|path| !root.join(path).exists());
-        missing.extend(
-            quoted.map(|path| format!("{} names `{path}`, which does not exist", document.display())),
-        );
+        missing.extend(quoted.map(|path| format!("{document} names `{path}`, which does not exist")));
     }
     missing
 }

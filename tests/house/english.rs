@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use crate::book::pages;
 use crate::imports::Crate;
 use crate::literals::literals;
 use crate::prose::{long_sentences, long_sentences_of, wrapped};
@@ -17,30 +18,6 @@ const PHRASES: [&str; 6] = ["be it", "in the place of", "lest", "that is said", 
 
 /// Phrases that pages do not contain either.
 const PHRASES_OF_COMMENTS: [&str; 2] = ["is none", "so that no"];
-
-/// Pages that keep to plain English.
-const PAGES: [&str; 20] = [
-    "ARCHITECTURE.md",
-    "CHANGELOG.md",
-    "README.md",
-    "docs/cluster.md",
-    "docs/contacts.md",
-    "docs/ensembles.md",
-    "docs/gallery/README.md",
-    "docs/integration.md",
-    "docs/invariants.md",
-    "docs/linear.md",
-    "docs/peers.md",
-    "docs/performance.md",
-    "docs/robots.md",
-    "docs/sensitivities.md",
-    "docs/tour.md",
-    "docs/trade.md",
-    "src/language.md",
-    "tests/README.md",
-    "tests/extremes/README.md",
-    "tests/oracle/README.md",
-];
 
 /// Most sentences that are too long, anywhere: in pages, messages, documentation and comments.
 const MAX_LONG_SENTENCES: usize = 0;
@@ -84,7 +61,7 @@ pub(crate) fn wide_files(root: &Path, crates: &[Crate]) -> Vec<String> {
 fn texts(root: &Path, crates: &[Crate]) -> Vec<(String, String)> {
     let page = |page: &str| (page.to_owned(), page_text(root, page));
     let files = crates.iter().flat_map(|krate| &krate.files);
-    PAGES
+    pages(root)
         .iter()
         .map(|path| page(path))
         .chain(files.map(|file| (file.path.clone(), file.text.clone())))

@@ -9,12 +9,14 @@
 //!    ([`habits`]).
 //! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs
 //!    ([`prose`]), and so are messages ([`literals`]).
+//! 6. The book has every page, its links lead somewhere, and its code is tested ([`book`]).
 //!
 //! Sources become files and modules ([`sources`]), these become items and what names mean
 //! ([`names`], [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds
 //! what each file needs of which other ([`imports`]). Tests are left out.
 
 mod architecture;
+mod book;
 mod circles;
 mod english;
 mod habits;
@@ -68,6 +70,24 @@ fn documents_name_files_that_exist() {
 }
 
 #[test]
+fn every_page_is_in_the_book() {
+    let root = &workspace().root;
+    nothing_in(book::unlisted(root).into_iter().chain(book::examples_without_line(root)));
+}
+
+#[test]
+fn links_of_pages_lead_somewhere() {
+    let root = &workspace().root;
+    let sections = book::missing_sections(root).into_iter().chain(book::dead_ends(root));
+    nothing_in(book::dead_links(root).into_iter().chain(sections));
+}
+
+#[test]
+fn code_of_pages_is_tested() {
+    nothing_in(book::untested(&workspace().root));
+}
+
+#[test]
 fn every_file_keeps_the_habits() {
     nothing_in(each_library(|krate, _| habits::lapses(krate)));
 }
@@ -92,7 +112,7 @@ fn sentences_are_short() {
 #[test]
 fn paragraphs_are_wrapped() {
     let Workspace { root, crates } = workspace();
-    nothing_in(english::wide_files(root, crates));
+    nothing_in(english::wide_files(root, crates).into_iter().chain(book::wide_code(root)));
 }
 
 fn each_library(rule: fn(&Crate, &Library) -> Vec<String>) -> Vec<String> {
