@@ -6,7 +6,7 @@ use super::function_names::{arity, function_names, mass_function, usage};
 use super::inertia::evaluate_mass_function;
 use super::messages;
 use super::opaque::evaluate_callable;
-use super::operand::{Operand, cross, half_square, inner, norm};
+use super::operand::{Operand, cross, half_square, inner, norm, transposed};
 use super::scope::NameKind;
 use super::unknown_names::may_use_accelerations;
 use lagrange_expr::diagnostics::nearest;
@@ -40,7 +40,8 @@ pub(super) fn evaluate_call(
         }
         return None;
     };
-    if arguments.len() != arity {
+    let is_of_any_number = matches!(name.text.as_str(), "min" | "max");
+    if arguments.len() != arity && !(is_of_any_number && arguments.len() > arity) {
         let message = messages::names::wrong_argument_count(&name.text, arity, arguments.len());
         let meant = meant_function(evaluator, &name.text, arguments);
         let meant = meant.filter(|meant| is_accepted(evaluator, meant));
@@ -49,6 +50,7 @@ pub(super) fn evaluate_call(
     }
     match name.text.as_str() {
         "dot" | "ddot" => evaluate_rate(evaluator, &name.text, arguments[0], call),
+        "transpose" => evaluate_transpose(evaluator, arguments[0]),
         "norm" | "inner" | "cross" => evaluate_vector_function(evaluator, &name.text, arguments),
         "kinetic_energy" | "spring_energy" => {
             let weight = evaluator
@@ -218,10 +220,24 @@ fn evaluate_vector_function(
         evaluator.report.error(evaluator.origin(arguments[1]), message).help(messages::KINDS_HELP);
         return None;
     }
+    if name == "cross" && !matches!(vectors[0].len(), 2 | 3) {
+        let message = messages::no_cross(vectors[0].len());
+        return evaluator.refuse(arguments[0], message, messages::CROSS_HELP);
+    }
     Some(match name {
         "inner" => Operand::Scalar(inner(&mut evaluator.graph, &vectors[0], &vectors[1])),
         _ => cross(&mut evaluator.graph, &vectors[0], &vectors[1]),
     })
+}
+
+fn evaluate_transpose(evaluator: &mut Evaluator<'_>, argument: AstId) -> Option<Operand> {
+    match evaluator.value(argument)? {
+        Operand::Matrix(sizes, entries) => Some(transposed(sizes, &entries)),
+        other => {
+            let message = messages::matrix_needed("transpose", other.kind());
+            evaluator.refuse(argument, message, messages::MATRIX_HELP)
+        }
+    }
 }
 
 fn evaluate_elementary(
@@ -236,6 +252,16 @@ fn evaluate_elementary(
     Some(Operand::Scalar(match name {
         "gravitational_energy" => evaluator.graph.product(scalars.into_iter().map(|s| (s, 1.into()))),
         "pow" | "powi" | "powf" => power(evaluator, scalars[0], scalars[1], evaluator.origin(call))?,
-        _ => functions::apply(&mut evaluator.graph, elementary::by_name(name)?.function, &scalars),
+        _ => {
+            let (function, graph) = (elementary::by_name(name)?.function, &mut evaluator.graph);
+            match scalars[..] {
+                // The smallest or the largest of several, pair by pair.
+                [first, second, ref others @ ..] if !others.is_empty() => {
+                    let both = functions::apply(graph, function, &[first, second]);
+                    others.iter().fold(both, |all, other| functions::apply(graph, function, &[all, *other]))
+                }
+                _ => functions::apply(graph, function, &scalars),
+            }
+        }
     }))
 }

@@ -2,12 +2,12 @@
 
 use super::evaluator::{ChainLink, Evaluator};
 use super::messages;
-use super::operand::{Operand, rebuild};
+use super::operand::{Operand, product};
 use lagrange_expr::diagnostics::Origin;
-use lagrange_expr::expr::{ExprId, Function};
+use lagrange_expr::expr::{ExprId, Function, Node};
 use lagrange_expr::functions;
 use lagrange_expr::number::Number;
-use lagrange_language::syntax::ast::AstId;
+use lagrange_language::syntax::ast::{AstId, BinaryOperator, Expression};
 
 pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
     let links = evaluator.chain(id);
@@ -27,12 +27,29 @@ pub(super) fn evaluate_sum(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<O
             continue;
         }
         let sign = if link.inverted { Number::MINUS_ONE } else { Number::ONE };
+        let is_product = is_matrix_product(evaluator, link.operand);
         for (terms, &component) in terms.iter_mut().zip(value.components()) {
-            terms.push((component, sign.clone()));
+            match evaluator.graph.node(component) {
+                // The products of entries are terms of the sum, as where they are written out.
+                Node::Sum { constant, terms: inner } if is_product && constant.is_zero() => {
+                    terms.extend(inner.iter().map(|(term, factor)| (*term, factor * &sign)));
+                }
+                _ => terms.push((component, sign.clone())),
+            }
         }
     }
     let sums = terms.into_iter().map(|terms| evaluator.graph.sum(Number::ZERO, terms)).collect::<Vec<_>>();
-    sound.then(|| rebuild(&first, sums))
+    sound.then(|| Operand::of(first.shape(), sums))
+}
+
+/// True of a product of matrices and vectors without scalar factors.
+fn is_matrix_product(evaluator: &Evaluator<'_>, id: AstId) -> bool {
+    let is_whole = |link: &ChainLink| {
+        let value = evaluator.value(link.operand);
+        value.is_some_and(|value| !matches!(value, Operand::Scalar(_)))
+    };
+    let is_product = matches!(evaluator.syntax(id), Expression::Binary(BinaryOperator::Multiply, ..));
+    is_product && evaluator.chain(id).iter().all(is_whole)
 }
 
 fn first_value(evaluator: &Evaluator<'_>, links: &[ChainLink]) -> Option<Operand> {
@@ -41,7 +58,7 @@ fn first_value(evaluator: &Evaluator<'_>, links: &[ChainLink]) -> Option<Operand
 
 pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
     let mut factors = Vec::new();
-    let mut vector: Option<Operand> = None;
+    let mut whole: Option<Operand> = None;
     let mut sound = true;
     for ChainLink { operand, inverted } in evaluator.chain(id) {
         match (evaluator.value(operand), inverted) {
@@ -57,21 +74,41 @@ pub(super) fn evaluate_product(evaluator: &mut Evaluator<'_>, id: AstId) -> Opti
                 evaluator.refuse::<()>(operand, messages::DIVISION_BY_VECTOR, messages::HOW_TO_GET_A_SCALAR);
                 sound = false;
             }
-            (Some(_), false) if vector.is_some() => {
-                evaluator.refuse::<()>(operand, messages::PRODUCT_OF_VECTORS, messages::INNER_OR_CROSS);
-                sound = false;
+            (Some(value), false) => {
+                let (before, multiplied) = match whole {
+                    Some(before) => (Some(before.clone()), product(&mut evaluator.graph, &before, &value)),
+                    None => (None, Some(value.clone())),
+                };
+                if let (Some(before), None) = (&before, &multiplied) {
+                    report_no_product(evaluator, operand, before, &value);
+                    return None;
+                }
+                whole = multiplied.or(before);
             }
-            (Some(value), false) => vector = Some(value),
         }
     }
     if !sound {
         return None;
     }
-    let product = evaluator.graph.product(factors);
-    Some(match vector {
-        None => Operand::Scalar(product),
-        Some(vector) => vector.map(|component| evaluator.graph.multiply(product, component)),
-    })
+    let factor = Operand::Scalar(evaluator.graph.product(factors));
+    match whole {
+        None => Some(factor),
+        Some(whole) => product(&mut evaluator.graph, &factor, &whole),
+    }
+}
+
+/// Reports two vectors or matrices that have no product.
+fn report_no_product(evaluator: &mut Evaluator<'_>, right: AstId, left: &Operand, value: &Operand) {
+    let (message, help) = match (left, value) {
+        (Operand::Vector(_), Operand::Vector(_)) => {
+            (messages::PRODUCT_OF_VECTORS.to_owned(), messages::INNER_OR_CROSS)
+        }
+        (Operand::Vector(_), _) => {
+            (messages::kinds_differ("multiply", left.kind(), value.kind()), messages::ROW_TIMES_MATRIX)
+        }
+        _ => (messages::kinds_differ("multiply", left.kind(), value.kind()), messages::PRODUCT_HELP),
+    };
+    evaluator.refuse::<()>(right, message, help);
 }
 
 pub(super) fn evaluate_power(

@@ -13,6 +13,9 @@ use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{AstId, Definition, Name};
 
+/// Names of the components of vectors in the plane and in space.
+const AXES: [&str; 3] = ["x", "y", "z"];
+
 pub(super) fn define_parameter(elaborator: &mut Elaborator<'_>, definition: &Definition, kind: NameKind) {
     let default = definition.value.and_then(|value| default_value(elaborator, &definition.name, value));
     let name = &definition.name.text;
@@ -62,9 +65,14 @@ pub(super) fn define_abbreviation(elaborator: &mut Elaborator<'_>, name: &Name, 
         .filter(|value| is_sound_place(elaborator, name, syntax, value));
     match &value {
         Some(Operand::Scalar(id)) => elaborator.labels.push((*id, name.text.clone())),
-        Some(Operand::Vector(components)) => {
-            for (id, axis) in components.iter().zip(["x", "y", "z"]) {
+        Some(Operand::Vector(components)) if components.len() <= AXES.len() => {
+            for (id, axis) in components.iter().zip(AXES) {
                 elaborator.labels.push((*id, format!("{}_{axis}", name.text)));
+            }
+        }
+        Some(whole) => {
+            for (number, id) in whole.components().iter().enumerate() {
+                elaborator.labels.push((*id, format!("{}_{number}", name.text)));
             }
         }
         None => {}

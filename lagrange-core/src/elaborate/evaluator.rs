@@ -34,6 +34,8 @@ pub(super) struct Evaluator<'a> {
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
     /// Arguments that are reported to be no size of a solid.
     pub(super) unsuitable: HashSet<Vec<AstId>>,
+    /// Values of which it was reported that their shape is not that of the array they are given to.
+    pub(super) misshapen: HashSet<AstId>,
     /// Joints of which it was reported that they have no force.
     pub(super) forceless_joints: HashSet<String>,
     pub(super) constants: Constants,
@@ -66,6 +68,7 @@ impl<'a> Evaluator<'a> {
             rates: Rates::new(AccelerationTerms::Kept),
             named_rates: OrderedMap::default(),
             unsuitable: HashSet::default(),
+            misshapen: HashSet::default(),
             forceless_joints: HashSet::default(),
             constants: Constants::default(),
             unresolved: Unresolved::default(),
@@ -131,6 +134,7 @@ impl<'a> Evaluator<'a> {
             Expression::Tuple(components) => components.clone(),
             Expression::Call(_, arguments) => arguments.clone(),
             Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
+            Expression::Entry { of, .. } => vec![*of],
             Expression::If { condition, then, otherwise } => {
                 vec![condition.left, condition.right, *then, *otherwise]
             }

@@ -9,7 +9,7 @@ use super::evaluator::Evaluator;
 use super::function_names::is_function;
 use super::messages;
 use super::numbers::is_sound;
-use super::operand::{Operand, rebuild};
+use super::operand::Operand;
 use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
 use lagrange_expr::diagnostics::Origin;
@@ -17,7 +17,9 @@ use lagrange_expr::expr::{Dependencies, ExprId, Graph, Relation};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_expr::units::Unit;
-use lagrange_language::syntax::ast::{AstId, BinaryOperator, Comparison, Condition, Expression, Name};
+use lagrange_language::syntax::ast::{
+    ArrayShape, AstId, BinaryOperator, Comparison, Condition, Expression, Name,
+};
 
 /// The value of an expression; `None` if something in it is wrong, which has been reported.
 pub(super) fn value_of(evaluator: &mut Evaluator<'_>, root: AstId) -> Option<Operand> {
@@ -52,11 +54,8 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
             evaluate_product(evaluator, id)
         }
         Expression::Negate(_) | Expression::Binary(..) => evaluate_sum(evaluator, id),
-        Expression::Tuple(components) => {
-            let components =
-                components.iter().map(|&c| evaluator.scalar(c, "a component")).collect::<Vec<_>>();
-            components.into_iter().collect::<Option<Vec<_>>>().map(Operand::Vector)
-        }
+        Expression::Tuple(components) => evaluate_tuple(evaluator, components),
+        Expression::Entry { of, indices, shape } => evaluate_entry(evaluator, *of, indices, *shape),
         Expression::Call(function, arguments) => evaluate_call(evaluator, function, arguments, id),
         Expression::Component(of, component) => evaluate_component(evaluator, *of, component),
         Expression::If { condition, then, otherwise } => {
@@ -65,6 +64,52 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
         // Elements have taken the place of what is written of arrays.
         Expression::Array(_) | Expression::Invalid => None,
     }
+}
+
+/// A vector of scalars, or a matrix of vectors as rows.
+fn evaluate_tuple(evaluator: &mut Evaluator<'_>, parts: &[AstId]) -> Option<Operand> {
+    let values = parts.iter().map(|&part| evaluator.value(part)).collect::<Option<Vec<_>>>()?;
+    let first = values.first()?;
+    if matches!(first, Operand::Vector(_)) {
+        if let Some((&part, other)) = parts.iter().zip(&values).find(|(_, value)| !value.same_kind(first)) {
+            let message = messages::rows_differ(first.kind(), other.kind());
+            return evaluator.refuse(part, message, messages::ROWS_HELP);
+        }
+    } else {
+        let scalars = parts.iter().map(|&part| evaluator.scalar(part, "a component")).collect::<Vec<_>>();
+        scalars.into_iter().collect::<Option<Vec<_>>>()?;
+    }
+    let shapes = values.iter().map(Operand::shape).collect::<Vec<_>>();
+    let components = values.iter().flat_map(|value| value.components().to_vec()).collect();
+    Some(Operand::of(ArrayShape::stacked(&shapes)?, components))
+}
+
+/// An entry of a vector or a matrix, or a row.
+fn evaluate_entry(
+    evaluator: &mut Evaluator<'_>,
+    of: AstId,
+    indices: &[AstId],
+    shape: Option<ArrayShape>,
+) -> Option<Operand> {
+    let value = evaluator.value(of)?;
+    if let Some(wanted) = shape.filter(|wanted| *wanted != value.shape()) {
+        // Of all elements of an array one is enough.
+        if evaluator.misshapen.insert(of) {
+            let message = messages::shape_needed(wanted.describe(), value.kind());
+            evaluator.refuse::<()>(of, message, messages::SHAPE_HELP);
+        }
+        return None;
+    }
+    let places = evaluator.declaration.expressions.places(indices)?;
+    if let Some(entry) = value.entry(&places) {
+        return Some(entry);
+    }
+    let written = places.iter().map(|place| format!("[{place}]")).collect::<String>();
+    let wrong = (0..places.len()).find(|place| value.entry(&places[..=*place]).is_none());
+    let origin = evaluator.origin(*indices.get(wrong?)?);
+    let error = evaluator.report.error(origin, messages::no_entry(written, value.kind()));
+    error.help(messages::indices_of(value.shape()));
+    None
 }
 
 /// A number in the coherent unit.
@@ -171,7 +216,7 @@ fn evaluate_if(
     let chosen =
         chosen.map(|(&a, &b)| choose(&mut evaluator.graph, condition.relation, [left, right], [a, b]));
     let chosen = chosen.collect();
-    Some(rebuild(&a, chosen))
+    Some(Operand::of(a.shape(), chosen))
 }
 
 /// Refuses equality of what moves, which is equal to something for an instant at most.

@@ -3,6 +3,7 @@
 use crate::model::Product;
 use lagrange_expr::diagnostics::messages;
 use lagrange_expr::expr::Dependencies;
+use lagrange_language::syntax::ast::ArrayShape;
 
 pub(super) mod events;
 pub(super) mod inertia;
@@ -18,7 +19,7 @@ messages! {
     pub(super):
 
     scalar_needed(what, found) = "{what} must be a scalar, but this is {found}";
-    HOW_TO_GET_A_SCALAR = "use a component such as `.x`, or `norm(v)`, or `inner(v, w)`";
+    HOW_TO_GET_A_SCALAR = "use a component such as `.x` or `v[0]`, or `norm(v)`, or `inner(v, w)`";
     vector_needed(what, found) = "{what} must be a vector, but this is {found}";
     kinds_differ(operation, left, right) = "cannot {operation} {left} and {right}";
     EQUALITY = "what moves cannot be compared for equality";
@@ -29,7 +30,20 @@ messages! {
     VECTOR_HELP = "write a vector, such as `(x, y)`";
     PRODUCT_OF_VECTORS = "the product of two vectors is ambiguous";
     INNER_OR_CROSS = "use `inner(v, w)` for the scalar and `cross(v, w)` for the vector product";
-    DIVISION_BY_VECTOR = "cannot divide by a vector";
+    ROW_TIMES_MATRIX = "a vector is a column, on the right of its matrix: `A * v`, or `transpose(A) * v`";
+    PRODUCT_HELP = "a matrix needs as many columns as what is on its right has rows; `transpose(A)` exchanges them";
+    DIVISION_BY_VECTOR = "cannot divide by a vector or a matrix";
+    no_cross(count) = "`cross` is defined for vectors of 2 or 3 components, but these have {count}";
+    CROSS_HELP = "take the cross product of vectors in the plane or in space; `inner(v, w)` takes any length";
+    matrix_needed(function, found) = "the argument of `{function}` must be a matrix, but this is {found}";
+    MATRIX_HELP = "write a matrix by rows, such as `((a, b), (c, d))`; a vector needs no transpose, `inner(v, w)`";
+    rows_differ(first, other) = "the rows of a matrix must have one length, but this is {other} beside {first}";
+    ROWS_HELP = "write a matrix by rows of as many numbers, such as `((a, b), (c, d))`";
+    no_entry(indices, found) = "there is no entry `{indices}` in {found}";
+    shape_needed(wanted, found) = "{wanted} is needed here, but this is {found}";
+    SHAPE_HELP = "the name on the left is a whole array; give it a value of its shape, or write an index behind it";
+    matrix_output(found) = "an output is a scalar or a vector, but this is {found}";
+    MATRIX_OUTPUT_HELP = "write one output for each row, such as `output row = A[0];`";
     DIVISION_BY_ZERO = "division by zero";
 
     FUNCTION_HELP = "write its arguments in parentheses after it";
@@ -49,7 +63,7 @@ messages! {
     defined_where(function, domain) = "`{function}` is defined {domain}";
     VANISHING_HELP = "choose smaller units, or remove it";
     no_component(component, kind) = "there is no component `{component}` in {kind}";
-    COMPONENTS = "vectors have the components `x`, `y` and, in space, `z`";
+    COMPONENTS = "vectors have the components `x`, `y` and, in space, `z`; others have indices, `v[3]`";
     rate_of_input(name) = "the rate of input `{name}` is unknown";
 
     /// Message for the rate of what is made of numbers and parameters.
@@ -188,6 +202,19 @@ messages! {
     inertia_lost(coordinate) = "`{coordinate}` has no inertia in this reduced system";
     INERTIA_LOST_HELP =
         "its kinetic energy vanishes with the frozen coordinates, or is of higher than second order in the small ones";
+}
+
+/// Advice for indices that lead nowhere.
+pub(super) fn indices_of(shape: ArrayShape) -> String {
+    match shape {
+        ArrayShape::Scalar => "remove the indices: this is a single number".to_owned(),
+        ArrayShape::Vector(count) => format!("write one index, from 0 to {}", count.saturating_sub(1)),
+        ArrayShape::Matrix([rows, columns]) => format!(
+            "write a row from 0 to {} and a column from 0 to {}, `A[0][0]`, or a row alone",
+            rows.saturating_sub(1),
+            columns.saturating_sub(1)
+        ),
+    }
 }
 
 pub(super) fn root_of_negative(base: &str, exponent: &str) -> String {

@@ -178,7 +178,7 @@ fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
 fn scalar(elaborator: &mut Elaborator, syntax: AstId) -> Option<ExprId> {
     match value_of(&mut elaborator.evaluator, syntax)? {
         Operand::Scalar(value) => Some(value),
-        Operand::Vector(_) => None,
+        Operand::Vector(_) | Operand::Matrix(..) => None,
     }
 }
 

@@ -1,49 +1,66 @@
-//! Scalars and vectors, and the operations of the language on them.
+//! Scalars, vectors and matrices, and the operations of the language on them.
 
 use lagrange_expr::expr::{ExprId, Function, Graph};
 use lagrange_expr::functions;
 use lagrange_expr::number::Number;
+use lagrange_language::syntax::ast::ArrayShape;
 
 /// The value of an expression of the language.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Operand {
     Scalar(ExprId),
-    /// Two or three components.
+    /// Its components.
     Vector(Vec<ExprId>),
+    /// Numbers of rows and columns, and the entries by rows.
+    Matrix([usize; 2], Vec<ExprId>),
 }
 
 impl Operand {
-    /// One component for a scalar, all of them for a vector.
+    /// An operand of a shape, with its components.
+    pub(super) fn of(shape: ArrayShape, components: Vec<ExprId>) -> Operand {
+        match shape {
+            ArrayShape::Scalar => Operand::Scalar(components[0]),
+            ArrayShape::Vector(_) => Operand::Vector(components),
+            ArrayShape::Matrix(sizes) => Operand::Matrix(sizes, components),
+        }
+    }
+
+    /// Its shape.
+    pub(super) fn shape(&self) -> ArrayShape {
+        match self {
+            Operand::Scalar(_) => ArrayShape::Scalar,
+            Operand::Vector(components) => ArrayShape::Vector(components.len()),
+            Operand::Matrix(sizes, _) => ArrayShape::Matrix(*sizes),
+        }
+    }
+
+    /// The entry or row at these indices, if there is one.
+    pub(super) fn entry(&self, indices: &[usize]) -> Option<Operand> {
+        let (places, shape) = self.shape().entry(indices)?;
+        Some(Operand::of(shape, self.components()[places].to_vec()))
+    }
+
+    /// One component for a scalar, all of them for a vector or a matrix.
     pub(super) fn components(&self) -> &[ExprId] {
         match self {
             Operand::Scalar(id) => std::slice::from_ref(id),
-            Operand::Vector(components) => components,
+            Operand::Vector(components) | Operand::Matrix(_, components) => components,
         }
     }
 
     /// Operand of the same kind with every component mapped.
     pub(super) fn map(&self, mut f: impl FnMut(ExprId) -> ExprId) -> Operand {
-        match self {
-            Operand::Scalar(id) => Operand::Scalar(f(*id)),
-            Operand::Vector(components) => Operand::Vector(components.iter().map(|&id| f(id)).collect()),
-        }
+        Operand::of(self.shape(), self.components().iter().map(|&id| f(id)).collect())
     }
 
     /// Description in the user's words.
     pub(super) fn kind(&self) -> String {
-        match self {
-            Operand::Scalar(_) => "a scalar".to_owned(),
-            Operand::Vector(components) => format!("a vector of {} components", components.len()),
-        }
+        self.shape().describe()
     }
 
-    /// True if both are scalars or vectors of the same length.
+    /// True if both have the same shape.
     pub(super) fn same_kind(&self, other: &Operand) -> bool {
-        match (self, other) {
-            (Operand::Scalar(_), Operand::Scalar(_)) => true,
-            (Operand::Vector(a), Operand::Vector(b)) => a.len() == b.len(),
-            _ => false,
-        }
+        self.shape() == other.shape()
     }
 }
 
@@ -90,10 +107,29 @@ pub(super) fn half_square(graph: &mut Graph, weight: ExprId, a: &[ExprId]) -> Ex
     graph.scale(Number::HALF, product)
 }
 
-/// An operand of the kind of `like` with these components.
-pub(super) fn rebuild(like: &Operand, components: Vec<ExprId>) -> Operand {
-    match like {
-        Operand::Scalar(_) => Operand::Scalar(components[0]),
-        Operand::Vector(_) => Operand::Vector(components),
+/// The product of a matrix with a vector or a matrix, or with a scalar; `None` if their shapes do
+/// not fit. Each entry is the sum Σ aᵢₖ bₖⱼ.
+pub(super) fn product(graph: &mut Graph, a: &Operand, b: &Operand) -> Option<Operand> {
+    let shape = a.shape().times(b.shape())?;
+    match (a, b) {
+        (Operand::Scalar(factor), other) | (other, Operand::Scalar(factor)) => {
+            Some(other.map(|component| graph.multiply(*factor, component)))
+        }
+        (Operand::Matrix([rows, width], entries), other) => {
+            let columns = shape.count() / rows;
+            let column = |j: usize| other.components().iter().skip(j).step_by(columns).copied().collect();
+            let all: Vec<Vec<ExprId>> = (0..columns).map(column).collect();
+            let components =
+                entries.chunks(*width).flat_map(|row| all.iter().map(move |column| (row, column)));
+            let components = components.map(|(row, column)| inner(graph, row, column)).collect();
+            Some(Operand::of(shape, components))
+        }
+        _ => None,
     }
+}
+
+/// The matrix with rows and columns exchanged.
+pub(super) fn transposed([rows, columns]: [usize; 2], entries: &[ExprId]) -> Operand {
+    let places = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+    Operand::Matrix([columns, rows], places.map(|place| entries[place]).collect())
 }

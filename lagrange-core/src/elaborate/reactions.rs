@@ -124,7 +124,7 @@ fn gap_and_rate(elaborator: &mut Elaborator<'_>, event: &ast::Event) -> Option<(
     };
     match elaborator.evaluator.rate(&Operand::Scalar(gap), syntax)? {
         Operand::Scalar(velocity) => Some((gap, velocity)),
-        Operand::Vector(_) => None,
+        Operand::Vector(_) | Operand::Matrix(..) => None,
     }
 }
 

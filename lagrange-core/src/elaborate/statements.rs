@@ -9,6 +9,7 @@ use super::expression::value_of;
 use super::gibbs::add_gibbs;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
+use super::operand::Operand;
 use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
@@ -106,7 +107,8 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
 }
 
 fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
-    let value = value_of(&mut elaborator.evaluator, syntax);
+    let value =
+        value_of(&mut elaborator.evaluator, syntax).filter(|value| is_shown(elaborator, syntax, value));
     let mut methods = Product::ALL.iter().filter(|product| product.is_method());
     if methods.any(|method| method.name() == name.text) || GENERATED_METHODS.contains(&name.text.as_str()) {
         let error = elaborator.evaluator.report.error(name.span, messages::reserved_output(&name.text));
@@ -129,6 +131,16 @@ fn add_output(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
         uses_reactions,
         description: None,
     });
+}
+
+/// True of scalars and vectors; matrices are reported.
+fn is_shown(elaborator: &mut Elaborator<'_>, syntax: AstId, value: &Operand) -> bool {
+    let is_matrix = matches!(value, Operand::Matrix(..));
+    if is_matrix {
+        let message = messages::matrix_output(value.kind());
+        elaborator.evaluator.refuse::<()>(syntax, message, messages::MATRIX_OUTPUT_HELP);
+    }
+    !is_matrix
 }
 
 /// The number of an output in the unit behind its name.

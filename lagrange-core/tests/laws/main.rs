@@ -31,6 +31,7 @@ mod switches;
 mod trees;
 mod units;
 mod unknowns;
+mod vectors;
 
 use proptest::prelude::ProptestConfig;
 

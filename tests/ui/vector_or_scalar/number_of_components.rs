@@ -3,9 +3,7 @@ lagrange::system! {
 
     coord x, y;
     let (a) = (x, y);
-    let (b, c, d, e) = (x, y);
     let p = (x,);
-    let q = (1, 2, 3, 4);
     let r = ();
     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
 }

@@ -6,7 +6,7 @@ use super::kinds::{LENGTH, MASS, TIME};
 use super::measure::{Measure, MeasuredComponent};
 use super::messages;
 use super::solver::Grounds;
-use crate::syntax::ast::{AstId, Expression, IN_AXES};
+use crate::syntax::ast::{ArrayShape, AstId, Expression, IN_AXES};
 use lagrange_expr::elementary;
 use lagrange_expr::number::Number;
 use lagrange_expr::solids;
@@ -32,17 +32,23 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
         ("sqrt", [value]) => value.map(|form| form.power(&Number::HALF)),
         ("abs", [value]) => value.clone(),
         ("sign", [_]) => Measure::known(Exponents::plain()),
-        ("min" | "max" | "hypot", [_, _]) => checker.same(arguments[0], arguments[1], messages::COMPARED),
+        ("min" | "max", [first, ..]) => {
+            let one_by_one = arguments[1..].iter();
+            let measures = one_by_one.map(|other| checker.same(arguments[0], *other, messages::COMPARED));
+            measures.last().unwrap_or_else(|| first.clone())
+        }
+        ("hypot", [_, _]) => checker.same(arguments[0], arguments[1], messages::COMPARED),
         ("atan2", [_, _]) => {
             checker.same(arguments[0], arguments[1], messages::COMPARED);
             Measure::known(Exponents::plain())
         }
         ("norm", [value]) => Measure::scalar(total(checker, id, &value.components)),
         ("inner", [a, b]) => {
-            let products = products(&a.components, &b.components);
-            Measure::scalar(total(checker, id, &products))
+            let factors = a.components.iter().zip(&b.components).map(|(a, b)| [a, b]);
+            Measure::scalar(dot_product(checker, id, factors))
         }
         ("cross", [a, b]) => cross(checker, id, a, b),
+        ("transpose", [value]) => transpose(value),
         ("kinetic_energy" | "spring_energy", [factor, value]) => {
             let size = Measure::scalar(total(checker, id, &value.components));
             factor.times(&size).times(&size)
@@ -52,10 +58,6 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
         _ => other(checker, function, arguments),
     };
     value.with_rates(has_rates)
-}
-
-fn products(a: &[MeasuredComponent], b: &[MeasuredComponent]) -> Vec<MeasuredComponent> {
-    a.iter().zip(b).map(|(a, b)| Some(a.as_ref()?.times(b.as_ref()?))).collect()
 }
 
 /// The dimension that all terms of a sum, or all components of a vector, have.
@@ -72,6 +74,38 @@ pub(super) fn total(
         checker.equate(call, term, &first, &reason);
     }
     Some(first)
+}
+
+/// The sum of products of the components of two values; nothing is known of zeros alone.
+fn dot_product<'m>(
+    checker: &mut Checker<'_>,
+    call: AstId,
+    factors: impl Iterator<Item = [&'m MeasuredComponent; 2]>,
+) -> MeasuredComponent {
+    let products = factors.map(|[a, b]| Some(a.as_ref()?.times(b.as_ref()?))).collect::<Vec<_>>();
+    total(checker, call, &products)
+}
+
+/// The product of a matrix with a vector or a matrix; nothing is known of shapes that do not fit.
+pub(super) fn matrix_product(checker: &mut Checker<'_>, call: AstId, a: &Measure, b: &Measure) -> Measure {
+    let (Some(shape), ArrayShape::Matrix([rows, inner])) = (a.shape.times(b.shape), a.shape) else {
+        return Measure::any();
+    };
+    let columns = b.components.len() / inner.max(1);
+    let mut components = Vec::new();
+    for (i, j) in (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j))) {
+        let factors = (0..inner).map(|k| [&a.components[i * inner + k], &b.components[k * columns + j]]);
+        components.push(dot_product(checker, call, factors));
+    }
+    Measure::of(shape, components).with_rates(a.has_rates || b.has_rates)
+}
+
+fn transpose(value: &Measure) -> Measure {
+    let (Some(shape), ArrayShape::Matrix([rows, columns])) = (value.shape.transposed(), value.shape) else {
+        return Measure::any();
+    };
+    let places = (0..columns).flat_map(|j| (0..rows).map(move |i| i * columns + j));
+    Measure::of(shape, places.map(|place| value.components[place].clone()).collect())
 }
 
 fn cross(checker: &mut Checker<'_>, call: AstId, a: &Measure, b: &Measure) -> Measure {
@@ -131,7 +165,7 @@ fn other(checker: &mut Checker<'_>, function: &str, arguments: &[AstId]) -> Meas
         let reason = Grounds { words: messages::argument_of(function), place };
         let found = checker.known_value(*argument);
         let expected = Some(Exponents::from(dimension.clone()));
-        let expected = Measure { components: vec![expected; found.components.len()], ..found };
+        let expected = Measure::of(found.shape, vec![expected; found.components.len()]);
         checker.equate_values(*argument, &found, &expected, &reason);
     }
     Measure::known(inertia.into())

@@ -97,7 +97,7 @@ impl<'a> Checker<'a> {
             of(&a).or_else(|| of(&b))
         };
         let components = (0..longer.components.len()).map(either).collect();
-        Measure { components, is_vector: longer.is_vector, has_rates }
+        Measure::of(longer.shape, components).with_rates(has_rates)
     }
 
     /// Equal dimensions of what is found and what is expected, component by component.

@@ -1,13 +1,13 @@
 //! Dimensions of expressions.
 
-use super::calls::call;
+use super::calls::{call, matrix_product};
 use super::checker::Checker;
 use super::exponents::Exponents;
 use super::kinds::TIME;
 use super::measure::Measure;
 use super::messages;
 use super::solver::Grounds;
-use crate::syntax::ast::{AstId, BinaryOperator, Expression};
+use crate::syntax::ast::{ArrayShape, AstId, BinaryOperator, Expression};
 use lagrange_expr::units::Dimension;
 
 impl Checker<'_> {
@@ -41,17 +41,27 @@ impl Checker<'_> {
             Expression::Tuple(parts) => {
                 let parts = parts.iter().map(|part| self.known_value(*part)).collect::<Vec<_>>();
                 let has_rates = parts.iter().any(|part| part.has_rates);
-                Measure::vector(parts.iter().map(Measure::form).collect()).with_rates(has_rates)
+                let shapes = parts.iter().map(|part| part.shape).collect::<Vec<_>>();
+                let stacked = match ArrayShape::stacked(&shapes) {
+                    Some(shape) => {
+                        Measure::of(shape, parts.into_iter().flat_map(|part| part.components).collect())
+                    }
+                    None => Measure::any(),
+                };
+                stacked.with_rates(has_rates)
             }
             Expression::Negate(of) => self.known_value(*of),
-            Expression::Binary(operator, _, left, right) => self.binary(*operator, *left, *right),
+            Expression::Binary(operator, _, left, right) => self.binary(id, *operator, *left, *right),
             Expression::Call(function, arguments) => call(self, id, &function.text, arguments),
             Expression::Component(of, name) => {
                 let value = self.known_value(*of);
                 let index = ["x", "y", "z"].iter().position(|axis| *axis == name.text);
                 let component =
-                    index.filter(|_| value.is_vector).and_then(|i| value.components.get(i).cloned());
+                    index.filter(|_| !value.is_scalar()).and_then(|i| value.components.get(i).cloned());
                 Measure::scalar(component.flatten()).with_rates(value.has_rates)
+            }
+            Expression::Entry { of, indices, .. } => {
+                self.known_value(*of).entry(&expressions.places(indices).unwrap_or_default())
             }
             Expression::If { condition, then, otherwise } => {
                 self.same(condition.left, condition.right, messages::COMPARED);
@@ -69,11 +79,12 @@ impl Checker<'_> {
         }
     }
 
-    fn binary(&mut self, operator: BinaryOperator, left: AstId, right: AstId) -> Measure {
+    fn binary(&mut self, id: AstId, operator: BinaryOperator, left: AstId, right: AstId) -> Measure {
         let (a, b) = (self.known_value(left), self.known_value(right));
         match operator {
             BinaryOperator::Add | BinaryOperator::Subtract => self.same(left, right, messages::ADDED),
-            BinaryOperator::Multiply => a.times(&b),
+            BinaryOperator::Multiply if a.is_scalar() || b.is_scalar() => a.times(&b),
+            BinaryOperator::Multiply => matrix_product(self, id, &a, &b),
             BinaryOperator::Divide => a.times(&b.map(|form| Exponents::plain().over(form))),
             BinaryOperator::Power => self.power(left, right),
             BinaryOperator::Remainder => Measure::any(),
@@ -83,7 +94,7 @@ impl Checker<'_> {
     /// An expression that is to have a dimension, whatever it is made of; of sums each term is.
     pub(super) fn require(&mut self, root: AstId, expected: &Measure, reason: &Grounds) -> Measure {
         let mut pending = vec![root];
-        let mut all = Measure { components: expected.components.clone(), ..*expected };
+        let mut all = expected.clone();
         while let Some(id) = pending.pop() {
             match self.expressions.get(id) {
                 Expression::Binary(BinaryOperator::Add | BinaryOperator::Subtract, _, left, right) => {

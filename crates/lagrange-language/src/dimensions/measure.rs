@@ -1,6 +1,7 @@
 //! Dimensions of scalars and vectors.
 
 use super::exponents::Exponents;
+use crate::syntax::ast::ArrayShape;
 
 /// The known dimension of a number; unknown for zero, which fits every dimension, and after a
 /// reported mistake.
@@ -9,16 +10,16 @@ pub(super) type MeasuredComponent = Option<Exponents>;
 /// The dimension of an expression.
 #[derive(Clone, Debug)]
 pub(super) struct Measure {
-    /// One entry for a scalar, one per component for a vector.
+    /// One entry for a scalar, one per component for a vector or matrix.
     pub(super) components: Vec<MeasuredComponent>,
-    pub(super) is_vector: bool,
+    pub(super) shape: ArrayShape,
     /// True if it is made of rates.
     pub(super) has_rates: bool,
 }
 
 impl Measure {
     pub(super) fn scalar(component: MeasuredComponent) -> Measure {
-        Measure { components: vec![component], is_vector: false, has_rates: false }
+        Measure::of(ArrayShape::Scalar, vec![component])
     }
 
     /// Returns an unknown dimension.
@@ -31,12 +32,28 @@ impl Measure {
     }
 
     pub(super) fn vector(components: Vec<MeasuredComponent>) -> Measure {
-        Measure { components, is_vector: true, has_rates: false }
+        Measure::of(ArrayShape::Vector(components.len()), components)
+    }
+
+    pub(super) fn of(shape: ArrayShape, components: Vec<MeasuredComponent>) -> Measure {
+        Measure { components, shape, has_rates: false }
+    }
+
+    /// True of everything but vectors and matrices.
+    pub(super) fn is_scalar(&self) -> bool {
+        self.shape == ArrayShape::Scalar
+    }
+
+    /// Returns what stands behind indices; nothing is known of what is wrong.
+    pub(super) fn entry(&self, indices: &[usize]) -> Measure {
+        let found = self.shape.entry(indices);
+        let entry = found.map(|(places, shape)| Measure::of(shape, self.components[places].to_vec()));
+        entry.unwrap_or_else(Measure::any).with_rates(self.has_rates)
     }
 
     /// Its own dimension; nothing is known of that of a vector.
     pub(super) fn form(&self) -> MeasuredComponent {
-        if self.is_vector { None } else { self.components.first().cloned().flatten() }
+        if self.is_scalar() { self.components.first().cloned().flatten() } else { None }
     }
 
     pub(super) fn with_rates(mut self, has_rates: bool) -> Measure {
@@ -52,7 +69,7 @@ impl Measure {
 
     /// Returns the measure of a product with a scalar, or of two scalars.
     pub(super) fn times(&self, other: &Measure) -> Measure {
-        let (vector, scalar) = if other.is_vector { (other, self) } else { (self, other) };
+        let (vector, scalar) = if other.is_scalar() { (self, other) } else { (other, self) };
         let product = match scalar.form() {
             Some(factor) => vector.map(|form| form.times(&factor)),
             None => Measure { components: vec![None; vector.components.len()], ..*vector },

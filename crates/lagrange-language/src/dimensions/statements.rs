@@ -12,8 +12,8 @@ use super::messages;
 use super::quantities::is_of_numbers;
 use super::solver::Grounds;
 use crate::syntax::ast::{
-    Action, Assignment, AstId, Declaration, Definition, Event, Expression, Friction, Name, Reduction,
-    Statement, StatementKind,
+    Action, ArrayShape, Assignment, AstId, Declaration, Definition, Event, Expression, Friction, Name,
+    Reduction, Statement, StatementKind,
 };
 use definitions::{
     declared, define_table, define_value, named_component, named_value, require_start, value_of,
@@ -59,7 +59,7 @@ pub(super) fn check(checker: &mut Checker<'_>, declaration: &Declaration, labels
     go_through(checker, DimensionPass::Abbreviate);
     for label in labels {
         let expected = Some(Exponents::from(label.unit.dimension.clone()));
-        let expected = Measure { components: vec![expected; 3], is_vector: false, has_rates: false };
+        let expected = Measure::of(ArrayShape::Scalar, vec![expected; 3]);
         let reason =
             Grounds { words: messages::labelled(label.what), place: checker.expressions.origin(label.value) };
         checker.require(label.value, &expected, &reason);
@@ -163,7 +163,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
         (StatementKind::Friction(Friction { name, slip, .. }), DimensionPass::Abbreviate) => {
             let slip = checker.value(*slip).with_rates(true);
             name_force(checker, name, &slip);
-            if slip.is_vector {
+            if !slip.is_scalar() {
                 let force = slip.map(form_of_force);
                 checker.scope.insert(name.text.clone(), Measure::vector(force.components));
             }
@@ -196,11 +196,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             work(checker, *force, &along, &said(&messages::force_on(&name.text)));
         }
         (StatementKind::ForceAt { force, point }, DimensionPass::Require) => {
-            let each = |exponents| Measure {
-                components: vec![Some(form(exponents)); 3],
-                is_vector: true,
-                has_rates: false,
-            };
+            let each = |exponents| Measure::vector(vec![Some(form(exponents)); 3]);
             checker.require(*point, &each(LENGTH), &said(messages::POINT));
             checker.require(*force, &each(FORCE), &said(messages::FORCE));
         }

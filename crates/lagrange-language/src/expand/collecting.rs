@@ -67,6 +67,7 @@ struct DeclaredName<'a> {
     scope: ScopeId,
     /// Number of the statement, as that of its place in memory.
     statement: usize,
+    kind: &'a StatementKind,
 }
 
 impl Collector<'_, '_> {
@@ -104,6 +105,7 @@ impl Collector<'_, '_> {
                 suffix: &suffix,
                 scope,
                 statement: std::ptr::from_ref(statement).addr(),
+                kind,
             };
             match (&name.indices[..], is_whole) {
                 ([], _) => self.plain(&declared),
@@ -114,11 +116,12 @@ impl Collector<'_, '_> {
     }
 
     fn plain(&mut self, declared: &DeclaredName<'_>) {
-        let DeclaredName { name, suffix, scope, statement } = *declared;
+        let DeclaredName { name, suffix, scope, statement, kind } = *declared;
         let own = format!("{}{suffix}", name.text);
         let text = self.counting.scopes.prefixed(scope, &own);
         let written = self.written(scope, &own);
-        let plain = Plain { span: name.span, statement, written };
+        let is_let = matches!(kind, StatementKind::Let(..));
+        let plain = Plain { span: name.span, statement, written, is_let };
         if let Some(other) = self.elements.plain.insert(text.clone(), plain.clone()) {
             // Two statements with the same name are reported where names are resolved.
             if other.written != plain.written {
@@ -198,7 +201,7 @@ impl Collector<'_, '_> {
 
     /// Adds an element; says whether there was none of its name.
     fn add(&mut self, declared: &DeclaredName<'_>, sizes: Option<&[i64]>, indices: Vec<i64>) -> bool {
-        let DeclaredName { name, suffix, scope, .. } = *declared;
+        let DeclaredName { name, suffix, scope, kind, .. } = *declared;
         let scopes = self.counting.scopes;
         let (own, base) = (format!("{}{suffix}", name.text), scopes.prefixed(scope, &name.text));
         let (array, text) =
@@ -217,7 +220,8 @@ impl Collector<'_, '_> {
             let (rank, elements) = (indices.len(), BTreeMap::new());
             let member_of = scopes.around(scope).map(|part| [part.interior.name.text.clone(), own]);
             let written = written.clone();
-            let new = Array { name: of_array, written, member_of, sizes, rank, elements };
+            let has_values = kind.declares_values();
+            let new = Array { name: of_array, written, member_of, sizes, rank, has_values, elements };
             self.elements.arrays.insert(array.clone(), new);
         }
         let Some(known) = self.elements.arrays.get_mut(&array) else { return false };

@@ -4,107 +4,19 @@
 //! Remaining expressions wait on a stack, so that chains of any length are copied without
 //! recursion. Expressions in which nothing changes are not copied.
 
-use super::complaints::Complaints;
+use super::copier::{Change, Copier, Task};
 use super::counting::Counting;
-use super::elements::ElementNames;
-use super::indices::{counted_indices, indices_of};
 use super::messages;
 use super::paths::{Path, Segment, Target};
-use super::scopes::{BUILT_IN, Meaning, PlacedId, ScopeId, Scopes};
+use super::scopes::{Meaning, ScopeId};
 use super::unrolling::{origin_of, values};
-use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Expression, Expressions, ExternalFunction, Name, Range,
-};
+use crate::syntax::ast::{ArrayExpression, AstId, BinaryOperator, Expression, Fold, Name, Range};
 use crate::syntax::is_function;
-use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
 use lagrange_expr::number::Number;
 
-/// Writes expressions and names out.
-pub(super) struct Copier<'a> {
-    pub(super) expressions: &'a mut Expressions,
-    pub(super) scopes: Scopes,
-    pub(super) elements: &'a ElementNames,
-    pub(super) complaints: Complaints<'a>,
-    constants: &'a HashMap<String, Number>,
-    /// For each expression in the text, if anything in it can change.
-    changes: HashMap<AstId, Change>,
-    /// Functions of the user's crate that parts declare.
-    external: HashSet<String>,
-    /// Terms so far.
-    terms: u64,
-    is_too_long: bool,
-}
-
-/// The places in which an expression can change.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Change {
-    Nowhere,
-    /// In parts, which do not know the names in it.
-    InParts,
-    Anywhere,
-}
-
-/// Something that is still to be done.
-enum Task {
-    /// Copy an expression.
-    Copy(AstId, ScopeId),
-    /// Make an expression like this one of the copies of its operands.
-    Make(AstId),
-    /// Make a call like this one, but of a function of this name.
-    Call(AstId, String),
-    /// Add up that many copies.
-    Total(usize, Origin),
-}
-
-impl<'a> Copier<'a> {
-    pub(super) fn new(
-        expressions: &'a mut Expressions,
-        scopes: Scopes,
-        constants: &'a HashMap<String, Number>,
-        elements: &'a ElementNames,
-        complaints: Complaints<'a>,
-    ) -> Copier<'a> {
-        let mut changes = HashMap::default();
-        for (id, expression) in expressions.iter() {
-            let of_operands = || expression.operands().iter().filter_map(|id| changes.get(id)).max().copied();
-            let change = match expression {
-                Expression::Name(name) => {
-                    // A variable, a parameter of a function, an array or something in a part.
-                    let is_known = complaints.names.contains(name) && !elements.is_array(name);
-                    match (is_known && !scopes.is_scoped(name), BUILT_IN.contains(&name.as_str())) {
-                        (true, true) => Change::Nowhere,
-                        (true, false) => Change::InParts,
-                        (false, _) => Change::Anywhere,
-                    }
-                }
-                Expression::Array(_) => Change::Anywhere,
-                Expression::Component(_, name) if !name.indices.is_empty() => Change::Anywhere,
-                Expression::Call(function, _) if scopes.is_scoped(&function.text) => Change::Anywhere,
-                Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
-                _ => of_operands().unwrap_or(Change::Nowhere),
-            };
-            changes.insert(id, change);
-        }
-        let external = HashSet::default();
-        Copier {
-            expressions,
-            scopes,
-            elements,
-            complaints,
-            constants,
-            changes,
-            external,
-            terms: 0,
-            is_too_long: false,
-        }
-    }
-
-    pub(super) fn counting(&self) -> Counting<'_> {
-        Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants }
-    }
-
+impl Copier<'_> {
     /// Returns the copy of an expression in a scope.
     pub(super) fn copied(&mut self, root: AstId, scope: ScopeId) -> AstId {
         let mut tasks = vec![Task::Copy(root, scope)];
@@ -126,9 +38,13 @@ impl<'a> Copier<'a> {
                     function.text = name;
                     copies.push(self.expressions.add(Expression::Call(function, operands), origin));
                 }
-                Task::Total(count, origin) => {
+                Task::Fold(fold, count, origin) => {
                     let terms = copies.split_off(copies.len().saturating_sub(count));
-                    copies.push(self.total(&terms, origin));
+                    copies.push(self.folded(fold, &terms, origin));
+                }
+                Task::Entry(indices, origin) => {
+                    let whole = copies.pop();
+                    copies.extend(whole.map(|whole| self.entry(whole, &indices, None, origin)));
                 }
             }
         }
@@ -150,8 +66,12 @@ impl<'a> Copier<'a> {
             Expression::Name(_)
             | Expression::Component(..)
             | Expression::Array(ArrayExpression::Element(_)) => self.path(id, scope, tasks),
-            Expression::Array(ArrayExpression::Sum { variable, range, term }) => {
-                self.sum((&variable, &range, term), (scope, origin), tasks)
+            Expression::Array(ArrayExpression::Fold { fold, variable, range, term }) => {
+                self.fold(fold, (&variable, &range, term), (scope, origin), tasks)
+            }
+            Expression::Entry { of, indices, .. } => {
+                let indices = indices.into_iter().map(|index| (index, scope)).collect::<Vec<_>>();
+                self.behind(of, &indices, (scope, origin), tasks)
             }
             // Only definitions of arrays have lists.
             Expression::Array(ArrayExpression::List(_)) => {
@@ -197,6 +117,11 @@ impl<'a> Copier<'a> {
                 Some(self.expressions.add(Expression::Number(Number::from(value)), origin))
             }
             Ok(Target::Hidden) => Some(id),
+            Ok(Target::Entry(of, inner, indices)) => self.behind(of, &indices, (inner, origin), tasks),
+            Ok(Target::HiddenEntry(segment)) => {
+                let parameter = self.expressions.add(Expression::Name(segment.text), origin);
+                self.behind(parameter, &segment.indices, (scope, origin), tasks)
+            }
             Ok(Target::Expression(value, scope)) => {
                 tasks.push(Task::Copy(value, scope));
                 None
@@ -221,14 +146,14 @@ impl<'a> Copier<'a> {
             let message = messages::no_array(&name.text);
             return Some(self.invalid(id, message, &messages::no_array_help(&name.text)));
         }
-        if let Expression::Component(_, name) = self.expressions.get(id).clone()
-            && let Some(first) = name.indices.first()
+        if let Expression::Component(of, name) = self.expressions.get(id).clone()
+            && !name.indices.is_empty()
         {
-            let origin = self.expressions.origin(*first);
-            if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&name.text)) {
-                error.help(messages::no_array_help(&name.text));
-            }
-            return Some(self.expressions.add(Expression::Invalid, self.expressions.origin(id)));
+            let origin = self.expressions.origin(id);
+            let indices = name.indices.iter().map(|index| (*index, scope)).collect::<Vec<_>>();
+            let whole = Expression::Component(of, Name { indices: Vec::new(), ..name });
+            let whole = self.expressions.add(whole, origin);
+            return self.behind(whole, &indices, (scope, origin), tasks);
         }
         let operands = self.expressions.get(id).operands();
         tasks.push(Task::Make(id));
@@ -239,76 +164,24 @@ impl<'a> Copier<'a> {
     /// The copy of something declared.
     fn declared(&mut self, id: AstId, segment: &Segment, scope: ScopeId) -> AstId {
         let origin = self.expressions.origin(id);
+        if segment.indices.is_empty() && self.elements.is_array(&segment.text) && self.complaints.is_partial()
+        {
+            // A list of values may have been meant as a vector.
+            return self.expressions.add(Expression::Invalid, origin);
+        }
+        if let Some(whole) = self.part_of_whole(segment, (scope, origin)) {
+            return whole.unwrap_or_else(|| self.expressions.add(Expression::Invalid, origin));
+        }
         if !segment.indices.is_empty() {
             let element = self.element(segment, scope).map(Expression::Name);
             return self.expressions.add(element.unwrap_or(Expression::Invalid), origin);
         }
         let name = segment.text.as_str();
         match self.objection(name) {
-            Some((message, help)) => {
-                // A list of values may have been meant as a vector.
-                if self.elements.is_array(name) && self.complaints.is_partial() {
-                    return self.expressions.add(Expression::Invalid, origin);
-                }
-                self.invalid(id, message, &help)
-            }
+            Some((message, help)) => self.invalid(id, message, &help),
             None if matches!(self.expressions.get(id), Expression::Name(same) if same == name) => id,
             None => self.expressions.add(Expression::Name(name.to_owned()), origin),
         }
-    }
-
-    /// True of a function of the user's crate that no part declared before.
-    pub(super) fn is_first_of(&mut self, function: &ExternalFunction) -> bool {
-        let key = format!("{} {}", function.name.text, function.parameters.len());
-        self.external.insert(key) || function.derivatives.is_some()
-    }
-
-    /// Reports an expression, which has no meaning.
-    fn invalid(&mut self, id: AstId, message: String, help: &str) -> AstId {
-        let origin = self.expressions.origin(id);
-        if let Some(error) = self.complaints.once(id, origin, message) {
-            error.help(help);
-        }
-        self.expressions.add(Expression::Invalid, origin)
-    }
-
-    /// The message for a part where a value is needed, and what to do.
-    pub(super) fn part_as_value(&self, part: PlacedId) -> (String, String) {
-        let part = self.scopes.placed(part);
-        let name = part.written.trim_end_matches('.');
-        let members = messages::members_are(&part.interior.name.text, part.interior.names());
-        (messages::part_as_value(name), members)
-    }
-
-    /// Returns the name of an element. An element that does not exist is reported.
-    pub(super) fn element(&mut self, array: &Segment, scope: ScopeId) -> Option<String> {
-        let counting =
-            Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
-        let ((first, _), (last, _)) = (array.indices.first()?, array.indices.last()?);
-        let origin = self.expressions.origin(*first).to(self.expressions.origin(*last));
-        if !self.elements.is_indexed(&array.text) {
-            if !self.elements.is_declared(&array.text, self.complaints.names) {
-                self.complaints.unknown_array(
-                    &array.text,
-                    (*first, array.span.into()),
-                    (&self.scopes, scope),
-                );
-            } else if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&array.text))
-            {
-                error.help(messages::no_array_help(&array.text));
-            }
-            return None;
-        }
-        let indices = counted_indices(&array.indices, counting, &mut self.complaints)?;
-        if let Some(text) = self.elements.text(&array.text, &indices) {
-            return Some(text.to_owned());
-        }
-        let (message, help) = self.elements.objection(&array.text, &indices)?;
-        let message = format!("{message}{}", self.scopes.place_of(scope));
-        if let Some(error) = self.complaints.once(*first, origin, message) {
-            error.help(help);
-        }
-        None
     }
 
     /// The name of the function that a call in a scope means. One that is not known is reported.
@@ -335,27 +208,9 @@ impl<'a> Copier<'a> {
         }
     }
 
-    /// The numbers of elements behind the name of an array that is declared as a whole.
-    pub(super) fn sizes(&mut self, name: &Name, scope: ScopeId) -> Option<Vec<i64>> {
-        if !self.elements.is_indexed(&self.scopes.prefixed(scope, &name.text)) {
-            return None;
-        }
-        let counting =
-            Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
-        indices_of(name, scope, counting, &mut self.complaints)
-    }
-
-    /// Why a name without an index means nothing, and what to do.
-    pub(super) fn objection(&self, name: &str) -> Option<(String, String)> {
-        if self.elements.is_array(name) {
-            return Some((messages::no_index(name), messages::written_help(self.elements.example(name))));
-        }
-        let written = self.elements.as_written(name).filter(|_| !self.complaints.names.contains(name))?;
-        Some((messages::unknown_name(name), messages::write(written)))
-    }
-
-    fn sum(
+    fn fold(
         &mut self,
+        fold: Fold,
         (variable, range, term): (&Name, &Range, AstId),
         (scope, origin): (ScopeId, Origin),
         tasks: &mut Vec<Task>,
@@ -370,7 +225,7 @@ impl<'a> Copier<'a> {
             let place = origin_of(self.expressions, range);
             return Some(self.too_long(place));
         }
-        tasks.push(Task::Total(count as usize, origin));
+        tasks.push(Task::Fold(fold, count as usize, origin));
         for value in values.rev() {
             let scope = self.scopes.within(scope, &variable.text, value);
             tasks.push(Task::Copy(term, scope));
@@ -378,23 +233,26 @@ impl<'a> Copier<'a> {
         None
     }
 
-    /// a + b + c, as it would be written.
-    fn total(&mut self, terms: &[AstId], origin: Origin) -> AstId {
-        let add = |left, right| Expression::Binary(BinaryOperator::Add, origin.start, left, right);
-        match terms {
-            [] => self.expressions.add(Expression::Number(Number::ZERO), origin),
-            [first, others @ ..] => {
-                others.iter().fold(*first, |sum, term| self.expressions.add(add(sum, *term), origin))
+    /// a + b + c, a * b * c, `min(a, b, c)` or `max(a, b, c)`, as it would be written.
+    fn folded(&mut self, fold: Fold, terms: &[AstId], origin: Origin) -> AstId {
+        let operator = match (fold, terms) {
+            (_, &[single]) => return single,
+            (Fold::Sum, []) => return self.expressions.add(Expression::Number(Number::ZERO), origin),
+            (Fold::Product, []) => return self.expressions.add(Expression::Number(Number::ONE), origin),
+            (Fold::Minimum | Fold::Maximum, []) => {
+                let error = self.complaints.report.error(origin, messages::nothing_to_compare(fold.word()));
+                error.help(messages::NOTHING_TO_COMPARE_HELP);
+                return self.expressions.add(Expression::Invalid, origin);
             }
-        }
-    }
-
-    /// Once is enough.
-    fn too_long(&mut self, origin: Origin) -> AstId {
-        if !std::mem::replace(&mut self.is_too_long, true) {
-            let error = self.complaints.report.error(origin, messages::too_many_terms(MAX_WRITTEN_OUT));
-            error.help(messages::TOO_LONG_HELP);
-        }
-        self.expressions.add(Expression::Invalid, origin)
+            (Fold::Minimum | Fold::Maximum, terms) => {
+                let call = Expression::Call(Name::new(fold.word(), origin.start), terms.to_vec());
+                return self.expressions.add(call, origin);
+            }
+            (Fold::Sum, _) => BinaryOperator::Add,
+            (Fold::Product, _) => BinaryOperator::Multiply,
+        };
+        let both = |left, right| Expression::Binary(operator, origin.start, left, right);
+        let [first, others @ ..] = terms else { return self.expressions.add(Expression::Invalid, origin) };
+        others.iter().fold(*first, |all, term| self.expressions.add(both(all, *term), origin))
     }
 }

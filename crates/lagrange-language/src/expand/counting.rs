@@ -120,6 +120,7 @@ impl Counting<'_> {
             | Expression::Tuple(_)
             | Expression::Call(..)
             | Expression::Component(..)
+            | Expression::Entry { .. }
             | Expression::If { .. } => return Err(Reason::Form),
         };
         if value.is_short() { Ok(value) } else { Err(Reason::TooLarge) }

@@ -30,6 +30,8 @@ pub(super) struct Plain {
     /// Number of the statement that declares it.
     pub(super) statement: usize,
     pub(super) written: String,
+    /// True of a `let`, whose value may be a vector.
+    pub(super) is_let: bool,
 }
 
 /// Elements of one array.
@@ -42,6 +44,8 @@ pub(super) struct Array {
     pub(super) sizes: Option<Vec<i64>>,
     /// The number of indices.
     pub(super) rank: usize,
+    /// True if its elements have values.
+    pub(super) has_values: bool,
     /// Places of elements, by their indices, with what they are called.
     pub(super) elements: BTreeMap<Vec<i64>, (Span, String)>,
 }
@@ -94,6 +98,32 @@ impl ElementNames {
     /// Returns the spelling of an element with this name.
     pub(super) fn as_written(&self, text: &str) -> Option<&str> {
         self.texts.get(&text.to_owned()).map(|(_, written)| written.as_str())
+    }
+
+    /// Returns the number of indices of an array whose elements have values.
+    pub(super) fn rank_of_values(&self, name: &str) -> Option<usize> {
+        self.arrays.get(&name.to_owned()).filter(|array| array.has_values).map(|array| array.rank)
+    }
+
+    /// Returns the sizes of an array of values without gaps.
+    pub(super) fn sizes_of_values(&self, name: &str) -> Option<Vec<usize>> {
+        self.arrays.get(&name.to_owned()).filter(|array| array.has_values)?.extents()
+    }
+
+    /// Returns the indices and names of all elements of an array.
+    pub(super) fn all_of(&self, name: &str) -> Vec<(Vec<i64>, String)> {
+        let elements = self.arrays.get(&name.to_owned()).into_iter().flat_map(|array| &array.elements);
+        elements.map(|(indices, (_, text))| (indices.clone(), text.clone())).collect()
+    }
+
+    /// Returns the name of an element of an array of values.
+    pub(super) fn text_of_value(&self, name: &str, indices: &[i64]) -> Option<&str> {
+        self.arrays.get(&name.to_owned())?.elements.get(indices).map(|(_, text)| text.as_str())
+    }
+
+    /// True if a name without indices is that of a `let`.
+    pub(super) fn is_let(&self, name: &str) -> bool {
+        self.plain.get(&name.to_owned()).is_some_and(|plain| plain.is_let)
     }
 
     /// An example of how an array is used.

@@ -4,6 +4,10 @@ use super::complaints::Complaints;
 use super::counting::Counting;
 use super::scopes::ScopeId;
 use crate::syntax::ast::{AstId, Name};
+use lagrange_expr::diagnostics::Origin;
+
+/// An index and its place.
+pub(super) type PlacedIndex = (i64, Origin);
 
 /// The indices behind a name as integers; what is wrong about them is reported.
 pub(super) fn indices_of(

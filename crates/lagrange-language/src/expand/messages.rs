@@ -45,10 +45,14 @@ messages! {
         "conditions around statements can only use indices, and `{name}` is known only at run time";
     did_you_mean(name) = "did you mean `{name}`?";
     no_array(name) = "`{name}` is not an array and has no elements";
-    no_array_help(name) = "write `{name}`; the components of a vector are `.x`, `.y` and `.z`";
+    no_array_help(name) = "write `{name}`; vectors and matrices have indices, `let p = (x, y); … p[0]`";
     no_index(name) = "`{name}` is an array: specify one of its elements";
     written_help(example) = "write an index after it, as in `{example}`";
+    nothing_to_compare(function) = "there is no `{function}` of an empty range";
+    NOTHING_TO_COMPARE_HELP = "let the range have at least one value";
+    NO_WHOLE = "an array with more than two indices has no value as a whole";
     no_element(element) = "there is no `{element}`";
+    below_zero(index) = "the index {index} is negative";
     negative_index(element) = "there is no `{element}`: an index is negative";
     declared_again(name) = "`{name}` is declared again in every iteration of the loop";
     declared_again_help(name) = "declare an element in each, `{name}[i]`, or declare it before the loop";

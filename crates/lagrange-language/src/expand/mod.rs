@@ -14,6 +14,7 @@
 
 mod collecting;
 mod complaints;
+mod copier;
 mod copies;
 mod corners;
 mod counting;
@@ -30,6 +31,7 @@ mod statements;
 mod tests;
 mod unrolling;
 mod warnings;
+mod wholes;
 
 use std::collections::BTreeSet;
 
@@ -38,7 +40,7 @@ use crate::syntax::ast::{
 };
 use collecting::declared_elements;
 use complaints::Complaints;
-use copies::Copier;
+use copier::Copier;
 use corners::{has_corners, loop_over_corners};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::Report;
@@ -84,7 +86,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
 /// True if there is anything to be written out.
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| match expression {
-        Expression::Array(_) => true,
+        Expression::Array(_) | Expression::Entry { .. } => true,
         Expression::Component(_, name) => !name.indices.is_empty(),
         _ => false,
     };
@@ -133,10 +135,11 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     for (_, expression) in expressions.iter() {
         match expression {
             Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
-            Expression::Array(ArrayExpression::Sum { range, .. }) => roots.extend([range.from, range.to]),
+            Expression::Array(ArrayExpression::Fold { range, .. }) => roots.extend([range.from, range.to]),
             Expression::Array(ArrayExpression::Select { condition, .. }) => {
                 roots.extend(condition.expressions());
             }
+            Expression::Entry { indices, .. } => roots.extend(indices),
             _ => {}
         }
     }

@@ -17,12 +17,15 @@ pub(super) struct Path {
     members: Vec<Segment>,
 }
 
-/// A name with its indices, each with the scope of its names.
+/// An index and the scope of its names.
+pub(super) type ScopedIndex = (AstId, ScopeId);
+
+/// A name with its indices.
 #[derive(Clone, Debug)]
 pub(super) struct Segment {
     pub(super) text: String,
     pub(super) span: Span,
-    pub(super) indices: Vec<(AstId, ScopeId)>,
+    pub(super) indices: Vec<ScopedIndex>,
 }
 
 /// The meaning of a path.
@@ -34,6 +37,10 @@ pub(super) enum Target {
     Hidden,
     /// An argument that stands for an expression.
     Expression(AstId, ScopeId),
+    /// An entry of a parameter of a function.
+    HiddenEntry(Segment),
+    /// An entry of an expression that an argument stands for.
+    Entry(AstId, ScopeId, Vec<ScopedIndex>),
     /// Something declared: its name in the expanded declaration, without its indices.
     Declared(Segment),
     /// A part, which is no value.
@@ -114,6 +121,9 @@ impl Path {
                     Meaning::Argument(value, scope) if path.is_bare() => {
                         return Ok(Target::Expression(value, scope));
                     }
+                    Meaning::Hidden if path.members.is_empty() => {
+                        return Ok(Target::HiddenEntry(path.first));
+                    }
                     Meaning::Argument(value, scope) => (value, scope, path.first, path.members),
                     Meaning::Declared(text) if path.members.is_empty() => {
                         return Ok(Target::Declared(Segment { text, ..path.first }));
@@ -128,6 +138,9 @@ impl Path {
             // The argument stands for a path outside, which goes on with the same members.
             match Path::of(counting.expressions, value, scope) {
                 Some(outside) => path = outside.followed_by(argument, members),
+                None if members.is_empty() && !argument.indices.is_empty() => {
+                    return Ok(Target::Entry(value, scope, argument.indices));
+                }
                 None => return Ok(Target::Beyond),
             }
         }

@@ -1,14 +1,15 @@
 //! Statements as they are meant once.
 
-use super::copies::Copier;
+use super::copier::Copier;
 use super::defaults::{element_of, fits, positions};
 use super::messages;
 use super::paths::{Path, Target};
 use super::scopes::ScopeId;
 use super::unrolling::Instance;
+use super::wholes::WholeArray;
 use crate::syntax::ast::{
-    AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion, SceneStatement, Statement,
-    StatementKind,
+    ArrayShape, AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion, Reduction,
+    ReductionItem, SceneStatement, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
 
@@ -35,12 +36,55 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
             let of_values = |name| StatementKind::Mode(Mode { name, values: values.clone() });
             return elements.map(|(_, name)| with(of_values(name))).collect();
         }
+        StatementKind::StateRate(name, value) | StatementKind::ForceOn(name, value)
+            if let Some(array) = copier.whole_array(name, scope) =>
+        {
+            let of_element = |(name, value)| match &statement.kind {
+                StatementKind::StateRate(..) => with(StatementKind::StateRate(name, value)),
+                _ => with(StatementKind::ForceOn(name, value)),
+            };
+            let value = copier.copied(*value, scope);
+            return given_to(copier, name, &array, value).into_iter().map(of_element).collect();
+        }
+        StatementKind::Reduce(reduction) => {
+            let items = reduction.items.iter().flat_map(|item| reduced(copier, item, scope)).collect();
+            StatementKind::Reduce(Reduction { items, ..reduction.clone() })
+        }
         kind => match single(copier, kind, scope) {
             Some(kind) => kind,
             None => return Vec::new(),
         },
     };
     vec![with(kind)]
+}
+
+/// The elements of a whole array, each with its part of a value.
+fn given_to(copier: &mut Copier<'_>, name: &Name, array: &WholeArray, value: AstId) -> Vec<(Name, AstId)> {
+    let shape = ArrayShape::of_sizes(&array.sizes);
+    let part = |(indices, text): &(Vec<i64>, String)| {
+        (element(name, text.clone()), copier.part_given(value, indices, shape))
+    };
+    array.elements.iter().map(part).collect()
+}
+
+/// A change to a coordinate, or one to each element of an array of them.
+fn reduced(copier: &mut Copier<'_>, item: &ReductionItem, scope: ScopeId) -> Vec<ReductionItem> {
+    let value = item.value.map(|value| copier.copied(value, scope));
+    if let Some(array) = copier.whole_array(&item.coordinate, scope) {
+        let with = |coordinate, value| ReductionItem { coordinate, value, kind: item.kind };
+        return match value {
+            Some(value) => {
+                let given = given_to(copier, &item.coordinate, &array, value).into_iter();
+                given.map(|(coordinate, value)| with(coordinate, Some(value))).collect()
+            }
+            None => {
+                let texts = array.elements.into_iter();
+                texts.map(|(_, text)| with(element(&item.coordinate, text), None)).collect()
+            }
+        };
+    }
+    let coordinate = mentioned(copier, &item.coordinate, scope).into_iter();
+    coordinate.map(|coordinate| ReductionItem { coordinate, value, kind: item.kind }).collect()
 }
 
 /// A statement without indices.
@@ -70,6 +114,9 @@ fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Opti
     let mut copies: HashMap<AstId, AstId> = HashMap::default();
     for id in kind.expressions_mut() {
         *id = *copies.get_or_insert_with(*id, || copier.copied(*id, inner));
+    }
+    if let Some(assignments) = kind.assignments_mut() {
+        *assignments = assignments.drain(..).flat_map(|one| copier.assigned(one)).collect();
     }
     Some(kind)
 }
@@ -108,7 +155,13 @@ fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Nam
             },
             Ok(Target::Part(part)) => copier.part_as_value(part),
             // A variable or something without members, of which nobody knows as a name.
-            Ok(Target::Value(_) | Target::Hidden | Target::Beyond) => match name.members.is_empty() {
+            Ok(
+                Target::Value(_)
+                | Target::Hidden
+                | Target::HiddenEntry(_)
+                | Target::Entry(..)
+                | Target::Beyond,
+            ) => match name.members.is_empty() {
                 true => return Some(name.clone()),
                 false => (messages::no_part(&name.text), messages::no_part_help(&name.text)),
             },

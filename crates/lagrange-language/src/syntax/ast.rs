@@ -3,6 +3,7 @@
 //! Expressions live in an arena and refer to each other by [`AstId`], so that trees of any depth
 //! are built, walked and dropped without recursion. Children have smaller ids than their parents.
 
+mod array_shapes;
 pub mod bodies;
 mod callables;
 mod conditions;
@@ -19,6 +20,7 @@ mod surfaces;
 use lagrange_expr::accuracy::Accuracy;
 use proc_macro2::{Span, TokenStream};
 
+pub use array_shapes::ArrayShape;
 pub use bodies::{Body, Connector, ConnectorKind, Joint, JointKind, Part, SceneStatement, Shape};
 pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
@@ -29,7 +31,9 @@ pub use definitions::{
     AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
 };
 pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
-pub use expressions::{ArrayExpression, BinaryOperator, Condition, Expression, Expressions, IN_AXES, Range};
+pub use expressions::{
+    ArrayExpression, BinaryOperator, Condition, Expression, Expressions, Fold, IN_AXES, Range,
+};
 pub use id::AstId;
 pub use keywords::{Keyword, Soft};
 use lagrange_expr::collections::HashMap;

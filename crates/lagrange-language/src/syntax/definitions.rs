@@ -257,7 +257,7 @@ impl Parser<'_> {
             Some(group) => {
                 let names = self.inside(&group, |parser, cursor| parser.component_names("let", cursor));
                 let value = self.assigned(help, cursor)?;
-                Ok(StatementKind::LetTuple(self.two_or_three(names?, &group)?, value))
+                Ok(StatementKind::LetTuple(self.several(names?, &group)?, value))
             }
         }
     }
@@ -296,13 +296,10 @@ impl Parser<'_> {
         Err(self.fail_with_help(cursor.here(), message, form(keyword)))
     }
 
-    fn two_or_three(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
+    fn several(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
         match names.len() {
-            2 | 3 => Ok(names),
-            count => {
-                let message = messages::component_count(count);
-                Err(self.fail_with_help(group_origin(group), message, form("let")))
-            }
+            1 => Err(self.fail_with_help(group_origin(group), messages::ONE_COMPONENT, form("let"))),
+            _ => Ok(names),
         }
     }
 

@@ -32,12 +32,13 @@ const fn words_from(
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along", "inside"];
 
 /// Functions of the language that are no elementary functions, with their number of arguments.
-pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 10] = [
+pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 11] = [
     ("dot", 1),
     ("ddot", 1),
     ("norm", 1),
     ("inner", 2),
     ("cross", 2),
+    ("transpose", 1),
     ("kinetic_energy", 2),
     ("gravitational_energy", 3),
     ("spring_energy", 2),

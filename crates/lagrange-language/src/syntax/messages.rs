@@ -105,8 +105,7 @@ messages! {
     constant_without_value(name) = "the constant {} needs a value", quoted(name);
     CONSTANT_WITHOUT_VALUE_HELP =
         "write `const name = value;`, or `param name;` for a value known only when the program runs";
-    component_count(count) = "a vector has two or three components, not {count}";
-    COMPONENT_COUNT_HELP = "name the numbers one by one, `let a = …;`";
+    ONE_COMPONENT = "a vector has two or more components, not 1";
     statement_keyword_as_name(name) = "{} begins a statement and cannot be a name", quoted(name);
     rust_keyword_as_name(name) = "{} is a Rust keyword and cannot be a name", quoted(name);
     function_as_name(name) = "{} is a function and cannot be declared", quoted(name);

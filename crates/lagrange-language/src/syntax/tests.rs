@@ -61,7 +61,9 @@ fn shown(expressions: &Expressions, id: AstId) -> String {
             let condition_list = list(condition.relation.sign(), &[condition.left, condition.right]);
             format!("(if {condition_list} {} {})", show(*then), show(*otherwise))
         }
-        Expression::Array(_) | Expression::Quantity(..) => super::print::expression(expressions, id),
+        Expression::Array(_) | Expression::Quantity(..) | Expression::Entry { .. } => {
+            super::print::expression(expressions, id)
+        }
         Expression::Invalid => "?".to_owned(),
     }
 }

@@ -10,8 +10,8 @@ use lagrange_expr::collections::HashMap;
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{
-    Action, AllowedRange, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name, ScalarType,
-    StateVelocity, Statement, StatementKind,
+    Action, AllowedRange, ArrayShape, AstId, BinaryOperator, Declaration, Direction, Event, Expression, Name,
+    ScalarType, StateVelocity, Statement, StatementKind,
 };
 pub(in crate::emit) use spelling::{doc, identifier, length, local, method_of, motion_name};
 
@@ -99,7 +99,7 @@ impl<'a> Shape<'a> {
             units: NamedUnits::default(),
             written: written_names(declaration),
         };
-        let (mut inputs, components) = (Vec::new(), component_counts(declaration));
+        let (mut inputs, shapes) = (Vec::new(), shapes_of_expressions(declaration));
         for statement in &declaration.statements {
             match &statement.kind {
                 StatementKind::Parameters(list) => shape.fields.extend(list.iter().map(|d| &d.name)),
@@ -108,7 +108,7 @@ impl<'a> Shape<'a> {
                 StatementKind::Event(event) => shape.add_event(event),
                 StatementKind::Stabilise(_) => shape.is_stabilised = true,
                 StatementKind::Friction(friction) => {
-                    let is_planar = components.get(&friction.slip) == Some(&2);
+                    let is_planar = shapes.get(&friction.slip) == Some(&ArrayShape::Vector(2));
                     let touch = match friction.width {
                         Some(_) => Touch::Smooth,
                         None if is_planar => Touch::Planar,
@@ -117,7 +117,8 @@ impl<'a> Shape<'a> {
                     shape.touching.push((&friction.name, touch));
                 }
                 StatementKind::Output(name, value) => {
-                    shape.outputs.push((name.clone(), components.get(value).copied().unwrap_or(1)));
+                    let count = shapes.get(value).map_or(1, |shape| shape.count());
+                    shape.outputs.push((name.clone(), count));
                 }
                 // Part of the state, of the equations or of other types, or gone once the
                 // declaration is plain.
@@ -297,38 +298,46 @@ fn scalar_parts(declaration: &Declaration, positions: &[&Name]) -> Vec<usize> {
     parts.collect()
 }
 
-/// Number of components of expressions, judged by how they are written; one where that is wrong.
-fn component_counts(declaration: &Declaration) -> HashMap<AstId, usize> {
+/// Shapes of expressions, judged by how they are written; scalars where that is wrong.
+fn shapes_of_expressions(declaration: &Declaration) -> HashMap<AstId, ArrayShape> {
     let mut named = HashMap::default();
     for statement in &declaration.statements {
         if let StatementKind::Let(name, value) = &statement.kind {
             named.insert(name.text.clone(), *value);
         }
     }
-    let mut counts = HashMap::default();
+    let mut shapes = HashMap::default();
     for (id, expression) in declaration.expressions.iter() {
-        let known = |id: &AstId| counts.get(id).copied().unwrap_or(1);
-        let count = match expression {
-            Expression::Name(name) => named.get(name).map_or(1, known),
-            Expression::Tuple(components) => components.len(),
-            Expression::Negate(operand) => known(operand),
-            Expression::Binary(BinaryOperator::Power, ..) => 1,
-            Expression::Binary(_, _, left, right) => known(left).max(known(right)),
-            Expression::If { then, .. } => known(then),
+        let known = |id: &AstId| shapes.get(id).copied().unwrap_or(ArrayShape::Scalar);
+        let entry = |of: &AstId, indices: &[AstId]| {
+            known(of).entry(&declaration.expressions.places(indices)?).map(|(_, shape)| shape)
+        };
+        let shape = match expression {
+            Expression::Name(name) => named.get(name).map(known),
+            Expression::Tuple(rows) => ArrayShape::stacked(&rows.iter().map(known).collect::<Vec<_>>()),
+            Expression::Entry { of, indices, .. } => entry(of, indices),
+            Expression::Negate(operand) => Some(known(operand)),
+            Expression::Binary(BinaryOperator::Multiply, _, left, right) => known(left).times(known(right)),
+            Expression::Binary(BinaryOperator::Power, ..) => None,
+            Expression::Binary(_, _, left, _) => Some(known(left)),
+            Expression::If { then, .. } => Some(known(then)),
             Expression::Call(function, arguments) => match (function.text.as_str(), arguments.first()) {
-                ("dot" | "ddot", Some(argument)) => known(argument),
-                ("cross", Some(argument)) if known(argument) == 3 => 3,
-                _ => 1,
+                ("dot" | "ddot", Some(argument)) => Some(known(argument)),
+                ("cross", Some(argument)) if known(argument) == ArrayShape::Vector(3) => {
+                    Some(known(argument))
+                }
+                ("transpose", Some(argument)) => known(argument).transposed(),
+                _ => None,
             },
             Expression::Number(_)
             | Expression::Quantity(..)
             | Expression::Component(..)
             | Expression::Array(_)
-            | Expression::Invalid => 1,
+            | Expression::Invalid => None,
         };
-        counts.insert(id, count);
+        shapes.insert(id, shape.unwrap_or(ArrayShape::Scalar));
     }
-    counts
+    shapes
 }
 
 fn written_names(declaration: &Declaration) -> HashMap<&str, &str> {

@@ -77,9 +77,8 @@ pub(super) fn named_value(checker: &mut Checker<'_>, name: &Name, value: AstId) 
         return checker.value(value);
     }
     let form = declared(checker, name);
-    let count = checker.value(value).components.len();
-    let is_vector = checker.known_value(value).is_vector;
-    let expected = Measure { components: vec![Some(form); count], is_vector, has_rates: false };
+    let found = checker.value(value);
+    let expected = Measure::of(found.shape, vec![Some(form); found.components.len()]);
     checker.require(value, &expected, &value_of(name))
 }
 

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use proc_macro2::Span;
 
 use super::Name;
+use super::array_shapes::ArrayShape;
 use super::conditions::{Comparison, IndexCondition};
 use super::id::AstId;
 use lagrange_expr::diagnostics::Origin;
@@ -52,7 +53,7 @@ pub enum Expression {
     Quantity(AstId, Box<Unit>),
     /// A name, not yet resolved.
     Name(String),
-    /// `(a, b)` or `(a, b, c)`.
+    /// `(a, b)`: a vector, or a matrix of vectors as rows.
     Tuple(Vec<AstId>),
     /// `-a`
     Negate(AstId),
@@ -62,6 +63,15 @@ pub enum Expression {
     Call(Name, Vec<AstId>),
     /// `a.x`, or `a.k[1]` of a part
     Component(AstId, Name),
+    /// `v[0]` or `(A * B)[i][j]`: a component of a vector, a row or an entry of a matrix.
+    Entry {
+        /// The vector or matrix.
+        of: AstId,
+        /// Indices, which are numbers where arrays are expanded.
+        indices: Vec<AstId>,
+        /// The shape that the value must have, if that of something else decides.
+        shape: Option<ArrayShape>,
+    },
     /// `if c { a } else { b }`; longer chains nest in `otherwise`.
     If {
         /// The condition.
@@ -88,6 +98,9 @@ impl Expression {
             Expression::Component(of, name) => {
                 [*of].into_iter().chain(name.indices.iter().copied()).collect()
             }
+            Expression::Entry { of, indices, .. } => {
+                [*of].into_iter().chain(indices.iter().copied()).collect()
+            }
             Expression::Binary(_, _, a, b) => vec![*a, *b],
             Expression::If { condition, then, otherwise } => {
                 vec![condition.left, condition.right, *then, *otherwise]
@@ -107,6 +120,9 @@ impl Expression {
             Expression::Component(_, name) => {
                 Expression::Component(parts[0], Name { indices: parts[1..].to_vec(), ..name })
             }
+            Expression::Entry { shape, .. } => {
+                Expression::Entry { of: parts[0], indices: parts[1..].to_vec(), shape }
+            }
             Expression::Binary(operator, span, ..) => Expression::Binary(operator, span, parts[0], parts[1]),
             Expression::If { mut condition, .. } => {
                 (condition.left, condition.right) = (parts[0], parts[1]);
@@ -122,13 +138,15 @@ impl Expression {
 pub enum ArrayExpression {
     /// `p[i + 1]`
     Element(Name),
-    /// `sum(i in 0..n, e)`
-    Sum {
+    /// `sum(i in 0..n, e)`, `product(…)`, `min(…)` or `max(…)`
+    Fold {
+        /// The function of all terms.
+        fold: Fold,
         /// The variable.
         variable: Name,
         /// Its values.
         range: Range,
-        /// Term added for each of them.
+        /// Term for each of them.
         term: AstId,
     },
     /// `if i == 0 { a } else { b }`, where indices decide.
@@ -149,7 +167,7 @@ impl ArrayExpression {
     fn operands(&self) -> Vec<AstId> {
         match self {
             ArrayExpression::Element(name) => name.indices.clone(),
-            ArrayExpression::Sum { range, term, .. } => vec![range.from, range.to, *term],
+            ArrayExpression::Fold { range, term, .. } => vec![range.from, range.to, *term],
             ArrayExpression::List(elements) => elements.clone(),
             ArrayExpression::Select { condition, then, otherwise } => {
                 condition.expressions().into_iter().chain([*then, *otherwise]).collect()
@@ -166,11 +184,39 @@ impl ArrayExpression {
                 let places = condition.expressions_mut().into_iter().chain([then, otherwise]);
                 places.zip(parts).for_each(|(place, part)| *place = *part);
             }
-            ArrayExpression::Sum { range, term, .. } => {
+            ArrayExpression::Fold { range, term, .. } => {
                 (range.from, range.to, *term) = (parts[0], parts[1], parts[2]);
             }
         }
         self
+    }
+}
+
+/// A function of the terms of a range.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Fold {
+    /// Their sum.
+    Sum,
+    /// Their product.
+    Product,
+    /// The smallest of them.
+    Minimum,
+    /// The largest of them.
+    Maximum,
+}
+
+impl Fold {
+    /// All of them.
+    pub const ALL: [Fold; 4] = [Fold::Sum, Fold::Product, Fold::Minimum, Fold::Maximum];
+
+    /// Returns the word for it.
+    pub fn word(self) -> &'static str {
+        match self {
+            Fold::Sum => "sum",
+            Fold::Product => "product",
+            Fold::Minimum => "min",
+            Fold::Maximum => "max",
+        }
     }
 }
 
@@ -249,6 +295,15 @@ impl Expressions {
         }
         // Operands are added before what is made of them.
         found.into_iter().collect()
+    }
+
+    /// Returns the numbers that expanded indices are.
+    pub fn places(&self, indices: &[AstId]) -> Option<Vec<usize>> {
+        let place = |index: &AstId| match self.get(*index) {
+            Expression::Number(number) => usize::try_from(number.to_integer()?).ok(),
+            _ => None,
+        };
+        indices.iter().map(place).collect()
     }
 
     /// Returns `x` of an expression `dot(x)`.

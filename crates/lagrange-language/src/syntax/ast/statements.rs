@@ -14,7 +14,7 @@ use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
 use super::definitions::{Definition, EmitItem, Mode, Reduction, StateKind};
-use super::events::{Assignment, Clock, Event, Friction};
+use super::events::{Action, Assignment, Clock, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
@@ -148,7 +148,7 @@ pub enum StatementKind {
     ForceOn(Name, AstId),
     /// `force f at p;`
     ForceAt {
-        /// A vector of two or three components.
+        /// A vector of as many components.
         force: AstId,
         /// The point it acts on, a vector of as many components.
         point: AstId,
@@ -376,6 +376,19 @@ impl StatementKind {
         }
     }
 
+    /// Returns its lists of assignments.
+    pub fn assignments_mut(&mut self) -> Option<&mut Vec<Assignment>> {
+        match self {
+            StatementKind::Start(assignments) => Some(assignments),
+            StatementKind::Every(clock) => Some(&mut clock.assignments),
+            StatementKind::Event(event) => match &mut event.action {
+                Action::Assign(assignments) => Some(assignments),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// Returns the names that a statement declares, each with the expression for its value or for
     /// the start of its value.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
@@ -390,6 +403,27 @@ impl StatementKind {
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
             StatementKind::Solve(unknown) => vec![(&unknown.name, unknown.start.as_mut())],
             kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
+        }
+    }
+
+    /// True if names that it declares are those of values.
+    pub fn declares_values(&self) -> bool {
+        match self {
+            StatementKind::Parameters(_)
+            | StatementKind::Inputs(_)
+            | StatementKind::Constants(_)
+            | StatementKind::Coordinates(_)
+            | StatementKind::States(..)
+            | StatementKind::Mode(_)
+            | StatementKind::Quaternion(_)
+            | StatementKind::Velocity(..)
+            | StatementKind::Let(..)
+            | StatementKind::LetTuple(..)
+            | StatementKind::Solve(_)
+            | StatementKind::Constraint(..)
+            | StatementKind::Friction(_) => true,
+            StatementKind::Scene(scene) => matches!(scene, SceneStatement::Mobilizer(_)),
+            _ => false,
         }
     }
 

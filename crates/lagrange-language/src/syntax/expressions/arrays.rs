@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 use super::ReadOperand;
-use crate::syntax::ast::{ArrayExpression, AstId, Expression, Name, Range};
+use crate::syntax::ast::{ArrayExpression, AstId, Expression, Fold, Name, Range};
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::messages;
 use crate::syntax::messages::arrays;
@@ -90,22 +90,35 @@ impl Parser<'_> {
         Ok(self.add(Expression::Array(ArrayExpression::List(elements)), group_origin(group)).id)
     }
 
-    /// `(i in 0..n, e)` behind the word `sum`.
-    pub(in crate::syntax) fn sum(&mut self, group: &Group, word: Origin) -> Parsed<ReadOperand> {
-        let sum = self.inside(group, |parser, cursor| {
-            let (variable, range) = parser.variable(arrays::SUM_HELP, cursor)?;
+    /// `[i][j]` behind something other than a name.
+    pub(in crate::syntax) fn entry(
+        &mut self,
+        of: ReadOperand,
+        brackets: &[Group],
+        cursor: &Cursor,
+    ) -> Parsed<ReadOperand> {
+        let indices = self.with_indices(Name::new("the value", of.origin.start), brackets)?.indices;
+        let origin = of.origin.to(cursor.before());
+        Ok(self.add(Expression::Entry { of: of.id, indices, shape: None }, origin))
+    }
+
+    /// `(i in 0..n, e)` behind the word `sum` or the like.
+    pub(in crate::syntax) fn fold(&mut self, fold: Fold, group: &Group, word: Origin) -> Parsed<ReadOperand> {
+        let help = arrays::fold_help(fold.word());
+        let folded = self.inside(group, |parser, cursor| {
+            let (variable, range) = parser.variable(&help, cursor)?;
             if cursor.eat(',').is_none() {
                 let message = messages::expected("`,`", cursor.peek());
-                return Err(parser.fail_with_help(cursor.here(), message, arrays::SUM_HELP));
+                return Err(parser.fail_with_help(cursor.here(), message, &help));
             }
             let term = parser.within(&variable, |parser| parser.expression(cursor))?;
             cursor.eat(',');
             match cursor.at_end() {
-                true => Ok(ArrayExpression::Sum { variable, range, term }),
+                true => Ok(ArrayExpression::Fold { fold, variable, range, term }),
                 false => Err(parser.no_operator(cursor, "`)`")),
             }
         })?;
-        Ok(self.add(Expression::Array(sum), word.to(group_origin(group))))
+        Ok(self.add(Expression::Array(folded), word.to(group_origin(group))))
     }
 
     /// Reads what a variable has values in.
@@ -144,14 +157,15 @@ pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
     cursor.ident().is_some() && is_in
 }
 
-/// Advice for a function over a range other than a sum.
-pub(in crate::syntax) fn sum_in_other_words(name: &Name, group: &Group) -> Option<String> {
+/// Advice for a function over a range that has none.
+pub(in crate::syntax) fn fold_in_other_words(name: &Name, group: &Group) -> Option<String> {
     let inside = Cursor::inside(group);
     // `norm(v in arm)` has components in the axes of a body.
-    (at_loop(&inside) && at_range(&inside)).then(|| arrays::element_by_element(&name.text))
+    (at_loop(&inside) && at_range(&inside)).then(|| arrays::other_fold(&name.text))
 }
 
-/// True of a call that is a sum over a variable.
-pub(in crate::syntax) fn at_sum(name: &Name, group: &Group) -> bool {
-    name.text == "sum" && at_loop(&Cursor::inside(group))
+/// The function of a range that a call is.
+pub(in crate::syntax) fn at_fold(name: &Name, group: &Group) -> Option<Fold> {
+    let fold = Fold::ALL.into_iter().find(|fold| fold.word() == name.text)?;
+    at_loop(&Cursor::inside(group)).then_some(fold)
 }

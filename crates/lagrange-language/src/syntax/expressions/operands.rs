@@ -4,7 +4,7 @@ use lagrange_expr::keywords::is_rust_keyword;
 use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ReadOperand;
-use super::arrays::{at_sum, sum_in_other_words};
+use super::arrays::{at_fold, fold_in_other_words};
 use crate::syntax::ast::{AstId, Expression, Name};
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::keywords;
@@ -19,6 +19,16 @@ impl Parser<'_> {
     pub(in crate::syntax) fn operand(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let mut operand = self.atom(cursor)?;
         self.turns(cursor, |parser, cursor| {
+            let has_entries = parser.has_entries(operand);
+            let next = || match has_entries && parser.is_index_ahead(cursor) {
+                true => cursor.eat_group(Delimiter::Bracket),
+                false => None,
+            };
+            let brackets = std::iter::from_fn(next).collect::<Vec<_>>();
+            if !brackets.is_empty() {
+                operand = parser.entry(operand, &brackets, cursor)?;
+                return Ok(Turn::Next);
+            }
             if cursor.at_pair('.', '.') || cursor.eat('.').is_none() {
                 return Ok(Turn::Last);
             }
@@ -26,6 +36,26 @@ impl Parser<'_> {
             Ok(Turn::Next)
         })?;
         Ok(operand)
+    }
+
+    /// True if indices can follow. Those of names and members belong to these, and units to
+    /// numbers.
+    fn has_entries(&self, operand: ReadOperand) -> bool {
+        use Expression::{Invalid, Name, Number, Quantity};
+        !matches!(self.expressions.get(operand.id), Name(_) | Number(_) | Quantity(..) | Invalid)
+    }
+
+    /// True if square brackets hold an index, which begins with a number or a known name, and not a
+    /// unit.
+    fn is_index_ahead(&self, cursor: &Cursor) -> bool {
+        let Some(group) = cursor.group(Delimiter::Bracket) else { return false };
+        match group.stream().into_iter().next() {
+            Some(TokenTree::Ident(word)) => {
+                let word = word.to_string();
+                self.variables.contains(&word) || self.declared_names.contains(&word)
+            }
+            first => first.is_some(),
+        }
     }
 
     fn atom(&mut self, cursor: &mut Cursor) -> Parsed<ReadOperand> {
@@ -91,8 +121,10 @@ impl Parser<'_> {
         let element = cursor.before();
         match cursor.eat_group(Delimiter::Parenthesis) {
             None => self.named(name, cursor),
-            Some(group) if name.indices.is_empty() && at_sum(&name, &group) => self.sum(&group, start),
             Some(group) => {
+                if let (Some(fold), []) = (at_fold(&name, &group), &name.indices[..]) {
+                    return self.fold(fold, &group, start);
+                }
                 if !name.indices.is_empty() {
                     return Err(self.fail_with_help(
                         element,
@@ -100,8 +132,8 @@ impl Parser<'_> {
                         messages::arrays::FUNCTIONS_HELP,
                     ));
                 }
-                if let Some(help) = sum_in_other_words(&name, &group) {
-                    return Err(self.fail_with_help(start, messages::arrays::NO_SUM, help));
+                if let Some(help) = fold_in_other_words(&name, &group) {
+                    return Err(self.fail_with_help(start, messages::arrays::NO_FOLD, help));
                 }
                 let arguments = self.arguments(&group, Vec::new());
                 Ok(self.call(name, arguments, start.to(group_origin(&group))))
@@ -188,17 +220,13 @@ impl Parser<'_> {
         let is_read = |&id: &AstId| !matches!(self.expressions.get(id), Expression::Invalid);
         match elements.len() {
             1 if !has_comma => Ok(Elements::Single(elements[0])),
-            2 | 3 => Ok(Elements::Vector(elements)),
             // A missing operand may count as a component too many.
             _ if !elements.iter().all(is_read) => Err(Reported),
             1 => {
                 let help = messages::ONE_COMPONENT_HELP;
-                Err(self.fail_with_help(origin, messages::component_count(1), help))
+                Err(self.fail_with_help(origin, messages::ONE_COMPONENT, help))
             }
-            count => {
-                let help = messages::COMPONENT_COUNT_HELP;
-                Err(self.fail_with_help(origin, messages::component_count(count), help))
-            }
+            _ => Ok(Elements::Vector(elements)),
         }
     }
 }

@@ -1,12 +1,11 @@
 //! Messages about the syntax of arrays and loops.
 
 pub(in crate::syntax) const EMPTY_BRACKETS: &str = "these brackets are empty";
-pub(in crate::syntax) const INDEX_FORM_HELP: &str = "write one index: `p[i]`, or `u[i][j]` in a grid";
+pub(in crate::syntax) const INDEX_FORM_HELP: &str = "write one index: `p[i]`, or `A[i][j]` of a matrix";
 pub(in crate::syntax) const RANGE: &str =
     "a loop runs over a range of integers, with two dots between its ends";
 pub(in crate::syntax) const RANGE_HELP: &str = "write `0..n` for 0 up to n - 1, or `1..=n` for 1 up to n";
-pub(in crate::syntax) const SUM_HELP: &str = "write `sum(i in 0..n, e)`";
-pub(in crate::syntax) const NO_SUM: &str = "only a sum runs over a range";
+pub(in crate::syntax) const NO_FOLD: &str = "only `sum`, `product`, `min` and `max` run over a range";
 pub(in crate::syntax) const LOOP_HELP: &str = "write `for i in 0..n { … }`";
 pub(in crate::syntax) const SELECTION_HELP: &str =
     "write `if i > 0 { … }`, with statements between the braces";
@@ -31,10 +30,17 @@ pub(in crate::syntax) fn size_help(name: &str, sizes: &[i64]) -> String {
     format!("write it after the name, `{name}{sizes} = […]`; vectors are `(a, b)`, in parentheses")
 }
 
-/// Advice for a function of all elements of an array.
-pub(in crate::syntax) fn element_by_element(function: &str) -> String {
+/// Form of a function over a range.
+pub(in crate::syntax) fn fold_help(function: &str) -> String {
+    format!("write `{function}(i in 0..n, e)`")
+}
+
+/// Advice for a function over a range that has none.
+pub(in crate::syntax) fn other_fold(function: &str) -> String {
     match function {
-        "product" | "prod" => "write the factors one by one, `x[0] * x[1] * x[2]`".to_owned(),
-        _ => format!("write the elements one by one, `{function}(x[0], {function}(x[1], x[2]))`"),
+        "prod" => fold_help("product"),
+        "minimum" => fold_help("min"),
+        "maximum" => fold_help("max"),
+        _ => fold_help("sum"),
     }
 }

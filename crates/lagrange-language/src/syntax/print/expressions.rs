@@ -88,7 +88,8 @@ fn binding(expressions: &Expressions, id: AstId) -> PrintedBinding {
         Expression::If { .. } | Expression::Array(ArrayExpression::Select { .. }) => PrintedBinding::Choice,
         Expression::Call(function, _) if function.text == IN_AXES => PrintedBinding::Choice,
         Expression::Name(_) | Expression::Tuple(_) | Expression::Call(..) => PrintedBinding::Operand,
-        Expression::Component(..) | Expression::Array(_) | Expression::Invalid => PrintedBinding::Operand,
+        Expression::Component(..) | Expression::Entry { .. } => PrintedBinding::Operand,
+        Expression::Array(_) | Expression::Invalid => PrintedBinding::Operand,
     }
 }
 
@@ -141,13 +142,11 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
             std::iter::once(text(function.text.as_str())).chain(bracketed_list(arguments)).collect()
         }
         Expression::Component(vector, name) => {
-            let indices = name.indices.iter().flat_map(|index| {
-                [text("["), PrintedPiece::Expression(*index, PrintedBinding::Choice), text("]")]
-            });
-            [receiver(expressions, *vector), text(format!(".{}", name.text))]
-                .into_iter()
-                .chain(indices)
-                .collect()
+            let member = [receiver(expressions, *vector), text(format!(".{}", name.text))].into_iter();
+            member.chain(indexed(&name.indices)).collect()
+        }
+        Expression::Entry { of, indices, .. } => {
+            std::iter::once(receiver(expressions, *of)).chain(indexed(indices)).collect()
         }
         Expression::If { condition, then, otherwise } => {
             choice(expressions, condition_pieces(condition), *then, *otherwise)
@@ -160,15 +159,21 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
     }
 }
 
+/// `[i][j]`
+fn indexed(indices: &[AstId]) -> impl Iterator<Item = PrintedPiece> {
+    indices
+        .iter()
+        .flat_map(|index| [text("["), PrintedPiece::Expression(*index, PrintedBinding::Choice), text("]")])
+}
+
 fn array_pieces(array: &ArrayExpression) -> Vec<PrintedPiece> {
     let whole = |id: AstId| PrintedPiece::Expression(id, PrintedBinding::Choice);
     match array {
         ArrayExpression::Element(name) => {
-            let indices = name.indices.iter().flat_map(|index| [text("["), whole(*index), text("]")]);
-            std::iter::once(text(name.text.as_str())).chain(indices).collect()
+            std::iter::once(text(name.text.as_str())).chain(indexed(&name.indices)).collect()
         }
-        ArrayExpression::Sum { variable, range, term } => vec![
-            text(format!("sum({} in ", variable.text)),
+        ArrayExpression::Fold { fold, variable, range, term } => vec![
+            text(format!("{}({} in ", fold.word(), variable.text)),
             whole(range.from),
             text(dots(range)),
             whole(range.to),

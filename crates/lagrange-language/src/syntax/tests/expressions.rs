@@ -93,7 +93,7 @@ fn expressions_of_rust_are_refused_in_words() {
     assert_eq!(mistake("::sin(x)"), "paths with `::` are not supported");
     assert_eq!(mistake("vec![1]"), "macros cannot be called in expressions");
     assert_eq!(mistake("x as f64"), "`as` is not supported");
-    assert_eq!(mistake("(a, b)[0]"), "square brackets are not allowed here");
+    assert_eq!(mistake("(a, b)[kg]"), "square brackets are not allowed here");
     assert_eq!(mistake("[a, b]"), "expected an expression, found `[`");
     assert_eq!(mistake("self.x"), "the keyword `self` has no value");
     assert_eq!(mistake("potential"), "the keyword `potential` has no value");
@@ -117,8 +117,7 @@ fn missing_parts_are_named() {
     assert_eq!(mistake("f(a; b)"), "expected an operator, `,` or `)`, found `;`");
     assert_eq!(mistake("f(,)"), "expected an expression, found `,`");
     assert_eq!(mistake("()"), "these parentheses are empty");
-    assert_eq!(mistake("(a,)"), "a vector has two or three components, not 1");
-    assert_eq!(mistake("(a, b, c, d)"), "a vector has two or three components, not 4");
+    assert_eq!(mistake("(a,)"), "a vector has two or more components, not 1");
     assert_eq!(mistake("(a, , b, c)"), "expected an expression, found `,`");
     assert_eq!(mistake("a..b"), "expected an operator or `;`, found `.`");
 }

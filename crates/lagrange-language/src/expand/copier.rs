@@ -1,0 +1,183 @@
+//! The state of a copy of expressions with arrays written out, and what every step of it needs.
+
+use super::complaints::Complaints;
+use super::counting::Counting;
+use super::elements::ElementNames;
+use super::indices::{PlacedIndex, counted_indices, indices_of};
+use super::messages;
+use super::paths::Segment;
+use super::scopes::{BUILT_IN, PlacedId, ScopeId, Scopes};
+use crate::syntax::ast::{AstId, Expression, Expressions, ExternalFunction, Fold, Name};
+use lagrange_expr::collections::{HashMap, HashSet};
+use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::limits::MAX_WRITTEN_OUT;
+use lagrange_expr::number::Number;
+
+/// Writes expressions and names out.
+pub(super) struct Copier<'a> {
+    pub(super) expressions: &'a mut Expressions,
+    pub(super) scopes: Scopes,
+    pub(super) elements: &'a ElementNames,
+    pub(super) complaints: Complaints<'a>,
+    pub(super) constants: &'a HashMap<String, Number>,
+    /// For each expression in the text, if anything in it can change.
+    pub(super) changes: HashMap<AstId, Change>,
+    /// Functions of the user's crate that parts declare.
+    external: HashSet<String>,
+    /// Terms so far.
+    pub(super) terms: u64,
+    is_too_long: bool,
+}
+
+/// The places in which an expression can change.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Change {
+    Nowhere,
+    /// In parts, which do not know the names in it.
+    InParts,
+    Anywhere,
+}
+
+/// Something that is still to be done.
+pub(super) enum Task {
+    /// Copy an expression.
+    Copy(AstId, ScopeId),
+    /// Make an expression like this one of the copies of its operands.
+    Make(AstId),
+    /// Make a call like this one, but of a function of this name.
+    Call(AstId, String),
+    /// Apply a function to that many copies.
+    Fold(Fold, usize, Origin),
+    /// Take what stands behind these indices of a copy.
+    Entry(Vec<PlacedIndex>, Origin),
+}
+
+impl<'a> Copier<'a> {
+    pub(super) fn new(
+        expressions: &'a mut Expressions,
+        scopes: Scopes,
+        constants: &'a HashMap<String, Number>,
+        elements: &'a ElementNames,
+        complaints: Complaints<'a>,
+    ) -> Copier<'a> {
+        let mut changes = HashMap::default();
+        for (id, expression) in expressions.iter() {
+            let of_operands = || expression.operands().iter().filter_map(|id| changes.get(id)).max().copied();
+            let change = match expression {
+                Expression::Name(name) => {
+                    // A variable, a parameter of a function, an array or something in a part.
+                    let is_known = complaints.names.contains(name) && !elements.is_array(name);
+                    match (is_known && !scopes.is_scoped(name), BUILT_IN.contains(&name.as_str())) {
+                        (true, true) => Change::Nowhere,
+                        (true, false) => Change::InParts,
+                        (false, _) => Change::Anywhere,
+                    }
+                }
+                Expression::Array(_) | Expression::Entry { .. } => Change::Anywhere,
+                Expression::Component(_, name) if !name.indices.is_empty() => Change::Anywhere,
+                Expression::Call(function, _) if scopes.is_scoped(&function.text) => Change::Anywhere,
+                Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
+                _ => of_operands().unwrap_or(Change::Nowhere),
+            };
+            changes.insert(id, change);
+        }
+        let external = HashSet::default();
+        Copier {
+            expressions,
+            scopes,
+            elements,
+            complaints,
+            constants,
+            changes,
+            external,
+            terms: 0,
+            is_too_long: false,
+        }
+    }
+
+    pub(super) fn counting(&self) -> Counting<'_> {
+        Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants }
+    }
+
+    /// True of a function of the user's crate that no part declared before.
+    pub(super) fn is_first_of(&mut self, function: &ExternalFunction) -> bool {
+        let key = format!("{} {}", function.name.text, function.parameters.len());
+        self.external.insert(key) || function.derivatives.is_some()
+    }
+
+    /// Reports an expression, which has no meaning.
+    pub(super) fn invalid(&mut self, id: AstId, message: String, help: &str) -> AstId {
+        let origin = self.expressions.origin(id);
+        if let Some(error) = self.complaints.once(id, origin, message) {
+            error.help(help);
+        }
+        self.expressions.add(Expression::Invalid, origin)
+    }
+
+    /// The message for a part where a value is needed, and what to do.
+    pub(super) fn part_as_value(&self, part: PlacedId) -> (String, String) {
+        let part = self.scopes.placed(part);
+        let name = part.written.trim_end_matches('.');
+        let members = messages::members_are(&part.interior.name.text, part.interior.names());
+        (messages::part_as_value(name), members)
+    }
+
+    /// Returns the name of an element. An element that does not exist is reported.
+    pub(super) fn element(&mut self, array: &Segment, scope: ScopeId) -> Option<String> {
+        let counting =
+            Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
+        let ((first, _), (last, _)) = (array.indices.first()?, array.indices.last()?);
+        let origin = self.expressions.origin(*first).to(self.expressions.origin(*last));
+        if !self.elements.is_indexed(&array.text) {
+            if !self.elements.is_declared(&array.text, self.complaints.names) {
+                self.complaints.unknown_array(
+                    &array.text,
+                    (*first, array.span.into()),
+                    (&self.scopes, scope),
+                );
+            } else if let Some(error) = self.complaints.once(*first, origin, messages::no_array(&array.text))
+            {
+                error.help(messages::no_array_help(&array.text));
+            }
+            return None;
+        }
+        let indices = counted_indices(&array.indices, counting, &mut self.complaints)?;
+        if let Some(text) = self.elements.text(&array.text, &indices) {
+            return Some(text.to_owned());
+        }
+        let (message, help) = self.elements.objection(&array.text, &indices)?;
+        let message = format!("{message}{}", self.scopes.place_of(scope));
+        if let Some(error) = self.complaints.once(*first, origin, message) {
+            error.help(help);
+        }
+        None
+    }
+
+    /// The numbers of elements behind the name of an array that is declared as a whole.
+    pub(super) fn sizes(&mut self, name: &Name, scope: ScopeId) -> Option<Vec<i64>> {
+        if !self.elements.is_indexed(&self.scopes.prefixed(scope, &name.text)) {
+            return None;
+        }
+        let counting =
+            Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants };
+        indices_of(name, scope, counting, &mut self.complaints)
+    }
+
+    /// Why a name without an index means nothing, and what to do.
+    pub(super) fn objection(&self, name: &str) -> Option<(String, String)> {
+        if self.elements.is_array(name) {
+            return Some((messages::no_index(name), messages::written_help(self.elements.example(name))));
+        }
+        let written = self.elements.as_written(name).filter(|_| !self.complaints.names.contains(name))?;
+        Some((messages::unknown_name(name), messages::write(written)))
+    }
+
+    /// Once is enough.
+    pub(super) fn too_long(&mut self, origin: Origin) -> AstId {
+        if !std::mem::replace(&mut self.is_too_long, true) {
+            let error = self.complaints.report.error(origin, messages::too_many_terms(MAX_WRITTEN_OUT));
+            error.help(messages::TOO_LONG_HELP);
+        }
+        self.expressions.add(Expression::Invalid, origin)
+    }
+}
