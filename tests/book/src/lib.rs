@@ -35,6 +35,7 @@ pages! {
     Lqr = "cookbook/lqr.md";
     Models = "models.md";
     NoStd = "cookbook/no_std.md";
+    Orbits = "cookbook/orbits.md";
     Quadruped = "cookbook/quadruped.md";
     Road = "cookbook/road.md";
     Robot = "cookbook/robot.md";

@@ -30,9 +30,9 @@ use crate::system::{OdeSystem, ParametricSystem};
 /// Steps of Newton's method.
 const MAX_STEPS: u32 = 50;
 /// Number of dampings of a step, each ten times as strong as the one before,
-const MAX_DAMPINGS: i32 = 10;
+const MAX_DAMPINGS: i32 = 13;
 /// beside the largest singular value squared and this.
-const LEAST_DAMPING: f64 = 1e-9;
+const LEAST_DAMPING: f64 = 1e-8;
 /// Beside the largest singular value, smaller ones are rounding.
 const RANK: f64 = 1e-9;
 /// The tolerated error of steps of the integration.
