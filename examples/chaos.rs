@@ -6,10 +6,10 @@
 //! ẍ + c ẋ − x + x³ = f cos t,
 //! ```
 //!
-//! is chaotic for c = 0.25 and f = 0.3 (Guckenheimer, Holmes, *Nonlinear Oscillations, Dynamical Systems,
-//! and Bifurcations of Vector Fields*, §2.2). Areas of states shrink at the rate c whatever the
-//! motion does. Hence both Lyapunov exponents add up to −c, and the product of the multipliers of
-//! each periodic orbit is exp(−2π c).
+//! is chaotic for c = 0.25 and f = 0.3 (Guckenheimer, Holmes, *Nonlinear Oscillations, Dynamical
+//! Systems, and Bifurcations of Vector Fields*, §2.2). Areas of states shrink at the rate c
+//! whatever the motion does. Hence both Lyapunov exponents add up to −c, and the product of the
+//! multipliers of each periodic orbit is exp(−2π c).
 //!
 //! Look for the positive exponent, for orbits with a multiplier beyond one, and for both sums.
 //!

@@ -127,7 +127,7 @@ impl DeclaredSystem {
 /// The room that the longest vector of a system needs.
 fn room(programs: &Programs) -> usize {
     let layout = &programs.layout;
-    (layout.positions + layout.velocities).max(layout.multipliers)
+    (layout.positions + layout.velocities).max(layout.multipliers).max(layout.inputs)
 }
 
 fn check(programs: &Programs) -> Result<(), Refusal> {

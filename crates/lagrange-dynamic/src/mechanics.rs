@@ -2,8 +2,8 @@
 
 use lagrange_core::model::Product;
 use lagrange_runtime::system::{
-    Description, EnergyFunction, LagrangianSystem, MechanicalSystem, OutputSystem, StateVector, Unnamed,
-    quaternion,
+    ControlledSystem, Description, EnergyFunction, LagrangianSystem, MechanicalSystem, NamedSystem,
+    OutputSystem, StateVector, Unnamed, quaternion,
 };
 
 use crate::inline::Inline;
@@ -72,6 +72,37 @@ impl<const CAPACITY: usize> LagrangianSystem for DynamicSystem<CAPACITY> {
     fn generalised_forces(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {
         let forces = self.numeric.product(Product::GeneralisedForces, t, q.as_ref(), v.as_ref());
         Inline::of(&forces.unwrap_or_else(|| vec![f64::NAN; v.as_ref().len()]))
+    }
+}
+
+/// The state has no fields for its names; it is the vector itself.
+impl<const CAPACITY: usize> NamedSystem for DynamicSystem<CAPACITY> {
+    type NamedState = Inline<CAPACITY>;
+}
+
+impl<const CAPACITY: usize> ControlledSystem for DynamicSystem<CAPACITY> {
+    type Inputs = Inline<CAPACITY>;
+    type InputVector = Inline<CAPACITY>;
+
+    const INPUTS: &'static [&'static str] = &[];
+
+    fn input_names(&self) -> &'static [&'static str] {
+        &self.names.fields[self.programs().layout.parameters..]
+    }
+
+    fn inputs(&self) -> Inline<CAPACITY> {
+        Inline::of(&self.numeric.fields()[self.programs().layout.parameters..])
+    }
+
+    /// Inputs for which there is no number are NaN, as all are if there are too many.
+    fn with_inputs(&self, inputs: Inline<CAPACITY>) -> Self {
+        let (layout, given) = (self.programs().layout, inputs.as_ref());
+        let mut system = self.clone();
+        for index in 0..layout.inputs {
+            let value = given.get(index).filter(|_| given.len() <= layout.inputs);
+            system.numeric.set_field(layout.parameters + index, value.copied().unwrap_or(f64::NAN));
+        }
+        system
     }
 }
 

@@ -13,7 +13,7 @@ pub enum Refusal {
     Functions(Vec<String>),
     /// Its state has more entries than there is room for.
     TooLarge {
-        /// Entries of the state, or constraints if there are more of these.
+        /// Entries of the state, or constraints or inputs if there are more of these.
         entries: usize,
         /// The largest number.
         most: usize,
@@ -30,10 +30,8 @@ impl Display for Refusal {
                 write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))
             }
             Refusal::TooLarge { entries, most } => {
-                write!(
-                    f,
-                    "the state has {entries} entries, more than the {most} that run without compilation"
-                )
+                let what = "entries of the state, constraints or inputs";
+                write!(f, "there are {entries} {what}, more than the {most} that run without compilation")
             }
         }
     }

@@ -13,7 +13,7 @@ type Callback = Arc<dyn Fn(&[f64]) -> f64 + Send + Sync>;
 #[derive(Clone, Default)]
 pub(super) struct Callables {
     functions: HashMap<String, Callback>,
-    solutions: Vec<NewtonProgram>,
+    solutions: Arc<[NewtonProgram]>,
 }
 
 impl fmt::Debug for Callables {
@@ -29,7 +29,7 @@ impl Callables {
 
     /// Solutions of these equations and nothing else.
     pub(super) fn solving(solutions: Vec<NewtonProgram>) -> Callables {
-        Callables { solutions, ..Callables::default() }
+        Callables { solutions: solutions.into(), ..Callables::default() }
     }
 
     /// The programs of all equations.

@@ -139,7 +139,7 @@ impl<'a, M: SharedSystem, K, P> Ensemble<'a, M, K, Undriven, P> {
         M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs + Send + Sync,
     {
-        self.batch.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
         let Ensemble { batch, method, kept, .. } = self;
         Ensemble { batch, method, drive: Law::new(law), kept }
     }

@@ -76,7 +76,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
         C: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
     {
         self.batch.plan.control(period, Box::new(move |index| held(controller(index))));
-        self.batch.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        self.batch.plan.record_inputs(self.batch.system, Box::new(columns_of(inputs::<M>)));
         self
     }
 

@@ -12,7 +12,7 @@ use crate::simulate::sampling::Grid;
 use crate::simulate::table::Table;
 use crate::system::{
     CanonicalSystem, ConstraintValues, ControlledSystem, MechanicalSystem, ScalarOf, SettingError, State,
-    StateMatrix, StateVector, StepFailure, VelocityMatrix, Wrapper, join,
+    StateMatrix, StepFailure, VelocityMatrix, Wrapper, join,
 };
 use crate::tolerance::SAME_INSTANT;
 
@@ -271,7 +271,7 @@ impl<M: ControlledSystem> InputColumns<M> {
     /// Returns the indices of all inputs, starting at this column.
     pub(super) fn from(first: usize) -> Self {
         let set = |system: &M, values: &[M::Scalar]| {
-            let mut inputs = M::InputVector::ZERO;
+            let mut inputs: M::InputVector = system.inputs().into();
             inputs.as_mut().iter_mut().zip(values).for_each(|(input, value)| *input = *value);
             system.with_inputs(inputs.into())
         };

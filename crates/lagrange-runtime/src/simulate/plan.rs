@@ -12,9 +12,7 @@ use crate::simulate::events::Watch;
 use crate::simulate::observer::{Extend, state_names};
 use crate::simulate::sampling::{Grid, Sampling};
 use crate::simulate::table::{TIME, repeated};
-use crate::system::{
-    ControlledSystem, Description, Direction, MechanicalSystem, OdeSystem, SettingError, description_of_type,
-};
+use crate::system::{ControlledSystem, Description, Direction, MechanicalSystem, OdeSystem, SettingError};
 
 /// The plan of a run, or of all motions of an ensemble: data, and functions of columns X, events W
 /// and controllers A.
@@ -94,15 +92,15 @@ impl<M: MechanicalSystem, X, W, A> Plan<M, X, W, A> {
     }
 
     /// Adds columns for the inputs, if there are none yet.
-    pub(crate) fn record_inputs(&mut self, extend: X)
+    pub(crate) fn record_inputs(&mut self, system: &M, extend: X)
     where
         M: ControlledSystem,
     {
         if self.inputs.is_none() {
-            let state = state_names(description_of_type::<M>()).count();
+            let state = state_names(system.description()).count();
             let first = state + self.settings.columns.len();
             self.inputs = Some(InputColumns::from(first));
-            self.observe(M::INPUTS, extend);
+            self.observe(system.input_names(), extend);
         }
     }
 }

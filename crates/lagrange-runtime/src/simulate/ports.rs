@@ -51,7 +51,7 @@ impl<'a, M: MechanicalSystem, K, E> Simulation<'a, M, K, Undriven, E> {
         M: ControlledSystem,
         F: Fn(&M, M::Scalar, M::NamedState) -> M::Inputs,
     {
-        self.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        self.plan.record_inputs(self.system, Box::new(columns_of(inputs::<M>)));
         let Simulation { system, state, plan, reporter, method, end, .. } = self;
         Simulation { system, state, plan, reporter, method, drive: Law::new(law), end }
     }
@@ -97,7 +97,7 @@ impl<'a, M: MechanicalSystem, K, D, E> Simulation<'a, M, K, D, E> {
         F: FnMut(&M, M::Scalar, M::NamedState) -> M::Inputs + 'a,
     {
         self.plan.control(period, held(control));
-        self.plan.record_inputs(Box::new(columns_of(inputs::<M>)));
+        self.plan.record_inputs(self.system, Box::new(columns_of(inputs::<M>)));
         self
     }
 }
@@ -110,7 +110,7 @@ where
 {
     Box::new(move |system, t, y| {
         let inputs = control(system, t, M::NamedState::from(*y));
-        check_finite::<M>(t, inputs)?;
+        check_finite(system, t, inputs)?;
         Ok(system.with_inputs(inputs))
     })
 }
@@ -154,11 +154,12 @@ impl<M: MechanicalSystem, K, D, E> Simulation<'_, M, K, D, E> {
 /// # Errors
 /// If an input is not finite.
 fn check_finite<M: ControlledSystem>(
+    system: &M,
     time: M::Scalar,
     inputs: M::Inputs,
 ) -> Result<(), StepFailure<M::Scalar>> {
     let values: M::InputVector = inputs.into();
-    let mut named = M::INPUTS.iter().zip(values.as_ref());
+    let mut named = system.input_names().iter().zip(values.as_ref());
     match named.find(|(_, value)| !value.is_finite()) {
         Some((name, &value)) => Err(StepFailure::Undefined(Undefined::Input { name, value, time })),
         None => Ok(()),

@@ -35,7 +35,7 @@ pub use self::kernel::KernelSystem;
 pub use self::lagrangian::LagrangianSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::linearised::{LinearisedSystem, MatrixLayout};
-#[cfg(feature = "std")]
+#[cfg(any(feature = "ensemble", feature = "linear"))]
 pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]

@@ -42,6 +42,13 @@ pub trait ControlledSystem: NamedSystem + Sized {
     /// The names of the inputs in the order of the declaration.
     const INPUTS: &'static [&'static str];
 
+    /// Returns the names of the inputs of this system. They are [`INPUTS`](Self::INPUTS) unless the
+    /// system was read at run time.
+    #[inline]
+    fn input_names(&self) -> &'static [&'static str] {
+        Self::INPUTS
+    }
+
     /// Returns the present inputs.
     fn inputs(&self) -> Self::Inputs;
 

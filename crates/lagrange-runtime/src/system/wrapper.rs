@@ -73,7 +73,8 @@ type InnerState<W> = <<W as Wrapper>::Inner as OdeSystem>::State;
 pub trait Wrapper: Sized {
     /// The system inside.
     type Inner: OdeSystem;
-    /// The state of the inner system, or a longer vector that begins with it.
+    /// The state of the inner system, or a longer vector that begins with it. If the length of the
+    /// inner state is known at run time only, it is that state.
     type State: StateVector<InnerNumber<Self>>;
 
     /// True if states are brought back onto the constraints of the inner system after steps.
@@ -306,10 +307,10 @@ where
 #[inline]
 fn part<W: Wrapper>(y: &W::State) -> InnerState<W> {
     const { assert!(size_of::<InnerState<W>>() <= size_of::<W::State>(), "the state is shorter than that inside") };
-    let mut part = InnerState::<W>::ZERO;
-    let count = part.as_ref().len();
-    part.as_mut().copy_from_slice(&y.as_ref()[..count]);
-    part
+    // Of two parts where the vector remembers them; otherwise the first one is empty.
+    let (first, others) = y.parts(0);
+    let count = InnerState::<W>::ZERO.as_ref().len().min(y.as_ref().len());
+    InnerState::<W>::joined(first, &others[..count - first.len()])
 }
 
 /// The state with that of the inner system in its place.
