@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 17] = [
+pub(crate) const LIBRARIES: [Library; 18] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-c", layers: C },
@@ -30,6 +30,7 @@ pub(crate) const LIBRARIES: [Library; 17] = [
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
     Library { name: "lagrange-plot", layers: PLOT },
+    Library { name: "lagrange-python", layers: PYTHON },
     Library { name: "lagrange-runtime", layers: RUNTIME },
     Library { name: "xtask", layers: XTASK },
 ];
@@ -138,6 +139,13 @@ const DYNAMIC: &[Layer] = &[
         modules: &["declared"],
         purpose: "systems with values for their parameters, visited in some room",
     },
+    Layer { modules: &["method"], purpose: "methods of integration by name" },
+];
+
+const PYTHON: &[Layer] = &[
+    Layer { modules: &["error", "motion"], purpose: "exceptions; motions by column" },
+    Layer { modules: &["simulation"], purpose: "runs, with inputs by functions of Python" },
+    Layer { modules: &["system"], purpose: "declared systems" },
 ];
 
 const C: &[Layer] = &[

@@ -4,17 +4,14 @@ use std::io;
 use std::path::Path;
 
 use lagrange_core::model::Product;
-use lagrange_dynamic::{DeclaredSystem, DynamicSystem, StartError, Visitor};
+use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, MethodError, StartError, Visitor};
 use lagrange_files::save_bytes;
-use lagrange_runtime::integrate::{Method, PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
 use lagrange_runtime::simulate::{Simulate, Trajectory};
 use lagrange_runtime::system::StepFailure;
 
 use crate::arguments::Settings;
 use crate::values::value;
 
-/// Tolerated error of a step if none is given.
-const TOLERANCE: f64 = 1e-9;
 /// Formats of files, by extension.
 const FORMATS: [&str; 4] = ["csv", "parquet", "svg", "png"];
 
@@ -38,14 +35,6 @@ pub(crate) struct Motion<'a> {
     has_energy: bool,
     output: Option<&'a Path>,
     events: Option<&'a Path>,
-}
-
-/// A method with its settings.
-#[derive(Clone, Copy, Debug)]
-enum MethodChoice {
-    Verner(f64),
-    Radau(f64),
-    Equal { order: u32, step: f64 },
 }
 
 impl<'a> Motion<'a> {
@@ -76,7 +65,7 @@ impl<'a> Motion<'a> {
             start: start(settings, system)?,
             until,
             every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
-            method: MethodChoice::new(settings)?,
+            method: method(settings)?,
             has_energy: settings.has_energy,
             output,
             events: settings.events.as_deref(),
@@ -84,35 +73,23 @@ impl<'a> Motion<'a> {
     }
 }
 
-impl MethodChoice {
-    fn new(settings: &Settings) -> Result<Self, Failure> {
-        let name = settings.method.as_deref().unwrap_or("verner");
-        let [tolerance, step] = [&settings.tolerance, &settings.step].map(Option::as_deref);
-        let useless = |option: &str, given: Option<&str>| match given {
-            Some(_) => Err(Failure::Usage(format!("the method `{name}` has no `--{option}`"))),
-            None => Ok(()),
-        };
-        let equal = |order| {
-            useless("tolerance", tolerance)?;
-            let missing = || Failure::Usage(format!("the method `{name}` needs a step: write `--step 0.01`"));
-            Ok(MethodChoice::Equal { order, step: time("step", step.ok_or_else(missing)?)? })
-        };
-        let adaptive = || {
-            useless("step", step)?;
-            let bad =
-                |error| Failure::Usage(format!("--tolerance {}: {error}", tolerance.unwrap_or_default()));
-            tolerance.map_or(Ok(TOLERANCE), |text| value("--tolerance", text, None).map_err(bad))
-        };
-        match name {
-            "verner" => Ok(MethodChoice::Verner(adaptive()?)),
-            "radau" => Ok(MethodChoice::Radau(adaptive()?)),
-            "rk4" => equal(4),
-            "gauss" => equal(6),
-            _ => Err(Failure::Usage(format!(
-                "unknown method `{name}`: there are `verner`, `radau`, `rk4` and `gauss`"
-            ))),
-        }
-    }
+/// The method with its settings.
+fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
+    let tolerance = settings.tolerance.as_deref().map(|text| {
+        let bad = |error| Failure::Usage(format!("--tolerance {text}: {error}"));
+        value("--tolerance", text, None).map_err(bad)
+    });
+    let step = settings.step.as_deref().map(|text| time("step", text));
+    let choice = MethodChoice::new(settings.method.as_deref(), tolerance.transpose()?, step.transpose()?);
+    choice.map_err(|error| {
+        Failure::Usage(match error {
+            MethodError::Useless { method, setting } => format!("the method `{method}` has no `--{setting}`"),
+            MethodError::WithoutStep(method) => {
+                format!("the method `{method}` needs a step: write `--step 0.01`")
+            }
+            error => error.to_string(),
+        })
+    })
 }
 
 /// The state at the start.
@@ -161,22 +138,7 @@ impl Visitor for Motion<'_> {
 
     /// Computes and writes the motion.
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
-        match self.method {
-            MethodChoice::Verner(tolerance) => self.run(system, Verner98::tolerance(tolerance)),
-            MethodChoice::Radau(tolerance) => self.run(system, Radau5::tolerance(tolerance)),
-            MethodChoice::Equal { order: 4, step } => self.run(system, RungeKutta4 { step }),
-            MethodChoice::Equal { step, .. } => self.run(system, PlainGaussLegendre::<f64, 3> { step }),
-        }
-    }
-}
-
-impl Motion<'_> {
-    fn run<const CAPACITY: usize>(
-        &self,
-        system: &DynamicSystem<CAPACITY>,
-        method: impl Method<DynamicSystem<CAPACITY>>,
-    ) -> Result<(), Failure> {
-        let mut simulation = system.simulate(system.state(&self.start)).until(self.until).method(method);
+        let mut simulation = system.simulate(system.state(&self.start)).until(self.until);
         if let Some(interval) = self.every {
             simulation = simulation.every(interval);
         }
@@ -186,7 +148,7 @@ impl Motion<'_> {
         if self.has_energy {
             simulation = simulation.energy();
         }
-        match simulation.run() {
+        match self.method.run(simulation) {
             Ok(motion) => self.write(&motion).map_err(Failure::File),
             Err(failure) if matches!(failure.cause, StepFailure::Setting(_)) => {
                 Err(Failure::Usage(failure.cause.to_string()))
@@ -197,7 +159,9 @@ impl Motion<'_> {
             }
         }
     }
+}
 
+impl Motion<'_> {
     fn write<const CAPACITY: usize>(
         &self,
         motion: &Trajectory<DynamicSystem<CAPACITY>>,

@@ -48,6 +48,11 @@ impl DeclaredSystem {
         &self.numeric.programs().variables
     }
 
+    /// Returns the interpreter.
+    pub fn numeric(&self) -> &NumericSystem {
+        &self.numeric
+    }
+
     /// Returns the programs.
     pub fn programs(&self) -> &Programs {
         self.numeric.programs()

@@ -45,6 +45,7 @@ mod constraints;
 mod declared;
 mod inline;
 mod mechanics;
+mod method;
 mod motion;
 mod names;
 mod refusal;
@@ -53,6 +54,7 @@ mod system;
 
 pub use declared::{DeclaredSystem, Visitor};
 pub use inline::{Inline, Rows};
+pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};
 pub use source::Source;
 pub use system::DynamicSystem;

@@ -1,0 +1,129 @@
+//! Methods of integration by name.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use lagrange_runtime::integrate::{Method, PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+use lagrange_runtime::simulate::{Drive, Simulation, SimulationError, Trajectory};
+
+use crate::system::DynamicSystem;
+
+/// Tolerated error of a step if none is given.
+const TOLERANCE: f64 = 1e-9;
+/// Names of the methods.
+const NAMES: [&str; 4] = ["verner", "radau", "rk4", "gauss"];
+
+/// A method of integration with its settings.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum MethodChoice {
+    /// Verner's pair of orders 9 and 8, `verner`.
+    Verner {
+        /// Tolerated error of a step.
+        tolerance: f64,
+    },
+    /// The Radau IIA method of order 5 for stiff systems, `radau`.
+    Radau {
+        /// Tolerated error of a step.
+        tolerance: f64,
+    },
+    /// The classical Runge–Kutta method of order 4, `rk4`.
+    RungeKutta4 {
+        /// Length of a step.
+        step: f64,
+    },
+    /// The Gauss–Legendre method of order 6, `gauss`.
+    GaussLegendre {
+        /// Length of a step.
+        step: f64,
+    },
+}
+
+impl MethodChoice {
+    /// Returns the method of a name, of which `verner` is the default. Those of equal steps need a
+    /// step, others may have a tolerance.
+    ///
+    /// # Errors
+    /// If there is no such method, or it needs other settings.
+    pub fn new(
+        name: Option<&str>,
+        tolerance: Option<f64>,
+        step: Option<f64>,
+    ) -> Result<MethodChoice, MethodError> {
+        let method = name.unwrap_or(NAMES[0]).to_owned();
+        let takes_steps = match NAMES.iter().position(|known| *known == method) {
+            Some(index) => index > 1,
+            None => return Err(MethodError::Unknown(method)),
+        };
+        let (useless, has_useless) =
+            if takes_steps { ("tolerance", tolerance.is_some()) } else { ("step", step.is_some()) };
+        if has_useless {
+            return Err(MethodError::Useless { method, setting: useless });
+        }
+        let tolerance = tolerance.unwrap_or(TOLERANCE);
+        Ok(match (method.as_str(), step) {
+            ("verner", _) => MethodChoice::Verner { tolerance },
+            ("radau", _) => MethodChoice::Radau { tolerance },
+            ("rk4", Some(step)) => MethodChoice::RungeKutta4 { step },
+            (_, Some(step)) => MethodChoice::GaussLegendre { step },
+            (_, None) => return Err(MethodError::WithoutStep(method)),
+        })
+    }
+}
+
+impl MethodChoice {
+    /// Runs a simulation by this method.
+    ///
+    /// # Errors
+    /// As those of [`Simulation::run`].
+    pub fn run<const CAPACITY: usize, K, D>(
+        self,
+        simulation: Simulation<'_, DynamicSystem<CAPACITY>, K, D>,
+    ) -> Result<Trajectory<DynamicSystem<CAPACITY>>, SimulationError<DynamicSystem<CAPACITY>>>
+    where
+        D: Drive<DynamicSystem<CAPACITY>>,
+        Verner98<f64>: Method<D::Closed>,
+        Radau5<f64>: Method<D::Closed>,
+        RungeKutta4<f64>: Method<D::Closed>,
+        PlainGaussLegendre<f64, 3>: Method<D::Closed>,
+    {
+        match self {
+            MethodChoice::Verner { tolerance } => simulation.method(Verner98::tolerance(tolerance)).run(),
+            MethodChoice::Radau { tolerance } => simulation.method(Radau5::tolerance(tolerance)).run(),
+            MethodChoice::RungeKutta4 { step } => simulation.method(RungeKutta4 { step }).run(),
+            MethodChoice::GaussLegendre { step } => {
+                simulation.method(PlainGaussLegendre::<f64, 3> { step }).run()
+            }
+        }
+    }
+}
+
+/// The reason why a name and settings are no method.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum MethodError {
+    /// There is no method of this name.
+    Unknown(String),
+    /// The method has no such setting.
+    Useless {
+        /// Name of the method.
+        method: String,
+        /// `tolerance` or `step`.
+        setting: &'static str,
+    },
+    /// The method of this name needs a step.
+    WithoutStep(String),
+}
+
+impl Display for MethodError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            MethodError::Unknown(name) => {
+                write!(f, "unknown method `{name}`: there are `verner`, `radau`, `rk4` and `gauss`")
+            }
+            MethodError::Useless { method, setting } => write!(f, "the method `{method}` has no `{setting}`"),
+            MethodError::WithoutStep(method) => write!(f, "the method `{method}` needs a `step`"),
+        }
+    }
+}
+
+impl Error for MethodError {}

@@ -1,0 +1,133 @@
+"""Equations of motion from energies: derived, printed, simulated.
+
+>>> import lagrange
+>>> pendulum = lagrange.System('''
+...     param l: m = 1, g: m/s^2 = 9.81;
+...     coord theta: rad = 0.5;
+...     kinetic = 1/2 * (l * dot(theta))^2;
+...     potential = -g * l * cos(theta);
+... ''')
+>>> motion = pendulum.simulate(until=10, every=0.1)
+>>> motion["theta"].shape
+(101,)
+
+Values are in coherent units, as `System.units` lists them. Arrays of states are positions, then
+velocities, in the order of `System.state_names`.
+"""
+
+from collections.abc import Callable, Sequence
+from os import PathLike
+
+import numpy
+from numpy.typing import NDArray
+
+Array = NDArray[numpy.float64]
+State = Array | Sequence[float]
+
+class DeclarationError(ValueError):
+    """Mistakes in a declaration. The text lists all of them; the place is that of the first."""
+
+    line: int | None
+    column: int | None
+    help: str | None
+
+class SimulationError(RuntimeError):
+    """A motion that failed, with what it reached."""
+
+    trajectory: Trajectory
+
+class System:
+    """A declared system with values for its parameters."""
+
+    def __init__(self, text: str) -> None:
+        """Derives the equations of a declaration. Raises `DeclarationError` for mistakes, and
+        `ValueError` for what only compiled code can run, as contacts."""
+    @staticmethod
+    def read(path: str | PathLike[str]) -> System:
+        """Reads a declaration from a file, beside which its tables are."""
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Values of parameters, then of inputs; NaN for those without one."""
+    def with_parameters(self, **values: float) -> System:
+        """Returns the system with other parameters, or inputs of constant value."""
+    @property
+    def inputs(self) -> list[str]:
+        """Names of the inputs, in the order of declaration."""
+    @property
+    def state_names(self) -> list[str]:
+        """Names of the entries of a state: positions, then velocities."""
+    @property
+    def units(self) -> dict[str, str]:
+        """Units by name; those of arrays for all of their elements."""
+    def start(self, **values: float) -> Array:
+        """Returns the declared state at the start, with other values for some of its entries."""
+    def rhs(self, t: float, y: State) -> Array:
+        """Computes the rates of a state, as `scipy.integrate.solve_ivp` takes them."""
+    def accelerations(self, t: float, y: State) -> Array:
+        """Computes the accelerations, one for each velocity."""
+    def mass_matrix(self, t: float, y: State) -> Array:
+        """Computes the mass matrix, of shape (velocities, velocities)."""
+    def energy(self, t: float, y: State) -> float:
+        """Computes the energy, in J if units are declared."""
+    def outputs(self, t: float, y: State) -> dict[str, float]:
+        """Computes the declared outputs, by column."""
+    def simulate(
+        self,
+        start: State | dict[str, float] | None = None,
+        *,
+        until: float,
+        every: float | None = None,
+        begin: float = 0.0,
+        method: str | None = None,
+        tolerance: float | None = None,
+        step: float | None = None,
+        inputs: Callable[[float, Array], float | Sequence[float]] | None = None,
+        energy: bool = False,
+    ) -> Trajectory:
+        """Computes the motion from a state: an array, values of some entries beside the declared
+        ones, or as it is declared.
+
+        Samples are kept `every` so many seconds, or after every step. Methods are `verner` and
+        `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `inputs`
+        returns the inputs at a time and a state. What it raises is raised here. Without it, other
+        threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        """
+    def equations(self) -> str:
+        """Returns the equations as text."""
+    def latex(self) -> str:
+        """Returns the equations of motion as LaTeX, which Jupyter shows for the system."""
+    def c(self) -> tuple[str, str]:
+        """Returns a module of C: header and source."""
+
+class Trajectory:
+    """A motion: columns by name, and events."""
+
+    @property
+    def t(self) -> Array:
+        """Times in s."""
+    @property
+    def y(self) -> Array:
+        """States, of shape (samples, entries of a state)."""
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns, `t` first."""
+    @property
+    def units(self) -> dict[str, str | None]:
+        """Units of the columns; `None` for unknown ones."""
+    @property
+    def events(self) -> list[tuple[str, float, Array]]:
+        """Events: name, time, and state before any reaction."""
+    @property
+    def ending(self) -> str:
+        """`reached` if the motion came to its end time, `stopped` by an event, or `failed`."""
+    @property
+    def steps(self) -> int:
+        """Number of steps of the integration."""
+    def columns(self) -> dict[str, Array]:
+        """All columns by name."""
+    def to_pandas(self) -> object:
+        """Returns a `pandas.DataFrame`."""
+    def to_polars(self) -> object:
+        """Returns a `polars.DataFrame`."""
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Array: ...

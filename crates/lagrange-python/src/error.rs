@@ -1,0 +1,35 @@
+//! Exceptions.
+
+use lagrange_core::diagnostics::{Diagnostic, Report, Severity};
+use pyo3::create_exception;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::types::PyAnyMethods;
+use pyo3::{PyErr, Python};
+
+create_exception!(lagrange, DeclarationError, PyValueError, "A mistake in a declaration.");
+create_exception!(lagrange, SimulationError, PyRuntimeError, "A motion that failed.");
+
+/// Returns the exception of a report: the text of all mistakes, and the place of the first one.
+pub(crate) fn declaration_error(py: Python<'_>, report: &Report) -> PyErr {
+    let errors = || report.diagnostics().iter().filter(|found| found.severity == Severity::Error);
+    let text = errors().map(line).collect::<Vec<_>>().join("\n");
+    let error = DeclarationError::new_err(text);
+    let first = errors().next();
+    let position = first.and_then(|first| first.origin.position());
+    let value = error.value(py);
+    let set = value
+        .setattr("line", position.map(|[line, _]| line))
+        .and_then(|()| value.setattr("column", position.map(|[_, column]| column)))
+        .and_then(|()| value.setattr("help", first.and_then(|first| first.help.clone())));
+    set.err().unwrap_or(error)
+}
+
+/// A mistake in a line, with its place and help.
+fn line(diagnostic: &Diagnostic) -> String {
+    let place = match diagnostic.origin.position() {
+        Some([line, column]) => format!("line {line}, column {column}: "),
+        None => String::new(),
+    };
+    let help = diagnostic.help.as_ref().map_or(String::new(), |help| format!(" (help: {help})"));
+    format!("{place}{}{help}", diagnostic.message)
+}

@@ -1,0 +1,22 @@
+//! Declared systems as a module of Python.
+//!
+//! The module reads declarations as text, and interprets them by `lagrange-dynamic`: motions have
+//! the bits of compiled code. `lagrange.pyi` documents it for those who use it.
+#![forbid(unsafe_code)]
+
+mod error;
+mod motion;
+mod simulation;
+mod system;
+
+use pyo3::types::{PyModule, PyModuleMethods};
+use pyo3::{Bound, PyResult, pymodule};
+
+/// The module `lagrange`.
+#[pymodule(name = "lagrange")]
+fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<system::PySystem>()?;
+    module.add_class::<motion::PyTrajectory>()?;
+    module.add("DeclarationError", module.py().get_type::<error::DeclarationError>())?;
+    module.add("SimulationError", module.py().get_type::<error::SimulationError>())
+}

@@ -1,0 +1,254 @@
+//! Declared systems.
+
+use std::path::PathBuf;
+
+use lagrange_c::Module;
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::model::Product;
+use lagrange_core::pipeline::{Derived, Programs};
+use lagrange_dynamic::{DeclaredSystem, MethodChoice, Source};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
+use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
+use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
+use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+
+use crate::error::declaration_error;
+use crate::motion::PyTrajectory;
+use crate::simulation::{DrivenRun, Run};
+
+/// A declared system with values for its parameters.
+#[pyclass(name = "System", module = "lagrange", frozen)]
+pub(crate) struct PySystem {
+    source: Source,
+    declared: DeclaredSystem,
+}
+
+#[pymethods]
+impl PySystem {
+    #[new]
+    fn new(py: Python<'_>, text: String) -> PyResult<Self> {
+        let folder = std::env::current_dir().unwrap_or_default();
+        PySystem::of(py, Source { name: "<text>".to_owned(), text, folder })
+    }
+
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        PySystem::of(py, Source::read(&path).map_err(PyOSError::new_err)?)
+    }
+
+    /// Values of parameters, then of inputs, by name.
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let values = PyDict::new(py);
+        for (name, value) in self.declared.variables().fields.iter().zip(self.declared.numeric().fields()) {
+            values.set_item(name, value)?;
+        }
+        Ok(values)
+    }
+
+    #[pyo3(signature = (**values))]
+    fn with_parameters(&self, values: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let mut declared = self.declared.clone();
+        for (name, value) in pairs(values)? {
+            declared.set(&name, value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
+        }
+        Ok(PySystem { source: self.source.clone(), declared })
+    }
+
+    #[getter]
+    fn inputs(&self) -> Vec<String> {
+        self.declared.variables().fields[self.declared.programs().layout.parameters..].to_vec()
+    }
+
+    #[getter]
+    fn state_names(&self) -> Vec<String> {
+        self.declared.state_names()
+    }
+
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let units = PyDict::new(py);
+        for (name, unit) in &self.declared.variables().units {
+            units.set_item(name, unit)?;
+        }
+        Ok(units)
+    }
+
+    /// The declared state at the start, with other values for some entries.
+    #[pyo3(signature = (**values))]
+    fn start<'py>(
+        &self,
+        py: Python<'py>,
+        values: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        Ok(self.start_of(&pairs(values)?)?.to_pyarray(py))
+    }
+
+    fn rhs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        self.check(&y)?;
+        Ok(self.declared.numeric().rhs(t, &y).to_pyarray(py))
+    }
+
+    fn accelerations<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let (q, v) = self.parts(&y)?;
+        Ok(self.declared.numeric().acceleration(t, q, v).to_pyarray(py))
+    }
+
+    fn energy(&self, t: f64, y: Vec<f64>) -> PyResult<f64> {
+        let energy = self.product(Product::Energy, "energy", t, &y)?;
+        Ok(energy.first().copied().unwrap_or(f64::NAN))
+    }
+
+    fn mass_matrix<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let size = self.parts(&y)?.1.len();
+        let entries = self.product(Product::MassMatrix, "mass matrix", t, &y)?;
+        entries.to_pyarray(py).reshape([size, size])
+    }
+
+    fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
+        let (q, v) = self.parts(&y)?;
+        let outputs = PyDict::new(py);
+        for columns in &self.declared.variables().outputs {
+            let name = columns.first().map_or("", |column| column.split(['.', '[']).next().unwrap_or(column));
+            let values = self.declared.numeric().output(name, t, q, v).unwrap_or_default();
+            for (column, value) in columns.iter().zip(values) {
+                outputs.set_item(column, value)?;
+            }
+        }
+        Ok(outputs)
+    }
+
+    #[pyo3(signature = (start=None, *, until, every=None, begin=0.0, method=None, tolerance=None, step=None, inputs=None, energy=false))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn simulate(
+        &self,
+        py: Python<'_>,
+        start: Option<&Bound<'_, PyAny>>,
+        until: f64,
+        every: Option<f64>,
+        begin: f64,
+        method: Option<&str>,
+        tolerance: Option<f64>,
+        step: Option<f64>,
+        inputs: Option<Bound<'_, PyAny>>,
+        energy: bool,
+    ) -> PyResult<PyTrajectory> {
+        let method = MethodChoice::new(method, tolerance, step);
+        let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        if energy && self.declared.programs().product(Product::Energy).is_none() {
+            return Err(PyValueError::new_err("the declaration excludes the energy"));
+        }
+        let run = Run { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
+        let Some(law) = inputs else {
+            self.check_values()?;
+            return py.detach(|| self.declared.visit(run)).map_err(|failure| failure.exception(py));
+        };
+        match law.is_callable() {
+            true => self.declared.visit(DrivenRun { run, law }),
+            false => Err(PyTypeError::new_err(
+                "`inputs` must be a function of time and state; set constants by `with_parameters`",
+            )),
+        }
+    }
+
+    fn equations(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(self.derived(py)?.documentation().join("\n"))
+    }
+
+    fn latex(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(self.derived(py)?.equations_latex())
+    }
+
+    /// Returns the equations for Jupyter.
+    fn _repr_latex_(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!("$${}$$", self.latex(py)?))
+    }
+
+    /// The system as a module of C: its header and its source.
+    fn c(&self) -> PyResult<(String, String)> {
+        let module = Module::new(self.declared.programs(), None);
+        let module = module.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
+        Ok((module.header, module.source))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<System of {}>", self.declared.state_names().join(", "))
+    }
+}
+
+impl PySystem {
+    fn of(py: Python<'_>, source: Source) -> PyResult<Self> {
+        let derived = derive(py, &source)?;
+        let declared = DeclaredSystem::new(Programs::new(&derived));
+        let declared = declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
+        Ok(PySystem { source, declared })
+    }
+
+    fn derived(&self, py: Python<'_>) -> PyResult<Derived> {
+        derive(py, &self.source)
+    }
+
+    fn start_of(&self, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
+        self.declared.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
+    }
+
+    /// The state of an array, of a dictionary of entries, or as it is declared.
+    fn state(&self, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
+        let Some(start) = start else { return self.start_of(&[]) };
+        if let Ok(values) = start.cast::<PyDict>() {
+            return self.start_of(&pairs(Some(values))?);
+        }
+        let state = start.extract::<Vec<f64>>()?;
+        self.check(&state)?;
+        Ok(state)
+    }
+
+    fn check(&self, y: &[f64]) -> PyResult<()> {
+        let names = self.declared.state_names();
+        match y.len() == names.len() {
+            true => Ok(()),
+            false => Err(PyValueError::new_err(format!(
+                "a state has {} entries, {}, but {} are given",
+                names.len(),
+                names.join(", "),
+                y.len()
+            ))),
+        }
+    }
+
+    fn check_values(&self) -> PyResult<()> {
+        match self.declared.missing() {
+            Some(name) => Err(PyValueError::new_err(format!(
+                "`{name}` has no value: set it by `with_parameters({name}=1)`"
+            ))),
+            None => Ok(()),
+        }
+    }
+
+    /// Positions and velocities.
+    fn parts<'y>(&self, y: &'y [f64]) -> PyResult<(&'y [f64], &'y [f64])> {
+        self.check(y)?;
+        Ok(y.split_at(self.declared.programs().layout.positions))
+    }
+
+    fn product(&self, product: Product, name: &str, t: f64, y: &[f64]) -> PyResult<Vec<f64>> {
+        let (q, v) = self.parts(y)?;
+        let found = self.declared.numeric().product(product, t, q, v);
+        found.ok_or_else(|| PyValueError::new_err(format!("the declaration excludes the {name}")))
+    }
+}
+
+fn derive(py: Python<'_>, source: &Source) -> PyResult<Derived> {
+    let derived = source.system().and_then(|system| system.derive(StrategyChoice::Cheapest));
+    derived.map_err(|report| declaration_error(py, &report))
+}
+
+fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
+    let Some(values) = values else { return Ok(Vec::new()) };
+    values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?))).collect()
+}

@@ -1,0 +1,203 @@
+"""The module beside closed forms and SciPy."""
+
+import threading
+
+import lagrange
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+DOUBLE = """
+    param m1: kg = 1, m2: kg = 1, l1: m = 1, l2: m = 1, g: m/s^2 = 9.81;
+    coord theta1: rad = 2, theta2: rad = 1.5;
+    let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+    let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+    kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+    potential = m1 * g * y1 + m2 * g * y2;
+    output height: m = y2;
+"""
+CART = """
+    coord x = 1;
+    input u;
+    kinetic = 1/2 * dot(x)^2;
+    potential = 2 * x^2;
+    force x = u;
+"""
+BALL = """
+    param e in 0..=1 = 0.8;
+    coord h: m = 2;
+    const m: kg = 1, g: m/s^2 = 10;
+    kinetic = 1/2 * m * dot(h)^2;
+    potential = m * g * h;
+    event floor = h, falling => { dot(h) = -e * dot(h); }
+    event low = dot(h) + 100 [m/s], falling => stop;
+"""
+
+
+def by_hand(t, y, g=9.81):
+    """Accelerations of the double pendulum with unit masses and lengths, from its 2 x 2 system."""
+    a, b, da, db = y
+    mass = np.array([[2.0, np.cos(a - b)], [np.cos(a - b), 1.0]])
+    force = [-np.sin(a - b) * db**2 - 2 * g * np.sin(a), np.sin(a - b) * da**2 - g * np.sin(b)]
+    return np.concatenate([[da, db], np.linalg.solve(mass, force)])
+
+
+def test_rates_are_those_by_hand():
+    system = lagrange.System(DOUBLE)
+    random = np.random.default_rng(1)
+    for _ in range(50):
+        y = random.uniform(-3, 3, 4)
+        np.testing.assert_allclose(system.rhs(0.0, y), by_hand(0.0, y), rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(system.accelerations(0.0, y), by_hand(0.0, y)[2:], rtol=1e-12, atol=1e-12)
+        cosine = np.cos(y[0] - y[1])
+        np.testing.assert_allclose(system.mass_matrix(0.0, y), [[2, cosine], [cosine, 1]], atol=1e-14)
+        height = -np.cos(y[0]) - np.cos(y[1])
+        assert system.outputs(0.0, y) == pytest.approx({"height": height}, abs=1e-14)
+
+
+def test_motions_are_those_of_scipy():
+    system = lagrange.System(DOUBLE)
+    motion = system.simulate(until=5, every=0.5, tolerance=1e-12, energy=True)
+    times = np.linspace(0, 5, 11)
+    reference = solve_ivp(by_hand, (0, 5), [2, 1.5, 0, 0], "DOP853", times, rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose(motion.t, times)
+    np.testing.assert_allclose(motion.y, reference.y.T, atol=1e-8)
+    np.testing.assert_array_equal(motion["theta2"], motion.y[:, 1])
+    np.testing.assert_allclose(motion["energy"], motion["energy"][0], rtol=1e-11)
+    assert motion.units["theta1_dot"] == "rad/s" and motion.ending == "reached" and len(motion) == 11
+    assert system.energy(0.0, motion.y[0]) == motion["energy"][0]
+
+
+def test_methods_and_starts():
+    system = lagrange.System(DOUBLE)
+    reference = system.simulate(until=1, tolerance=1e-13).y[-1]
+    for settings in [{"method": "radau", "tolerance": 1e-10}, {"method": "rk4", "step": 1e-3}, {"method": "gauss", "step": 5e-3}]:
+        np.testing.assert_allclose(system.simulate(until=1, **settings).y[-1], reference, atol=1e-7)
+    np.testing.assert_array_equal(system.start(theta1=0.5), [0.5, 1.5, 0, 0])
+    same = [system.simulate(start, until=1).y[-1] for start in ([0.5, 1.5, 0, 0], {"theta1": 0.5}, np.array([0.5, 1.5, 0, 0]))]
+    np.testing.assert_array_equal(same[0], same[1])
+    np.testing.assert_array_equal(same[0], same[2])
+    heavy = system.with_parameters(g=20.0)
+    assert heavy.parameters["g"] == 20 and system.parameters["g"] == 9.81
+    np.testing.assert_allclose(heavy.rhs(0, [1, 1, 0, 0]), by_hand(0, [1, 1, 0, 0], 20.0))
+
+
+def test_inputs_drive():
+    system = lagrange.System(CART)
+    assert system.inputs == ["u"]
+    # ẍ = −4x + 2 cos t from (1, 0): x = (2 cos t + cos 2t)/3.
+    motion = system.simulate(until=3, every=0.1, tolerance=1e-12, inputs=lambda t, y: 2 * np.cos(t))
+    exact = (2 * np.cos(motion.t) + np.cos(2 * motion.t)) / 3
+    np.testing.assert_allclose(motion["x"], exact, atol=1e-10)
+    np.testing.assert_allclose(motion["u"], 2 * np.cos(motion.t))
+    constant = system.with_parameters(u=4.0).simulate(until=1, tolerance=1e-12)
+    np.testing.assert_allclose(constant["x"], 1.0, atol=1e-12)
+
+
+def test_errors_of_inputs_arrive():
+    system = lagrange.System(CART)
+
+    def law(t, y):
+        if t > 0.5:
+            raise ZeroDivisionError("mine")
+        return [0.0]
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        system.simulate(until=1, inputs=law)
+    with pytest.raises(lagrange.SimulationError, match="u") as failure:
+        system.simulate(until=1, inputs=lambda t, y: float("nan") if t > 0.3 else 0.0)
+    assert 0 < failure.value.trajectory.t[-1] <= 0.5
+    with pytest.raises(lagrange.SimulationError):
+        system.simulate(until=1, inputs=lambda t, y: [0.0, 1.0])
+    with pytest.raises(TypeError):
+        system.simulate(until=1, inputs=lambda t, y: "much")
+    with pytest.raises(TypeError, match="function"):
+        system.simulate(until=1, inputs=[1.0])
+
+
+def test_parameters_need_values():
+    system = lagrange.System("param k; coord x = 1; kinetic = 1/2 * dot(x)^2; potential = 1/2 * k * x^2;")
+    assert np.isnan(system.parameters["k"])
+    with pytest.raises(ValueError, match="`k` has no value"):
+        system.simulate(until=1)
+    motion = system.with_parameters(k=4).simulate(until=1, tolerance=1e-12)
+    assert motion["x"][-1] == pytest.approx(np.cos(2), abs=1e-11)
+
+
+def test_events():
+    motion = lagrange.System(BALL).simulate(until=2, every=0.25, tolerance=1e-12)
+    name, time, state = motion.events[0]
+    assert name == "floor" and time == pytest.approx(np.sqrt(0.4), abs=1e-11)
+    np.testing.assert_allclose(state, [0, -np.sqrt(40)], atol=1e-9)
+    thrown = lagrange.System(BALL).simulate({"h": 2000}, until=50)
+    assert thrown.ending == "stopped" and thrown.t[-1] == pytest.approx(10, abs=1e-9)
+
+
+def test_mistakes_have_places():
+    with pytest.raises(lagrange.DeclarationError) as mistake:
+        lagrange.System("coord x;\nkinetic = 1/2 * dot(x)^2;\npotential = 9.81 * sine(x);")
+    assert mistake.value.line == 3 and mistake.value.column == 20
+    assert "sine" in str(mistake.value) and "sin" in mistake.value.help
+    with pytest.raises(OSError):
+        lagrange.System.read("missing.lag")
+    for text in ["", "coord", "\0", "kinetic = " + "(" * 10_000]:
+        with pytest.raises(lagrange.DeclarationError):
+            lagrange.System(text)
+
+
+def test_wrong_values_are_refused():
+    system = lagrange.System(DOUBLE)
+    with pytest.raises(ValueError, match="4 entries, theta1, theta2"):
+        system.rhs(0, [1, 2, 3])
+    with pytest.raises(ValueError, match="4 entries"):
+        system.simulate([1, 2], until=1)
+    with pytest.raises(ValueError, match="theta3"):
+        system.simulate({"theta3": 1}, until=1)
+    with pytest.raises(KeyError, match="m3"):
+        system.with_parameters(m3=1)
+    with pytest.raises(KeyError, match="phi"):
+        system.simulate(until=1)["phi"]
+    with pytest.raises(ValueError, match="unknown method `euler`"):
+        system.simulate(until=1, method="euler")
+    with pytest.raises(ValueError, match="needs a `step`"):
+        system.simulate(until=1, method="rk4")
+    with pytest.raises((ValueError, lagrange.SimulationError)):
+        system.simulate([float("nan"), 0, 0, 0], until=1)
+    for until in [float("nan"), float("inf")]:
+        with pytest.raises((ValueError, lagrange.SimulationError)):
+            system.simulate(until=until)
+    with pytest.raises(ValueError, match="e"):
+        lagrange.System(BALL).with_parameters(e=2.0).simulate(until=1)
+
+
+def test_frames():
+    motion = lagrange.System(DOUBLE).simulate(until=1, every=0.1)
+    pandas = pytest.importorskip("pandas")
+    frame = motion.to_pandas()
+    assert isinstance(frame, pandas.DataFrame) and list(frame.columns) == motion.names and len(frame) == 11
+    polars = pytest.importorskip("polars")
+    assert isinstance(motion.to_polars(), polars.DataFrame)
+
+
+def test_texts():
+    system = lagrange.System(DOUBLE)
+    assert "theta1" in system.equations() and r"\ddot" in system.latex()
+    assert system._repr_latex_().startswith("$$")
+    header, source = system.c()
+    assert "#include" in source and "double" in header
+
+
+def test_threads_run_side_by_side():
+    system = lagrange.System(DOUBLE)
+    ends = [None] * 4
+
+    def run(index):
+        ends[index] = system.simulate({"theta1": 1 + 0.1 * index}, until=20).y[-1]
+
+    threads = [threading.Thread(target=run, args=[index]) for index in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for index, end in enumerate(ends):
+        np.testing.assert_array_equal(end, system.simulate({"theta1": 1 + 0.1 * index}, until=20).y[-1])

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Builds the module for Python in an environment of its own, and runs its tests.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+environment=$PWD/target/python
+[ -x "$environment/bin/maturin" ] || {
+    python3 -m venv "$environment"
+    "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars pytest
+}
+export CARGO_TARGET_DIR=$PWD/target/python-build CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment
+cd crates/lagrange-python
+"$environment/bin/maturin" develop --quiet --locked
+"$environment/bin/python" -m pytest --quiet tests "$@"
