@@ -5,7 +5,11 @@ cd "$(dirname "$0")/.."
 
 environment=$PWD/target/python
 [ -x "$environment/bin/maturin" ] || {
-    python3 -m venv "$environment"
+    # Some distributions split `venv` off.
+    python3 -m venv "$environment" || {
+        python3 -m pip install --quiet --user virtualenv
+        python3 -m virtualenv --quiet "$environment"
+    }
     "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars pytest
 }
 export CARGO_TARGET_DIR=$PWD/target/python-build CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment
