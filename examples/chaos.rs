@@ -3,13 +3,13 @@
 //! Duffing's oscillator with two wells,
 //!
 //! ```text
-//! ẍ + c ẋ − x + x³ = f cos t,
+//! m ẍ + c ẋ − k₁ x + k₃ x³ = f cos ωt,
 //! ```
 //!
-//! is chaotic for c = 0.25 and f = 0.3 (Guckenheimer, Holmes, *Nonlinear Oscillations, Dynamical
-//! Systems, and Bifurcations of Vector Fields*, §2.2). Areas of states shrink at the rate c
-//! whatever the motion does. Hence both Lyapunov exponents add up to −c, and the product of the
-//! multipliers of each periodic orbit is exp(−2π c).
+//! is chaotic for c = 0.25 and f = 0.3 if all else is one (Guckenheimer, Holmes, *Nonlinear
+//! Oscillations, Dynamical Systems, and Bifurcations of Vector Fields*, §2.2). Areas of states
+//! shrink at the rate c/m whatever the motion does. Hence both Lyapunov exponents add up to −c/m,
+//! and the product of the multipliers of each periodic orbit is exp(−c T/m) with the period T.
 //!
 //! Look for the positive exponent, for orbits with a multiplier beyond one, and for both sums.
 //!
@@ -28,16 +28,16 @@ use lagrange::Simulate;
 use lagrange::orbits::Orbits;
 
 lagrange::system! {
-    /// The deflection x of the beam, in units of the distance of the magnets from the middle.
+    /// The deflection x of the beam from the middle between the magnets.
     #[derive(Clone, Debug)]
     pub struct Beam;
 
-    param c = 0.25, f = 0.3;
-    coord x;
-    kinetic = 1/2 * dot(x)^2;
-    potential = -1/2 * x^2 + 1/4 * x^4;
+    param m: kg = 1, k1: N/m = 1, k3: N/m^3 = 1, c: N*s/m = 0.25, f: N = 0.3, omega: rad/s = 1;
+    coord x: m;
+    kinetic = 1/2 * m * dot(x)^2;
+    potential = -1/2 * k1 * x^2 + 1/4 * k3 * x^4;
     dissipation = 1/2 * c * dot(x)^2;
-    force x = f * cos(t);
+    force x = f * cos(omega * t);
     emit { jacobian }
 }
 
