@@ -140,6 +140,7 @@ const DYNAMIC: &[Layer] = &[
         purpose: "systems with values for their parameters, visited in some room",
     },
     Layer { modules: &["method"], purpose: "methods of integration by name" },
+    Layer { modules: &["run"], purpose: "settings of runs" },
 ];
 
 const PYTHON: &[Layer] = &[

@@ -4,9 +4,11 @@ use std::io;
 use std::path::Path;
 
 use lagrange_core::model::Product;
-use lagrange_dynamic::{DeclaredSystem, DynamicSystem, MethodChoice, MethodError, StartError, Visitor};
+use lagrange_dynamic::{
+    DeclaredSystem, DynamicSystem, MethodChoice, MethodError, RunSettings, StartError, Visitor,
+};
 use lagrange_files::save_bytes;
-use lagrange_runtime::simulate::{Simulate, Trajectory};
+use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::StepFailure;
 
 use crate::arguments::Settings;
@@ -28,11 +30,7 @@ pub(crate) enum Failure {
 
 /// A motion whose settings are understood.
 pub(crate) struct Motion<'a> {
-    start: Vec<f64>,
-    until: f64,
-    every: Option<f64>,
-    method: MethodChoice,
-    has_energy: bool,
+    run: RunSettings,
     output: Option<&'a Path>,
     events: Option<&'a Path>,
 }
@@ -61,15 +59,15 @@ impl<'a> Motion<'a> {
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
-        Ok(Motion {
+        let run = RunSettings {
             start: start(settings, system)?,
+            from: 0.0,
             until,
             every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
             method: method(settings)?,
             has_energy: settings.has_energy,
-            output,
-            events: settings.events.as_deref(),
-        })
+        };
+        Ok(Motion { run, output, events: settings.events.as_deref() })
     }
 }
 
@@ -138,17 +136,7 @@ impl Visitor for Motion<'_> {
 
     /// Computes and writes the motion.
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Result<(), Failure> {
-        let mut simulation = system.simulate(system.state(&self.start)).until(self.until);
-        if let Some(interval) = self.every {
-            simulation = simulation.every(interval);
-        }
-        if system.has_outputs() {
-            simulation = simulation.outputs();
-        }
-        if self.has_energy {
-            simulation = simulation.energy();
-        }
-        match self.method.run(simulation) {
+        match self.run.method.run(self.run.simulation(system)) {
             Ok(motion) => self.write(&motion).map_err(Failure::File),
             Err(failure) if matches!(failure.cause, StepFailure::Setting(_)) => {
                 Err(Failure::Usage(failure.cause.to_string()))

@@ -49,6 +49,7 @@ mod method;
 mod motion;
 mod names;
 mod refusal;
+mod run;
 mod source;
 mod system;
 
@@ -56,5 +57,6 @@ pub use declared::{DeclaredSystem, Visitor};
 pub use inline::{Inline, Rows};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};
+pub use run::RunSettings;
 pub use source::Source;
 pub use system::DynamicSystem;

@@ -69,7 +69,7 @@ where
 
 type Law = fn(f64, &[f64]) -> Vec<f64>;
 
-/// How inputs are set.
+/// A way to set inputs.
 #[derive(Clone, Copy)]
 enum Feed {
     Law,

@@ -2,9 +2,8 @@
 
 use std::cell::RefCell;
 
-use lagrange_dynamic::{DynamicSystem, Inline, MethodChoice, Visitor};
-use lagrange_runtime::integrate::Verner98;
-use lagrange_runtime::simulate::{Simulate, Simulation, SimulationError as RunError, Trajectory};
+use lagrange_dynamic::{DynamicSystem, Inline, RunSettings, Visitor};
+use lagrange_runtime::simulate::{SimulationError as RunError, Trajectory};
 use lagrange_runtime::system::{StateVector, StepFailure};
 use numpy::ToPyArray;
 use pyo3::exceptions::PyValueError;
@@ -14,19 +13,12 @@ use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python};
 use crate::error::SimulationError;
 use crate::motion::PyTrajectory;
 
-/// The settings of a run.
-pub(crate) struct Run {
-    pub(crate) start: Vec<f64>,
-    pub(crate) from: f64,
-    pub(crate) until: f64,
-    pub(crate) every: Option<f64>,
-    pub(crate) method: MethodChoice,
-    pub(crate) has_energy: bool,
-}
+/// A run whose inputs are constant.
+pub(crate) struct FreeRun(pub(crate) RunSettings);
 
 /// A run whose inputs are a function of Python.
 pub(crate) struct DrivenRun<'py> {
-    pub(crate) run: Run,
+    pub(crate) settings: RunSettings,
     /// Takes time and state, and returns the inputs.
     pub(crate) law: Bound<'py, PyAny>,
 }
@@ -58,31 +50,12 @@ impl FailedRun {
     }
 }
 
-impl Run {
-    fn simulation<'a, const CAPACITY: usize>(
-        &self,
-        system: &'a DynamicSystem<CAPACITY>,
-    ) -> Simulation<'a, DynamicSystem<CAPACITY>, Verner98<f64>> {
-        let start = system.simulate(system.state(&self.start)).from(self.from);
-        let mut simulation = start.until(self.until);
-        if let Some(interval) = self.every {
-            simulation = simulation.every(interval);
-        }
-        if system.has_outputs() {
-            simulation = simulation.outputs();
-        }
-        if self.has_energy {
-            simulation = simulation.energy();
-        }
-        simulation
-    }
-}
-
-impl Visitor for Run {
+impl Visitor for FreeRun {
     type Output = Result<PyTrajectory, Box<FailedRun>>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
-        ended(self.method.run(self.simulation(system)))
+        let FreeRun(settings) = self;
+        ended(settings.method.run(settings.simulation(system)))
     }
 }
 
@@ -98,7 +71,7 @@ impl Visitor for DrivenRun<'_> {
                 Inline::of(&[])
             })
         };
-        let motion = ended(self.run.method.run(self.run.simulation(system).drive(law)));
+        let motion = ended(self.settings.method.run(self.settings.simulation(system).drive(law)));
         match raised.into_inner() {
             Some(error) => Err(error),
             None => motion.map_err(|failure| failure.exception(self.law.py())),

@@ -6,7 +6,7 @@ use lagrange_c::Module;
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs};
-use lagrange_dynamic::{DeclaredSystem, MethodChoice, Source};
+use lagrange_dynamic::{DeclaredSystem, MethodChoice, RunSettings, Source};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
@@ -14,7 +14,7 @@ use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
 
 use crate::error::declaration_error;
 use crate::motion::PyTrajectory;
-use crate::simulation::{DrivenRun, Run};
+use crate::simulation::{DrivenRun, FreeRun};
 
 /// A declared system with values for its parameters.
 #[pyclass(name = "System", module = "lagrange", frozen)]
@@ -143,13 +143,16 @@ impl PySystem {
         if energy && self.declared.programs().product(Product::Energy).is_none() {
             return Err(PyValueError::new_err("the declaration excludes the energy"));
         }
-        let run = Run { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
+        let settings =
+            RunSettings { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
         let Some(law) = inputs else {
             self.check_values()?;
-            return py.detach(|| self.declared.visit(run)).map_err(|failure| failure.exception(py));
+            return py
+                .detach(|| self.declared.visit(FreeRun(settings)))
+                .map_err(|failure| failure.exception(py));
         };
         match law.is_callable() {
-            true => self.declared.visit(DrivenRun { run, law }),
+            true => self.declared.visit(DrivenRun { settings, law }),
             false => Err(PyTypeError::new_err(
                 "`inputs` must be a function of time and state; set constants by `with_parameters`",
             )),

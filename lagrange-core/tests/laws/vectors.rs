@@ -5,7 +5,8 @@ use lagrange_core::pipeline::{NumericSystem, parse};
 use lagrange_core::syntax::{parse_text, print};
 use quote::quote;
 
-/// What is emitted if fields are not arrays, without the numbers that tell texts apart.
+/// The emitted code of a text whose fields are not arrays, without the numbers that tell texts
+/// apart.
 fn emitted(text: &str) -> String {
     let derived = parse(text).and_then(|mut system| {
         system.declaration.arrays.clear();

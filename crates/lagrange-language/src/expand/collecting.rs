@@ -34,20 +34,6 @@ pub(super) fn declared_elements(
     collector.elements
 }
 
-/// True if a statement declares whole arrays rather than elements.
-fn declares_arrays(kind: &StatementKind) -> bool {
-    matches!(
-        kind,
-        StatementKind::Parameters(_)
-            | StatementKind::Inputs(_)
-            | StatementKind::Constants(_)
-            | StatementKind::Coordinates(_)
-            | StatementKind::States(..)
-            | StatementKind::Mode(_)
-            | StatementKind::Quaternion(_)
-    )
-}
-
 struct Collector<'a, 'c> {
     elements: ElementNames,
     counting: Counting<'a>,
@@ -75,7 +61,7 @@ impl Collector<'_, '_> {
     /// reported.
     fn has_room(&mut self, instance: &Instance<'_>) -> bool {
         let Instance { statement, scope } = *instance;
-        if !declares_arrays(&statement.kind) || self.counting.scopes.is_in_loop(scope) {
+        if !statement.kind.declares_arrays() || self.counting.scopes.is_in_loop(scope) {
             return true;
         }
         for (name, _) in statement.kind.written_names() {
@@ -98,7 +84,7 @@ impl Collector<'_, '_> {
             // It keeps its name.
             return;
         }
-        let is_whole = declares_arrays(kind);
+        let is_whole = kind.declares_arrays();
         for (name, suffix) in kind.written_names() {
             let declared = DeclaredName {
                 name,

@@ -406,24 +406,31 @@ impl StatementKind {
         }
     }
 
+    /// True if it declares whole arrays rather than elements.
+    pub fn declares_arrays(&self) -> bool {
+        matches!(
+            self,
+            StatementKind::Parameters(_)
+                | StatementKind::Inputs(_)
+                | StatementKind::Constants(_)
+                | StatementKind::Coordinates(_)
+                | StatementKind::States(..)
+                | StatementKind::Mode(_)
+                | StatementKind::Quaternion(_)
+        )
+    }
+
     /// True if names that it declares are those of values.
     pub fn declares_values(&self) -> bool {
         match self {
-            StatementKind::Parameters(_)
-            | StatementKind::Inputs(_)
-            | StatementKind::Constants(_)
-            | StatementKind::Coordinates(_)
-            | StatementKind::States(..)
-            | StatementKind::Mode(_)
-            | StatementKind::Quaternion(_)
-            | StatementKind::Velocity(..)
+            StatementKind::Velocity(..)
             | StatementKind::Let(..)
             | StatementKind::LetTuple(..)
             | StatementKind::Solve(_)
             | StatementKind::Constraint(..)
             | StatementKind::Friction(_) => true,
             StatementKind::Scene(scene) => matches!(scene, SceneStatement::Mobilizer(_)),
-            _ => false,
+            _ => self.declares_arrays(),
         }
     }
 

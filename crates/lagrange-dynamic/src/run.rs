@@ -1,0 +1,45 @@
+//! Runs with settings that are known at run time.
+
+use lagrange_runtime::integrate::Verner98;
+use lagrange_runtime::simulate::{Simulate, Simulation};
+
+use crate::method::MethodChoice;
+use crate::system::DynamicSystem;
+
+/// The settings of a run.
+#[derive(Clone, PartialEq, Debug)]
+pub struct RunSettings {
+    /// State at the start: positions, then velocities.
+    pub start: Vec<f64>,
+    /// Time of the start.
+    pub from: f64,
+    /// Time of the end.
+    pub until: f64,
+    /// Interval of the samples; those after each step if it is `None`.
+    pub every: Option<f64>,
+    /// The method, by which [`MethodChoice::run`] runs the simulation.
+    pub method: MethodChoice,
+    /// True if the energy is a column. The system must have it.
+    pub has_energy: bool,
+}
+
+impl RunSettings {
+    /// Returns the simulation of a system with these settings, but for the method. Declared outputs
+    /// are columns.
+    pub fn simulation<'a, const CAPACITY: usize>(
+        &self,
+        system: &'a DynamicSystem<CAPACITY>,
+    ) -> Simulation<'a, DynamicSystem<CAPACITY>, Verner98<f64>> {
+        let mut simulation = system.simulate(system.state(&self.start)).from(self.from).until(self.until);
+        if let Some(interval) = self.every {
+            simulation = simulation.every(interval);
+        }
+        if system.has_outputs() {
+            simulation = simulation.outputs();
+        }
+        if self.has_energy {
+            simulation = simulation.energy();
+        }
+        simulation
+    }
+}
