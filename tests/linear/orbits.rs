@@ -161,6 +161,31 @@ fn orbits_pass_impacts() {
     assert!(orbit.multipliers.iter().all(|(re, im)| (re - 1.0).abs() + im.abs() < 1e-3), "{orbit:?}");
 }
 
+/// Two masses on three springs: ω² is k and 3 k. Newton's method for a linear system leads to rest
+/// unless the period is near one of its own.
+mod coupled {
+    lagrange::system! {
+        #[derive(Clone, Debug)]
+        pub struct Coupled;
+        param k = 4;
+        coord q[2];
+        kinetic = 1/2 * inner(dot(q), dot(q));
+        potential = 1/2 * k * (q[0]^2 + (q[0] - q[1])^2 + q[1]^2);
+        emit { jacobian }
+    }
+}
+use coupled::Coupled;
+
+#[test]
+fn rest_is_no_orbit_of_a_free_period() {
+    let coupled = Coupled::default();
+    let error = coupled.orbit([1.0, 0.8, 0.0, 0.0], 2.7).free_period().solve().unwrap_err();
+    assert_eq!(error, OrbitError::AtRest);
+    let orbit = coupled.orbit([1.0, 0.99, 0.0, 0.0], 0.5 * TAU).free_period().solve().expect("a mode");
+    assert!((orbit.period - 0.5 * TAU).abs() < 1e-9 && orbit.state[0] > 0.9, "{orbit:?}");
+    assert!((orbit.state[0] - orbit.state[1]).abs() < 1e-8, "{orbit:?}");
+}
+
 /// Exponents of Sprott, *Chaos and Time-Series Analysis*, 2003, table A.1: 0.9056, 0, −14.5723.
 #[test]
 fn lorenz_has_its_published_exponents() {

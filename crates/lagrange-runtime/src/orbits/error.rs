@@ -21,6 +21,8 @@ pub enum OrbitError {
     Motion(String),
     /// An event ends a motion at this time.
     Ends(f64),
+    /// The search for an orbit of a free period ended at rest, which repeats after any time.
+    AtRest,
     /// The search found no orbit near its start. It ended where the motion misses its start by this
     /// distance.
     NotFound {
@@ -40,6 +42,9 @@ impl Display for OrbitError {
             }
             OrbitError::Motion(reason) => write!(f, "the motion fails: {reason}"),
             OrbitError::Ends(time) => write!(f, "an event ends the motion at time {time}"),
+            OrbitError::AtRest => f.write_str(
+                "the search ended at rest: start nearer to an orbit, or with a period nearer to its own",
+            ),
             OrbitError::NotFound { distance, iterations } => write!(
                 f,
                 "after {iterations} steps the motion still misses its start by {distance:e}: \

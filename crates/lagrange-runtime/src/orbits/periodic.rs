@@ -39,6 +39,8 @@ const RANK: f64 = 1e-9;
 const TOLERANCE: f64 = 1e-12;
 /// Beside the state, a motion that misses its start by less is an orbit.
 const CLOSED: f64 = 1e-9;
+/// Beside the rates at the start, those of rest are smaller.
+const RESTING: f64 = 1e-6;
 /// A multiplier of this size beyond one is one but for rounding.
 const ROUNDING: f64 = 1e-6;
 
@@ -93,7 +95,8 @@ where
         OrbitSearch { from: time, ..self }
     }
 
-    /// Lets the period change, too: of motions without anything that depends on time.
+    /// Lets the period change, too: of motions without anything that depends on time. Rest, which
+    /// has any period, is an error.
     pub fn free_period(self) -> Self {
         OrbitSearch { is_period_free: true, ..self }
     }
@@ -131,11 +134,18 @@ where
             match self.next(&now) {
                 Some(next) => now = next,
                 // Rounding: no step leads nearer.
+                None if is_closed && self.is_at_rest(&now) => return Err(OrbitError::AtRest),
                 None if is_closed => return now.orbit(),
                 None => return Err(OrbitError::NotFound { distance, iterations }),
             }
         }
         Err(OrbitError::NotFound { distance: now.distance(), iterations: MAX_STEPS })
+    }
+
+    /// True if nothing moves any more, so that any period would do.
+    fn is_at_rest(&self, now: &OrbitTrial<N>) -> bool {
+        let speed = |y: &[f64; N]| length(&self.system.rhs(self.from, y));
+        self.is_period_free && speed(&now.state) <= RESTING * speed(&self.near)
     }
 
     fn trial(&self, state: [f64; N], period: f64) -> Result<OrbitTrial<N>, OrbitError> {
