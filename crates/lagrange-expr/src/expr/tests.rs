@@ -186,6 +186,41 @@ fn even_powers_of_magnitudes_are_powers() {
 }
 
 #[test]
+fn magnitudes_hold_no_numbers_coefficients_or_products() {
+    let (mut g, letters) = letters();
+    let minus_two = g.number(-2);
+    let two = g.number(2);
+    assert_eq!(g.magnitude(minus_two), two);
+    // Nested deeper than products are opened elsewhere.
+    let mut nested = letters[0];
+    let mut expected = vec![(g.call(Function::Abs, &[nested]), Number::ONE)];
+    for k in 1..12_i64 {
+        let factor = g.sum(Number::from(k), [(letters[1], Number::ratio(7, 2).expect("no zero"))]);
+        nested = g.multiply(nested, factor);
+        expected.push((g.call(Function::Abs, &[factor]), Number::ONE));
+    }
+    let expected = g.product(expected);
+    assert_eq!(g.magnitude(nested), expected);
+}
+
+#[test]
+fn powers_of_a_base_are_collected_whatever_their_order() {
+    let (mut g, [a, ..]) = letters();
+    let quarters = |n: i64| Number::ratio(n, 4).expect("no zero");
+    // 1/4 + 3/4 = 1 would drop the condition a ≥ 0; with 7/2 beside them, the sum keeps it.
+    let kept = g.product([(a, quarters(1)), (a, quarters(3)), (a, quarters(14))]);
+    assert_eq!(kept, g.power(a, quarters(18)));
+    let [left, right] = [[1, 1, 2], [2, 1, 1]].map(|order| {
+        order.into_iter().fold(g.number(1), |product, n| {
+            let power = g.power(a, quarters(n));
+            g.multiply(product, power)
+        })
+    });
+    assert_eq!(left, right);
+    assert_eq!(left, g.product([(a, quarters(2)), (a, quarters(2))]));
+}
+
+#[test]
 fn slopes_of_a_magnitude_have_the_square_one() {
     let (mut g, [a, b, c, d]) = letters();
     let [slope, other] = [a, b].map(|x| g.call(Function::MagnitudeSlope, &[x]));

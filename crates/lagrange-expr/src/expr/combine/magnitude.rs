@@ -5,6 +5,8 @@
 //! because the sign of zero is zero. The general remainder f(|x|) is differentiated by
 //! [`Function::MagnitudeSlope`], s = d|x|/dx, whose square is one: f″ s² is f″ at zero, too.
 
+use std::collections::BinaryHeap;
+
 use crate::collections::HashMap;
 use crate::expr::weighted::{LONGEST_OPENED, Weighted};
 use crate::expr::{ExprId, Function, Graph, Node};
@@ -73,18 +75,29 @@ impl Graph {
         if self.is_nonnegative(id) {
             return id;
         }
+        if let Some(value) = self.as_number(id) {
+            let value = value.abs();
+            return self.number(value);
+        }
         let (coefficient, core) = self.split_coefficient(id);
         let mut parts = vec![(self.number(coefficient.abs()), Number::ONE)];
-        for (base, power) in self.whole_powers(core) {
+        for (base, power) in self.whole_powers(core, usize::MAX) {
             if !power.is_odd() || self.is_nonnegative(base) {
                 parts.push((base, power));
                 continue;
             }
             let (content, primitive) = self.primitive(base);
-            let magnitude = self.call(Function::Abs, &[primitive]);
+            let magnitude = match primitive == base && self.is_without_coefficient(base) {
+                true => self.call(Function::Abs, &[base]),
+                false => self.magnitude(primitive),
+            };
             parts.extend([(self.number(content.abs()), power.clone()), (magnitude, power)]);
         }
         self.product(parts)
+    }
+
+    fn is_without_coefficient(&self, id: ExprId) -> bool {
+        self.as_number(id).is_none() && self.split_coefficient(id).1 == id
     }
 
     /// Returns a sum whose first coefficient is positive. Its coefficients, if they are integers,
@@ -116,7 +129,7 @@ impl Graph {
 
     /// True if a power of this with an odd exponent is a factor.
     pub(in crate::expr) fn has_odd_power(&self, id: ExprId, of: ExprId) -> bool {
-        self.whole_powers(id).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
+        self.whole_powers(id, LONGEST_OPENED).iter().any(|(base, exponent)| *base == of && exponent.is_odd())
     }
 
     /// True if the slope of |x| itself is a factor with an odd exponent, beside which no power of x
@@ -126,21 +139,32 @@ impl Graph {
             Node::Call(Function::MagnitudeSlope, arguments) => arguments[0] == of,
             _ => false,
         };
-        let factors = self.whole_powers(id);
+        let factors = self.whole_powers(id, LONGEST_OPENED);
         factors.iter().any(|(base, exponent)| is_slope(*base) && exponent.is_odd())
             && !self.has_odd_power(id, of)
     }
 
-    /// The factors of an expression and of products among them, without its coefficient.
-    fn whole_powers(&self, id: ExprId) -> Vec<Weighted> {
-        let (mut found, mut pending) = (Vec::new(), vec![(self.split_coefficient(id).1, Number::ONE)]);
-        while let Some((base, exponent)) = pending.pop() {
+    /// The factors of an expression and of products among them, without its coefficient. Products
+    /// are opened while there are fewer factors than `longest`.
+    ///
+    /// Factors have smaller identifiers than their product. So the greatest is opened first, when
+    /// all its occurrences have been met: a product in many others is opened once.
+    fn whole_powers(&self, id: ExprId, longest: usize) -> Vec<Weighted> {
+        let (mut found, mut pending) = (Vec::new(), BinaryHeap::new());
+        pending.push((self.split_coefficient(id).1, Number::ONE));
+        while let Some((base, mut exponent)) = pending.pop() {
+            while exponent.is_integer()
+                && let Some((_, other)) = pending.peek().filter(|(same, _)| *same == base)
+                && other.is_integer()
+            {
+                exponent = &exponent + other;
+                pending.pop();
+            }
             match self.node(base) {
-                Node::Product(inner)
-                    if exponent.is_integer() && pending.len() + found.len() < LONGEST_OPENED =>
-                {
+                Node::Product(inner) if exponent.is_integer() && pending.len() + found.len() < longest => {
                     pending.extend(inner.iter().map(|(part, power)| (*part, power * &exponent)));
                 }
+                _ if exponent.is_zero() => {}
                 _ => found.push((base, exponent)),
             }
         }
@@ -170,7 +194,7 @@ impl Graph {
             // Opened, so that equal factors meet.
             match self.node(rest) {
                 Node::Product(_) => {
-                    let inner = self.whole_powers(rest).into_iter();
+                    let inner = self.whole_powers(rest, LONGEST_OPENED).into_iter();
                     replacement.extend(inner.map(|(part, power)| (part, &power * &exponent)));
                 }
                 _ => replacement.push((rest, exponent)),
@@ -218,7 +242,7 @@ impl Graph {
 
     /// A product with a factor x in which |x| has its place.
     fn with_magnitude(&mut self, term: ExprId, of: ExprId) -> ExprId {
-        let mut factors = self.whole_powers(term);
+        let mut factors = self.whole_powers(term, LONGEST_OPENED);
         factors.extend([(of, Number::MINUS_ONE), (self.magnitude(of), Number::ONE)]);
         self.product(factors)
     }

@@ -35,7 +35,7 @@ impl Graph {
     /// The sum of terms that are no numbers. It is compiled once, whatever the iterator they came
     /// from.
     fn sum_of(&mut self, mut constant: Number, mut collected: Vec<Weighted>) -> ExprId {
-        merge(&mut collected, |_, a, b| Some(a + b));
+        merge(&mut collected, |_, _, _| true);
         while let Some(position) = self.cancelling_sum(&constant, &collected) {
             let (nested, coefficient) = collected.swap_remove(position);
             let Node::Sum { constant: inner, terms } = self.node(nested).clone() else { break };
@@ -43,7 +43,7 @@ impl Graph {
             for (term, weight) in &terms {
                 self.push_term(&mut constant, &mut collected, *term, &(weight * &coefficient));
             }
-            merge(&mut collected, |_, a, b| Some(a + b));
+            merge(&mut collected, |_, _, _| true);
         }
         self.finish_sum(constant, collected)
     }
@@ -195,10 +195,9 @@ impl Graph {
     /// Adds up exponents of equal bases, until nothing more can be taken out of a factor.
     fn merge_factors(&self, coefficient: &mut Number, factors: &mut Vec<Weighted>) {
         loop {
-            merge(factors, |base, a, b| {
-                let total = a + b;
-                let same_domain = a.is_integer() && b.is_integer() || !total.is_integer();
-                (same_domain || self.is_nonnegative(base)).then_some(total)
+            merge(factors, |base, equal, total| {
+                let same_domain = !total.is_integer() || equal.iter().all(|(_, e)| e.is_integer());
+                same_domain || self.is_nonnegative(base)
             });
             let reducible = |factor: &Weighted| self.reduce_factor(factor).is_some();
             let Some(position) = factors.iter().position(reducible) else { return };
@@ -246,22 +245,24 @@ fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
     }
 }
 
-/// Sorts by operand and combines the weights of equal ones with `combine`, unless it declines.
-/// Operands of weight zero are dropped.
-fn merge(operands: &mut Vec<Weighted>, combine: impl Fn(ExprId, &Number, &Number) -> Option<Number>) {
+/// Sorts by operand and adds up the weights of equal ones. Operands of weight zero are dropped.
+///
+/// Where `adds_up` declines a total, one half stays beside the rest: `x^¼ · x^¾` becomes
+/// `x^½ · x^½`. So the result does not depend on the order of operands.
+fn merge(operands: &mut Vec<Weighted>, adds_up: impl Fn(ExprId, &[Weighted], &Number) -> bool) {
     operands.sort_unstable_by(|(a, m), (b, n)| (a, m).cmp(&(b, n)));
     let mut merged: Vec<Weighted> = Vec::with_capacity(operands.len());
-    for (operand, weight) in operands.drain(..) {
-        if let Some(last) = merged.last_mut()
-            && last.0 == operand
-            && let Some(total) = combine(operand, &last.1, &weight)
-        {
-            last.1 = total;
-        } else {
-            merged.push((operand, weight));
+    for equal in operands.chunk_by(|a, b| a.0 == b.0) {
+        let operand = equal[0].0;
+        let total = equal[1..].iter().fold(equal[0].1.clone(), |total, (_, weight)| &total + weight);
+        if equal.len() > 1 && !adds_up(operand, equal, &total) {
+            let mut pair = [(operand, Number::HALF), (operand, &total - &Number::HALF)];
+            pair.sort_unstable();
+            merged.extend(pair);
+        } else if !total.is_zero() {
+            merged.push((operand, total));
         }
     }
-    merged.retain(|(_, weight)| !weight.is_zero());
     *operands = merged;
 }
 
