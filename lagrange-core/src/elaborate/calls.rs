@@ -152,14 +152,17 @@ fn report_no_function(evaluator: &mut Evaluator<'_>, name: &Name, arguments: &[A
         return;
     }
     let nearest = nearest_function(evaluator, &name.text, arguments.len());
+    let without_counterpart = foreign::without_counterpart(&name.text);
     let help = match (meant_function(evaluator, &name.text, arguments), nearest) {
         (Some(meant), _) if !is_accepted(evaluator, &meant) => {
             messages::ONLY_OUTPUTS_HOLD_ACCELERATIONS.to_owned()
         }
         (Some(meant), _) => messages::names::write_call(&meant),
-        (None, _) if let Some(advice) = foreign::without_counterpart(&name.text) => advice.to_owned(),
-        (None, Some(nearest)) => messages::names::did_you_mean(nearest),
-        (None, None) => messages::names::declare_function(&name.text, arguments.len()),
+        (None, nearest) => match (without_counterpart, nearest) {
+            (Some(advice), _) => advice.to_owned(),
+            (None, Some(nearest)) => messages::names::did_you_mean(nearest),
+            (None, None) => messages::names::declare_function(&name.text, arguments.len()),
+        },
     };
     evaluator.report.error(name.span, messages::names::unknown_function(&name.text)).help(help);
 }

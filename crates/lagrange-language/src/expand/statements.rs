@@ -18,6 +18,9 @@ use lagrange_expr::collections::HashMap;
 pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Vec<Statement> {
     let Instance { statement, scope } = *instance;
     let with = |kind| Statement { kind, origin: statement.origin, docs: statement.docs.clone() };
+    if let Some(kinds) = given_to_elements(copier, instance) {
+        return kinds.into_iter().map(with).collect();
+    }
     let kind = match &statement.kind {
         StatementKind::Parameters(list) => StatementKind::Parameters(definitions(copier, list, scope)),
         StatementKind::Inputs(list) => StatementKind::Inputs(definitions(copier, list, scope)),
@@ -36,16 +39,6 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
             let of_values = |name| StatementKind::Mode(Mode { name, values: values.clone() });
             return elements.map(|(_, name)| with(of_values(name))).collect();
         }
-        StatementKind::StateRate(name, value) | StatementKind::ForceOn(name, value)
-            if let Some(array) = copier.whole_array(name, scope) =>
-        {
-            let of_element = |(name, value)| match &statement.kind {
-                StatementKind::StateRate(..) => with(StatementKind::StateRate(name, value)),
-                _ => with(StatementKind::ForceOn(name, value)),
-            };
-            let value = copier.copied(*value, scope);
-            return given_to(copier, name, &array, value).into_iter().map(of_element).collect();
-        }
         StatementKind::Reduce(reduction) => {
             let items = reduction.items.iter().flat_map(|item| reduced(copier, item, scope)).collect();
             StatementKind::Reduce(Reduction { items, ..reduction.clone() })
@@ -56,6 +49,21 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
         },
     };
     vec![with(kind)]
+}
+
+/// A rate or a force on a whole array, for each of its elements.
+fn given_to_elements(copier: &mut Copier<'_>, instance: &Instance<'_>) -> Option<Vec<StatementKind>> {
+    let kind = &instance.statement.kind;
+    let (StatementKind::StateRate(name, value) | StatementKind::ForceOn(name, value)) = kind else {
+        return None;
+    };
+    let array = copier.whole_array(name, instance.scope)?;
+    let value = copier.copied(*value, instance.scope);
+    let of_element = |(name, value)| match kind {
+        StatementKind::StateRate(..) => StatementKind::StateRate(name, value),
+        _ => StatementKind::ForceOn(name, value),
+    };
+    Some(given_to(copier, name, &array, value).into_iter().map(of_element).collect())
 }
 
 /// The elements of a whole array, each with its part of a value.

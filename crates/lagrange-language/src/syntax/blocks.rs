@@ -154,12 +154,11 @@ impl Parser<'_> {
     fn unknown_label(&mut self, word: &str, here: Origin, labels: &BlockLabels) -> Parsed<&'static str> {
         let known = || labels.known.iter().copied();
         let meant = foreign::label(word, known()).or_else(|| nearest(word, known()));
-        let help = match meant {
-            Some(label) => messages::meant(label),
-            None if let Some(help) = scenes::beside_a_joint(word).filter(|_| labels.owner == "a joint") => {
-                help.to_owned()
-            }
-            None => scenes::labels_are(labels.owner, &labels.known),
+        let beside = scenes::beside_a_joint(word).filter(|_| labels.owner == "a joint");
+        let help = match (meant, beside) {
+            (Some(label), _) => messages::meant(label),
+            (None, Some(help)) => help.to_owned(),
+            (None, None) => scenes::labels_are(labels.owner, &labels.known),
         };
         let reported = self.fail_with_help(here, scenes::unknown_label(word, labels.owner), help);
         let meant = labels.known.iter().copied().find(|label| Some(*label) == meant);
