@@ -63,6 +63,13 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
     );
     let is_derived = programs.jacobian.is_some();
     let jacobian = Function { shape: if is_derived { vec![states; 2] } else { vec![0] }, ..jacobian };
+    let linearised = function(
+        "linearised",
+        &["Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows."],
+        programs.linearised.iter().map(Part::of).collect(),
+    );
+    let columns = states + layout.inputs;
+    let linearised = Function { shape: vec![linearised.shape[0] / columns.max(1), columns], ..linearised };
     vec![
         function(
             "rhs",
@@ -73,6 +80,7 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
         function("accelerations", &["Accelerations, in the order of the velocities."], vec![accelerations()]),
         function("multipliers", &["Multipliers of the constraints, in their order."], vec![multipliers]),
         jacobian,
+        linearised,
     ]
 }
 
