@@ -37,7 +37,8 @@ struct Case {
 
 fn programs(text: &str) -> Programs {
     let system = parse(text).unwrap_or_else(|report| panic!("{text}: {report}"));
-    let derived = system.with(Product::Jacobian).derive(StrategyChoice::Cheapest);
+    let system = system.with(Product::Jacobian).with(Product::SystemMatrix);
+    let derived = system.derive(StrategyChoice::Cheapest);
     Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")))
 }
 
@@ -95,6 +96,7 @@ impl Case {
             "accelerations" => numeric.acceleration(*t, q, v),
             "multipliers" => numeric.multipliers(*t, q, v),
             "jacobian" => run(programs.jacobian.as_ref().expect("requested")),
+            "linearised" => run(programs.linearised.as_ref().expect("requested")),
             "outputs" => programs.outputs.iter().flat_map(|(_, program)| run(program)).collect(),
             "events" => run(&programs.event_functions),
             "switches" => run(&programs.switches),

@@ -12,10 +12,12 @@
 #define FIELDS (PARAMETERS + INPUTS)
 #define INDICATORS (EVENTS + SWITCHES)
 
-// Part of the time scale after which a function has left the zero at which it fired.
+// Time after which a function has left the zero at which it fired, and the same as part of the time
+// since it fired before.
 #define SHORTLY 1e-8
-// Number of events, each shortly after the one before, that counts as infinitely many.
-#define MOST_REPETITIONS 50
+#define PART 0.01
+// Number of times that a function fires, each shortly after the last, that counts as infinite.
+#define MOST_REPETITIONS 3
 // Points inside a step at which events are looked for.
 #define POINTS 8
 
@@ -23,8 +25,8 @@ typedef struct {
     double t, y[ROOM(STATES)], p[ROOM(FIELDS)];
     // Signs of the indicators; zero if unknown.
     int sides[ROOM(INDICATORS)];
-    // When they fired last.
-    double fired[ROOM(INDICATORS)];
+    // When they fired last, and until when they do not fire again.
+    double fired[ROOM(INDICATORS)], quiet[ROOM(INDICATORS)];
     double next_tick, last_event, tolerance, step;
     int repetitions, has_stopped;
 } Motion;
@@ -59,7 +61,7 @@ static int counts(int indicator, int side)
 static int has_passed(const Motion *m, const int *sides, int indicator, double t, double value)
 {
     return sides[indicator] != 0 && sign(value) != sides[indicator] && !isnan(value) &&
-           t - m->fired[indicator] > shortly(t);
+           t > m->quiet[indicator];
 }
 
 // Marks the indicators that fire with these values, and returns their number.
@@ -91,7 +93,10 @@ static void start_sides(Motion *m, const int *fires)
 {
     double now[ROOM(INDICATORS)] = { 0 }, then[ROOM(INDICATORS)] = { 0 };
     double rates[ROOM(STATES)] = { 0 }, y[ROOM(STATES)] = { 0 };
-    const double later = shortly(m->t);
+    double later = shortly(m->t);
+    for (int i = 0; i < INDICATORS; i++)
+        if (fires != NULL && fires[i])
+            later = fmin(later, PART * (m->t - m->fired[i]));
     rates_of_model(m->t, m->y, m->p, rates);
     for (int i = 0; i < STATES; i++)
         y[i] = m->y[i] + later * rates[i];
@@ -100,7 +105,9 @@ static void start_sides(Motion *m, const int *fires)
     for (int i = 0; i < INDICATORS; i++) {
         const int has_fired = fires != NULL && fires[i];
         m->sides[i] = sign(has_fired || now[i] == 0.0 ? then[i] : now[i]);
-        m->fired[i] = has_fired ? m->t : -INFINITY;
+        m->quiet[i] = has_fired ? m->t + later : -INFINITY;
+        if (has_fired)
+            m->fired[i] = m->t;
     }
 }
 
@@ -118,7 +125,10 @@ static void react(Motion *m, const int *fires)
             memcpy(m->y, y, sizeof y);
         }
     }
-    m->repetitions = m->t - m->last_event <= 2.0 * shortly(m->t) ? m->repetitions + 1 : 0;
+    int is_repeated = 0;
+    for (int i = 0; i < INDICATORS; i++)
+        is_repeated |= fires[i] && m->t - m->fired[i] <= 2.0 * shortly(m->t);
+    m->repetitions = is_repeated ? m->repetitions + 1 : 0;
     m->last_event = m->t;
     start_sides(m, fires);
 }
@@ -169,6 +179,8 @@ static void start_motion(Motion *m)
     m->repetitions = 0;
     m->last_event = -INFINITY;
     m->has_stopped = 0;
+    for (int i = 0; i < INDICATORS; i++)
+        m->fired[i] = -INFINITY;
     schedule(m, 0);
     start_sides(m, NULL);
 }
