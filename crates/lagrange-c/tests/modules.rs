@@ -21,7 +21,7 @@ use systems::SYSTEMS;
 const STATES: usize = 40;
 const OPTIONS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
-/// Time, state and p.
+/// Time, state and p, with residuals of constraints behind it.
 struct Sample {
     t: f64,
     y: Vec<f64>,
@@ -60,7 +60,11 @@ impl Case {
         let samples = (0..STATES).map(|_| Sample {
             t: 2.0 + 2.0 * random(&mut seed),
             y: (0..layout.positions + layout.velocities).map(|_| 1.5 * random(&mut seed)).collect(),
-            p: defaults.iter().map(|value| value * (1.0 + 0.3 * random(&mut seed))).collect(),
+            p: defaults
+                .iter()
+                .map(|value| value * (1.0 + 0.3 * random(&mut seed)))
+                .chain((0..layout.multipliers).map(|index| 0.1 * (index + 1) as f64))
+                .collect(),
         });
         let samples = samples.collect();
         Case { numeric: NumericSystem::of(Arc::new(programs)), module, samples }
@@ -76,8 +80,9 @@ impl Case {
     /// Computes the values of a function of the module by the interpreter.
     fn expected(&self, function: &str, Sample { t, y, p }: &Sample) -> Vec<f64> {
         let mut numeric = self.numeric.clone();
-        p.iter().enumerate().for_each(|(index, value)| assert!(numeric.set_field(index, *value)));
         let programs = numeric.programs().clone();
+        let (fields, residuals) = p.split_at(programs.layout.fields());
+        fields.iter().enumerate().for_each(|(index, value)| assert!(numeric.set_field(index, *value)));
         let (q, v) = y.split_at(programs.layout.positions);
         let run = |program: &Program| numeric.evaluate(program, *t, q, v);
         let numbered = |prefix: &str| function.strip_prefix(prefix).map(str::parse::<usize>);
@@ -94,6 +99,8 @@ impl Case {
             "rhs" => numeric.rhs(*t, y),
             "position_rates" => numeric.position_rates(*t, q, v),
             "accelerations" => numeric.acceleration(*t, q, v),
+            "position_residuals" => run(&programs.position_residuals),
+            "correction" => numeric.correction(*t, q, v, residuals),
             "multipliers" => numeric.multipliers(*t, q, v),
             "jacobian" => run(programs.jacobian.as_ref().expect("requested")),
             "linearised" => run(programs.linearised.as_ref().expect("requested")),
@@ -205,7 +212,7 @@ fn nothing_is_plausible_where_elimination_fails() {
         "struct Pinned; coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = y;
         constraint a = x^2 + y^2 - 1; constraint b = x^2 + 2 * y^2 - 1;",
     );
-    let at = |y: f64| Sample { t: 0.0, y: vec![1.0, y, 0.0, 0.5], p: Vec::new() };
+    let at = |y: f64| Sample { t: 0.0, y: vec![1.0, y, 0.0, 0.5], p: vec![0.1, 0.2] };
     case.samples = vec![at(0.5), at(0.0), at(1e-13)];
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pinned");
     let printed = run(&folder, std::slice::from_ref(&case), "cc");

@@ -32,9 +32,9 @@ FMI2_FUNCTION(fmi2Status, fmi2NewDiscreteStates, (fmi2Component instance, fmi2Ev
     if (m->repetitions >= MOST_REPETITIONS)
         return fail_with(in, function, "time", m->t, "is where infinitely many events accumulate");
     let_tick(m);
-    if (!are_finite(STATES, m->y)) {
+    if (m->is_lost || !are_finite(STATES, m->y)) {
         *m = before;
-        return fail_with(in, function, "time", m->t, "has an event after which the state is not finite");
+        return fail_with(in, function, "time", m->t, "has an event after which there is no valid state");
     }
     log_events(in, before.last_event);
     info->newDiscreteStatesNeeded = fmi2False;

@@ -215,6 +215,12 @@ FMI2_FUNCTION(fmi2Status, fmi2ExitInitializationMode, (fmi2Component instance))
     for (int i = 0; i < STATES; i++)
         if (!isfinite(m->y[i]))
             return fail_with(in, function, names[i], m->y[i], "is not finite at the start");
+    const char *violated = admit(m);
+    if (violated != NULL) {
+        char reason[256];
+        snprintf(reason, sizeof reason, "the start violates the constraint %s", violated);
+        return fail(in, function, reason);
+    }
     start_motion(m);
     if (in->type == fmi2CoSimulation)
         let_tick(m);

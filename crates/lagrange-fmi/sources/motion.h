@@ -1,189 +1,10 @@
-// Motion of a system between events, which are located and reacted to.
+// Motion between events: steps, and the search for events in them.
 
-#include <float.h>
-#include <math.h>
-#include <string.h>
-
+#include "changes.h"
 #include "dormand_prince.h"
-#include "binding.h"
 
-// C has no arrays without entries.
-#define ROOM(count) ((count) > 0 ? (count) : 1)
-#define FIELDS (PARAMETERS + INPUTS)
-#define INDICATORS (EVENTS + SWITCHES)
-
-// Time after which a function has left the zero at which it fired, and the same as part of the time
-// since it fired before.
-#define SHORTLY 1e-8
-#define PART 0.01
-// Number of times that a function fires, each shortly after the last, that counts as infinite.
-#define MOST_REPETITIONS 3
 // Points inside a step at which events are looked for.
 #define POINTS 8
-
-typedef struct {
-    double t, y[ROOM(STATES)], p[ROOM(FIELDS)];
-    // Signs of the indicators; zero if unknown.
-    int sides[ROOM(INDICATORS)];
-    // When they fired last, and until when they do not fire again.
-    double fired[ROOM(INDICATORS)], quiet[ROOM(INDICATORS)];
-    double next_tick, last_event, tolerance, step;
-    int repetitions, has_stopped;
-} Motion;
-
-typedef enum { REACHED, STOPPED, NOT_FINITE, TOO_SHORT, ACCUMULATED } Outcome;
-
-static double shortly(double t)
-{
-    return SHORTLY * fmax(1.0, fabs(t));
-}
-
-static int sign(double number)
-{
-    return (number > 0.0) - (number < 0.0);
-}
-
-static int are_finite(int count, const double *numbers)
-{
-    for (int i = 0; i < count; i++)
-        if (!isfinite(numbers[i]))
-            return 0;
-    return 1;
-}
-
-// True if a sign counts as an event when it is left; for switches always.
-static int counts(int indicator, int side)
-{
-    return indicator >= EVENTS || directions[indicator] != side;
-}
-
-// True if an indicator passed zero to this value at this time.
-static int has_passed(const Motion *m, const int *sides, int indicator, double t, double value)
-{
-    return sides[indicator] != 0 && sign(value) != sides[indicator] && !isnan(value) &&
-           t > m->quiet[indicator];
-}
-
-// Marks the indicators that fire with these values, and returns their number.
-static int firing(const Motion *m, const int *sides, double t, const double *values, int *fires)
-{
-    int count = 0;
-    for (int i = 0; i < INDICATORS; i++) {
-        fires[i] = has_passed(m, sides, i, t, values[i]) && counts(i, sides[i]);
-        count += fires[i];
-    }
-    return count;
-}
-
-// Takes the signs of values over, as far as they have passed or were unknown.
-static void take_sides(const Motion *m, int *sides, double t, const double *values)
-{
-    for (int i = 0; i < INDICATORS; i++) {
-        const int side = sign(values[i]);
-        if (has_passed(m, sides, i, t, values[i]))
-            sides[i] = side != 0 ? side : -sides[i];
-        else if (sides[i] == 0)
-            sides[i] = side;
-    }
-}
-
-// Starts the signs afresh. Where an indicator is zero, or has just fired, its sign is that shortly
-// after.
-static void start_sides(Motion *m, const int *fires)
-{
-    double now[ROOM(INDICATORS)] = { 0 }, then[ROOM(INDICATORS)] = { 0 };
-    double rates[ROOM(STATES)] = { 0 }, y[ROOM(STATES)] = { 0 };
-    double later = shortly(m->t);
-    for (int i = 0; i < INDICATORS; i++)
-        if (fires != NULL && fires[i])
-            later = fmin(later, PART * (m->t - m->fired[i]));
-    rates_of_model(m->t, m->y, m->p, rates);
-    for (int i = 0; i < STATES; i++)
-        y[i] = m->y[i] + later * rates[i];
-    indicators_of_model(m->t, m->y, m->p, now);
-    indicators_of_model(m->t + later, y, m->p, then);
-    for (int i = 0; i < INDICATORS; i++) {
-        const int has_fired = fires != NULL && fires[i];
-        m->sides[i] = sign(has_fired || now[i] == 0.0 ? then[i] : now[i]);
-        m->quiet[i] = has_fired ? m->t + later : -INFINITY;
-        if (has_fired)
-            m->fired[i] = m->t;
-    }
-}
-
-// Replaces the state at events, in their order.
-static void react(Motion *m, const int *fires)
-{
-    double y[ROOM(STATES)];
-    for (int i = 0; i < EVENTS; i++) {
-        if (!fires[i])
-            continue;
-        if (actions[i] == STOP)
-            m->has_stopped = 1;
-        if (actions[i] == REPLACE) {
-            after_event_of_model(i, m->t, m->y, m->p, y);
-            memcpy(m->y, y, sizeof y);
-        }
-    }
-    int is_repeated = 0;
-    for (int i = 0; i < INDICATORS; i++)
-        is_repeated |= fires[i] && m->t - m->fired[i] <= 2.0 * shortly(m->t);
-    m->repetitions = is_repeated ? m->repetitions + 1 : 0;
-    m->last_event = m->t;
-    start_sides(m, fires);
-}
-
-// The first multiple of a period after a time, or at it.
-static double tick(double t, double period, int is_after)
-{
-    const double passed = floor(t / period);
-    for (int offset = -1; offset <= 2; offset++) {
-        const double multiple = (passed + offset) * period;
-        if (is_after ? multiple > t : multiple >= t)
-            return multiple;
-    }
-    return INFINITY;
-}
-
-static void schedule(Motion *m, int is_after)
-{
-    double periods[ROOM(CLOCKS)];
-    periods_of_model(m->t, m->y, m->p, periods);
-    m->next_tick = INFINITY;
-    for (int i = 0; i < CLOCKS; i++)
-        m->next_tick = fmin(m->next_tick, tick(m->t, periods[i], is_after));
-}
-
-// Lets clocks tick that are due; returns true if there are any.
-static int let_tick(Motion *m)
-{
-    double periods[ROOM(CLOCKS)], y[ROOM(STATES)];
-    if (m->t < m->next_tick)
-        return 0;
-    periods_of_model(m->t, m->y, m->p, periods);
-    for (int i = 0; i < CLOCKS; i++) {
-        if (tick(m->next_tick, periods[i], 0) == m->next_tick) {
-            after_clock_of_model(i, m->t, m->y, m->p, y);
-            memcpy(m->y, y, sizeof y);
-        }
-    }
-    m->t = fmax(m->t, m->next_tick);
-    schedule(m, 1);
-    start_sides(m, NULL);
-    return 1;
-}
-
-static void start_motion(Motion *m)
-{
-    m->step = 0.0;
-    m->repetitions = 0;
-    m->last_event = -INFINITY;
-    m->has_stopped = 0;
-    for (int i = 0; i < INDICATORS; i++)
-        m->fired[i] = -INFINITY;
-    schedule(m, 0);
-    start_sides(m, NULL);
-}
 
 // Tries a step. Returns its error as part of the tolerated one; NaN if it has no numbers.
 static double attempt(const Motion *m, const double *rates, double h, double *y)
@@ -329,7 +150,10 @@ static Outcome take_step(Motion *m, double end)
                 return NOT_FINITE;
             m->t = part > 1.0 ? (is_last ? end : m->t + h) : m->t + part * h;
             memcpy(m->y, y, sizeof y);
-            normalise_model(m->y);
+            if (IS_STABILISED)
+                normalise_model(m->y);
+            else
+                m->is_lost |= isnan(hold(m));
             if (part <= 1.0)
                 react(m, fires);
             return REACHED;
@@ -346,13 +170,13 @@ static Outcome advance(Motion *m, double end)
 {
     const double last_event = m->last_event;
     while (m->t < end && m->last_event == last_event) {
-        let_tick(m);
         Motion next = *m;
+        let_tick(&next);
         const Outcome outcome = take_step(&next, fmin(end, m->next_tick));
         if (outcome != REACHED)
             return outcome;
-        if (!are_finite(STATES, next.y))
-            return NOT_FINITE;
+        if (next.is_lost || !are_finite(STATES, next.y))
+            return next.is_lost ? OFF_CONSTRAINTS : NOT_FINITE;
         *m = next;
     }
     return m->has_stopped ? STOPPED : m->repetitions >= MOST_REPETITIONS ? ACCUMULATED : REACHED;

@@ -4,6 +4,7 @@ static const char *reason_of(Outcome outcome)
 {
     switch (outcome) {
     case NOT_FINITE: return "rates or events are not finite behind it";
+    case OFF_CONSTRAINTS: return "states behind it cannot be brought onto the constraints";
     case TOO_SHORT: return "no step is short enough there";
     case ACCUMULATED: return "infinitely many events accumulate there";
     default: return "the declaration ends the motion there";

@@ -28,12 +28,16 @@ pub(crate) fn binding(
 fn sizes(programs: &Programs) -> String {
     let (layout, variables) = (&programs.layout, &programs.variables);
     let sizes = [
+        ("POSITIONS", layout.positions),
+        ("COORDINATES", layout.positions - variables.first_order_states),
         ("STATES", layout.positions + layout.velocities),
         ("PARAMETERS", layout.parameters),
         ("INPUTS", layout.inputs),
         ("OUTPUTS", variables.outputs.iter().map(Vec::len).sum()),
         ("EVENTS", variables.events.len()),
         ("SWITCHES", variables.switches.len()),
+        ("CONSTRAINTS", layout.multipliers),
+        ("IS_STABILISED", usize::from(variables.is_stabilised)),
         ("CLOCKS", programs.clocks.len()),
         ("HAS_DERIVATIVES", usize::from(programs.linearised.is_some())),
     ];
@@ -50,6 +54,7 @@ fn array(kind: &str, name: &str, values: impl Iterator<Item = String>) -> String
 fn arrays(programs: &Programs, start: &Start, variables: &[Variable]) -> String {
     let names = variables.iter().map(|variable| format!("\"{}\"", variable.name));
     let events = programs.variables.events.iter().map(|event| format!("\"{}\"", event.name));
+    let constraints = programs.variables.constraints.iter().map(|name| format!("\"{name}\""));
     let directions = programs.variables.events.iter().map(|event| match event.direction {
         Direction::Rising => "1",
         Direction::Falling => "-1",
@@ -73,6 +78,7 @@ fn arrays(programs: &Programs, start: &Start, variables: &[Variable]) -> String 
     [
         array("char *const ", "names", names),
         array("char *const ", "event_names", events),
+        array("char *const ", "constraint_names", constraints),
         array("int ", "directions", directions.map(str::to_owned)),
         array("int ", "actions", actions.map(str::to_owned)),
         array("double ", "defaults", start.fields.iter().copied().map(number)),
@@ -129,7 +135,18 @@ fn functions(name: &str, programs: &Programs) -> String {
         true => function("linearised_of_model", SIGNATURE, &call(true, "linearised", "out")),
         false => String::new(),
     };
+    let constraints = programs.layout.multipliers;
+    let residuals = call(constraints > 0, "position_residuals", "out")
+        + &call(constraints > 0, "constraint_velocity", &format!("out + {constraints}"));
+    let correction = call(constraints > 0, "correction", "out");
     [
+        function(
+            "position_rates_of_model",
+            SIGNATURE,
+            &call(programs.layout.positions > 0, "position_rates", "out"),
+        ),
+        function("residuals_of_model", SIGNATURE, &residuals),
+        function("correction_of_model", SIGNATURE, &correction),
         function("rates_of_model", SIGNATURE, &call(true, "rhs", "out")),
         function("indicators_of_model", SIGNATURE, &indicators),
         function("outputs_of_model", SIGNATURE, &outputs),

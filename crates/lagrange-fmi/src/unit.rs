@@ -16,12 +16,13 @@ use crate::variables::{Start, variables};
 const TOLERANCE: f64 = 1e-10;
 
 /// Sources that are the same for all systems.
-const SOURCES: [(&str, &str); 7] = [
+const SOURCES: [(&str, &str); 8] = [
     ("fmi2.c", include_str!("../sources/fmi2.c")),
     ("fmi2.h", include_str!("../sources/fmi2.h")),
     ("variables.h", include_str!("../sources/variables.h")),
     ("exchange.h", include_str!("../sources/exchange.h")),
     ("stepping.h", include_str!("../sources/stepping.h")),
+    ("changes.h", include_str!("../sources/changes.h")),
     ("motion.h", include_str!("../sources/motion.h")),
     ("dormand_prince.h", include_str!("../sources/dormand_prince.h")),
 ];

@@ -215,6 +215,20 @@ fn zeros_fire_once() {
     assert_eq!(messages.lines().count(), 3, "{messages}");
 }
 
+/// A pendulum in Cartesian coordinates keeps its length in a long motion, and rejects a start that
+/// has another one.
+#[test]
+fn constraints_hold() {
+    let rod = "struct Rod; coord x = 0.6, y = -0.8; kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
+        potential = 9.81 * y; constraint length = x^2 + y^2 - 1;";
+    let ([status, time, x, y], messages) = stepped("rod", rod, &["0.5", "400"]);
+    assert!([status, time] == [0.0, 200.0] && (x.hypot(y) - 1.0).abs() < 4e-15, "{x} {y} {messages}");
+    let unit = unit(&rod.replace("0.6", "0.7"));
+    let output = run(&program("off", &unit), &guid(&unit), &["0.5", "1"]);
+    let message = String::from_utf8(output.stderr).expect("text");
+    assert!(message.contains("the start violates the constraint length"), "{message}");
+}
+
 #[test]
 fn wrong_requests_are_errors() {
     let unit = unit(BOUNCE);
