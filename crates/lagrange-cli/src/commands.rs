@@ -23,6 +23,9 @@ use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
 use crate::source;
 
+/// Number of operations beyond which compilers need minutes for derivatives in units.
+const MOST_DERIVATIVES: usize = 20_000;
+
 /// The end of a command; mistakes are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Ended {
@@ -68,7 +71,9 @@ impl Command {
     fn unit(&self, values: &Values, is_source: bool) -> Ended {
         let system = self.source().and_then(|source| {
             let derived = with_derivatives(&source)?;
-            Ok((dynamic(&source, &derived)?, source.name))
+            let mut programs = Programs::new(&derived);
+            programs.linearised.take_if(|program| program.len() > MOST_DERIVATIVES);
+            Ok((dynamic(&source, programs)?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };
         let start = match set(values, &mut system).and_then(|()| start(values, &system)) {
@@ -158,12 +163,12 @@ fn ended(is_well: bool) -> Ended {
 
 /// Returns a system that can be run; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
-    dynamic(source, &derived(source, |system| system.derive(StrategyChoice::Cheapest))?)
+    let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+    dynamic(source, Programs::new(&derived))
 }
 
-fn dynamic(source: &Source, derived: &Derived) -> Outcome<DeclaredSystem> {
-    DeclaredSystem::new(Programs::new(derived))
-        .map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
+fn dynamic(source: &Source, programs: Programs) -> Outcome<DeclaredSystem> {
+    DeclaredSystem::new(programs).map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
 }
 
 /// Returns a system with the derivatives of its rates, if they are small enough to be written out;
