@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 18] = [
+pub(crate) const LIBRARIES: [Library; 19] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-c", layers: C },
@@ -25,6 +25,7 @@ pub(crate) const LIBRARIES: [Library; 18] = [
     Library { name: "lagrange-dynamic", layers: DYNAMIC },
     Library { name: "lagrange-expr", layers: EXPR },
     Library { name: "lagrange-files", layers: &[] },
+    Library { name: "lagrange-fmi", layers: FMI },
     Library { name: "lagrange-import", layers: IMPORT },
     Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: &[] },
@@ -160,6 +161,20 @@ const C: &[Layer] = &[
     Layer { modules: &["arrays"], purpose: "names, units and defaults as arrays" },
     Layer { modules: &["header"], purpose: "the header" },
     Layer { modules: &["source"], purpose: "the source file" },
+];
+
+const FMI: &[Layer] = &[
+    Layer {
+        modules: &["archive", "dependencies", "error", "quantities"],
+        purpose: "archives; variables that rates and outputs depend on; reasons why a unit is not made; units of \
+                  measurement as the standard defines them",
+    },
+    Layer { modules: &["compile", "variables"], purpose: "compiled libraries; the variables of a unit" },
+    Layer {
+        modules: &["binding", "description"],
+        purpose: "what the C of all units knows of one system; the description in XML",
+    },
+    Layer { modules: &["unit"], purpose: "units: description, sources and archive" },
 ];
 
 const CLI: &[Layer] = &[

@@ -17,7 +17,7 @@ pub(crate) fn body(
     function: &Function<'_>,
 ) -> Result<String, Unrepresentable> {
     let mut out = preparation(name, programs, function);
-    let state = State { programs, callables };
+    let state = State { programs, callables, takes_residuals: function.takes_residuals };
     let mut first = 0;
     for part in &function.parts {
         out += &written(part, first, &state)?;
@@ -44,7 +44,7 @@ fn preparation(name: &str, programs: &Programs, function: &Function<'_>) -> Stri
     if takes(|role| matches!(role, Role::Acceleration(_))) {
         out += &array("accelerations", layout.velocities);
     }
-    if takes(|role| matches!(role, Role::Multiplier(_))) {
+    if !function.takes_residuals && takes(|role| matches!(role, Role::Multiplier(_))) {
         out += &array("multipliers", layout.multipliers);
     }
     out
@@ -90,6 +90,8 @@ fn guard(part: &Part<'_>) -> Option<String> {
 struct State<'a> {
     programs: &'a Programs,
     callables: &'a Callables<'a>,
+    /// True if residuals take the places of multipliers.
+    takes_residuals: bool,
 }
 
 impl Surroundings for State<'_> {
@@ -97,6 +99,9 @@ impl Surroundings for State<'_> {
         match role {
             Role::Side(index) => return format!("switches[{index}]"),
             Role::Acceleration(index) => return format!("accelerations[{index}]"),
+            Role::Multiplier(index) if self.takes_residuals => {
+                return format!("p[{}]", self.programs.layout.fields() + index as usize);
+            }
             Role::Multiplier(index) => return format!("multipliers[{index}]"),
             _ => {}
         }

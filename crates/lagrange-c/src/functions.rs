@@ -16,6 +16,8 @@ pub(crate) struct Function<'a> {
     pub(crate) shape: Vec<usize>,
     /// The programs whose results stand one after the other.
     pub(crate) parts: Vec<Part<'a>>,
+    /// True if residuals of the constraints stand behind the inputs.
+    pub(crate) takes_residuals: bool,
 }
 
 /// The results of a program, or the first of them.
@@ -38,6 +40,7 @@ impl<'a> Part<'a> {
 pub(crate) fn functions(programs: &Programs) -> Vec<Function<'_>> {
     let mut functions = of_motion(programs);
     functions.extend(of_products(programs));
+    functions.extend(of_constraints(programs));
     functions.extend(of_ports(programs));
     functions.extend(of_changes(programs));
     functions.retain(|function| function.shape.iter().all(|extent| *extent > 0));
@@ -47,7 +50,7 @@ pub(crate) fn functions(programs: &Programs) -> Vec<Function<'_>> {
 fn function<'a>(name: &str, docs: &[&str], parts: Vec<Part<'a>>) -> Function<'a> {
     let docs = docs.iter().map(|line| (*line).to_owned()).collect();
     let shape = vec![parts.iter().map(|part| part.count).sum()];
-    Function { name: name.to_owned(), docs, shape, parts }
+    Function { name: name.to_owned(), docs, shape, parts, takes_residuals: false }
 }
 
 fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
@@ -63,6 +66,13 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
     );
     let is_derived = programs.jacobian.is_some();
     let jacobian = Function { shape: if is_derived { vec![states; 2] } else { vec![0] }, ..jacobian };
+    let linearised = function(
+        "linearised",
+        &["Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows."],
+        programs.linearised.iter().map(Part::of).collect(),
+    );
+    let columns = states + layout.inputs;
+    let linearised = Function { shape: vec![linearised.shape[0] / columns.max(1), columns], ..linearised };
     vec![
         function(
             "rhs",
@@ -73,6 +83,7 @@ fn of_motion(programs: &Programs) -> Vec<Function<'_>> {
         function("accelerations", &["Accelerations, in the order of the velocities."], vec![accelerations()]),
         function("multipliers", &["Multipliers of the constraints, in their order."], vec![multipliers]),
         jacobian,
+        linearised,
     ]
 }
 
@@ -84,7 +95,8 @@ fn of_products(programs: &Programs) -> Vec<Function<'_>> {
         let method = product.row().method.as_ref()?;
         let docs = method.docs.iter().map(|line| line.replace('`', "")).collect();
         let shape = shape(method.returns, &programs.layout, program.outputs().len());
-        Some(Function { name: product.name().to_owned(), docs, shape, parts: vec![Part::of(program)] })
+        let parts = vec![Part::of(program)];
+        Some(Function { name: product.name().to_owned(), docs, shape, parts, takes_residuals: false })
     });
     written.collect()
 }
@@ -100,6 +112,28 @@ fn shape(shape: ProductShape, layout: &Layout, entries: usize) -> Vec<usize> {
         ProductShape::Scalar | ProductShape::Vector(_) => vec![entries],
         ProductShape::Matrix(rows, columns) => vec![extent(rows), extent(columns)],
     }
+}
+
+/// Functions that bring states back onto the constraints.
+fn of_constraints(programs: &Programs) -> Vec<Function<'_>> {
+    let (growths, layout) = (programs.growths, &programs.layout);
+    let is_constrained = layout.multipliers > 0;
+    let residuals = is_constrained.then(|| Part::of(&programs.position_residuals));
+    let residuals = function(
+        "position_residuals",
+        &["Residuals of the constraints on positions; zero for others."],
+        residuals.into_iter().collect(),
+    );
+    let part = Part { program: &programs.correction, count: layout.velocities, growths };
+    let correction = function(
+        "correction",
+        &[
+            "The least change of velocities, or of positions, measured by the mass matrix, that removes",
+            "residuals of the constraints to first order. These stand behind the inputs in p.",
+        ],
+        is_constrained.then_some(part).into_iter().collect(),
+    );
+    vec![residuals, Function { takes_residuals: true, ..correction }]
 }
 
 fn of_ports(programs: &Programs) -> Vec<Function<'_>> {

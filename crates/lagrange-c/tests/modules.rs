@@ -21,7 +21,7 @@ use systems::SYSTEMS;
 const STATES: usize = 40;
 const OPTIONS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Werror"];
 
-/// Time, state and p.
+/// Time, state and p, with residuals of constraints behind it.
 struct Sample {
     t: f64,
     y: Vec<f64>,
@@ -37,7 +37,8 @@ struct Case {
 
 fn programs(text: &str) -> Programs {
     let system = parse(text).unwrap_or_else(|report| panic!("{text}: {report}"));
-    let derived = system.with(Product::Jacobian).derive(StrategyChoice::Cheapest);
+    let system = system.with(Product::Jacobian).with(Product::SystemMatrix);
+    let derived = system.derive(StrategyChoice::Cheapest);
     Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")))
 }
 
@@ -59,7 +60,11 @@ impl Case {
         let samples = (0..STATES).map(|_| Sample {
             t: 2.0 + 2.0 * random(&mut seed),
             y: (0..layout.positions + layout.velocities).map(|_| 1.5 * random(&mut seed)).collect(),
-            p: defaults.iter().map(|value| value * (1.0 + 0.3 * random(&mut seed))).collect(),
+            p: defaults
+                .iter()
+                .map(|value| value * (1.0 + 0.3 * random(&mut seed)))
+                .chain((0..layout.multipliers).map(|index| 0.1 * (index + 1) as f64))
+                .collect(),
         });
         let samples = samples.collect();
         Case { numeric: NumericSystem::of(Arc::new(programs)), module, samples }
@@ -75,8 +80,9 @@ impl Case {
     /// Computes the values of a function of the module by the interpreter.
     fn expected(&self, function: &str, Sample { t, y, p }: &Sample) -> Vec<f64> {
         let mut numeric = self.numeric.clone();
-        p.iter().enumerate().for_each(|(index, value)| assert!(numeric.set_field(index, *value)));
         let programs = numeric.programs().clone();
+        let (fields, residuals) = p.split_at(programs.layout.fields());
+        fields.iter().enumerate().for_each(|(index, value)| assert!(numeric.set_field(index, *value)));
         let (q, v) = y.split_at(programs.layout.positions);
         let run = |program: &Program| numeric.evaluate(program, *t, q, v);
         let numbered = |prefix: &str| function.strip_prefix(prefix).map(str::parse::<usize>);
@@ -93,8 +99,11 @@ impl Case {
             "rhs" => numeric.rhs(*t, y),
             "position_rates" => numeric.position_rates(*t, q, v),
             "accelerations" => numeric.acceleration(*t, q, v),
+            "position_residuals" => run(&programs.position_residuals),
+            "correction" => numeric.correction(*t, q, v, residuals),
             "multipliers" => numeric.multipliers(*t, q, v),
             "jacobian" => run(programs.jacobian.as_ref().expect("requested")),
+            "linearised" => run(programs.linearised.as_ref().expect("requested")),
             "outputs" => programs.outputs.iter().flat_map(|(_, program)| run(program)).collect(),
             "events" => run(&programs.event_functions),
             "switches" => run(&programs.switches),
@@ -203,7 +212,7 @@ fn nothing_is_plausible_where_elimination_fails() {
         "struct Pinned; coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = y;
         constraint a = x^2 + y^2 - 1; constraint b = x^2 + 2 * y^2 - 1;",
     );
-    let at = |y: f64| Sample { t: 0.0, y: vec![1.0, y, 0.0, 0.5], p: Vec::new() };
+    let at = |y: f64| Sample { t: 0.0, y: vec![1.0, y, 0.0, 0.5], p: vec![0.1, 0.2] };
     case.samples = vec![at(0.5), at(0.0), at(1e-13)];
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pinned");
     let printed = run(&folder, std::slice::from_ref(&case), "cc");

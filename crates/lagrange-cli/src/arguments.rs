@@ -19,6 +19,7 @@ Commands:
   statements FILE   write the declaration in plain statements: no arrays, loops or bodies
   rust FILE         write the code that the macro emits
   c FILE            write a module of C: NAME.h and NAME.c, named for the struct
+  fmu FILE          write a unit of the Functional Mock-up Interface 2.0: NAME.fmu
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
   urdf FILE         write the declaration of a robot that a URDF file describes
@@ -29,17 +30,19 @@ A file named `-` is the standard input. Tables are files beside the declaration.
 Options:
   -o, --output FILE   write to a file instead of the standard output; for motions, the
                       extension selects the format: csv, parquet, svg or png; for modules of
-                      C, a folder, or the path of both files without their extensions
+                      C, a folder, or the path of both files without their extensions; for
+                      units, a folder or a path
       --json          list mistakes as JSON: an array of objects on the standard output (check)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (kernel)
       --until TIME    end of the motion, which starts at 0 (simulate)
       --every TIME    sample so often, instead of at every step (simulate)
-      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate)
-      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate)
+      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate, fmu)
+      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate, fmu)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
                       `rk4` or `gauss` in equal steps (simulate)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate)
+      --sources       leave the compilation to the program that imports the unit (fmu)
       --step TIME     length of equal steps (simulate)
       --energy        add a column for the energy (simulate)
       --events FILE   write the events of the motion to a file, as CSV (simulate)
@@ -95,10 +98,38 @@ pub(crate) enum Action {
     Write(Text),
     /// Writes a module of C.
     Module,
+    /// Writes a unit of the Functional Mock-up Interface.
+    Unit {
+        /// Values at the start.
+        values: Values,
+        /// True without a compiled library.
+        is_source: bool,
+    },
     /// Computes a motion.
     Simulate(Settings),
     /// Imports a robot.
     Urdf(Options),
+}
+
+/// Values at the start, as they are written.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct Values {
+    /// Parameters and inputs, by name.
+    pub(crate) fields: Vec<(String, String)>,
+    /// Entries of the state, by name.
+    pub(crate) start: Vec<(String, String)>,
+}
+
+impl Values {
+    /// Reads the value of an option; false if there is none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match option {
+            "set" => self.fields.push(assignment(option, parser)?),
+            "start" => self.start.push(assignment(option, parser)?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
 }
 
 /// Settings of a motion, as they are written.
@@ -108,10 +139,8 @@ pub(crate) struct Settings {
     pub(crate) until: Option<String>,
     /// Interval between samples.
     pub(crate) every: Option<String>,
-    /// Values of parameters and inputs, by name.
-    pub(crate) fields: Vec<(String, String)>,
-    /// Values of the state at the start, by name.
-    pub(crate) start: Vec<(String, String)>,
+    /// Values at the start.
+    pub(crate) values: Values,
     /// Name of the method.
     pub(crate) method: Option<String>,
     /// Tolerated error.
@@ -128,15 +157,13 @@ impl Settings {
     /// Reads the value of an option; false if there is none of this name.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
-            "set" => self.fields.push(assignment(option, parser)?),
-            "start" => self.start.push(assignment(option, parser)?),
             "until" => self.until = Some(parser.value()?.string()?),
             "every" => self.every = Some(parser.value()?.string()?),
             "method" => self.method = Some(parser.value()?.string()?),
             "tolerance" => self.tolerance = Some(parser.value()?.string()?),
             "step" => self.step = Some(parser.value()?.string()?),
             "events" => self.events = Some(PathBuf::from(parser.value()?)),
-            _ => return Ok(false),
+            _ => return self.values.read(option, parser),
         }
         Ok(true)
     }
@@ -172,6 +199,7 @@ impl Action {
             "statements" => Action::Write(Text::Statements),
             "rust" => Action::Write(Text::Rust),
             "c" => Action::Module,
+            "fmu" => Action::Unit { values: Values::default(), is_source: false },
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "simulate" => Action::Simulate(Settings::default()),
             "urdf" => Action::Urdf(Options::default()),
@@ -185,6 +213,7 @@ impl Action {
             (Action::Check { is_json }, "json") => *is_json = true,
             (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
             (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
+            (Action::Unit { is_source, .. }, "sources") => *is_source = true,
             (Action::Simulate(settings), "energy") => settings.has_energy = true,
             (Action::Urdf(options), "free") => options.is_free = true,
             (Action::Urdf(options), "inputs") => options.has_inputs = true,
@@ -202,6 +231,7 @@ impl Action {
     /// Reads the value of an option; false if the action has none of this name.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
+            (Action::Unit { values, .. }, _) => return values.read(option, parser),
             (Action::Simulate(settings), _) => return settings.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),

@@ -11,16 +11,20 @@ use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs, System};
 use lagrange_dynamic::{DeclaredSystem, Source};
 use lagrange_files::save_bytes;
+use lagrange_fmi::{ExportError, MockupUnit, Start};
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
 use proc_macro2::TokenStream;
 use quote::quote;
 use serde_json::Value;
 
-use crate::arguments::{Action, Command, Settings, Text};
+use crate::arguments::{Action, Command, Settings, Text, Values};
 use crate::mistakes;
-use crate::motions::{Failure, Motion};
+use crate::motions::{Failure, Motion, set, start};
 use crate::source;
+
+/// Number of operations beyond which compilers need minutes for derivatives in units.
+const MOST_DERIVATIVES: usize = 20_000;
 
 /// The end of a command; mistakes are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -47,6 +51,7 @@ impl Command {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
+            Action::Unit { values, is_source } => return self.unit(values, *is_source),
             Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
             Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
         };
@@ -59,21 +64,34 @@ impl Command {
             return Ended::WithMistakes;
         };
         let motion = Motion::new(settings, self.output.as_deref(), &mut system);
-        match motion.and_then(|motion| system.visit(motion)) {
-            Ok(()) => Ended::Well,
-            Err(Failure::Usage(message)) => {
-                print_error(&message);
-                Ended::Misused
-            }
-            Err(Failure::File(message)) => {
-                print_error(&message);
-                Ended::WithMistakes
-            }
-            Err(Failure::Ended(message)) => {
-                print_error(&message);
-                Ended::Early
-            }
-        }
+        motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
+    }
+
+    /// Writes a unit of the Functional Mock-up Interface.
+    fn unit(&self, values: &Values, is_source: bool) -> Ended {
+        let system = self.source().and_then(|source| {
+            let derived = with_derivatives(&source)?;
+            let mut programs = Programs::new(&derived);
+            programs.linearised.take_if(|program| program.len() > MOST_DERIVATIVES);
+            Ok((dynamic(&source, programs)?, source.name))
+        });
+        let Ok((mut system, name)) = system else { return Ended::WithMistakes };
+        let start = match set(values, &mut system).and_then(|()| start(values, &system)) {
+            Ok(state) => started(&system, state, values),
+            Err(failure) => return failed(failure),
+        };
+        let refused = |error: ExportError| print_error(&format!("{name}: {error}"));
+        let packed = MockupUnit::new(system.programs(), &start).and_then(|unit| {
+            let compiler = std::env::var("CC").unwrap_or_else(|_| "cc".to_owned());
+            let binary = (!is_source).then(|| unit.compile(&compiler)).transpose()?;
+            Ok((unit.archive(binary.as_ref())?, unit.name))
+        });
+        let written = packed.map_err(refused).and_then(|(bytes, name)| {
+            let path = self.output.as_deref().unwrap_or(Path::new("."));
+            let path = if path.is_dir() { path.join(format!("{name}.fmu")) } else { path.to_owned() };
+            write(Some(&path), &bytes)
+        });
+        ended(written.is_ok())
     }
 
     /// Writes the header and the source file of a module.
@@ -121,6 +139,24 @@ impl Command {
     }
 }
 
+/// Prints why a motion is not written.
+fn failed(failure: Failure) -> Ended {
+    let (message, end) = match failure {
+        Failure::Usage(message) => (message, Ended::Misused),
+        Failure::File(message) => (message, Ended::WithMistakes),
+        Failure::Ended(message) => (message, Ended::Early),
+    };
+    print_error(&message);
+    end
+}
+
+/// Returns the values at the start of a unit.
+fn started(system: &DeclaredSystem, state: Vec<f64>, values: &Values) -> Start {
+    let is_given = |name: &String| values.start.iter().any(|(given, _)| given == name);
+    let are_given = system.state_names().iter().map(is_given).collect();
+    Start { fields: system.numeric().fields().to_vec(), state, are_given }
+}
+
 fn ended(is_well: bool) -> Ended {
     if is_well { Ended::Well } else { Ended::WithMistakes }
 }
@@ -128,8 +164,11 @@ fn ended(is_well: bool) -> Ended {
 /// Returns a system that can be run; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
     let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
-    DeclaredSystem::new(Programs::new(&derived))
-        .map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
+    dynamic(source, Programs::new(&derived))
+}
+
+fn dynamic(source: &Source, programs: Programs) -> Outcome<DeclaredSystem> {
+    DeclaredSystem::new(programs).map_err(|refusal| print_error(&format!("{}: {refusal}", source.name)))
 }
 
 /// Returns a system with the derivatives of its rates, if they are small enough to be written out;
@@ -138,6 +177,17 @@ fn with_jacobian(source: &Source) -> Outcome<Derived> {
     derived(source, |system| {
         let choice = StrategyChoice::Cheapest;
         system.clone().with(Product::Jacobian).derive(choice).or_else(|_| system.derive(choice))
+    })
+}
+
+/// Returns a system with the derivatives of rates and outputs by state and inputs, if they are
+/// small enough; prints warnings and errors.
+fn with_derivatives(source: &Source) -> Outcome<Derived> {
+    derived(source, |system| {
+        let choice = StrategyChoice::Cheapest;
+        let has_clocks = !system.model.clocks.is_empty();
+        let linear = (!has_clocks).then(|| system.clone().with(Product::SystemMatrix).derive(choice));
+        linear.and_then(Result::ok).map_or_else(|| system.derive(choice), Ok)
     })
 }
 
@@ -202,10 +252,10 @@ fn robot(source: &Source, options: &Options) -> Outcome<String> {
     }
 }
 
-fn write(output: Option<&Path>, text: &str) -> Outcome<()> {
+fn write(output: Option<&Path>, text: impl AsRef<[u8]>) -> Outcome<()> {
     let result = match output {
         Some(path) => save_bytes(path, text).map_err(|error| format!("{}: {error}", path.display())),
-        None => io::stdout().lock().write_all(text.as_bytes()).map_err(|error| error.to_string()),
+        None => io::stdout().lock().write_all(text.as_ref()).map_err(|error| error.to_string()),
     };
     result.map_err(|message| print_error(&message))
 }

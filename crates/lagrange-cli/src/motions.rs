@@ -11,7 +11,7 @@ use lagrange_files::save_bytes;
 use lagrange_runtime::simulate::Trajectory;
 use lagrange_runtime::system::StepFailure;
 
-use crate::arguments::Settings;
+use crate::arguments::{Settings, Values};
 use crate::values::value;
 
 /// Formats of files, by extension.
@@ -46,13 +46,7 @@ impl<'a> Motion<'a> {
         system: &mut DeclaredSystem,
     ) -> Result<Self, Failure> {
         check_format(output)?;
-        for (name, text) in &settings.fields {
-            let value = named_value("set", (name, text), system)?;
-            system.set(name, value).map_err(|error| Failure::Usage(format!("--set: {error}")))?;
-        }
-        if let Some(name) = system.missing() {
-            return Err(Failure::Usage(format!("`{name}` has no value: write `--set {name}=1`")));
-        }
+        set(&settings.values, system)?;
         let until = settings.until.as_deref().map(|text| time("until", text)).transpose()?;
         let until =
             until.ok_or_else(|| Failure::Usage("the end is missing: write `--until 10`".to_owned()))?;
@@ -60,7 +54,7 @@ impl<'a> Motion<'a> {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
         let run = RunSettings {
-            start: start(settings, system)?,
+            start: start(&settings.values, system)?,
             from: 0.0,
             until,
             every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
@@ -90,11 +84,29 @@ fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
     })
 }
 
-/// The state at the start.
-fn start(settings: &Settings, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
+/// Sets parameters and inputs.
+///
+/// # Errors
+/// The first value that makes no sense, or is missing.
+pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Failure> {
+    for (name, text) in &values.fields {
+        let value = named_value("set", (name, text), system)?;
+        system.set(name, value).map_err(|error| Failure::Usage(format!("--set: {error}")))?;
+    }
+    match system.missing() {
+        Some(name) => Err(Failure::Usage(format!("`{name}` has no value: write `--set {name}=1`"))),
+        None => Ok(()),
+    }
+}
+
+/// Returns the state at the start.
+///
+/// # Errors
+/// The first value that makes no sense, or is missing.
+pub(crate) fn start(values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
     let named =
         |(name, text): &(String, String)| Ok((name.clone(), named_value("start", (name, text), system)?));
-    let values = settings.start.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
+    let values = values.start.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
     system.start_with(&values).map_err(|error| match error {
         StartError::Missing(name) => Failure::Usage(format!(
             "the start of `{name}` is missing: write `--start {name}=0`, or declare it"

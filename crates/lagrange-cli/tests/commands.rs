@@ -144,6 +144,39 @@ fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
 }
 
 #[test]
+fn units_of_fmi_are_archives_in_a_folder_or_of_a_name() {
+    let folder = temporary("unit");
+    fs::create_dir_all(&folder).expect("a folder");
+    let path = |name: &str| folder.join(name).to_str().expect("UTF-8").to_owned();
+    let read = |name: &str| String::from_utf8_lossy(&fs::read(path(name)).expect("written")).into_owned();
+    assert_eq!(written(&["fmu", &data("swing.lag"), "-o", &path(""), "--sources"]), "");
+    let sources = read("swing.fmu");
+    assert!(
+        sources.starts_with("PK") && sources.contains("name=\"theta\"") && !sources.contains("binaries/")
+    );
+    assert!(sources.contains("<Real unit=\"rad\" start=\"0.5\"/>"));
+    let changed = ["--set", "l=50 cm", "--start", "theta=180deg"];
+    let (swing, output) = (data("swing.lag"), path("clock.fmu"));
+    let command = [&["fmu", &swing, "-o", &output][..], &changed].concat();
+    assert_eq!(written(&command), "");
+    let compiled = read("clock.fmu");
+    assert!(compiled.contains("binaries/") && compiled.contains("<Real unit=\"m\" start=\"0.5\"/>"));
+    assert!(compiled.contains(&format!("<Real unit=\"rad\" start=\"{:?}\"/>", std::f64::consts::PI)));
+    for (declaration, options, code, message) in [
+        ("coord h; kinetic = dot(h)^2; event floor = h, falling => impact(1/2);", &[][..], 1, "`floor`"),
+        ("coord h = 1; param m; kinetic = m * dot(h)^2;", &[], 2, "`m` has no value: write `--set m=1`"),
+        ("coord h; kinetic = dot(h)^2;", &[], 2, "the start of `h` is missing"),
+        ("coord h = 1; kinetic = dot(h)^2;", &["--set", "k=2"], 2, "`k`"),
+    ] {
+        let output = path("refused.fmu");
+        let refused = run_on(declaration, &[&["fmu", "-", "-o", &output], options].concat());
+        assert_eq!(refused.status.code(), Some(code), "{declaration}");
+        assert!(errors(&refused).contains(message), "{}", errors(&refused));
+    }
+    assert!(!folder.join("refused.fmu").exists());
+}
+
+#[test]
 fn robots_are_imported() {
     let robots = "../lagrange-import/tests/data";
     let result = run(&["urdf", &format!("{robots}/every_joint.urdf")]);

@@ -8,7 +8,7 @@
 use super::phases::DerivedPart;
 use super::system::Derived;
 use crate::derive::Equations;
-use crate::emit::{NamedRoots, Variables, by_state, on_sides, variables};
+use crate::emit::{NamedRoots, Variables, by_state, by_state_and_inputs, on_sides, variables};
 use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Speed};
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::{Labels, NewtonProgram, Op, Program, lower, optimise};
@@ -76,6 +76,9 @@ pub struct Programs {
     pub products: Vec<(Product, Program)>,
     /// ∂ẏ/∂y in rows, if it is requested.
     pub jacobian: Option<Program>,
+    /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
+    /// the system matrix is requested.
+    pub linearised: Option<Program>,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
     /// Algebraic unknowns that rates are made of.
@@ -197,7 +200,12 @@ impl Programs {
         let of_clocks = self.clocks.iter().flat_map(|clock| [&clock.period, &clock.after]);
         let values = self.products.iter().map(|(_, program)| program);
         let outputs = self.outputs.iter().map(|(_, program)| program);
-        let others = self.start.iter().chain(&self.jacobian).chain(self.switch_times.iter().flatten());
+        let others = self
+            .start
+            .iter()
+            .chain(&self.jacobian)
+            .chain(&self.linearised)
+            .chain(self.switch_times.iter().flatten());
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
     }
@@ -284,6 +292,7 @@ impl<'a> Lowering<'a> {
             clocks,
             products: self.products(),
             jacobian: self.jacobian(),
+            linearised: self.linearised(),
             outputs: self.outputs(),
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
             unknown_values: self.on_sides(&unknowns.iter().map(|(root, _)| *root).collect::<Vec<_>>()),
@@ -400,6 +409,12 @@ impl<'a> Lowering<'a> {
     fn jacobian(&mut self) -> Option<Program> {
         let rows = self.equations.product(Product::Jacobian, &self.model)?;
         let entries = by_state(&mut self.model, &rows);
+        Some(self.on_sides(&entries))
+    }
+
+    fn linearised(&mut self) -> Option<Program> {
+        let rows = self.equations.product(Product::SystemMatrix, &self.model)?;
+        let entries = by_state_and_inputs(&mut self.model, self.equations, &rows);
         Some(self.on_sides(&entries))
     }
 

@@ -71,6 +71,7 @@ use header::{default_header, header_ahead};
 pub use identifiers::can_be_declared;
 pub use keywords::{STRUCTURAL_FUNCTIONS, is_function};
 use lagrange_expr::diagnostics::{Origin, Report};
+use lagrange_expr::units::Unit;
 use parser::Parser;
 
 /// Reads the input of `system!`.
@@ -97,6 +98,13 @@ pub fn parse_text(text: &str, report: &mut Report) -> Option<Declaration> {
         false => default_header(),
     };
     Some(with_statements(header, parser, cursor))
+}
+
+/// Reads a unit, such as `kg*m^2/s`; `None` if the text is none.
+pub fn parse_unit(text: &str) -> Option<Unit> {
+    let report = &mut Report::default();
+    let cursor = &mut Cursor::new(text::tokens(text, report)?);
+    Parser::new(report).unit(cursor).ok().map(|unit| *unit)
 }
 
 /// Reads the statements of a file that a declaration includes. Their expressions become some of the

@@ -94,7 +94,7 @@ impl Parser<'_> {
     }
 
     /// Reads a unit up to what cannot go on with it.
-    fn unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
+    pub(super) fn unit(&mut self, cursor: &mut Cursor) -> Parsed<Box<Unit>> {
         let (start, mut factors) = (cursor.position(), Vec::new());
         self.unit_factors(&Number::ONE, &mut factors, cursor)?;
         self.unit_of(factors, cursor.since(start))

@@ -30,6 +30,22 @@ pub(in crate::emit) fn system_matrix(
     entries
 }
 
+/// Derivatives of the rates and of the outputs by the state and the inputs, in rows, from those of
+/// the accelerations.
+pub fn by_state_and_inputs(
+    model: &mut Model,
+    equations: &Equations,
+    accelerations: &[ExprId],
+) -> Vec<ExprId> {
+    let inputs = model.inputs.iter().map(|input| input.symbol).collect::<Vec<_>>();
+    let arguments = [model.positions(), model.velocities(), inputs].concat();
+    let rates = model.position_rates();
+    let mut entries = jacobian(&mut model.graph, &rates, &arguments).concat();
+    entries.extend(accelerations);
+    entries.extend(outputs(model, equations, accelerations, &arguments));
+    entries
+}
+
 /// The rows of the outputs. Where these contain accelerations or multipliers, the chain rule leads
 /// through them.
 fn outputs(

@@ -1,0 +1,41 @@
+//! Systems as units of the Functional Mock-up Interface 2.0, for model exchange and co-simulation.
+//!
+//! A unit is an archive with a description in XML, with sources, and with a library for one
+//! platform. The sources are the module that `lagrange-c` writes, and C that implements the
+//! functions of the standard over it. Other platforms compile them. The same declaration and the
+//! same compiler give the same bytes.
+//!
+//! The standard: *Functional Mock-up Interface for Model Exchange and Co-Simulation*, version
+//! 2.0.4, Modelica Association 2022.
+//!
+//! ```
+//! use lagrange_core::derive::StrategyChoice;
+//! use lagrange_core::pipeline::{Programs, parse};
+//! use lagrange_fmi::{MockupUnit, Start};
+//!
+//! let swing = "struct Swing; param l: m = 2, g: m/s^2 = 9.81; coord theta: rad = 0.5;
+//!     kinetic = 1/2 * (1 [kg]) * (l * dot(theta))^2; potential = -(1 [kg]) * g * l * cos(theta);";
+//! let programs = Programs::new(&parse(swing)?.derive(StrategyChoice::Cheapest)?);
+//! let start = Start { fields: vec![2.0, 9.81], state: vec![0.5, 0.0], are_given: vec![false; 2] };
+//! let unit = MockupUnit::new(&programs, &start)?;
+//! assert!(unit.description.contains("modelName=\"Swing\""));
+//! let sources = unit.archive(None)?;
+//! assert!(sources.starts_with(b"PK"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+#![forbid(unsafe_code)]
+
+mod archive;
+mod binding;
+mod compile;
+mod dependencies;
+mod description;
+mod error;
+mod quantities;
+mod unit;
+mod variables;
+
+pub use compile::Binary;
+pub use error::ExportError;
+pub use unit::MockupUnit;
+pub use variables::Start;

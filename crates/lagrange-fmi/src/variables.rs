@@ -1,0 +1,83 @@
+//! The variables of a unit, in the order of their value references.
+
+use lagrange_core::pipeline::Programs;
+
+use crate::error::ExportError;
+use crate::quantities::Definitions;
+
+/// Values at the start, in coherent units.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Start {
+    /// Parameters, then inputs.
+    pub fields: Vec<f64>,
+    /// The state: positions, then velocities.
+    pub state: Vec<f64>,
+    /// True for entries of the state that do not follow the declared start when parameters change.
+    pub are_given: Vec<bool>,
+}
+
+/// A variable.
+pub(crate) struct Variable {
+    pub(crate) name: String,
+    pub(crate) unit: Option<String>,
+    pub(crate) kind: Kind,
+}
+
+/// The part that a variable plays.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub(crate) enum Kind {
+    /// An entry of the state with its value at the start; true if that follows from parameters.
+    State(f64, bool),
+    /// The rate of the entry of the state with this index.
+    Rate(usize),
+    /// A parameter with its value and its bounds.
+    Parameter(f64, [Option<f64>; 2]),
+    /// An input with its value at the start.
+    Input(f64),
+    /// An output.
+    Output,
+}
+
+/// Returns all variables, and defines their units.
+///
+/// # Errors
+/// If two have the same name.
+pub(crate) fn variables(
+    programs: &Programs,
+    start: &Start,
+    follows: &[bool],
+    units: &mut Definitions,
+) -> Result<Vec<Variable>, ExportError> {
+    let names = &programs.variables;
+    let mut variable = |name: &str, kind| {
+        let unit = units.define(names.unit(name), false);
+        Variable { name: name.to_owned(), unit, kind }
+    };
+    let states = names.state_names();
+    let kinds = start.state.iter().zip(follows).map(|(value, follows)| Kind::State(*value, *follows));
+    let mut all = states.iter().zip(kinds).map(|(name, kind)| variable(name, kind)).collect::<Vec<_>>();
+    let fields = names.fields.iter().zip(&start.fields).enumerate().map(|(index, (name, value))| {
+        let is_parameter = index < programs.layout.parameters;
+        variable(name, if is_parameter { parameter(programs, index, *value) } else { Kind::Input(*value) })
+    });
+    let fields = fields.collect::<Vec<_>>();
+    let outputs = names.outputs.concat();
+    let outputs = outputs.iter().map(|name| variable(name, Kind::Output)).collect::<Vec<_>>();
+    all.extend(states.iter().enumerate().map(|(index, name)| Variable {
+        name: format!("der({name})"),
+        unit: units.define(names.unit(name), true),
+        kind: Kind::Rate(index),
+    }));
+    all.extend(fields.into_iter().chain(outputs));
+    let mut sorted = all.iter().map(|variable| &variable.name).collect::<Vec<_>>();
+    sorted.sort();
+    match sorted.windows(2).find(|pair| pair[0] == pair[1]) {
+        Some(pair) => Err(ExportError::SameName(pair[0].clone())),
+        None => Ok(all),
+    }
+}
+
+fn parameter(programs: &Programs, index: usize, value: f64) -> Kind {
+    let range = programs.ranges.iter().find(|range| range.parameter == index);
+    Kind::Parameter(value, range.map_or([None; 2], |range| range.bounds.map(|bound| Some(bound?.0))))
+}

@@ -1,0 +1,311 @@
+#!/usr/bin/env python3
+"""Compares units of the Functional Mock-up Interface, run by FMPy, with `lagrange simulate` and with SciPy.
+
+    tools/fmi_check.py PATH_OF_LAGRANGE
+"""
+
+import csv
+import math
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from fmpy import extract, read_model_description, simulate_fmu
+from fmpy.fmi2 import FMU2Model, FMU2Slave
+from fmpy.validation import validate_fmu
+from scipy.integrate import solve_ivp
+
+PENDULUM = """struct DoublePendulum;
+param m1: kg = 1.0, m2: kg = 1.0, l1: m = 1.0, l2: m = 1.0, g: m/s^2 = 9.81;
+coord theta1: rad = 0.5, theta2: rad = 0.2;
+let (x1, y1) = (l1 * sin(theta1), -l1 * cos(theta1));
+let (x2, y2) = (x1 + l2 * sin(theta2), y1 - l2 * cos(theta2));
+kinetic = 1/2 * m1 * (dot(x1)^2 + dot(y1)^2) + 1/2 * m2 * (dot(x2)^2 + dot(y2)^2);
+potential = m1 * g * y1 + m2 * g * y2;"""
+
+BOUNCE = """struct Bounce; param g: m/s^2 = 9.81, e in 0..=1 = 0.8; coord h: m = 1;
+kinetic = 1/2 * (1 [kg]) * dot(h)^2; potential = (1 [kg]) * g * h;
+event floor = h, falling => { dot(h) = -e * dot(h); }
+event top = dot(h), falling => record;"""
+
+SERVO = """struct Servo; param j = 0.4, k = 30, d = 3; input target = 0; coord angle = 0.1;
+kinetic = 1/2 * j * dot(angle)^2; force angle = k * (target - angle) - d * dot(angle) - sin(angle);
+output moment = k * (target - angle) - d * dot(angle);"""
+
+ROD = """struct Rod; param m = 1.0, g = 9.81; coord x = 0.6, y = -0.8;
+kinetic = 1/2 * m * (dot(x)^2 + dot(y)^2); potential = m * g * y;
+constraint length = x^2 + y^2 - 1; output tension = 2 * length;"""
+
+SPRING = """struct Spring; param m: g = 250, c: N/mm = 0.02, l: cm = 20, g: m/s^2 = 9.81;
+coord r: m = 0.3, phi: rad = 0.4;
+kinetic = 1/2 * m * (dot(r)^2 + (r * dot(phi))^2); potential = 1/2 * c * (r - l)^2 - m * g * r * cos(phi);
+output tension: N = c * (r - l); output place: m = (r * sin(phi), -r * cos(phi));"""
+
+DUFFING = """struct Duffing; param a = 0.4, w = 1.3; coord x = 0.5;
+kinetic = 1/2 * dot(x)^2; potential = 1/4 * x^4 - 1/2 * x^2 + 0.3 * abs(x);
+force x = a * cos(w * t) - 0.1 * dot(x) + if t > 2.5 { 0.2 } else { 0 };"""
+
+MOTOR = """struct Motor; param j = 0.01, r = 0.5, l = 0.02, k = 0.05; input voltage = 6.0;
+coord phi = 0; state current = 0; kinetic = 1/2 * j * dot(phi)^2; force phi = k * current;
+dot(current) = (voltage - r * current - k * dot(phi)) / l; output moment = k * current;"""
+
+SWING = """struct Swing; param m: kg = 1, l: m = 1, g: m/s^2 = 9.81, a: rad = 0.5; coord theta: rad = a / 2;
+kinetic = 1/2 * m * (l * dot(theta))^2; potential = -m * g * l * cos(theta);
+output height: m = -l * cos(theta);"""
+
+TOP = """struct Top; param m = 0.5, l = 0.1, i1 = 2e-3, i3 = 1e-3, g = 9.81; gravity = (0, 0, -g);
+body rotor { mass: m; centroid: (0, 0, l); inertia: (i1, i1, i3); }
+ball tip = ground to rotor; output height = rotor.center.z;"""
+
+SAMPLED = """struct Sampled; param period = 0.17; coord x = 1; discrete held = 0;
+kinetic = 1/2 * dot(x)^2; force x = held - sin(x);
+every period => { held = -2 * x - dot(x); }
+event middle = x, crossing => { dot(x) = 0.9 * dot(x); }"""
+
+END, EVERY = 3.0, 0.0625
+
+# Declaration, values of parameters, of the state at the start, and of inputs.
+SYSTEMS = {
+    "double pendulum": (PENDULUM, {}, {}, {}),
+    "bounce": (BOUNCE, {}, {}, {}),
+    "servo": (SERVO, {}, {}, {"target": 0.7}),
+    "rod": (ROD, {}, {}, {}),
+    "spring": (SPRING, {}, {}, {}),
+    "duffing": (DUFFING, {}, {}, {}),
+    "motor": (MOTOR, {}, {}, {"voltage": 4.5}),
+    "swing": (SWING, {"g": 1.62, "l": 2.0, "a": 1.4}, {}, {}),
+    "top": (TOP, {}, {"tip_qw": 0.8, "tip_qx": 0.6, "tip_qy": 0.0, "tip_qz": 0.0, "tip_wz": 40.0}, {}),
+    "sampled": (SAMPLED, {}, {}, {}),
+}
+
+# Largest differences that are accepted, of co-simulation and of model exchange by CVode.
+STEPPING, EXCHANGE = 1e-9, 1e-7
+
+
+def command(lagrange, *arguments):
+    subprocess.run([lagrange, *map(str, arguments)], check=True)
+
+
+def columns(path):
+    with open(path, newline="") as file:
+        names, *rows = csv.reader(file)
+    return {name.split(" in ")[0]: np.array(column, float) for name, column in zip(names, zip(*rows))}
+
+
+def assignments(option, values):
+    return [part for name, value in values.items() for part in (f"--{option}", f"{name}={value!r}")]
+
+
+def expected(lagrange, folder, file, sets, starts):
+    options = assignments("set", sets) + assignments("start", starts)
+    output = folder / "expected.csv"
+    command(lagrange, "simulate", file, "--until", END, "--every", EVERY, "--tolerance", "1e-13", "-o", output, *options)
+    return columns(output)
+
+
+def simulated(unit, kind, names, values, inputs, **more):
+    signal = None
+    if inputs:
+        signal = np.array([(0.0, *inputs.values()), (END, *inputs.values())], [("time", float)] + [(n, float) for n in inputs])
+    solver = {"solver": "CVode"} if kind == "ModelExchange" else {}
+    return simulate_fmu(
+        str(unit), fmi_type=kind, stop_time=END, output_interval=EVERY, start_values=values, input=signal,
+        output=names, relative_tolerance=1e-13 if kind == "CoSimulation" else 1e-12, **solver, **more,
+    )
+
+
+def compare(lagrange, folder, name):
+    """Compares one system with `lagrange simulate`; returns the end of its co-simulation."""
+    text, parameters, starts, inputs = SYSTEMS[name]
+    file, unit = folder / "system.lag", folder / f"{name.replace(' ', '_')}.fmu"
+    file.write_text(text)
+    command(lagrange, "fmu", file, "-o", unit, *assignments("start", starts))
+    problems = validate_fmu(str(unit))
+    assert not problems, problems
+    reference = expected(lagrange, folder, file, {**parameters, **inputs}, starts)
+    names = [column for column in reference if column != "t"]
+    differences, last = [], None
+    for kind, limit in (("CoSimulation", STEPPING), ("ModelExchange", EXCHANGE)):
+        result = simulated(unit, kind, names, parameters, inputs)
+        # Where events fall, there are two rows: the last is that behind them.
+        times = result["time"]
+        rows = [np.flatnonzero(np.abs(times - t) < 1e-9)[-1] for t in reference["t"]]
+        scale = {column: max(1.0, np.abs(reference[column]).max()) for column in names}
+        differences.append(max(np.abs(result[column][rows] - reference[column]).max() / scale[column] for column in names))
+        assert differences[-1] < limit, f"{name}, {kind}: {differences[-1]}"
+        last = last if last is not None else {column: result[column][-1] for column in names}
+    print(f"{name:16} co-simulation {differences[0]:.1e}   model exchange {differences[1]:.1e}")
+    return last
+
+
+def solved(rates, start, until=END, first=0.0):
+    return solve_ivp(rates, (first, until), start, method="DOP853", rtol=1e-13, atol=1e-14).y[:, -1]
+
+
+def pendulum_rates(_, y):
+    a, b, u, v = y
+    mass = np.array([[2.0, math.cos(a - b)], [math.cos(a - b), 1.0]])
+    forces = [-math.sin(a - b) * v * v - 2 * 9.81 * math.sin(a), math.sin(a - b) * u * u - 9.81 * math.sin(b)]
+    return [u, v, *np.linalg.solve(mass, forces)]
+
+
+def bounced():
+    """The ball after its bounces, in closed form."""
+    g, e, t = 9.81, 0.8, math.sqrt(2 / 9.81)
+    speed = e * g * t
+    while t + 2 * speed / g < END:
+        t += 2 * speed / g
+        speed *= e
+    rest = END - t
+    return [speed * rest - g * rest**2 / 2, speed - g * rest]
+
+
+def motor_rates(_, y):
+    return [y[2], (4.5 - 0.5 * y[1] - 0.05 * y[2]) / 0.02, 0.05 * y[1] / 0.01]
+
+
+def compare_with_scipy(ends):
+    answers = {
+        "double pendulum": (("theta1", "theta2", "theta1_dot", "theta2_dot"), solved(pendulum_rates, [0.5, 0.2, 0, 0])),
+        "bounce": (("h", "h_dot"), bounced()),
+        "motor": (("phi", "current", "phi_dot"), solved(motor_rates, [0, 0, 0])),
+        "swing": (("theta", "theta_dot"), solved(lambda _, y: [y[1], -0.81 * math.sin(y[0])], [0.7, 0])),
+    }
+    for name, (names, answer) in answers.items():
+        difference = max(abs(ends[name][column] - value) for column, value in zip(names, answer))
+        print(f"{name:16} beside SciPy or closed forms {difference:.1e}")
+        assert difference < STEPPING, name
+
+
+def compare_signal(folder):
+    """A target that jumps at t = 1."""
+    unit = folder / "servo.fmu"
+    signal = np.array([(0, 0.0), (1, 0.0), (1, 0.7), (END, 0.7)], [("time", float), ("target", float)])
+    rates = lambda target: lambda _, y: [y[1], (30 * (target - y[0]) - 3 * y[1] - math.sin(y[0])) / 0.4]
+    answer = solved(rates(0.7), solved(rates(0.0), [0.1, 0], 1.0), END, 1.0)
+    for kind, solver, limit in (("CoSimulation", {}, STEPPING), ("ModelExchange", {"solver": "CVode"}, EXCHANGE)):
+        result = simulate_fmu(str(unit), fmi_type=kind, stop_time=END, output_interval=EVERY, input=signal,
+                              output=["angle", "angle_dot"], relative_tolerance=1e-12, **solver)
+        difference = max(abs(result[-1][1] - answer[0]), abs(result[-1][2] - answer[1]))
+        print(f"jump of an input, {kind} {difference:.1e}")
+        assert difference < limit
+
+
+class Opened:
+    """A unit by the functions of the standard, with the messages that it logs."""
+
+    def __init__(self, unit, kind, guid=None):
+        self.folder = extract(str(unit))
+        self.description = read_model_description(str(unit))
+        self.reference = {variable.name: variable.valueReference for variable in self.description.modelVariables}
+        section = self.description.coSimulation if kind is FMU2Slave else self.description.modelExchange
+        self.fmu = kind(guid=guid or self.description.guid, unzipDirectory=self.folder,
+                        modelIdentifier=section.modelIdentifier, instanceName="check")
+
+    def start(self):
+        self.fmu.instantiate()
+        self.fmu.setupExperiment(tolerance=1e-12, startTime=0.0)
+        self.fmu.enterInitializationMode()
+        self.fmu.exitInitializationMode()
+        return self.fmu
+
+    def get(self, *names):
+        return self.fmu.getReal([self.reference[name] for name in names])
+
+
+def fails(action):
+    """Requires an error of the unit."""
+    try:
+        action()
+    except Exception as error:
+        assert "fmi2Error" in str(error) or "status 3" in str(error) or "instantiate" in str(error), error
+        return
+    raise AssertionError("no error")
+
+
+def check_errors(folder):
+    unit = folder / "servo.fmu"
+    wrong = Opened(unit, FMU2Slave, "{00000000-0000-0000-0000-000000000000}")
+    fails(wrong.fmu.instantiate)
+    opened = Opened(unit, FMU2Slave)
+    fmu = opened.start()
+    for action in (
+        lambda: fmu.getReal([4711]),
+        lambda: fmu.setReal([4711], [1.0]),
+        lambda: fmu.getInteger([0]),
+        lambda: fmu.setReal([opened.reference["target"]], [math.nan]),
+        lambda: fmu.setReal([opened.reference["moment"]], [1.0]),
+        lambda: fmu.doStep(math.nan, 0.1),
+        lambda: fmu.doStep(0.0, -0.1),
+        lambda: fmu.doStep(5.0, 0.1),
+    ):
+        fails(action)
+    # It goes on after all of these.
+    fmu.doStep(0.0, 0.5)
+    state = fmu.getFMUState()
+    before = opened.get("angle", "angle_dot")
+    fmu.doStep(0.5, 0.25)
+    once = opened.get("angle", "angle_dot")
+    fmu.setFMUState(state)
+    assert opened.get("angle", "angle_dot") == before != once
+    bytes_of_state = fmu.serializeFMUState(state)
+    fmu.doStep(0.5, 0.25)
+    assert opened.get("angle", "angle_dot") == once
+    fmu.setFMUState(fmu.deSerializeFMUstate(bytes_of_state))
+    assert opened.get("angle", "angle_dot") == before
+    fmu.freeFMUState(state)
+    fmu.terminate()
+    fmu.freeInstance()
+    print("errors and copies of the state")
+
+
+def check_derivatives(folder):
+    """Derivatives of the servo, by hand."""
+    opened = Opened(folder / "servo.fmu", FMU2Model)
+    fmu = opened.start()
+    angle = 0.9
+    fmu.setReal([opened.reference["angle"]], [angle])
+    unknowns = [opened.reference[name] for name in ("der(angle)", "der(angle_dot)", "moment")]
+    for known, answer in (
+        ("angle", [0, (-30 - math.cos(angle)) / 0.4, -30]), ("angle_dot", [1, -3 / 0.4, -3]), ("target", [0, 30 / 0.4, 30]),
+    ):
+        found = fmu.getDirectionalDerivative(unknowns, [opened.reference[known]], [2.0])
+        assert np.allclose(found, 2 * np.array(answer), rtol=1e-14), (known, found)
+    fmu.freeInstance()
+    print("directional derivatives")
+
+
+def check_failure(lagrange, folder):
+    """A motion that cannot go on stands at its last good state."""
+    file, unit = folder / "root.lag", folder / "root.fmu"
+    file.write_text("struct Root; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -1 - 0.1 * sqrt(x);")
+    command(lagrange, "fmu", file, "-o", unit)
+    opened = Opened(unit, FMU2Slave)
+    fmu = opened.start()
+    fails_at_end = False
+    try:
+        fmu.doStep(0.0, 2.0)
+    except Exception as error:
+        fails_at_end = "iscard" in str(error) or "status 2" in str(error)
+    x, _ = opened.get("x", "x_dot")
+    time = fmu.getRealStatus(2)
+    assert fails_at_end and 0 < x < 1e-3 and 1.3 < time < 1.5, (fails_at_end, x, time)
+    print("a failure")
+
+
+def main():
+    lagrange = str(Path(sys.argv[1]).resolve())
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        ends = {name: compare(lagrange, folder, name) for name in SYSTEMS}
+        compare_with_scipy(ends)
+        compare_signal(folder)
+        check_errors(folder)
+        check_derivatives(folder)
+        check_failure(lagrange, folder)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Exports systems as units of the Functional Mock-up Interface, and compares their motions, in an environment of its own.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+environment=$PWD/target/fmi
+"$environment/bin/python" -c "import fmpy, scipy" 2>/dev/null || {
+    # Some distributions split `venv` off.
+    python3 -m venv "$environment" || {
+        python3 -m pip install --quiet --user virtualenv
+        python3 -m virtualenv --quiet "$environment"
+    }
+    "$environment/bin/pip" install --quiet "fmpy>=0.3.20" "numpy>=2" scipy
+}
+cargo build --quiet --locked -p lagrange-cli
+"$environment/bin/python" tools/fmi_check.py "${CARGO_TARGET_DIR:-target}/debug/lagrange"
