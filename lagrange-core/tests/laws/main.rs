@@ -3,6 +3,7 @@
 
 mod arrays;
 mod callables;
+mod coupled;
 mod dampers;
 mod declarations;
 mod dimensions;
