@@ -3,6 +3,7 @@
 
 mod arrays;
 mod callables;
+mod conditions;
 mod coupled;
 mod dampers;
 mod declarations;
