@@ -37,8 +37,8 @@ impl Callables {
         self.solutions.iter().map(|solution| &solution.equation)
     }
 
-    /// The value of a function, or those of all unknowns that are solved for together; NaN if nobody
-    /// computes it.
+    /// The value of a function, or those of all unknowns that are solved for together; NaN if
+    /// nobody computes it.
     pub(super) fn call(&self, function: &Opaque, arguments: &[f64]) -> Vec<f64> {
         match self.solutions.iter().find(|solution| solution.functions.contains(function)) {
             Some(solution) => {

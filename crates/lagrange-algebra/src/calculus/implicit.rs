@@ -97,8 +97,8 @@ fn at(
     expressions.into_iter().map(|expression| substitute(graph, expression, &replacements)).collect()
 }
 
-/// Returns the residuals of the equations that define a call of an algebraic unknown; none for other
-/// calls.
+/// Returns the residuals of the equations that define a call of an algebraic unknown; none for
+/// other calls.
 pub fn residuals(graph: &mut Graph, call: ExprId) -> Vec<ExprId> {
     let Node::Opaque(function, arguments) = graph.node(call).clone() else { return Vec::new() };
     match graph.equations_of(&function).cloned() {

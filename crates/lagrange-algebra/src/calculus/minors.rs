@@ -1,6 +1,6 @@
 //! Determinants of small matrices of expressions, by expansion along rows.
 //!
-//! A minor of some columns in the last rows occurs in many larger ones and is computed once: at
+//! A minor of some columns in the last rows occurs in many larger ones and is computed once. At
 //! most 2ⁿ of them make up a determinant, fewer where entries are zero.
 
 use crate::calculus::partial;

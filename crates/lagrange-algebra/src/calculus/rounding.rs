@@ -7,9 +7,9 @@ use lagrange_expr::number::Number;
 
 /// Bounds the rounding error of a residual at a solution, in units of the rounding of one
 /// operation. The bound is Σ |n ∂r/∂n| over the unknowns and all that is computed from them on the
-/// way to r. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and chapter 25.
-/// The polynomial of a table is computed from a value at a knot and the distance from there, each
-/// of which is rounded, too.
+/// way to r. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and
+/// chapter 25. The polynomial of a table is computed from a value at a knot and the distance from
+/// there, each of which is rounded, too.
 pub fn rounding(graph: &mut Graph, root: ExprId, unknowns: &[ExprId]) -> ExprId {
     let one = graph.number(1);
     let mut shares = Vec::new();

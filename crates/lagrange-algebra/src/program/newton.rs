@@ -34,8 +34,8 @@ pub struct NewtonProgram {
     pub values: Vec<Role>,
     /// Initial guesses.
     pub start: Program,
-    /// Program of the residuals r: r, ∂r/∂y in rows, and a bound of the rounding error of each r, in
-    /// units of one rounding.
+    /// Program of the residuals r: r, ∂r/∂y in rows, and a bound of the rounding error of each r,
+    /// in units of one rounding.
     pub equation: Program,
     /// The largest number of steps.
     pub iterations: u32,

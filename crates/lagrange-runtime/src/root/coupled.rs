@@ -25,12 +25,12 @@ pub type CoupledEquations<S, const N: usize> = ([S; N], [[S; N]; N], [S; N]);
 ///
 /// A step is halved until the next correction by the same Jacobian is shorter than the step
 /// (Deuflhard, *Newton Methods for Nonlinear Problems*, §3.3). Corrections are measured in units of
-/// each unknown and its step, so the search depends neither on the scales of the unknowns nor on
-/// those of the equations. A candidate is a point where rounding explains all residuals. It is
-/// a zero if rounding hides only the last digits of each unknown. Otherwise the Jacobian must have
-/// the same orientation, and not vanish, on both sides along each direction that rounding hides.
-/// Residuals that only become small beside their terms have no zero. From a zero one more step is
-/// taken.
+/// each unknown and its step. The search therefore depends neither on the scales of the unknowns
+/// nor on those of the equations. A candidate is a point where rounding explains all residuals. It
+/// is a zero if rounding hides only the last digits of each unknown. Otherwise the Jacobian must
+/// have the same orientation, and not vanish, on both sides along each direction that rounding
+/// hides. Residuals that only become small beside their terms have no zero. From a zero one more
+/// step is taken.
 ///
 /// ```
 /// use lagrange::root::coupled;
@@ -61,7 +61,7 @@ struct CoupledSearch<S: Number, const N: usize> {
     point: [S; N],
     /// The last point that was an improvement.
     base: [S; N],
-    /// What Newton's method subtracts there.
+    /// The correction of Newton's method there, which is subtracted.
     step: [S; N],
     /// The inverse of the Jacobian there, whose rows are divided by the scales.
     inverse: [[S; N]; N],

@@ -28,7 +28,7 @@ messages! {
         "move the declaration before this; unknowns that depend on each other are solved for together: `solve (y, z): 0 = e, 0 = f;`";
     DEPENDENT_HELP = "write equations none of which follows from the others";
     dependent(names) = "these equations do not determine {names}: one of them follows from the others";
-    in_no_equation(name) = "no equation depends on `{name}`";
+    in_no_equation(name) = "no equation depends on {name}";
     equation(name) = "the equation of {name}";
     without_unknown(name) = "this equation does not depend on {name}";
     without_unknown_help(name) =

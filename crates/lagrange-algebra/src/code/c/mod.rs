@@ -54,8 +54,8 @@ pub trait Surroundings {
     /// Returns the name of a symbol in the declaration.
     fn name(&self, role: Role) -> Option<String>;
 
-    /// Returns a call of a function without a formula, for these arguments. The last argument of one
-    /// that solves for several unknowns is the array of their values.
+    /// Returns a call of a function without a formula, for these arguments. The last argument of
+    /// one that solves for several unknowns is the array of their values.
     fn call(&self, function: &Opaque, arguments: &[&str]) -> String;
 }
 
