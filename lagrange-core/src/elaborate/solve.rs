@@ -295,12 +295,12 @@ pub(super) fn check_names_of_solvers(elaborator: &mut Elaborator<'_>) {
         let clash =
             functions.filter(|name| name.text.strip_prefix("solve_") == Some(&joined)).collect::<Vec<_>>();
         for name in clash {
-            let message = words::name_of_solver(&name.text, &words::names(names));
+            let message = words::name_of_solver(&name.text, words::names(names));
             let error = elaborator.evaluator.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
             error.related(names[0].span.into(), messages::names::DECLARED_HERE);
         }
         if let Some(first) = named.insert(joined.clone(), names) {
-            let message = words::name_of_solver(&format!("solve_{joined}"), &words::names(first));
+            let message = words::name_of_solver(format!("solve_{joined}"), words::names(first));
             let error =
                 elaborator.evaluator.report.error(names[0].span, message).help(messages::OTHER_NAME_HELP);
             error.related(first[0].span.into(), messages::names::DECLARED_HERE);

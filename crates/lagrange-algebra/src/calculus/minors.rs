@@ -28,7 +28,7 @@ impl Minors<'_> {
     pub(super) fn cofactor(&mut self, graph: &mut Graph, row: usize, column: usize) -> ExprId {
         let all = self.all();
         let minor = self.minor(graph, all & !(1 << row), all & !(1 << column));
-        if (row + column) % 2 == 0 { minor } else { graph.negate(minor) }
+        if (row + column).is_multiple_of(2) { minor } else { graph.negate(minor) }
     }
 
     fn all(&self) -> u32 {
