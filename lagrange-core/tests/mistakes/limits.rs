@@ -89,7 +89,7 @@ fn excesses() -> Vec<Excess> {
     let names = (0..=MAX_COUPLED).map(|i| format!("y{i}")).collect::<Vec<_>>();
     let equations = names.iter().map(|name| format!("0 = {name} - x")).collect::<Vec<_>>().join(", ");
     let coupled = format!("solve ({}): {equations};", names.join(", "));
-    let condition = vec!["(x > 0 || x < 1)"; 7].join(" && ");
+    let condition = ["(x > 0 || x < 1)"; 7].join(" && ");
     vec![
         excess!(MAX_NESTING, format!("let y = {}1{};", "(".repeat(nested), ")".repeat(nested))),
         excess!(MAX_INDICES, format!("param k{};", "[1]".repeat(MAX_INDICES + 1))),

@@ -132,7 +132,7 @@ fn mistakes_of_conditions_are_named() {
     assert_eq!(mistake("if a < b && c { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
     assert_eq!(
         mistake("if !(a < b && c) { 1 } else { 2 }"),
-        "expected an operator or `<`, `<=`, `>` or `>=`, found `)`"
+        "expected an operator, `<`, `<=`, `>` or `>=`, found nothing"
     );
     assert_eq!(mistake("if a = b { 1 } else { 2 }"), "a condition has `==` between what it compares");
     assert_eq!(mistake("if a < b < c { 1 } else { 2 }"), "a comparison has two sides");
