@@ -58,6 +58,59 @@ lagrange::system! {
     emit { lanes }
 }
 
+declared_twice! { Coupled, COUPLED;
+    param a = 1, b = 4, c = 3, d = 7/2, k = 5, leak = 1e-14, volt = 0.02585;
+    coord crank;
+    state charge;
+    input source = 5;
+    solve (coupler, rocker):
+        0 = a * cos(crank) + b * cos(coupler) - d - c * cos(rocker),
+        0 = a * sin(crank) + b * sin(coupler) - c * sin(rocker),
+        start: (0.7, 1.5);
+    // Two diodes one behind the other, each with a resistor to ground.
+    solve (first, second):
+        0 = (source - charge - first) / 1000 - first / 2000 - leak * (exp((first - second) / volt) - 1),
+        0 = leak * (exp((first - second) / volt) - 1) - second / 500 - leak * (exp(second / volt) - 1),
+        start: (source, source / 2), iterations: 300;
+    kinetic = 1/2 * dot(crank)^2 + 1/2 * dot(rocker)^2;
+    potential = 1/2 * k * (rocker - 1)^2 + sin(coupler);
+    force crank = first;
+    dot(charge) = second - charge;
+    output angles = (coupler, rocker, dot(rocker), first);
+    emit { jacobian, lanes }
+}
+
+lagrange::system! {
+    /// Coupled equations in any number type.
+    struct Linked<S>;
+    coord x;
+    solve (pull, slip): 0 = pull + pull^3 - x + slip, 0 = 2 * slip + slip^3 - pull;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -pull;
+    output slips = slip;
+}
+
+lagrange::system! {
+    /// The same in single precision, side by side.
+    #[scalar(f32)]
+    struct SingleLinked;
+    coord x;
+    solve (pull, slip): 0 = pull + pull^3 - x + slip, 0 = 2 * slip + slip^3 - pull;
+    kinetic = 1/2 * dot(x)^2;
+    force x = -pull;
+    emit { lanes }
+}
+
+lagrange::system! {
+    /// Two unknowns that meet no longer beyond x = 1.
+    #[derive(Clone, Debug)]
+    struct Parting;
+    coord x;
+    solve (y, z): 0 = y * z + x - 1, 0 = y - z, start: (1, 1);
+    kinetic = 1/2 * dot(x)^2;
+    force x = 1 - y;
+}
+
 fn half(x: f64) -> f64 {
     0.5 * x
 }
@@ -144,6 +197,54 @@ fn lanes_have_the_bits_of_one_motion() {
 }
 
 #[test]
+fn coupled_unknowns_have_the_bits_of_the_interpreter_and_of_lanes() {
+    let derived = parse(COUPLED).and_then(|system| system.derive(StrategyChoice::Cheapest));
+    let (coupled, interpreted) =
+        (Coupled::default(), NumericSystem::new(&derived.expect("a correct declaration")));
+    let all = states().collect::<Vec<_>>();
+    for state in &all {
+        let ([crank, charge, rate], found) = (*state, coupled.rhs(0.0, state));
+        assert!(found.iter().all(|found| found.is_finite()), "{state:?} {found:?}");
+        assert_eq!(found[..], interpreted.rhs(0.0, state)[..]);
+        let (q, v) = ([crank, charge], [rate]);
+        let angles = interpreted.output("angles", 0.0, &q, &v).expect("it is declared");
+        assert_eq!(coupled.angles(0.0, &q, &v)[..], angles);
+        let jacobian = interpreted.product(Product::Jacobian, 0.0, &q, &v).expect("it was asked for");
+        for (found, expected) in coupled.jacobian(0.0, state)[2].into_iter().zip(jacobian) {
+            assert!((found - expected).abs() <= 1e-12 * (1.0 + expected.abs()), "{found} {expected}");
+        }
+    }
+    let one = coupled.lanes(|parameter| Lanes::<f64, 1>([parameter]));
+    let four = coupled.lanes(|parameter| Lanes::<f64, 4>([parameter; 4]));
+    for group in all.chunks_exact(4) {
+        let mut side_by_side = [0, 1, 2].map(|entry| Lanes([0, 1, 2, 3].map(|lane| group[lane][entry])));
+        side_by_side[0].0[3] = f64::NAN;
+        let found = four.rhs(Lanes([0.0; 4]), &side_by_side);
+        for (lane, state) in group.iter().enumerate().take(3) {
+            let alone = one.rhs(Lanes([0.0]), &state.map(|entry| Lanes([entry])));
+            assert_eq!(found.map(|rate| rate.0[lane].to_bits()), alone.map(|rate| rate.0[0].to_bits()));
+        }
+        assert!(found[2].0[3].is_nan());
+    }
+}
+
+#[test]
+fn coupled_unknowns_are_the_same_in_other_numbers() {
+    let (double, single, plain) = (Linked::<f64>::default(), Linked::<f32>::default(), SingleLinked);
+    let lanes = plain.lanes(|parameter| parameter);
+    for x in [-30.0_f32, -1.0, 0.0, 0.1, 2.0] {
+        let [pull] = double.acceleration(0.0, &[f64::from(x)], &[0.0]);
+        let slip = double.slips(0.0, &[f64::from(x)], &[0.0]);
+        assert!((pull.powi(3) + pull + f64::from(x) - slip).abs() < 1e-14 * (1.0 + f64::from(x.abs())));
+        assert!((slip.powi(3) + 2.0 * slip + pull).abs() < 1e-14 * (1.0 + pull.abs()));
+        let ([b], [c]) = (single.acceleration(0.0, &[x], &[0.0]), plain.acceleration(0.0, &[x], &[0.0]));
+        let a = pull as f32;
+        assert!((a - b).abs() <= 4e-7 * a.abs() && (a - c).abs() <= 4e-7 * a.abs(), "{a} {b} {c}");
+        assert_eq!(lanes.rhs(0.0, &[x, 0.0]), plain.rhs(0.0, &[x, 0.0]));
+    }
+}
+
+#[test]
 fn energy_is_kept_with_an_unknown_in_the_potential() {
     let arm = Arm { leak: 0.0, source: 0.0, ..Arm::default() };
     let start = ArmState { theta: 1.2, charge: 0.0, theta_dot: 0.0 };
@@ -179,6 +280,9 @@ fn elements_of_arrays_have_equations_and_units_scale_the_start() {
 #[test]
 fn a_run_without_a_solution_ends_with_an_error() {
     let failure = Snapping.simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
+    let error = failure.expect_err("there is no root beyond x = 1").to_string();
+    assert!(error.contains("no solution for `y` at time"), "{error}");
+    let failure = Parting.simulate([0.5, 1.0]).until(5.0).tolerance(1e-9).run();
     let error = failure.expect_err("there is no root beyond x = 1").to_string();
     assert!(error.contains("no solution for `y` at time"), "{error}");
     let event = Snapping.simulate([0.5, 1.0]).until(0.2).tolerance(1e-9).run();

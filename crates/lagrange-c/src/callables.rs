@@ -35,14 +35,18 @@ impl<'a> Callables<'a> {
 
     /// Returns a call of a function for these arguments.
     pub(crate) fn call(&self, function: &Opaque, arguments: &[&str]) -> String {
-        let arguments = arguments.join(", ");
         match self.tables.iter().position(|known| *known == function) {
-            Some(index) => format!("table_{index}({arguments})"),
+            Some(index) => format!("table_{index}({})", arguments.join(", ")),
             None => {
-                let index = self.solutions.iter().position(|solution| solution.function == *function);
+                let index = self.solutions.iter().position(|solution| solution.functions.contains(function));
                 let index = index.unwrap_or_else(|| unreachable!("refused before: {function:?}"));
-                let arguments = if arguments.is_empty() { "0" } else { &arguments };
-                format!("solution_{index}((const double[]){{ {arguments} }})")
+                let (arguments, results) = match function.unknowns().len() {
+                    1 => (arguments, None),
+                    _ => (&arguments[..arguments.len() - 1], arguments.last()),
+                };
+                let known = if arguments.is_empty() { "0".to_owned() } else { arguments.join(", ") };
+                let results = results.map_or_else(String::new, |results| format!(", {results}"));
+                format!("solution_{index}((const double[]){{ {known} }}{results})")
             }
         }
     }
@@ -58,11 +62,14 @@ impl<'a> Callables<'a> {
                 self.tables.iter().position(|table| table.function().name == function.function().name);
             out += &definition(index, first.unwrap_or(index), function);
         }
-        if !self.solutions.is_empty() {
+        if self.solutions.iter().any(|solution| solution.values.len() == 1) {
             out += &format!("\n{}", include_str!("newton.h"));
         }
-        for index in 0..self.solutions.len() {
-            out += &format!("\nLAGRANGE_FUNCTION double solution_{index}(const double *x);");
+        if self.solutions.iter().any(|solution| solution.values.len() > 1) {
+            out += &format!("\n{}", include_str!("coupled.h"));
+        }
+        for (index, solution) in self.solutions.iter().enumerate() {
+            out += &format!("\n{};", signature(index, solution));
         }
         for (index, solution) in self.solutions.iter().enumerate() {
             out += &self.solution(index, solution)?;
@@ -75,15 +82,41 @@ impl<'a> Callables<'a> {
         let [start, residual] = [&solution.start, &solution.equation]
             .map(|program| statements(program, Precision::Double, &equation, "out"));
         let (start, residual, iterations) = (start?, residual?, solution.iterations);
+        let count = solution.values.len();
+        let (what, unknown, declared, found) = match count {
+            1 => (
+                "residual",
+                "double y",
+                "double out[1];",
+                format!("return newton(out[0], {iterations}, equation_{index}, x);"),
+            ),
+            _ => (
+                "residuals",
+                "const double *y",
+                "",
+                format!("coupled({count}, {iterations}, equation_{index}, x, out);"),
+            ),
+        };
+        let names =
+            solution.functions.iter().map(|function| function.function().name.escape_default().to_string());
         Ok(format!(
-            "\n// The residual of {}, its slope and its rounding error.\n\
-             LAGRANGE_FUNCTION void equation_{index}(double y, const double *x, double *out)\n\
+            "\n// The {what} of {}, slopes and rounding errors.\n\
+             LAGRANGE_FUNCTION void equation_{index}({unknown}, const double *x, double *out)\n\
              {{\n    (void)y, (void)x;\n{residual}}}\n\
-             \nLAGRANGE_FUNCTION double solution_{index}(const double *x)\n\
-             {{\n    double out[1];\n    (void)x;\n{start}\
-             \x20   return newton(out[0], {iterations}, equation_{index}, x);\n}}\n",
-            solution.function.function().name.escape_default()
+             \n{}\n\
+             {{\n    {declared}\n    (void)x;\n{start}\
+             \x20   {found}\n}}\n",
+            names.collect::<Vec<_>>().join(", "),
+            signature(index, solution)
         ))
+    }
+}
+
+/// The head of the function that solves equations: one value is returned, several are stored.
+fn signature(index: usize, solution: &NewtonProgram) -> String {
+    match solution.values.len() {
+        1 => format!("LAGRANGE_FUNCTION double solution_{index}(const double *x)"),
+        _ => format!("LAGRANGE_FUNCTION void solution_{index}(const double *x, double *out)"),
     }
 }
 
@@ -134,12 +167,17 @@ struct Equation<'a> {
 
 impl Surroundings for Equation<'_> {
     fn place(&self, role: Role) -> String {
-        let index = self.solution.arguments.iter().position(|argument| *argument == role);
-        index.map_or_else(|| "y".to_owned(), |index| format!("x[{index}]"))
+        let place = |roles: &[Role]| roles.iter().position(|known| *known == role);
+        match (place(&self.solution.arguments), place(&self.solution.values)) {
+            (Some(index), _) => format!("x[{index}]"),
+            (None, Some(index)) if self.solution.values.len() > 1 => format!("y[{index}]"),
+            (None, _) => "y".to_owned(),
+        }
     }
 
     fn name(&self, role: Role) -> Option<String> {
-        (role == self.solution.value).then(|| self.solution.function.function().name.clone())
+        let place = self.solution.values.iter().position(|value| *value == role)?;
+        Some(self.solution.functions[place].function().name.clone())
     }
 
     fn call(&self, function: &Opaque, arguments: &[&str]) -> String {

@@ -55,6 +55,12 @@ pub const MAX_PART_BYTES: u64 = 1 << 20;
 /// Steps of Newton's method for an algebraic unknown.
 pub const MAX_ITERATIONS: i32 = 1_000;
 
+/// Branches of a combined condition, once it is written as choices by one comparison each.
+pub const MAX_BRANCHES: u64 = 100;
+
+/// Algebraic unknowns that are solved for together, whose derivatives are written by Cramer's rule.
+pub const MAX_COUPLED: usize = 8;
+
 /// Events of a declaration.
 pub const MAX_EVENTS: usize = 64;
 

@@ -1,5 +1,9 @@
 //! Zeros of functions that emitted code cannot write out: the algebraic unknowns of declarations.
 
+mod coupled;
+
+pub use coupled::{CoupledEquations, coupled};
+
 use crate::scalar::{Mask, Number, spacing_at_one};
 
 /// Residuals up to this many times the bound of their rounding count as zero.

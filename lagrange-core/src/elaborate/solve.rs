@@ -1,8 +1,8 @@
 //! Algebraic unknowns: values that equations define.
 //!
-//! While its equation is read the unknown is a symbol. The largest parts of the equation without
-//! the unknown become the arguments of its function. They are then computed once and not in every
-//! step of the iteration.
+//! While their equations are read the unknowns are symbols. The largest parts of the equations
+//! without an unknown become the arguments of their functions. They are then computed once and not
+//! in every step of the iteration.
 
 use super::elaborator::Elaborator;
 use super::evaluator::Evaluator;
@@ -11,10 +11,10 @@ use super::messages::{self, solve as words};
 use super::operand::Operand;
 use super::scope::NameKind;
 use super::tables::names_of_functions;
-use lagrange_algebra::calculus::{partial, rebuild};
-use lagrange_algebra::simplify::has_one_sign;
+use lagrange_algebra::calculus::{jacobian_determinant, partial, rebuild};
+use lagrange_algebra::simplify::{has_one_sign, proves_zero};
 use lagrange_expr::collections::{HashMap, OrderedMap};
-use lagrange_expr::expr::{AlgebraicUnknown, Dependencies, ExprId, Graph, Node};
+use lagrange_expr::expr::{AlgebraicUnknowns, Dependencies, ExprId, Graph, Node};
 use lagrange_expr::limits::MAX_ITERATIONS;
 use lagrange_expr::number::Number;
 use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
@@ -23,56 +23,106 @@ use lagrange_language::syntax::ast::{AstId, Name, StatementKind, UnknownDefiniti
 /// Steps of the iteration where nothing else is said.
 const ITERATIONS: u32 = 30;
 
-/// `solve y: 0 = e, start: s, iterations: n;`
-pub(super) fn define_unknown(elaborator: &mut Elaborator<'_>, definition: &UnknownDefinition) {
-    let name = &definition.name.text;
-    let symbol = elaborator.evaluator.graph.operand(name);
-    elaborator.declare(&definition.name, NameKind::Unknown, Some(Operand::Scalar(symbol)));
-    if elaborator.evaluator.scope.find(name).is_some_and(|entry| entry.is_ambiguous) {
+/// Products that a proof of dependence may expand to.
+const LARGEST_PROOF: usize = 500;
+
+/// `solve y: 0 = e, start: s, iterations: n;`, or several equations in as many unknowns.
+pub(super) fn define_unknowns(elaborator: &mut Elaborator<'_>, definition: &UnknownDefinition) {
+    let names = &definition.names;
+    let mut symbols = Vec::new();
+    for name in names {
+        let symbol = elaborator.evaluator.graph.operand(&name.text);
+        elaborator.declare(name, NameKind::Unknown, Some(Operand::Scalar(symbol)));
+        symbols.push(symbol);
+    }
+    let scope = &elaborator.evaluator.scope;
+    if names.iter().any(|name| scope.find(&name.text).is_some_and(|entry| entry.is_ambiguous)) {
         return;
     }
-    let equation = StatedEquation::read(&mut elaborator.evaluator, definition, symbol);
-    let value = equation.map(|equation| solution(elaborator, name, symbol, &equation));
-    elaborator.labels.extend(value.map(|value| (value, name.clone())));
-    elaborator.evaluator.scope.define(name, value.map(Operand::Scalar));
+    let equations = StatedEquations::read(&mut elaborator.evaluator, definition, &symbols);
+    let values = equations.map(|equations| solution(elaborator, names, &symbols, &equations));
+    for (i, name) in names.iter().enumerate() {
+        let value = values.as_ref().map(|values| values[i]);
+        elaborator.labels.extend(value.map(|value| (value, name.text.clone())));
+        elaborator.evaluator.scope.define(&name.text, value.map(Operand::Scalar));
+    }
 }
 
-/// The parts of a statement that defines an unknown.
-struct StatedEquation {
-    residual: ExprId,
-    start: ExprId,
+/// The parts of a statement that defines unknowns.
+struct StatedEquations {
+    residuals: Vec<ExprId>,
+    starts: Vec<ExprId>,
     iterations: u32,
 }
 
-impl StatedEquation {
+impl StatedEquations {
     /// Checks the whole statement; `None` if it has a mistake, which is reported.
     fn read(
         evaluator: &mut Evaluator<'_>,
         definition: &UnknownDefinition,
-        symbol: ExprId,
-    ) -> Option<StatedEquation> {
-        let name = &definition.name.text;
-        let residual = residual(evaluator, name, definition.residual, symbol);
-        let start = match definition.start {
-            Some(start) => starting_value(evaluator, name, start),
-            None => Some(evaluator.graph.number(0)),
+        symbols: &[ExprId],
+    ) -> Option<StatedEquations> {
+        let names = &definition.names;
+        let residuals =
+            definition.residuals.iter().map(|&syntax| residual(evaluator, names, syntax, symbols));
+        let residuals = residuals.collect::<Vec<_>>().into_iter().collect::<Option<Vec<_>>>();
+        let starts = match &definition.starts[..] {
+            [] => Some(vec![evaluator.graph.number(0); names.len()]),
+            starts => {
+                let starts = names.iter().zip(starts);
+                let starts = starts.map(|(name, &start)| starting_value(evaluator, &name.text, start));
+                starts.collect::<Vec<_>>().into_iter().collect()
+            }
         };
         let iterations = definition.iterations.map_or(Some(ITERATIONS), |count| iterations(evaluator, count));
-        Some(StatedEquation { residual: residual?, start: start?, iterations: iterations? })
+        let residuals = residuals?;
+        check_dependence(evaluator, definition, &residuals, symbols)?;
+        Some(StatedEquations { residuals, starts: starts?, iterations: iterations? })
     }
 }
 
-fn residual(evaluator: &mut Evaluator<'_>, name: &str, syntax: AstId, symbol: ExprId) -> Option<ExprId> {
+fn residual(
+    evaluator: &mut Evaluator<'_>,
+    names: &[Name],
+    syntax: AstId,
+    symbols: &[ExprId],
+) -> Option<ExprId> {
+    let name = &words::names(names);
     value_of(evaluator, syntax)?;
     let residual = evaluator.scalar(syntax, &words::equation(name))?;
-    let slope = partial(&mut evaluator.graph, residual, symbol);
-    if evaluator.graph.is_zero(slope) {
+    let slopes = symbols.iter().map(|&symbol| partial(&mut evaluator.graph, residual, symbol));
+    let slopes = slopes.collect::<Vec<_>>();
+    if slopes.into_iter().all(|slope| evaluator.graph.is_zero(slope)) {
         return evaluator.refuse(syntax, words::without_unknown(name), words::without_unknown_help(name));
     }
     if has_one_sign(&evaluator.graph, residual) {
         return evaluator.refuse(syntax, words::without_solution(name), words::without_solution_help(name));
     }
     Some(residual)
+}
+
+/// Reports equations that do not determine their unknowns at any point.
+fn check_dependence(
+    evaluator: &mut Evaluator<'_>,
+    definition: &UnknownDefinition,
+    residuals: &[ExprId],
+    symbols: &[ExprId],
+) -> Option<()> {
+    let last = *definition.residuals.last()?;
+    for (name, &symbol) in definition.names.iter().zip(symbols) {
+        let slopes = residuals.iter().map(|&residual| partial(&mut evaluator.graph, residual, symbol));
+        let slopes = slopes.collect::<Vec<_>>();
+        if slopes.into_iter().all(|slope| evaluator.graph.is_zero(slope)) {
+            let name = &words::names(std::slice::from_ref(name));
+            return evaluator.refuse(last, words::in_no_equation(name), words::without_unknown_help(name));
+        }
+    }
+    let determinant = jacobian_determinant(&mut evaluator.graph, residuals, symbols);
+    if symbols.len() > 1 && proves_zero(&mut evaluator.graph, determinant, LARGEST_PROOF) {
+        let names = words::names(&definition.names);
+        return evaluator.refuse(last, words::dependent(&names), words::DEPENDENT_HELP);
+    }
+    Some(())
 }
 
 fn starting_value(evaluator: &mut Evaluator<'_>, name: &str, syntax: AstId) -> Option<ExprId> {
@@ -101,35 +151,39 @@ fn holds_unknown(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::PLACEHOLDER)
 }
 
-/// The unknown as a function of its arguments.
+/// The unknowns as functions of their arguments.
 fn solution(
     elaborator: &mut Elaborator<'_>,
-    name: &str,
-    symbol: ExprId,
-    equation: &StatedEquation,
-) -> ExprId {
+    names: &[Name],
+    symbols: &[ExprId],
+    equations: &StatedEquations,
+) -> Vec<ExprId> {
     let labels = elaborator.labels.iter().cloned().collect::<HashMap<_, _>>();
     let graph = &mut elaborator.evaluator.graph;
-    let mut arguments = KnownParts { labels, symbols: OrderedMap::default() };
-    let residual = arguments.taken_out(graph, equation.residual);
-    let start = arguments.symbol(graph, equation.start);
-    let (parts, symbols): (Vec<_>, Vec<_>) =
-        arguments.symbols.iter().map(|(part, symbol)| (*part, *symbol)).unzip();
+    let mut known = KnownParts { labels, symbols: OrderedMap::default() };
+    let residuals = equations.residuals.iter().map(|&residual| known.taken_out(graph, residual)).collect();
+    let starts = equations.starts.iter().map(|&start| known.symbol(graph, start)).collect();
+    let (parts, arguments): (Vec<_>, Vec<_>) =
+        known.symbols.iter().map(|(part, symbol)| (*part, *symbol)).unzip();
     let name_of =
         |symbol: &ExprId| graph.symbol_of(*symbol).map(|symbol| symbol.name.clone()).unwrap_or_default();
-    let parameters = symbols.iter().map(name_of).collect();
-    let function =
-        Opaque::value_of(OpaqueFunction { name: name.to_owned(), parameters, source: Source::Equation });
-    let iterations = equation.iterations;
-    graph.add_unknown(AlgebraicUnknown {
-        function: function.clone(),
-        arguments: symbols,
-        value: symbol,
-        residual,
-        start,
-        iterations,
+    let parameters = arguments.iter().map(name_of).collect::<Vec<_>>();
+    let unknowns = names.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
+    let function = |place: usize| {
+        let source = Source::Equation { unknowns: unknowns.clone(), place };
+        let name = unknowns[place].clone();
+        Opaque::value_of(OpaqueFunction { name, parameters: parameters.clone(), source })
+    };
+    let functions = (0..unknowns.len()).map(function).collect::<Vec<_>>();
+    graph.add_unknowns(AlgebraicUnknowns {
+        functions: functions.clone(),
+        arguments,
+        values: symbols.to_vec(),
+        residuals,
+        starts,
+        iterations: equations.iterations,
     });
-    graph.opaque(function, &parts)
+    functions.into_iter().map(|function| graph.opaque(function, &parts)).collect()
 }
 
 /// Parts of an equation that do not hold the unknown, with the symbols that stand for them.
@@ -227,19 +281,29 @@ fn split(operands: &[(ExprId, Number)], image: impl Fn(ExprId) -> Option<ExprId>
     (bound, known)
 }
 
-/// Reports functions of the user's that have the name of one that solves an equation.
+/// Reports functions of the user's, and equations, that have the name of what solves others.
 pub(super) fn check_names_of_solvers(elaborator: &mut Elaborator<'_>) {
     let statements = &elaborator.declaration.statements;
-    let unknowns = statements.iter().filter_map(|statement| match &statement.kind {
-        StatementKind::Solve(unknown) => Some(&unknown.name),
+    let solved = statements.iter().filter_map(|statement| match &statement.kind {
+        StatementKind::Solve(unknowns) => Some(&unknowns.names),
         _ => None,
     });
-    for unknown in unknowns {
-        let clashes = |name: &&Name| name.text.strip_prefix("solve_") == Some(unknown.text.as_str());
-        for name in names_of_functions(statements).into_iter().filter(clashes) {
-            let message = words::name_of_solver(&name.text, &unknown.text);
+    let mut named: OrderedMap<String, &[Name]> = OrderedMap::default();
+    for names in solved {
+        let joined = names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>().join("_");
+        let functions = names_of_functions(statements).into_iter();
+        let clash =
+            functions.filter(|name| name.text.strip_prefix("solve_") == Some(&joined)).collect::<Vec<_>>();
+        for name in clash {
+            let message = words::name_of_solver(&name.text, words::names(names));
             let error = elaborator.evaluator.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
-            error.related(unknown.span.into(), messages::names::DECLARED_HERE);
+            error.related(names[0].span.into(), messages::names::DECLARED_HERE);
+        }
+        if let Some(first) = named.insert(joined.clone(), names) {
+            let message = words::name_of_solver(format!("solve_{joined}"), words::names(first));
+            let error =
+                elaborator.evaluator.report.error(names[0].span, message).help(messages::OTHER_NAME_HELP);
+            error.related(first[0].span.into(), messages::names::DECLARED_HERE);
         }
     }
 }

@@ -13,7 +13,7 @@ use super::operand::Operand;
 use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
-use super::solve::define_unknown;
+use super::solve::define_unknowns;
 use super::stabilisation::set_stabilisation;
 use super::start::{add_declared_start, add_start};
 use super::states::{add_state_rate, define_mode, define_state};
@@ -96,7 +96,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Emit(items) => items.iter().for_each(|item| add_product(elaborator, item)),
         StatementKind::Reduce(reduction) => add_reduction(elaborator, reduction),
         StatementKind::Table(table) => define_table(elaborator, table),
-        StatementKind::Solve(unknown) => define_unknown(elaborator, unknown),
+        StatementKind::Solve(unknowns) => define_unknowns(elaborator, unknowns),
         // Plain statements have replaced scenes, values have replaced calls, and the statements of
         // loops have replaced loops. Functions of the user's crate are known already.
         StatementKind::Scene(_)

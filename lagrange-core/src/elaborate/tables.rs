@@ -267,9 +267,9 @@ fn rough_tables(elaborator: &Elaborator<'_>, root: ExprId, derived: DerivedBy) -
         if !derived.concerns(graph.dependencies(id)) {
             continue;
         }
-        // Tables of an unknown stand in its equation, and bend it.
-        let equation = graph.unknown(function).map(|unknown| graph.reachable(&[unknown.residual]));
-        for part in equation.unwrap_or_default().into_iter().chain([id]) {
+        // Tables of an unknown stand in its equations, and bend it.
+        let equations = graph.equations_of(function).map(|unknowns| graph.reachable(&unknowns.residuals));
+        for part in equations.unwrap_or_default().into_iter().chain([id]) {
             let Node::Opaque(function, _) = graph.node(part) else { continue };
             let is_rough = function.table().is_some_and(|table| !table.is_twice_differentiable());
             if is_rough && graph.dependencies(part).may_change() {

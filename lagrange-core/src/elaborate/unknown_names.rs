@@ -62,7 +62,7 @@ pub(super) fn is_declared_elsewhere(evaluator: &mut Evaluator<'_>, name: &str, o
                 matches!(evaluator.declaration.statements[number].kind, StatementKind::Solve(_))
             };
             let help = match is_solved(user) && is_solved(statement) {
-                true => messages::solve::ONE_AT_A_TIME,
+                true => messages::solve::TOGETHER,
                 false => messages::names::ORDER_HELP,
             };
             let error = evaluator.report.error(origin, messages::names::used_too_early(name)).help(help);

@@ -37,9 +37,10 @@ impl Callables {
         self.solutions.iter().map(|solution| &solution.equation)
     }
 
-    /// The value of a function; NaN if nobody computes it.
-    pub(super) fn call(&self, function: &Opaque, arguments: &[f64]) -> f64 {
-        match self.solutions.iter().find(|solution| solution.function == *function) {
+    /// The value of a function, or those of all unknowns that are solved for together; NaN if
+    /// nobody computes it.
+    pub(super) fn call(&self, function: &Opaque, arguments: &[f64]) -> Vec<f64> {
+        match self.solutions.iter().find(|solution| solution.functions.contains(function)) {
             Some(solution) => {
                 solution.solve(arguments, |function, arguments| self.named(function, arguments))
             }
@@ -47,8 +48,8 @@ impl Callables {
         }
     }
 
-    fn named(&self, function: &Opaque, arguments: &[f64]) -> f64 {
-        self.functions.get(&function.rust_name()).map_or(f64::NAN, |value| value(arguments))
+    fn named(&self, function: &Opaque, arguments: &[f64]) -> Vec<f64> {
+        vec![self.functions.get(&function.rust_name()).map_or(f64::NAN, |value| value(arguments))]
     }
 }
 

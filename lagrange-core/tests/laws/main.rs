@@ -3,6 +3,8 @@
 
 mod arrays;
 mod callables;
+mod conditions;
+mod coupled;
 mod dampers;
 mod declarations;
 mod dimensions;

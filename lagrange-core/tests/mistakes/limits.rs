@@ -7,11 +7,11 @@ use std::time::Duration;
 
 use lagrange_core::diagnostics::Report;
 use lagrange_core::limits::{
-    MANY_OPERATIONS, MAX_CONSTRAINTS, MAX_DECIMAL_EXPONENT, MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS,
-    MAX_EVENTS, MAX_EXPANDED_NESTING, MAX_FILE_BYTES, MAX_INDICES, MAX_INLINED, MAX_ITERATIONS,
-    MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_NUMBER_BITS, MAX_OPERATIONS, MAX_OUTPUTS,
-    MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS, MAX_STATES, MAX_UNIT_EXPONENT, MAX_VELOCITIES,
-    MAX_WRITTEN_OUT,
+    MANY_OPERATIONS, MAX_BRANCHES, MAX_CONSTRAINTS, MAX_COUPLED, MAX_DECIMAL_EXPONENT,
+    MAX_DEPENDENT_CONSTRAINTS, MAX_ELEMENTS, MAX_EVENTS, MAX_EXPANDED_NESTING, MAX_FILE_BYTES, MAX_INDICES,
+    MAX_INLINED, MAX_ITERATIONS, MAX_LITERAL_LENGTH, MAX_LOCATED, MAX_NESTING, MAX_NUMBER_BITS,
+    MAX_OPERATIONS, MAX_OUTPUTS, MAX_PART_BYTES, MAX_PARTS_NESTED, MAX_PLACED, MAX_POINTS, MAX_STATES,
+    MAX_UNIT_EXPONENT, MAX_VELOCITIES, MAX_WRITTEN_OUT,
 };
 use lagrange_core::pipeline::{expand, parse_with};
 use lagrange_core::tables::{FileText, decoded};
@@ -86,6 +86,10 @@ fn excesses() -> Vec<Excess> {
     };
     let nested_conditions = (0..8).map(conditions).collect::<String>();
     let solved = format!("solve y: 0 = y - x, iterations: {};", MAX_ITERATIONS + 1);
+    let names = (0..=MAX_COUPLED).map(|i| format!("y{i}")).collect::<Vec<_>>();
+    let equations = names.iter().map(|name| format!("0 = {name} - x")).collect::<Vec<_>>().join(", ");
+    let coupled = format!("solve ({}): {equations};", names.join(", "));
+    let condition = ["(x > 0 || x < 1)"; 7].join(" && ");
     vec![
         excess!(MAX_NESTING, format!("let y = {}1{};", "(".repeat(nested), ")".repeat(nested))),
         excess!(MAX_INDICES, format!("param k{};", "[1]".repeat(MAX_INDICES + 1))),
@@ -110,6 +114,8 @@ fn excesses() -> Vec<Excess> {
         excess!(MAX_FILE_BYTES, table("\"big.csv\"")),
         excess!(MAX_PART_BYTES, format!("include \"big.lag\"; {coordinate}")),
         excess!(MAX_ITERATIONS, format!("{coordinate} {solved} potential = y;")),
+        excess!(MAX_BRANCHES, format!("{coordinate} force x = if {condition} {{ 1 }} else {{ 2 }};")),
+        excess!(MAX_COUPLED, format!("{coordinate} {coupled} potential = y0;")),
         excess!(MAX_EVENTS, each(MAX_EVENTS + 1, "event e[i] = x - i, rising => stop;")),
         excess!(MAX_VELOCITIES, format!("coord x[{}];", MAX_VELOCITIES + 1)),
         excess!(MAX_STATES, format!("{coordinate} state z[{}];", MAX_STATES + 1)),

@@ -1,72 +1,111 @@
 //! Derivatives of algebraic unknowns.
 //!
-//! The solution y(x₁, …) of 0 = r(x₁, …, y) has the derivatives ∂y/∂xᵢ = −(∂r/∂xᵢ)/(∂r/∂y). Each of
-//! them is a formula in the arguments and y, so second derivatives follow by the chain rule.
+//! The solution y(x₁, …) of 0 = r(x₁, …, y) has the derivatives ∂y/∂xᵢ = −J⁻¹ ∂r/∂xᵢ, where
+//! J = ∂r/∂y. Each of them is a formula in the arguments and y, so second derivatives follow by the
+//! chain rule. J⁻¹ is that of Cramer's rule: no pivot other than its determinant is divided by, and
+//! the formula holds wherever J is regular.
 
+use super::minors::Minors;
 use crate::calculus::{partial, substitute};
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph, Node};
+use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph, Node};
 
 /// ∂y/∂xᵢ for each argument of a call of an algebraic unknown, whose value is `call`.
 pub(super) fn slopes(
     graph: &mut Graph,
-    unknown: &AlgebraicUnknown,
+    unknowns: &AlgebraicUnknowns,
     arguments: &[ExprId],
     call: ExprId,
 ) -> Vec<ExprId> {
-    let slopes = own_slopes(graph, unknown);
-    at(graph, unknown, (arguments, call), slopes)
+    let slopes = own_slopes(graph, unknowns, &[place(graph, call)]).remove(0);
+    at(graph, unknowns, arguments, slopes)
 }
 
 /// ∂²y/∂xᵢ∂xⱼ for i ≤ j, each with i and j.
 pub(super) fn second_slopes(
     graph: &mut Graph,
-    unknown: &AlgebraicUnknown,
+    unknowns: &AlgebraicUnknowns,
     arguments: &[ExprId],
     call: ExprId,
 ) -> Vec<((usize, usize), ExprId)> {
-    let slopes = own_slopes(graph, unknown);
+    let all = (0..unknowns.values.len()).collect::<Vec<_>>();
+    let of_each = own_slopes(graph, unknowns, &all);
+    let slopes = &of_each[place(graph, call)];
     let (mut places, mut second) = (Vec::new(), Vec::new());
     for (i, &slope) in slopes.iter().enumerate() {
-        let by_value = partial(graph, slope, unknown.value);
-        for (j, &other) in slopes.iter().enumerate().skip(i) {
-            let direct = partial(graph, slope, unknown.arguments[j]);
-            let through_value = graph.multiply(by_value, other);
+        let by_values = unknowns.values.iter().map(|&value| partial(graph, slope, value));
+        let by_values = by_values.collect::<Vec<_>>();
+        for j in i..slopes.len() {
+            let mut terms = vec![partial(graph, slope, unknowns.arguments[j])];
+            for (&by_value, others) in by_values.iter().zip(&of_each) {
+                terms.push(graph.multiply(by_value, others[j]));
+            }
             places.push((i, j));
-            second.push(graph.add(direct, through_value));
+            second.push(graph.total(terms));
         }
     }
-    let second = at(graph, unknown, (arguments, call), second);
+    let second = at(graph, unknowns, arguments, second);
     places.into_iter().zip(second).collect()
 }
 
-/// The slopes in the symbols of the equation.
-fn own_slopes(graph: &mut Graph, unknown: &AlgebraicUnknown) -> Vec<ExprId> {
-    let by_value = partial(graph, unknown.residual, unknown.value);
-    let slope = |&argument: &ExprId| {
-        let by_argument = partial(graph, unknown.residual, argument);
-        let quotient = graph.divide(by_argument, by_value);
-        graph.negate(quotient)
-    };
-    unknown.arguments.iter().map(slope).collect()
+/// The place of a call among the unknowns of its equations.
+fn place(graph: &Graph, call: ExprId) -> usize {
+    match graph.node(call) {
+        Node::Opaque(function, _) => function.place(),
+        _ => 0,
+    }
 }
 
-/// Expressions in the symbols of the equation, for the arguments and the value of a call.
+/// The slopes of the unknowns at these places, in the symbols of the equations.
+fn own_slopes(graph: &mut Graph, unknowns: &AlgebraicUnknowns, places: &[usize]) -> Vec<Vec<ExprId>> {
+    let by = |graph: &mut Graph, residual: ExprId, symbols: &[ExprId]| -> Vec<ExprId> {
+        symbols.iter().map(|&symbol| partial(graph, residual, symbol)).collect()
+    };
+    let (mut jacobian, mut loads) = (Vec::new(), Vec::new());
+    for &residual in &unknowns.residuals {
+        jacobian.push(by(graph, residual, &unknowns.values));
+        loads.push(by(graph, residual, &unknowns.arguments));
+    }
+    let mut minors = Minors::new(&jacobian);
+    let determinant = minors.determinant(graph);
+    let mut of_place = |place: usize| -> Vec<ExprId> {
+        let cofactors = (0..jacobian.len()).map(|row| minors.cofactor(graph, row, place)).collect::<Vec<_>>();
+        let slope = |argument: usize| {
+            let terms = loads.iter().zip(&cofactors);
+            let terms = terms.map(|(row, &cofactor)| graph.multiply(row[argument], cofactor));
+            let terms = terms.collect::<Vec<_>>();
+            let numerator = graph.total(terms);
+            let quotient = graph.divide(numerator, determinant);
+            graph.negate(quotient)
+        };
+        (0..unknowns.arguments.len()).map(slope).collect()
+    };
+    places.iter().map(|&place| of_place(place)).collect()
+}
+
+/// Expressions in the symbols of the equations, for the arguments of a call and the values there.
 fn at(
     graph: &mut Graph,
-    unknown: &AlgebraicUnknown,
-    (arguments, call): (&[ExprId], ExprId),
+    unknowns: &AlgebraicUnknowns,
+    arguments: &[ExprId],
     expressions: Vec<ExprId>,
 ) -> Vec<ExprId> {
-    let symbols = unknown.arguments.iter().copied().chain([unknown.value]);
-    let values = arguments.iter().copied().chain([call]);
-    let replacements = symbols.zip(values).collect::<HashMap<_, _>>();
+    let calls = unknowns.functions.iter().map(|function| graph.opaque(function.clone(), arguments));
+    let calls = calls.collect::<Vec<_>>();
+    let symbols = unknowns.arguments.iter().chain(&unknowns.values).copied();
+    let replacements = symbols.zip(arguments.iter().copied().chain(calls)).collect::<HashMap<_, _>>();
     expressions.into_iter().map(|expression| substitute(graph, expression, &replacements)).collect()
 }
 
-/// Returns the residual of an algebraic unknown's call; `None` for other calls.
-pub fn residual(graph: &mut Graph, call: ExprId) -> Option<ExprId> {
-    let Node::Opaque(function, arguments) = graph.node(call).clone() else { return None };
-    let unknown = graph.unknown(&function).cloned()?;
-    at(graph, &unknown, (&arguments, call), vec![unknown.residual]).pop()
+/// Returns the residuals of the equations that define a call of an algebraic unknown; none for
+/// other calls.
+pub fn residuals(graph: &mut Graph, call: ExprId) -> Vec<ExprId> {
+    let Node::Opaque(function, arguments) = graph.node(call).clone() else { return Vec::new() };
+    match graph.equations_of(&function).cloned() {
+        Some(unknowns) => {
+            let residuals = unknowns.residuals.clone();
+            at(graph, &unknowns, &arguments, residuals)
+        }
+        None => Vec::new(),
+    }
 }

@@ -32,8 +32,8 @@ fn edges(graph: &mut Graph, id: ExprId) -> Vec<(ExprId, ExprId)> {
             arguments.iter().copied().zip(partials).collect()
         }
         Node::Opaque(function, arguments) => {
-            if let Some(unknown) = graph.unknown(&function).cloned() {
-                let slopes = implicit::slopes(graph, &unknown, &arguments, id);
+            if let Some(unknowns) = graph.equations_of(&function).cloned() {
+                let slopes = implicit::slopes(graph, &unknowns, &arguments, id);
                 return arguments.iter().copied().zip(slopes).collect();
             }
             let slope = |(i, argument)| (argument, graph.opaque(function.derivative(i), &arguments));
@@ -86,8 +86,8 @@ fn pairs_of_places(graph: &mut Graph, id: ExprId) -> Vec<((usize, usize), Second
             found
         }
         Node::Opaque(function, arguments) => {
-            if let Some(unknown) = graph.unknown(&function).cloned() {
-                let second = implicit::second_slopes(graph, &unknown, &arguments, id).into_iter();
+            if let Some(unknowns) = graph.equations_of(&function).cloned() {
+                let second = implicit::second_slopes(graph, &unknowns, &arguments, id).into_iter();
                 return second.map(|((i, j), s)| ((i, j), (arguments[i], arguments[j], s))).collect();
             }
             let places = 0..arguments.len();

@@ -1,25 +1,25 @@
 //! Bounds on the rounding error of an equation where it is solved.
 
 use super::adjoint::sweep;
-use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Function, Graph, Node};
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::functions;
 use lagrange_expr::number::Number;
 
-/// Bounds the rounding error of an equation at its solution, in units of the rounding of one
-/// operation. The bound is Σ |n ∂r/∂n| over the value and all that is computed from it on the way
-/// to r. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and chapter 25.
-/// The polynomial of a table is computed from a value at a knot and the distance from there, each
-/// of which is rounded, too.
-pub fn rounding(graph: &mut Graph, unknown: &AlgebraicUnknown) -> ExprId {
-    let (root, one) = (unknown.residual, graph.number(1));
+/// Bounds the rounding error of a residual at a solution, in units of the rounding of one
+/// operation. The bound is Σ |n ∂r/∂n| over the unknowns and all that is computed from them on the
+/// way to r. See Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., §3.3 and
+/// chapter 25. The polynomial of a table is computed from a value at a knot and the distance from
+/// there, each of which is rounded, too.
+pub fn rounding(graph: &mut Graph, root: ExprId, unknowns: &[ExprId]) -> ExprId {
+    let one = graph.number(1);
     let mut shares = Vec::new();
-    let slopes = sweep(graph, &[(root, one)], &[unknown.value], |graph, node, slope| {
+    let slopes = sweep(graph, &[(root, one)], unknowns, |graph, node, slope| {
         if node != root {
             shares.push(share(graph, node, slope));
         }
         shares.extend(share_of_piece(graph, node, slope));
     });
-    shares.extend(slopes.into_iter().map(|slope| share(graph, unknown.value, slope)));
+    shares.extend(slopes.into_iter().zip(unknowns).map(|(slope, &unknown)| share(graph, unknown, slope)));
     graph.total(shares)
 }
 

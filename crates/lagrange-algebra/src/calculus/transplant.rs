@@ -2,7 +2,7 @@
 
 use crate::calculus::substitute::construct;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph, Node};
+use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph, Node};
 use lagrange_expr::symbol::Role;
 
 /// Creates a new graph with the parts of `roots`, and returns the place of each expression there.
@@ -15,7 +15,7 @@ pub fn transplant(
 ) -> (Graph, HashMap<ExprId, ExprId>) {
     let mut graph = Graph::new();
     let mut image: HashMap<ExprId, ExprId> = HashMap::default();
-    let equations = source.unknowns().iter().flat_map(AlgebraicUnknown::expressions);
+    let equations = source.unknowns().iter().flat_map(AlgebraicUnknowns::expressions);
     let roots = roots.iter().copied().chain(equations).collect::<Vec<_>>();
     for id in source.reachable(&roots) {
         let node = source.node(id);
@@ -28,8 +28,8 @@ pub fn transplant(
         };
         image.insert(id, new);
     }
-    for unknown in source.unknowns() {
-        graph.add_unknown(unknown.map(|id| image.get(&id).copied().unwrap_or(id)));
+    for unknowns in source.unknowns() {
+        graph.add_unknowns(unknowns.map(|id| image.get(&id).copied().unwrap_or(id)));
     }
     (graph, image)
 }

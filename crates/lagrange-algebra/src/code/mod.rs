@@ -17,6 +17,7 @@ mod naming;
 mod pairs;
 mod parts;
 mod sine_cosine;
+mod solved;
 mod values;
 mod writer;
 

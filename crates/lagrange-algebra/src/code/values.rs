@@ -8,6 +8,7 @@ use super::fragment::Fragment;
 use super::literal::Constant;
 use super::pairs::{batch, pair, part};
 use super::parts::assemble;
+use super::solved::solved;
 use super::writer::{BodyWriter, Written};
 use crate::program::{Op, Program, ValueId, ValueTable};
 use lagrange_expr::elementary::row;
@@ -50,6 +51,7 @@ fn value(writer: &mut BodyWriter<'_>, id: ValueId, op: &Op, is_branch: bool) -> 
         Op::CosOf(pair) => part(writer, *pair, 0, 1),
         Op::SinIn(batch, place) => part(writer, *batch, *place, 0),
         Op::CosIn(batch, place) => part(writer, *batch, *place, 1),
+        Op::Opaque(function, _) if function.unknowns().len() > 1 => solved(writer, id, function),
         Op::Select { relation, left, right, then, otherwise } if writer.may_branch() => {
             let [left, right] = [*left, *right].map(|operand| writer.take_variable(operand));
             let [then, otherwise] = [*then, *otherwise].map(|operand| writer.take(operand));

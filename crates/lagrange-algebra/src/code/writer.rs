@@ -12,6 +12,7 @@ use super::naming::VariableNames;
 use super::parts::LetStatement;
 use super::sine_cosine::{SinesAndCosines, sines_and_cosines};
 use crate::program::{Op, Program, ValueId, ValueTable};
+use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::row;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Symbols;
@@ -42,6 +43,8 @@ pub(super) struct BodyWriter<'a> {
     pub(super) names: VariableNames<'a>,
     pub(super) uses: ValueTable<usize>,
     pub(super) sines_and_cosines: SinesAndCosines,
+    /// The variables of unknowns that were solved for together with an earlier one.
+    pub(super) solved: HashMap<ValueId, Ident>,
     pub(super) written: ValueTable<Written>,
     pub(super) statements: Vec<LetStatement>,
     /// Functions that were called.
@@ -61,6 +64,7 @@ impl<'a> BodyWriter<'a> {
             scalar,
             names: VariableNames::new(program, names),
             uses: program.uses(),
+            solved: HashMap::default(),
             sines_and_cosines: sines_and_cosines(program),
             written: ValueTable::with_capacity(program.len()),
             statements: Vec::new(),

@@ -4,6 +4,7 @@
 //! library, so both give the same bits.
 
 use super::ir::{Op, Program, ValueId, ValueTable};
+use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::{multiply_add, row};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
@@ -12,27 +13,49 @@ use lagrange_expr::symbol::Role;
 ///
 /// A selection whose condition compares with NaN is NaN, and so is a function of the user's.
 pub fn run(program: &Program, value_of: impl Fn(Role) -> f64) -> Vec<f64> {
-    run_with(program, value_of, |_, _| f64::NAN)
+    run_with(program, value_of, |_, _| vec![f64::NAN])
 }
 
-/// Runs a program whose user functions have the values that `call` returns.
+/// Runs a program whose functions without a formula have the values that `call` returns: one, or
+/// those of all unknowns that are solved for together.
 pub fn run_with(
     program: &Program,
     value_of: impl Fn(Role) -> f64,
-    call: impl Fn(&Opaque, &[f64]) -> f64,
+    call: impl Fn(&Opaque, &[f64]) -> Vec<f64>,
 ) -> Vec<f64> {
     let mut values: ValueTable<f64> = ValueTable::with_capacity(program.len());
+    let mut solved: HashMap<SolutionKey, Vec<f64>> = HashMap::default();
     for (_, op) in program.values() {
         let value = match op {
             Op::Opaque(function, arguments) => {
-                let arguments = arguments.iter().map(|argument| values[*argument]).collect::<Vec<_>>();
-                function.known_value(&arguments).unwrap_or_else(|| call(function, &arguments))
+                let numbers = arguments.iter().map(|argument| values[*argument]).collect::<Vec<_>>();
+                let found = || call(function, &numbers);
+                function.known_value(&numbers).unwrap_or_else(|| {
+                    let all = match solution_key(op) {
+                        Some(key) => solved.get_or_insert_with(key, found),
+                        None => &mut found(),
+                    };
+                    all.get(function.place()).copied().unwrap_or(f64::NAN)
+                })
             }
             _ => evaluate(program, op, &values, &value_of),
         };
         values.push(value);
     }
     program.outputs().iter().map(|&output| values[output]).collect()
+}
+
+/// Unknowns that are solved for together, and the arguments for which they are.
+pub(crate) type SolutionKey = (Vec<String>, Box<[ValueId]>);
+
+/// Returns the key that all unknowns of several equations share for the same arguments.
+pub(crate) fn solution_key(op: &Op) -> Option<SolutionKey> {
+    match op {
+        Op::Opaque(function, arguments) if function.unknowns().len() > 1 => {
+            Some((function.unknowns().to_vec(), arguments.clone()))
+        }
+        _ => None,
+    }
 }
 
 fn evaluate(program: &Program, op: &Op, values: &ValueTable<f64>, value_of: impl Fn(Role) -> f64) -> f64 {

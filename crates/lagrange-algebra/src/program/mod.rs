@@ -26,6 +26,7 @@ pub use builder::Builder;
 pub use count::OperationCounts;
 #[cfg(test)]
 pub(crate) use interpret::integer_power;
+pub(crate) use interpret::{SolutionKey, solution_key};
 pub use interpret::{run, run_with};
 pub use ir::{Float, Op, Program, ValueId, ValueTable};
 pub use labels::Labels;

@@ -1,4 +1,8 @@
-//! Newton's method for the equation of an algebraic unknown, as programs.
+//! Newton's method for the equations of algebraic unknowns, as programs.
+
+mod coupled;
+
+use coupled::coupled;
 
 use super::interpret::run_with;
 use super::ir::Program;
@@ -7,7 +11,7 @@ use super::lower::lower;
 use super::passes::optimise;
 use crate::calculus::{partial, rounding};
 use lagrange_expr::accuracy::Accuracy;
-use lagrange_expr::expr::{AlgebraicUnknown, ExprId, Graph};
+use lagrange_expr::expr::{AlgebraicUnknowns, ExprId, Graph};
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
@@ -19,54 +23,65 @@ const MAX_BEND: f64 = 65_536.0;
 const CENTRAL: f64 = 4.0;
 const ASIDE: f64 = 32.0;
 
-/// The programs of Newton's method, in symbols for the arguments and the unknown.
+/// The programs of Newton's method, in symbols for the arguments and the unknowns.
 #[derive(Clone, Debug)]
 pub struct NewtonProgram {
-    /// The function whose values it finds.
-    pub function: Opaque,
+    /// The functions whose values it finds.
+    pub functions: Vec<Opaque>,
     /// Roles of the arguments.
     pub arguments: Vec<Role>,
-    /// Role of the unknown.
-    pub value: Role,
-    /// Initial guess.
+    /// Roles of the unknowns.
+    pub values: Vec<Role>,
+    /// Initial guesses.
     pub start: Program,
-    /// Program of the residual r: r, ∂r/∂y, and a bound of its rounding error, in units of one
-    /// rounding.
+    /// Program of the residuals r: r, ∂r/∂y in rows, and a bound of the rounding error of each r,
+    /// in units of one rounding.
     pub equation: Program,
     /// The largest number of steps.
     pub iterations: u32,
 }
 
 impl NewtonProgram {
-    /// Lowers the equation of an unknown.
-    pub fn new(graph: &mut Graph, unknown: &AlgebraicUnknown, accuracy: Accuracy) -> NewtonProgram {
-        let slope = partial(graph, unknown.residual, unknown.value);
-        let equation = [unknown.residual, slope, rounding(graph, unknown)];
+    /// Lowers the equations of unknowns.
+    pub fn new(graph: &mut Graph, unknowns: &AlgebraicUnknowns, accuracy: Accuracy) -> NewtonProgram {
+        let (residuals, values) = (&unknowns.residuals, &unknowns.values);
+        let mut equation = residuals.clone();
+        for &residual in residuals {
+            equation.extend(values.iter().map(|&value| partial(graph, residual, value)));
+        }
+        equation.extend(residuals.iter().map(|&residual| rounding(graph, residual, values)));
         let lowered = |roots: &[ExprId]| optimise(&lower(graph, roots, &Labels::default()), accuracy);
-        let role = |id: ExprId| graph.symbol_of(id).map_or(Role::Time, |symbol| symbol.role);
+        let role = |&id: &ExprId| graph.symbol_of(id).map_or(Role::Time, |symbol| symbol.role);
         NewtonProgram {
-            function: unknown.function.clone(),
-            arguments: unknown.arguments.iter().map(|&argument| role(argument)).collect(),
-            value: role(unknown.value),
-            start: lowered(&[unknown.start]),
+            functions: unknowns.functions.clone(),
+            arguments: unknowns.arguments.iter().map(role).collect(),
+            values: values.iter().map(role).collect(),
+            start: lowered(&unknowns.starts),
             equation: lowered(&equation),
-            iterations: unknown.iterations,
+            iterations: unknowns.iterations,
         }
     }
 
-    /// Computes the unknown by the operations of emitted code for `f64`; NaN if none is found.
+    /// Computes the unknowns by the operations of emitted code for `f64`; NaN if none are found.
     /// `call` computes functions of the user's.
-    pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> f64) -> f64 {
+    pub fn solve(&self, arguments: &[f64], call: impl Fn(&Opaque, &[f64]) -> Vec<f64>) -> Vec<f64> {
+        let place = |roles: &[Role], role: Role| roles.iter().position(|known| *known == role);
         let argument = |role: Role| {
-            let place = self.arguments.iter().position(|known| *known == role);
+            let place = place(&self.arguments, role);
             place.and_then(|place| arguments.get(place)).copied().unwrap_or(f64::NAN)
         };
-        let start = run_with(&self.start, argument, &call)[0];
-        newton(start, self.iterations, |y| {
-            let value_of = |role| if role == self.value { y } else { argument(role) };
-            let found = run_with(&self.equation, value_of, &call);
-            [found[0], found[1], found[2]]
-        })
+        let start = run_with(&self.start, argument, &call);
+        let equation = |y: &[f64]| {
+            let value_of = |role| place(&self.values, role).map_or_else(|| argument(role), |place| y[place]);
+            run_with(&self.equation, value_of, &call)
+        };
+        match start[..] {
+            [start] => vec![newton(start, self.iterations, |y| {
+                let found = equation(&[y]);
+                [found[0], found[1], found[2]]
+            })],
+            _ => coupled(start, self.iterations, equation),
+        }
     }
 }
 

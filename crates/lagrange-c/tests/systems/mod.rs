@@ -1,7 +1,7 @@
 //! Declarations that C computes.
 
 /// Systems with everything that a module may have.
-pub(crate) const SYSTEMS: [&str; 14] = [
+pub(crate) const SYSTEMS: [&str; 15] = [
     DOUBLE_PENDULUM,
     "struct Chain; param k[3] = [10.0, 20.0, 30.0]; input push = 1; coord x[3] = [0.1, 0.2, 0.3];
         kinetic = 1/2 * sum(i in 0..3, dot(x[i])^2);
@@ -37,6 +37,11 @@ pub(crate) const SYSTEMS: [&str; 14] = [
         coord x, y; kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = lift(x, y);",
     "struct Implicit; coord x; solve y: 0 = y^3 + y - x, start: x;
         kinetic = 1/2 * dot(x)^2; potential = 2 * y^2; output root = y;",
+    "struct FourBar; param d = 3.5; coord phi;
+        solve (coupler, rocker): 0 = cos(phi) + 4 * cos(coupler) - d - 3 * cos(rocker),
+            0 = sin(phi) + 4 * sin(coupler) - 3 * sin(rocker), start: (0.7, 1.5);
+        kinetic = 1/2 * dot(phi)^2 + 1/2 * dot(rocker)^2; potential = (rocker - 1)^2; force phi = 1;
+        output angles = (coupler, rocker, dot(coupler));",
     "struct Room; param low = 19.8, high = 20.2, period = 0.1; coord x = 0; state temperature = 20;
         discrete count = 0, held = 0, mass = 1; mode heater = off | on;
         kinetic = 1/2 * mass * dot(x)^2; force x = held;

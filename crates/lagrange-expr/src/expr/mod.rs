@@ -24,7 +24,7 @@ use rustc_hash::FxBuildHasher;
 pub use crate::elementary::Function;
 pub use evaluate::{evaluate, node_value};
 pub use facts::Dependencies;
-pub use unknown::AlgebraicUnknown;
+pub use unknown::AlgebraicUnknowns;
 
 use crate::collections::HashMap;
 use crate::number::Number;
@@ -143,7 +143,7 @@ pub struct Graph {
     /// Powers of the unit of inertia in which symbols are measured, where that is not zero.
     grades: HashMap<ExprId, Number>,
     /// Implicit definitions by equations.
-    unknowns: Vec<AlgebraicUnknown>,
+    unknowns: Vec<AlgebraicUnknowns>,
     /// Number of the operands of these equations.
     operands: u32,
 }

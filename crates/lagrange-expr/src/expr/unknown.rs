@@ -1,44 +1,45 @@
 //! Values that equations define implicitly.
 //!
-//! An algebraic unknown y of an equation 0 = r(x₁, …, y) is a function y(x₁, …) of its arguments.
-//! Expressions mention it as a call of an [`Opaque`] function. Its residual r, with separate
-//! symbols for the arguments and the unknown, is stored beside them in the graph.
+//! Algebraic unknowns y of as many equations 0 = r(x₁, …, y) are functions y(x₁, …) of their
+//! arguments. Expressions mention each as a call of an [`Opaque`] function. The residuals r, with
+//! separate symbols for the arguments and the unknowns, are stored beside them in the graph.
 
 use super::{ExprId, Graph};
 use crate::opaque::Opaque;
 use crate::symbol::Role;
 
-/// A function that an equation defines.
+/// Functions that as many equations define together: one, or several that are coupled.
 #[derive(Clone, Debug)]
-pub struct AlgebraicUnknown {
-    /// The function.
-    pub function: Opaque,
-    /// The symbols of its arguments.
+pub struct AlgebraicUnknowns {
+    /// The functions.
+    pub functions: Vec<Opaque>,
+    /// The symbols of their arguments.
     pub arguments: Vec<ExprId>,
-    /// The symbol of its value.
-    pub value: ExprId,
-    /// Expression that is zero at the solution, in these symbols.
-    pub residual: ExprId,
-    /// Value from which the iteration starts, a function of the arguments.
-    pub start: ExprId,
-    /// Number of steps after which the equation counts as one without a solution.
+    /// The symbols of their values.
+    pub values: Vec<ExprId>,
+    /// Expressions that are zero at the solution, in these symbols.
+    pub residuals: Vec<ExprId>,
+    /// Values from which the iteration starts, functions of the arguments.
+    pub starts: Vec<ExprId>,
+    /// Number of steps after which the equations count as ones without a solution.
     pub iterations: u32,
 }
 
-impl AlgebraicUnknown {
-    /// Returns all expressions that define it.
+impl AlgebraicUnknowns {
+    /// Returns all expressions that define them.
     pub fn expressions(&self) -> Vec<ExprId> {
-        [&self.arguments[..], &[self.value, self.residual, self.start]].concat()
+        [&self.arguments[..], &self.values, &self.residuals, &self.starts].concat()
     }
 
     /// Replaces the expressions.
-    pub fn map(&self, map: impl Fn(ExprId) -> ExprId) -> AlgebraicUnknown {
-        AlgebraicUnknown {
-            function: self.function.clone(),
-            arguments: self.arguments.iter().map(|&argument| map(argument)).collect(),
-            value: map(self.value),
-            residual: map(self.residual),
-            start: map(self.start),
+    pub fn map(&self, map: impl Fn(ExprId) -> ExprId) -> AlgebraicUnknowns {
+        let all = |expressions: &[ExprId]| expressions.iter().map(|&id| map(id)).collect();
+        AlgebraicUnknowns {
+            functions: self.functions.clone(),
+            arguments: all(&self.arguments),
+            values: all(&self.values),
+            residuals: all(&self.residuals),
+            starts: all(&self.starts),
             iterations: self.iterations,
         }
     }
@@ -52,18 +53,18 @@ impl Graph {
         self.symbol(name, role)
     }
 
-    /// Adds a function that an equation defines.
-    pub fn add_unknown(&mut self, unknown: AlgebraicUnknown) {
-        self.unknowns.push(unknown);
+    /// Adds functions that equations define.
+    pub fn add_unknowns(&mut self, unknowns: AlgebraicUnknowns) {
+        self.unknowns.push(unknowns);
     }
 
     /// Returns the implicit definitions, in the order of declaration.
-    pub fn unknowns(&self) -> &[AlgebraicUnknown] {
+    pub fn unknowns(&self) -> &[AlgebraicUnknowns] {
         &self.unknowns
     }
 
-    /// Returns the equation that defines a function, if one does.
-    pub fn unknown(&self, function: &Opaque) -> Option<&AlgebraicUnknown> {
-        self.unknowns.iter().find(|unknown| unknown.function == *function)
+    /// Returns the equations that define a function, if some do.
+    pub fn equations_of(&self, function: &Opaque) -> Option<&AlgebraicUnknowns> {
+        self.unknowns.iter().find(|unknowns| unknowns.functions.contains(function))
     }
 }

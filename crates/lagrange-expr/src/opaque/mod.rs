@@ -38,9 +38,14 @@ pub enum Source {
     },
     /// A table with as many axes as the function has arguments.
     Table(Table),
-    /// An equation that the graph keeps: the function is its solution. It has no orders,
+    /// Equations that the graph keeps: the function is a part of their solution. It has no orders,
     /// derivatives being formulas.
-    Equation,
+    Equation {
+        /// The names of all that the equations define together.
+        unknowns: Vec<String>,
+        /// The place of this one among them.
+        place: usize,
+    },
 }
 
 /// Order of differentiation by each argument of a function.
@@ -105,13 +110,30 @@ impl Opaque {
 
     /// True if it is the solution of an equation.
     pub fn is_solution(&self) -> bool {
-        matches!(self.function.source, Source::Equation)
+        matches!(self.function.source, Source::Equation { .. })
+    }
+
+    /// Returns the place among the values that are computed together; 0 unless it is a part of the
+    /// solution of several equations.
+    pub fn place(&self) -> usize {
+        match self.function.source {
+            Source::Equation { place, .. } => place,
+            _ => 0,
+        }
+    }
+
+    /// Returns the names of all unknowns that are solved for together; none for other functions.
+    pub fn unknowns(&self) -> &[String] {
+        match &self.function.source {
+            Source::Equation { unknowns, .. } => unknowns,
+            _ => &[],
+        }
     }
 
     /// Returns the name of the Rust function that computes it: the user's, or the default.
     pub fn rust_name(&self) -> String {
         if self.is_solution() {
-            return format!("solve_{}", self.function.name);
+            return format!("solve_{}", self.unknowns().join("_"));
         }
         let default = || default_name(&self.function.name, &self.function.parameters, &self.orders);
         self.declared().map_or_else(default, str::to_owned)
@@ -134,7 +156,7 @@ impl Opaque {
     pub fn table(&self) -> Option<&Table> {
         match &self.function.source {
             Source::Table(table) => Some(table),
-            Source::Crate { .. } | Source::Equation => None,
+            Source::Crate { .. } | Source::Equation { .. } => None,
         }
     }
 

@@ -16,7 +16,8 @@ use crate::syntax::ast::{
     Reduction, Statement, StatementKind,
 };
 use definitions::{
-    declared, define_table, define_value, named_component, named_value, require_start, value_of,
+    declared, define_table, define_unknowns, define_value, named_component, named_value, require_start,
+    value_of,
 };
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
@@ -126,14 +127,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let value = named_value(checker, name, *value);
             checker.scope.insert(name.text.clone(), value);
         }
-        (StatementKind::Solve(unknown), DimensionPass::Abbreviate) => {
-            let form = Measure::known(declared(checker, &unknown.name));
-            checker.scope.insert(unknown.name.text.clone(), form.clone());
-            checker.value(unknown.residual);
-            if let Some(start) = unknown.start.filter(|start| !is_of_numbers(checker.expressions, *start)) {
-                checker.require(start, &form, &value_of(&unknown.name));
-            }
-        }
+        (StatementKind::Solve(unknowns), DimensionPass::Abbreviate) => define_unknowns(checker, unknowns),
         (StatementKind::LetTuple(names, value), DimensionPass::Abbreviate) => {
             let parts = match checker.expressions.get(*value) {
                 Expression::Tuple(parts) => parts.iter().map(|part| Some(*part)).collect(),

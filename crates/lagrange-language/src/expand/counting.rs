@@ -3,7 +3,7 @@
 use super::messages;
 use super::scopes::{Meaning, ScopeId, Scopes};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Condition, Expression, Expressions, IndexCondition, TestKind,
+    ArrayExpression, AstId, BinaryOperator, CombinedCondition, Condition, Expression, Expressions, TestKind,
 };
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::number::Number;
@@ -62,7 +62,7 @@ impl Counting<'_> {
     }
 
     /// Returns the value of a condition.
-    pub(super) fn holds(self, condition: &IndexCondition, scope: ScopeId) -> Result<bool, IndexFault> {
+    pub(super) fn holds(self, condition: &CombinedCondition, scope: ScopeId) -> Result<bool, IndexFault> {
         for tests in &condition.alternatives {
             let mut all = true;
             for test in tests {

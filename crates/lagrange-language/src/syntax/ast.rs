@@ -26,7 +26,7 @@ pub use callables::{
     ExternalDerivative, ExternalFunction, FunctionDefinition, TableDefinition, TableFile, TableSource,
     UnknownDefinition,
 };
-pub use conditions::{Comparison, IndexCondition, IndexTest, TestKind};
+pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{
     AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
 };

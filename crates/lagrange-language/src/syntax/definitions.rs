@@ -257,7 +257,7 @@ impl Parser<'_> {
             Some(group) => {
                 let names = self.inside(&group, |parser, cursor| parser.component_names("let", cursor));
                 let value = self.assigned(help, cursor)?;
-                Ok(StatementKind::LetTuple(self.several(names?, &group)?, value))
+                Ok(StatementKind::LetTuple(self.several("let", names?, &group)?, value))
             }
         }
     }
@@ -296,9 +296,10 @@ impl Parser<'_> {
         Err(self.fail_with_help(cursor.here(), message, form(keyword)))
     }
 
-    fn several(&mut self, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
+    /// Reports a single name between parentheses.
+    pub(super) fn several(&mut self, keyword: &str, names: Vec<Name>, group: &Group) -> Parsed<Vec<Name>> {
         match names.len() {
-            1 => Err(self.fail_with_help(group_origin(group), messages::ONE_COMPONENT, form("let"))),
+            1 => Err(self.fail_with_help(group_origin(group), messages::ONE_COMPONENT, form(keyword))),
             _ => Ok(names),
         }
     }

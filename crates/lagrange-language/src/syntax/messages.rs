@@ -130,9 +130,13 @@ messages! {
     one_value(name) = "the mode `{name}` needs at least two values";
     EQUALITY = "a condition has `==` between what it compares";
     EQUALITY_HELP = "write `if clutch == open { … } else { … }`, and `<`, `<=`, `>` or `>=` for what moves";
-    LOGIC = "a condition is a single comparison, without `&&`, `||` and `!`";
-    LOGIC_HELP = "nest one `if` in the other, or compare `min(a, b)` or `max(a, b)` with zero";
-    COMPARISON_CHAIN = "a condition is a single comparison";
+    LOGIC = "conditions are joined by signs, and stand behind `if` alone";
+    LOGIC_HELP = "write `if a < b && !(c < d) || e < f { … } else { … }`";
+    LONG_CONDITION_HELP =
+        "nest one `if` in another, or define a number by each part of the condition, `let near = if a < b { 1 } else { 0 };`";
+    long_condition(most) = "this condition takes more than {most} choices by one comparison each";
+    COMPARISON_CHAIN = "a comparison has two sides";
+    COMPARISON_CHAIN_HELP = "write two comparisons, `a < b && b < c`";
     COMPARISON_PLACE = "comparisons are allowed only between `if` and `{`";
     COMPARISON_PLACE_HELP = "write `if a < b { … } else { … }`";
     UNARY_PLUS = "`+` has nothing on its left";

@@ -116,7 +116,7 @@ impl Printer<'_> {
             }
             StatementKind::External(function) => self.external(function),
             StatementKind::Table(table) => self.table(table),
-            StatementKind::Solve(unknown) => self.unknown(unknown),
+            StatementKind::Solve(unknowns) => self.unknowns(unknowns),
             StatementKind::Kinetic(value) => self.between("kinetic = ", *value, ";"),
             StatementKind::Potential(value) => self.between("potential = ", *value, ";"),
             StatementKind::Lagrangian(value) => self.between("lagrangian = ", *value, ";"),

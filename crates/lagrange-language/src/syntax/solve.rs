@@ -1,16 +1,18 @@
-//! Statements that define a value by an equation.
+//! Statements that define values by equations.
 
-use proc_macro2::TokenTree;
+use proc_macro2::{Delimiter, TokenTree};
 
-use super::ast::{AstId, Name, UnknownDefinition};
+use super::ast::{AstId, Expression, Name, UnknownDefinition};
 use super::cursor::Cursor;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::solve as words;
 use super::options::StatementOptions;
-use super::parser::{Parsed, Parser};
+use super::parser::{Parsed, Parser, Reported};
+use super::recovery::Turn;
 use super::units::at_unit;
 use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::limits::MAX_COUPLED;
 
 /// Labels of what is said behind the equation.
 const LABELS: [&str; 2] = ["start", "iterations"];
@@ -21,27 +23,67 @@ const OPTIONS: StatementOptions =
 type LabelledOption = (&'static str, AstId, Origin);
 
 impl Parser<'_> {
-    /// `y: unit: 0 = e, start: e, iterations: n`, where the unit may be missing.
-    pub(super) fn unknown(&mut self, cursor: &mut Cursor) -> Parsed<UnknownDefinition> {
+    /// `y: unit: 0 = e, start: e, iterations: n`, where the unit may be missing, or
+    /// `(y: unit, z: unit): 0 = e, 0 = f, start: (e, f), iterations: n`.
+    pub(super) fn unknowns(&mut self, cursor: &mut Cursor) -> Parsed<UnknownDefinition> {
+        let here = cursor.here();
+        let names = match cursor.eat_group(Delimiter::Parenthesis) {
+            Some(group) => {
+                let names = self.inside(&group, |parser, cursor| parser.component_names("solve", cursor))?;
+                self.several("solve", names, &group)?
+            }
+            None => vec![self.single_unknown(cursor)?],
+        };
+        let residuals = self.equations(&names, cursor)?;
+        if names.len() > MAX_COUPLED {
+            let message = words::too_many(names.len(), MAX_COUPLED);
+            return Err(self.fail_with_help(here, message, words::TOO_MANY_HELP));
+        }
+        if residuals.len() != names.len() {
+            let message = words::unequal(names.len(), residuals.len());
+            return Err(self.fail_with_help(here, message, words::UNEQUAL_HELP));
+        }
+        let options = self.options_of_unknowns(cursor)?;
+        let said = |label| options.iter().find(|(known, ..)| *known == label).map(|(_, value, _)| *value);
+        let starts = match said(LABELS[0]) {
+            Some(start) => self.starts_of(&names, start)?,
+            None => Vec::new(),
+        };
+        Ok(UnknownDefinition { names, residuals, starts, iterations: said(LABELS[1]) })
+    }
+
+    /// `y: unit`
+    fn single_unknown(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
         let mut name = self.declared_name(cursor)?;
         if at_unit(cursor) && has_unit(cursor) {
             name.unit = self.unit_behind_colon(cursor);
         }
-        let residual = self.equation(&name, cursor)?;
-        let options = self.options_of_unknown(cursor)?;
-        let said = |label| options.iter().find(|(known, ..)| *known == label).map(|(_, value, _)| *value);
-        Ok(UnknownDefinition { name, residual, start: said(LABELS[0]), iterations: said(LABELS[1]) })
+        Ok(name)
     }
 
-    /// `: 0 = e`.
-    fn equation(&mut self, name: &Name, cursor: &mut Cursor) -> Parsed<AstId> {
+    /// `: 0 = e, 0 = f`.
+    fn equations(&mut self, names: &[Name], cursor: &mut Cursor) -> Parsed<Vec<AstId>> {
         if cursor.eat(':').is_none() {
             let message = messages::expected("`:`", cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, form("solve")));
         }
-        let is_zero = matches!(cursor.peek(), Some(TokenTree::Literal(zero)) if zero.to_string() == "0");
-        if !is_zero || !cursor.equals_past(1) {
-            let help = words::zero_on_the_left(&name.text);
+        let mut residuals = vec![self.equation(names, cursor)?];
+        self.turns(cursor, |parser, cursor| {
+            let is_due = residuals.len() < names.len() && cursor.equals_past(2);
+            if !cursor.at(',') || !(is_due || is_zero(cursor.peek_past(1))) {
+                return Ok(Turn::Last);
+            }
+            cursor.skip_one();
+            residuals.push(parser.equation(names, cursor)?);
+            Ok(Turn::Next)
+        })?;
+        Ok(residuals)
+    }
+
+    /// `0 = e`.
+    fn equation(&mut self, names: &[Name], cursor: &mut Cursor) -> Parsed<AstId> {
+        if !is_zero(cursor.peek()) || !cursor.equals_past(1) {
+            let help = words::zero_on_the_left(names);
             return Err(self.fail_with_help(cursor.here(), words::NO_ZERO_ON_THE_LEFT, help));
         }
         cursor.skip_one();
@@ -49,8 +91,21 @@ impl Parser<'_> {
         Ok(self.item_value(cursor))
     }
 
+    /// The parts of `(s, t)`, one for each name.
+    fn starts_of(&mut self, names: &[Name], start: AstId) -> Parsed<Vec<AstId>> {
+        match self.expressions.get(start) {
+            _ if names.len() == 1 => Ok(vec![start]),
+            Expression::Invalid => Err(Reported),
+            Expression::Tuple(parts) if parts.len() == names.len() => Ok(parts.clone()),
+            _ => {
+                let place = self.expressions.origin(start);
+                Err(self.fail_with_help(place, words::unequal_starts(names.len()), words::starts_help(names)))
+            }
+        }
+    }
+
     /// `, start: e, iterations: n`.
-    fn options_of_unknown(&mut self, cursor: &mut Cursor) -> Parsed<Vec<LabelledOption>> {
+    fn options_of_unknowns(&mut self, cursor: &mut Cursor) -> Parsed<Vec<LabelledOption>> {
         let mut options: Vec<LabelledOption> = Vec::new();
         self.labelled_options(&OPTIONS, cursor, |parser, label, here, cursor| {
             let first = options.iter().find(|(known, ..)| *known == label);
@@ -60,6 +115,10 @@ impl Parser<'_> {
         })?;
         Ok(options)
     }
+}
+
+fn is_zero(token: Option<&TokenTree>) -> bool {
+    matches!(token, Some(TokenTree::Literal(zero)) if zero.to_string() == "0")
 }
 
 /// True if what stands behind the colon ends in another one, in front of the equation.

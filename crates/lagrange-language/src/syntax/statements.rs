@@ -15,7 +15,6 @@ use super::identifiers::{at_equals_past, at_relation};
 use super::keywords;
 use super::messages;
 use super::messages::forms::form;
-use super::messages::solve as words;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::parts::{at_placement, path_length};
 
@@ -109,11 +108,8 @@ impl Parser<'_> {
             }
             "let" => self.binding(cursor),
             "table" => Ok(StatementKind::Table(Box::new(self.table(cursor)?))),
-            "solve" if cursor.group(Delimiter::Parenthesis).is_none() => {
-                Ok(StatementKind::Solve(self.unknown(cursor)?))
-            }
-            "solve" if matches!(cursor.peek_past(1), Some(TokenTree::Punct(colon)) if colon.as_char() == ':') => {
-                Err(self.fail_with_help(cursor.here(), words::SEVERAL_UNKNOWNS, words::SEVERAL_UNKNOWNS_HELP))
+            "solve" if at_unknowns(cursor) || cursor.group(Delimiter::Parenthesis).is_none() => {
+                Ok(StatementKind::Solve(self.unknowns(cursor)?))
             }
             "function" => Ok(StatementKind::External(Box::new(self.external(cursor)?))),
             "kinetic" => Ok(StatementKind::Kinetic(self.assigned(help, cursor)?)),
@@ -255,6 +251,12 @@ impl Parser<'_> {
 /// True at `(…) =`.
 fn at_state_rate(cursor: &Cursor) -> bool {
     cursor.group(Delimiter::Parenthesis).is_some() && at_equals_past(1, cursor)
+}
+
+/// True at `(…):`.
+fn at_unknowns(cursor: &Cursor) -> bool {
+    cursor.group(Delimiter::Parenthesis).is_some()
+        && matches!(cursor.peek_past(1), Some(TokenTree::Punct(colon)) if colon.as_char() == ':')
 }
 
 /// True if a statement needs no semicolon.

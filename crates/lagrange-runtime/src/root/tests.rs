@@ -1,4 +1,4 @@
-use super::newton;
+use super::{coupled, newton};
 use crate::scalar::{Lanes, Number, Scalar};
 
 /// y − e sin y − M, Kepler's equation.
@@ -31,6 +31,45 @@ fn lanes_do_not_depend_on_each_other() {
         assert_eq!(found.to_bits(), alone.to_bits(), "{mean}");
     }
     assert!(found[3].is_nan() && found[..3].iter().all(|found| found.is_finite()));
+}
+
+/// The circle y² + z² = 2 r² and the line z = s y.
+fn crossing<S: Number>(radius: S, slope: S, start: [S; 2]) -> [S; 2] {
+    let two = S::from_f64(2.0);
+    coupled(start, 40, |[y, z]| {
+        let residuals = [y * y + z * z - two * radius * radius, slope * y - z];
+        let rounding = [S::from_f64(3.0) * (y * y + z * z), two * (slope * y).abs() + z.abs()];
+        (residuals, [[two * y, two * z], [slope, -S::ONE]], rounding)
+    })
+}
+
+#[test]
+fn coupled_zeros_are_found_to_rounding_and_each_lane_finds_its_own() {
+    for (radius, slope) in [(1.0, 1.0), (3e8, 0.25), (1e-9, -40.0), (1.0, 1e9), (1.0, 0.0)] {
+        let y = radius * (2.0 / (1.0 + slope * slope)).sqrt();
+        let start = [1.3 * y, 0.8 * slope * y];
+        let found: [f64; 2] = crossing(radius, slope, start);
+        let single = crossing(radius as f32, slope as f32, start.map(|start| start as f32));
+        for ((found, single), expected) in found.into_iter().zip(single).zip([y, slope * y]) {
+            assert!((found - expected).abs() <= 4e-16 * expected.abs(), "{found} {expected}");
+            assert!((f64::from(single) - expected).abs() <= 3e-7 * expected.abs(), "{single} {expected}");
+        }
+    }
+    let (radii, slopes) = ([1.0, 1.0, f64::NAN, 2.0], [1.0, -3.0, 1.0, 0.0]);
+    let starts = [[1.0, 0.0, 1.0, 5.0], [0.5, 0.0, 1.0, -2.0]];
+    let found = crossing(Lanes::<f64, 4>(radii), Lanes(slopes), starts.map(Lanes));
+    for lane in 0..4 {
+        let alone = crossing(
+            Lanes::<f64, 1>([radii[lane]]),
+            Lanes([slopes[lane]]),
+            starts.map(|start| Lanes([start[lane]])),
+        );
+        let bits = |found: [f64; 2]| found.map(f64::to_bits);
+        assert_eq!(bits(found.map(|found| found.0[lane])), bits(alone.map(|found| found.0[0])), "{lane}");
+    }
+    assert!([0, 3].map(|lane| found[0].0[lane]).iter().all(|found| found.is_finite()));
+    // The Jacobian is singular at the start of the second, and nothing is known of the third.
+    assert!([1, 2].map(|lane| found[0].0[lane]).iter().all(|found| found.is_nan()));
 }
 
 #[test]

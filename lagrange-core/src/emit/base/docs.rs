@@ -6,7 +6,7 @@ use quote::quote;
 use super::shape::doc;
 use crate::derive::{Conserved, Equations, Strategy, Structure};
 use crate::model::Model;
-use lagrange_algebra::calculus::residual;
+use lagrange_algebra::calculus::residuals as residuals_of;
 use lagrange_algebra::formula::{latex, text};
 use lagrange_algebra::program::{Labels, OperationCounts, lower, optimise};
 use lagrange_algebra::simplify::present_all;
@@ -88,7 +88,13 @@ fn equations_of_unknowns(
 ) -> Vec<String> {
     let graph = &mut model.graph;
     let calls = graph.reachable(expressions).into_iter();
-    let residuals = calls.filter_map(|call| residual(graph, call)).collect::<Vec<_>>();
+    let mut residuals: Vec<ExprId> = Vec::new();
+    for residual in calls.flat_map(|call| residuals_of(graph, call)) {
+        // Unknowns that are solved for together have the same equations.
+        if !residuals.contains(&residual) {
+            residuals.push(residual);
+        }
+    }
     residuals.into_iter().map(|residual| format!("0 = {}", write(graph, residual))).collect()
 }
 

@@ -38,29 +38,39 @@ pub(in crate::emit) fn write_unknowns(writer: &mut MethodWriter<'_>) {
     writer.members.unknowns = Some(body);
 }
 
-/// Writes a function for each unknown that methods mention.
+/// Writes a function for each unknown that methods mention, or for those that are solved for
+/// together.
 pub(in crate::emit) fn write_solvers(writer: &mut MethodWriter<'_>) {
-    let called = writer.members.callees.iter().filter(|function| function.is_solution());
-    for function in called.cloned().collect::<Vec<_>>() {
-        let solver = solver(writer, &function).unwrap_or_default();
-        writer.members.solvers.extend(solver);
+    let mut written = Vec::new();
+    for function in writer.members.callees.clone().iter().filter(|function| function.is_solution()) {
+        if !written.contains(&function.unknowns()) {
+            let solver = solver(writer, function).unwrap_or_default();
+            writer.members.solvers.extend(solver);
+            written.push(function.unknowns());
+        }
     }
 }
 
 fn solver(writer: &mut MethodWriter<'_>, function: &Opaque) -> Option<TokenStream> {
     let docs = documentation(writer, function);
-    let unknown = writer.model.graph.unknown(function).cloned()?;
-    let program = NewtonProgram::new(&mut writer.model.graph, &unknown, writer.model.accuracy);
+    let unknowns = writer.model.graph.equations_of(function).cloned()?;
+    let program = NewtonProgram::new(&mut writer.model.graph, &unknowns, writer.model.accuracy);
     let (generics, number, scalar) = number_type(writer);
     let mut names = Names::default();
     let mut name_of = |role: Role| names.role(writer.model.graph.symbols(), role);
     let arguments = program.arguments.iter().map(|role| name_of(*role)).collect::<Vec<_>>();
-    let value = name_of(program.value);
+    let values = program.values.iter().map(|role| name_of(*role)).collect::<Vec<_>>();
     let start = writer.lowered_apart(&program.start, &scalar, &mut names)?;
     let equation = writer.lowered_apart(&program.equation, &scalar, &mut names)?;
     let (name, krate) = (local(&function.rust_name()), writer.shape.krate);
-    let (before, from) = (start.statements, start.outputs);
-    let (statements, results) = (equation.statements, equation.outputs);
+    let (before, statements) = (start.statements, equation.statements);
+    let from = together(&start.outputs);
+    let results = results(&equation.outputs, values.len());
+    let pattern = together(&values);
+    let (method, found) = match values.len() {
+        1 => (local("newton"), number.clone()),
+        count => (local("coupled"), array(&number, count)),
+    };
     let iterations = length(program.iterations as usize);
     // Numbers side by side are computed in functions for what the processor has, and only what is
     // inlined there is.
@@ -71,14 +81,38 @@ fn solver(writer: &mut MethodWriter<'_>, function: &Opaque) -> Option<TokenStrea
     Some(quote! {
         #docs
         #inline
-        fn #name #generics(#(#arguments: #number),*) -> #number {
+        fn #name #generics(#(#arguments: #number),*) -> #found {
             #before
-            #krate::root::newton(#(#from)*, #iterations, |#value| {
+            #krate::root::#method(#from, #iterations, |#pattern| {
                 #statements
-                [#(#results),*]
+                #results
             })
         }
     })
+}
+
+fn array(number: &TokenStream, count: usize) -> TokenStream {
+    let count = length(count);
+    quote!([#number; #count])
+}
+
+/// A value, or an array of several.
+fn together(items: &[impl ToTokens]) -> TokenStream {
+    match items {
+        [single] => single.to_token_stream(),
+        _ => quote!([#(#items),*]),
+    }
+}
+
+/// Residuals, their Jacobian and their rounding errors.
+fn results(outputs: &[TokenStream], unknowns: usize) -> TokenStream {
+    if unknowns == 1 {
+        return quote!([#(#outputs),*]);
+    }
+    let (residuals, rest) = outputs.split_at(unknowns);
+    let (jacobian, rounding) = rest.split_at(unknowns * unknowns);
+    let rows = jacobian.chunks(unknowns).map(|row| quote!([#(#row),*]));
+    quote!(([#(#residuals),*], [#(#rows),*], [#(#rounding),*]))
 }
 
 /// Type parameters of a function, the numbers that it takes, and what its body computes with.
@@ -92,9 +126,15 @@ fn number_type(writer: &MethodWriter<'_>) -> (TokenStream, TokenStream, Scalar) 
 }
 
 fn documentation(writer: &MethodWriter<'_>, function: &Opaque) -> TokenStream {
-    let (graph, name) = (&writer.model.graph, &function.function().name);
-    let equation = graph.unknown(function).map(|unknown| unknown.residual);
-    let short = equation.filter(|&residual| graph.written_size(residual) <= LONGEST_EQUATION);
-    let of = short.map_or(String::new(), |residual| format!(" of `0 = {}`", text::text(graph, residual)));
-    doc(&format!("Solution `{name}`{of} by Newton's method; NaN if it finds none."))
+    let graph = &writer.model.graph;
+    let names = function.unknowns().iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    let residuals = graph.equations_of(function).map(|unknowns| unknowns.residuals.clone());
+    let residuals = residuals.unwrap_or_default();
+    let size = residuals.iter().map(|&residual| graph.written_size(residual)).sum::<u64>();
+    let equations = residuals.iter().map(|&residual| format!("`0 = {}`", text::text(graph, residual)));
+    let of = match size <= LONGEST_EQUATION {
+        true => format!(" of {}", equations.collect::<Vec<_>>().join(", ")),
+        false => String::new(),
+    };
+    doc(&format!("Solution {names}{of} by Newton's method; NaN if it finds none."))
 }

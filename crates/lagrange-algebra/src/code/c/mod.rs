@@ -7,7 +7,7 @@
 
 use super::body::Unrepresentable;
 use super::literal::Constant;
-use crate::program::{Op, Program, ValueId, ValueTable};
+use crate::program::{Op, Program, SolutionKey, ValueId, ValueTable, solution_key};
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::elementary::row;
 use lagrange_expr::expr::Relation;
@@ -54,7 +54,8 @@ pub trait Surroundings {
     /// Returns the name of a symbol in the declaration.
     fn name(&self, role: Role) -> Option<String>;
 
-    /// Returns a call of a function without a formula, for these arguments.
+    /// Returns a call of a function without a formula, for these arguments. The last argument of
+    /// one that solves for several unknowns is the array of their values.
     fn call(&self, function: &Opaque, arguments: &[&str]) -> String;
 }
 
@@ -101,12 +102,19 @@ struct ValueNames {
     values: ValueTable<String>,
     /// The sine and the cosine at a place of a pair or a batch.
     pairs: HashMap<(ValueId, u32), [String; 2]>,
+    /// The arrays of unknowns that are solved for together.
+    solutions: HashMap<SolutionKey, String>,
     next: usize,
 }
 
 impl ValueNames {
     fn new(program: &Program) -> ValueNames {
-        ValueNames { values: ValueTable::with_capacity(program.len()), pairs: HashMap::default(), next: 0 }
+        ValueNames {
+            values: ValueTable::with_capacity(program.len()),
+            pairs: HashMap::default(),
+            solutions: HashMap::default(),
+            next: 0,
+        }
     }
 
     fn fresh(&mut self) -> String {
@@ -160,11 +168,30 @@ impl StatementWriter<'_> {
             Op::CosOf(pair) => self.part(*pair, 0, 1),
             Op::SinIn(batch, place) => self.part(*batch, *place, 0),
             Op::CosIn(batch, place) => self.part(*batch, *place, 1),
+            Op::Opaque(function, _) if function.unknowns().len() > 1 => self.solved(id, op, function),
             _ => {
                 let expression = self.expression(op);
                 self.define(&expression, self.program.hint(id));
             }
         }
+    }
+
+    /// Writes an unknown that is solved for together with others, where the first of them stands.
+    fn solved(&mut self, id: ValueId, op: &Op, function: &Opaque) {
+        let Some(key) = solution_key(op) else { unreachable!("{op:?} has several unknowns") };
+        let values = match self.names.solutions.get(&key) {
+            Some(values) => values.clone(),
+            None => {
+                let values = self.names.fresh();
+                let arguments = key.1.iter().map(|argument| self.names.values[*argument].as_str());
+                let arguments = arguments.chain([values.as_str()]).collect::<Vec<_>>();
+                let call = self.surroundings.call(function, &arguments);
+                self.out += &format!("    REAL {values}[{}];\n    {call};\n", function.unknowns().len());
+                self.names.solutions.insert(key, values.clone());
+                values
+            }
+        };
+        self.define(&format!("{values}[{}]", function.place()), self.program.hint(id));
     }
 
     /// Writes sines and cosines of several angles.

@@ -6,7 +6,9 @@ use crate::dimensions::measure::{Measure, MeasuredComponent};
 use crate::dimensions::messages;
 use crate::dimensions::quantities::is_of_numbers;
 use crate::dimensions::solver::{DimensionEquation, Grounds};
-use crate::syntax::ast::{AstId, Definition, Expression, Name, TableDefinition, TableSource};
+use crate::syntax::ast::{
+    AstId, Definition, Expression, Name, TableDefinition, TableSource, UnknownDefinition,
+};
 use lagrange_expr::diagnostics::Origin;
 
 /// Returns the dimension of a name: the declared one, or one to be found.
@@ -48,6 +50,18 @@ pub(super) fn value_of(name: &Name) -> Grounds {
     match &name.unit {
         Some(unit) => Grounds { words: messages::declared(&name.text, unit.to_string()), place: unit.origin },
         None => Grounds { words: messages::stands_for(&name.text), place: Origin::from(name.span) },
+    }
+}
+
+pub(super) fn define_unknowns(checker: &mut Checker<'_>, unknowns: &UnknownDefinition) {
+    let forms = unknowns.names.iter().map(|name| Measure::known(declared(checker, name)));
+    let forms = forms.collect::<Vec<_>>();
+    for (name, form) in unknowns.names.iter().zip(&forms) {
+        checker.scope.insert(name.text.clone(), form.clone());
+    }
+    unknowns.residuals.iter().for_each(|&residual| drop(checker.value(residual)));
+    for ((name, form), &start) in unknowns.names.iter().zip(&forms).zip(&unknowns.starts) {
+        require_start(checker, Some(start), form, &value_of(name));
     }
 }
 

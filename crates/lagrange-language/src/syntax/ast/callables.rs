@@ -35,15 +35,15 @@ pub struct ExternalDerivative {
     pub name: Name,
 }
 
-/// A value that an equation defines.
+/// Values that as many equations define together, mostly one.
 #[derive(Clone, Debug)]
 pub struct UnknownDefinition {
-    /// Its name.
-    pub name: Name,
-    /// Expression that is zero at the solution.
-    pub residual: AstId,
-    /// Initial guess; zero if it is omitted.
-    pub start: Option<AstId>,
+    /// Their names.
+    pub names: Vec<Name>,
+    /// Expressions that are zero at the solution.
+    pub residuals: Vec<AstId>,
+    /// Initial guesses, one for each name; zero if they are omitted.
+    pub starts: Vec<AstId>,
     /// The number of steps after which the search ends.
     pub iterations: Option<AstId>,
 }

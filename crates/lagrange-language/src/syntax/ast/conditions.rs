@@ -1,15 +1,37 @@
-//! Conditions on indices, as written.
+//! Comparisons in combination, as written.
 
 use super::id::AstId;
 
-/// A condition on indices: whether one of several holds, each of which holds if all its tests do.
+/// A condition: one of several alternatives holds, each of which holds if all its tests do.
 #[derive(Clone, Debug)]
-pub struct IndexCondition {
+pub struct CombinedCondition {
     /// Tests with `&&` between them, in groups with `||` between those.
-    pub alternatives: Vec<Vec<IndexTest>>,
+    pub alternatives: Vec<Vec<ConditionTest>>,
 }
 
-impl IndexCondition {
+impl CombinedCondition {
+    /// Returns how often choices by single comparisons mention the first and the second branch.
+    pub fn copies(&self) -> [u64; 2] {
+        let mut whole: [u64; 2] = [0, 1];
+        for tests in &self.alternatives {
+            let mut all: [u64; 2] = [1, 0];
+            for test in tests {
+                let mut one = match &test.kind {
+                    TestKind::Comparison(..) => [1, 1],
+                    TestKind::Nested(condition) => condition.copies(),
+                };
+                if test.is_negated {
+                    one.reverse();
+                }
+                let otherwise = all[1].saturating_add(all[0].saturating_mul(one[1]));
+                all = [all[0].saturating_mul(one[0]), otherwise];
+            }
+            let then = whole[0].saturating_add(whole[1].saturating_mul(all[0]));
+            whole = [then, whole[1].saturating_mul(all[1])];
+        }
+        whole
+    }
+
     /// Returns its expressions, in source order.
     pub fn expressions(&self) -> Vec<AstId> {
         let tests = self.alternatives.iter().flatten();
@@ -33,7 +55,7 @@ impl IndexCondition {
 
 /// One test of a condition.
 #[derive(Clone, Debug)]
-pub struct IndexTest {
+pub struct ConditionTest {
     /// True if `!` stands before it.
     pub is_negated: bool,
     /// The test itself.
@@ -46,10 +68,10 @@ pub enum TestKind {
     /// `i < n`
     Comparison(AstId, Comparison, AstId),
     /// A condition in parentheses.
-    Nested(IndexCondition),
+    Nested(CombinedCondition),
 }
 
-/// The comparison of indices.
+/// A comparison.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Comparison {
     /// `<`

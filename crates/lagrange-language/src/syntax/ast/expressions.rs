@@ -6,7 +6,7 @@ use proc_macro2::Span;
 
 use super::Name;
 use super::array_shapes::ArrayShape;
-use super::conditions::{Comparison, IndexCondition};
+use super::conditions::{CombinedCondition, Comparison};
 use super::id::AstId;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
@@ -152,7 +152,7 @@ pub enum ArrayExpression {
     /// `if i == 0 { a } else { b }`, where indices decide.
     Select {
         /// Deciding condition.
-        condition: IndexCondition,
+        condition: CombinedCondition,
         /// Value where it holds.
         then: AstId,
         /// Value elsewhere.

@@ -49,7 +49,7 @@ pub struct Statement {
 ///           | "let" NAME "(" NAME { "," NAME } ")" "=" sum ";"
 ///           | "function" NAME "(" named { "," named } ")" [ ":" unit ] ( ";" | "{" { derivative } "}" [ ";" ] )
 ///           | "table" NAME "(" named [ "," named ] ")" [ ":" unit ] "=" ( STRING | "[" point { "," point } "]" ) { "," option } ";"
-///           | "solve" named ":" "0" "=" sum { "," ( "start" | "iterations" ) ":" sum } ";"
+///           | "solve" ( named | "(" named "," named { "," named } ")" ) ":" "0" "=" sum { "," "0" "=" sum } { "," ( "start" | "iterations" ) ":" sum } ";"
 ///           | ( "kinetic" | "potential" | "lagrangian" | "dissipation" ) "=" sum ";"
 ///           | "gibbs" "=" sum "," "for" ":" sum ";"
 ///           | "force" NAME "=" sum ";"
@@ -219,7 +219,7 @@ pub const KEYWORDS: [Keyword; 32] = [
     .before(Soft::Function),
     Keyword::new(
         "solve",
-        "write `solve y: 0 = e;`, or `solve y: 0 = e, start: s, iterations: 50;`, for the y that makes e zero",
+        "write `solve y: 0 = e;`, or `solve y: 0 = e, start: s, iterations: 50;`, for the y that makes e zero; `solve (y, z): 0 = e, 0 = f;` for y and z that make both zero",
     )
     .before(Soft::Equation),
     Keyword::new("kinetic", "write `kinetic = e;`"),
@@ -266,7 +266,7 @@ impl StatementKind {
             StatementKind::Quaternion(quaternion) => (quaternion.names(), Reach::Both),
             StatementKind::Velocity(name, _) => (vec![name], Reach::Both),
             StatementKind::Let(name, _) => (vec![name], Reach::Expressions),
-            StatementKind::Solve(unknown) => (vec![&unknown.name], Reach::Expressions),
+            StatementKind::Solve(unknowns) => (unknowns.names.iter().collect(), Reach::Expressions),
             StatementKind::LetTuple(names, _) => (names.iter().collect(), Reach::Expressions),
             // Its name can be called, and means nothing by itself.
             StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_) => {
@@ -324,8 +324,8 @@ impl StatementKind {
                 TableSource::Points(points) => points.iter_mut().flat_map(|(point, _)| point).collect(),
                 TableSource::File { .. } => Vec::new(),
             },
-            StatementKind::Solve(UnknownDefinition { residual, start, iterations, .. }) => {
-                start.iter_mut().chain(iterations).chain([residual]).collect()
+            StatementKind::Solve(UnknownDefinition { residuals, starts, iterations, .. }) => {
+                starts.iter_mut().chain(iterations).chain(residuals).collect()
             }
             StatementKind::Gibbs { function, stated } => vec![function, stated],
             StatementKind::ForceAt { force, point } => vec![force, point],
@@ -401,7 +401,10 @@ impl StatementKind {
                 list.iter_mut().map(|definition| (&definition.name, definition.value.as_mut())).collect()
             }
             StatementKind::Let(name, value) | StatementKind::Output(name, value) => vec![(name, Some(value))],
-            StatementKind::Solve(unknown) => vec![(&unknown.name, unknown.start.as_mut())],
+            StatementKind::Solve(UnknownDefinition { names, starts, .. }) => {
+                let starts = starts.iter_mut().map(Some).chain(std::iter::repeat_with(|| None));
+                names.iter().zip(starts).collect()
+            }
             kind => kind.names().0.into_iter().map(|name| (name, None)).collect(),
         }
     }

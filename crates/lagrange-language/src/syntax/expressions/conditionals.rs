@@ -3,14 +3,14 @@
 use proc_macro2::{Delimiter, Spacing, TokenTree};
 
 use super::ReadOperand;
-use crate::syntax::ast::{ArrayExpression, AstId, Condition, Expression, IndexCondition};
-use crate::syntax::cursor::{Cursor, as_group, group_origin};
-use crate::syntax::identifiers::eat_comparison;
+use crate::syntax::ast::{ArrayExpression, AstId, CombinedCondition, Condition, Expression, TestKind};
+use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::messages;
 use crate::syntax::messages::habits;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 use lagrange_expr::diagnostics::Origin;
+use lagrange_expr::limits::MAX_BRANCHES;
 
 /// `if condition { then } else`, with what follows still to be read.
 struct Branch {
@@ -21,10 +21,10 @@ struct Branch {
 
 /// The condition that decides between the branches.
 enum Decision {
-    /// A comparison during the motion, or of indices.
-    Comparison(Condition),
-    /// Indices alone, with all that conditions on these may hold.
-    Indices(IndexCondition),
+    /// Comparisons during the motion, or one of indices.
+    Moving(CombinedCondition),
+    /// Indices alone.
+    Indices(CombinedCondition),
 }
 
 impl Parser<'_> {
@@ -39,13 +39,16 @@ impl Parser<'_> {
         let nest = |otherwise: ReadOperand, branch: Branch| {
             let Branch { start, decision, then } = branch;
             let ReadOperand { id: otherwise, origin } = otherwise;
-            let expression = match decision {
-                Decision::Comparison(condition) => Expression::If { condition, then, otherwise },
-                Decision::Indices(condition) => {
-                    Expression::Array(ArrayExpression::Select { condition, then, otherwise })
+            let origin = start.to(origin);
+            match decision {
+                Decision::Moving(condition) => {
+                    ReadOperand { id: self.decided(&condition, [then, otherwise], origin), origin }
                 }
-            };
-            self.add(expression, start.to(origin))
+                Decision::Indices(condition) => {
+                    let select = ArrayExpression::Select { condition, then, otherwise };
+                    self.add(Expression::Array(select), origin)
+                }
+            }
         };
         Ok(branches.into_iter().rev().fold(last, nest))
     }
@@ -63,7 +66,7 @@ impl Parser<'_> {
 
     fn decision(&mut self, cursor: &mut Cursor) -> Parsed<Decision> {
         if !self.are_indices_asked(cursor) {
-            return self.condition(cursor).map(Decision::Comparison);
+            return self.condition(cursor).map(Decision::Moving);
         }
         let condition = self.counting(cursor, Self::index_condition)?;
         match cursor.group(Delimiter::Brace) {
@@ -102,40 +105,49 @@ impl Parser<'_> {
         has_variable && has_sign
     }
 
-    fn condition(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
-        let block_follows = as_group(cursor.peek_past(1), Delimiter::Brace).is_some();
-        if let Some(group) = cursor.group(Delimiter::Parenthesis).filter(|_| block_follows).cloned() {
-            cursor.skip_one();
-            return self.inside(&group, |parser, cursor| {
-                let condition = parser.comparison(cursor)?;
-                if cursor.at_end() { Ok(condition) } else { Err(parser.no_block(cursor, "`)`")) }
-            });
+    /// A condition on moving quantities up to the block behind it.
+    fn condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
+        let start = cursor.here();
+        let condition = self.combined_condition(cursor, |parser, cursor| parser.no_relation(cursor))?;
+        if cursor.group(Delimiter::Brace).is_none() {
+            return Err(self.no_block(cursor, "`{`"));
         }
-        let condition = self.comparison(cursor)?;
-        if cursor.group(Delimiter::Brace).is_some() {
-            Ok(condition)
-        } else {
-            Err(self.no_block(cursor, "`{`"))
+        let [then, otherwise] = condition.copies();
+        if then.saturating_add(otherwise) > MAX_BRANCHES {
+            let message = messages::long_condition(MAX_BRANCHES);
+            return Err(self.fail_with_help(
+                start.to(cursor.before()),
+                message,
+                messages::LONG_CONDITION_HELP,
+            ));
         }
+        Ok(condition)
     }
 
-    fn comparison(&mut self, cursor: &mut Cursor) -> Parsed<Condition> {
-        if cursor.at('!') {
-            return Err(self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP));
+    /// Writes a choice by several comparisons as choices by one each, which share their branches.
+    fn decided(&mut self, condition: &CombinedCondition, branches: [AstId; 2], origin: Origin) -> AstId {
+        let [then, mut otherwise] = branches;
+        for tests in condition.alternatives.iter().rev() {
+            otherwise = tests.iter().rev().fold(then, |then, test| {
+                let branches = if test.is_negated { [otherwise, then] } else { [then, otherwise] };
+                match &test.kind {
+                    TestKind::Nested(condition) => self.decided(condition, branches, origin),
+                    TestKind::Comparison(left, relation, right) => {
+                        let condition = Condition { left: *left, relation: *relation, right: *right };
+                        let [then, otherwise] = branches;
+                        self.add(Expression::If { condition, then, otherwise }, origin).id
+                    }
+                }
+            });
         }
-        let left = self.expression(cursor)?;
-        let Some(relation) = eat_comparison(cursor) else {
-            return Err(self.no_relation(cursor));
-        };
-        let right = self.expression(cursor)?;
-        Ok(Condition { left, relation, right })
+        otherwise
     }
 
     fn no_relation(&mut self, cursor: &Cursor) -> Reported {
         if cursor.equals_past(0) && !cursor.at_pair('=', '<') {
             self.fail_with_help(cursor.here_to_pair(), messages::EQUALITY, messages::EQUALITY_HELP)
-        } else if is_logical(cursor) {
-            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
+        } else if is_logical_word(cursor) {
+            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
         } else if cursor.group(Delimiter::Brace).is_some() {
             let message = messages::expected(messages::COMPARISON, cursor.peek());
             self.fail_with_help(cursor.here(), message, messages::COMPARISON_PLACE_HELP)
@@ -146,10 +158,10 @@ impl Parser<'_> {
 
     /// Reports what stands behind a comparison instead of what should.
     fn no_block(&mut self, cursor: &Cursor, wanted: &str) -> Reported {
-        if is_logical(cursor) {
-            self.fail_with_help(cursor.here_to_pair(), messages::LOGIC, messages::LOGIC_HELP)
+        if is_logical_word(cursor) {
+            self.fail_with_help(cursor.here(), messages::LOGIC, messages::LOGIC_HELP)
         } else if cursor.at('<') || cursor.at('>') || cursor.at_pair('=', '=') {
-            self.fail_with_help(cursor.here(), messages::COMPARISON_CHAIN, messages::LOGIC_HELP)
+            self.fail_with_help(cursor.here(), messages::COMPARISON_CHAIN, messages::COMPARISON_CHAIN_HELP)
         } else {
             self.no_operator(cursor, wanted)
         }
@@ -182,7 +194,6 @@ impl Parser<'_> {
     }
 }
 
-fn is_logical(cursor: &Cursor) -> bool {
-    let is_word = ["and", "or"].iter().any(|word| cursor.at_word(word));
-    is_word || cursor.at_pair('&', '&') || cursor.at_pair('|', '|')
+fn is_logical_word(cursor: &Cursor) -> bool {
+    ["and", "or"].iter().any(|word| cursor.at_word(word))
 }

@@ -47,13 +47,26 @@ impl Printer<'_> {
     }
 
     /// `solve y: 0 = e, start: e, iterations: n;`
-    pub(super) fn unknown(&mut self, unknown: &UnknownDefinition) {
+    pub(super) fn unknowns(&mut self, unknowns: &UnknownDefinition) {
+        let UnknownDefinition { names, residuals, starts, iterations } = unknowns;
         self.text("solve ");
-        self.name(&unknown.name);
-        self.labelled(": 0 = ", unknown.residual);
-        unknown.start.iter().for_each(|start| self.labelled(", start: ", *start));
-        unknown.iterations.iter().for_each(|iterations| self.labelled(", iterations: ", *iterations));
+        self.one_or_tuple(names, Self::name);
+        self.text(": ");
+        self.list(residuals, |printer, residual| printer.labelled("0 = ", *residual));
+        if !starts.is_empty() {
+            self.text(", start: ");
+            self.one_or_tuple(starts, |printer, start| printer.expression(*start));
+        }
+        iterations.iter().for_each(|iterations| self.labelled(", iterations: ", *iterations));
         self.text(";");
+    }
+
+    /// `y` or `(y, z)`
+    fn one_or_tuple<T>(&mut self, items: &[T], print: impl FnMut(&mut Self, &T)) {
+        let brackets = if items.len() > 1 { ["(", ")"] } else { [""; 2] };
+        self.text(brackets[0]);
+        self.list(items, print);
+        self.text(brackets[1]);
     }
 
     /// `f(x, y)`

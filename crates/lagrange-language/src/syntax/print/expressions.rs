@@ -6,8 +6,8 @@
 use super::Printer;
 use super::numbers::{Form, numeral};
 use crate::syntax::ast::{
-    ArrayExpression, AstId, BinaryOperator, Comparison, Condition, Expression, Expressions, IN_AXES,
-    IndexCondition, Range, TestKind,
+    ArrayExpression, AstId, BinaryOperator, CombinedCondition, Comparison, Condition, Expression,
+    Expressions, IN_AXES, Range, TestKind,
 };
 
 /// Piece to be written.
@@ -36,7 +36,7 @@ impl Printer<'_> {
     }
 
     /// A condition on indices.
-    pub(super) fn index_condition(&mut self, condition: &IndexCondition) {
+    pub(super) fn index_condition(&mut self, condition: &CombinedCondition) {
         self.pieces(index_condition(condition));
     }
 
@@ -234,7 +234,7 @@ fn compared(left: AstId, comparison: Comparison, right: AstId) -> Vec<PrintedPie
 }
 
 /// `i > 0 && i < n || …`
-fn index_condition(condition: &IndexCondition) -> Vec<PrintedPiece> {
+fn index_condition(condition: &CombinedCondition) -> Vec<PrintedPiece> {
     let mut pieces = Vec::new();
     for (number, tests) in condition.alternatives.iter().enumerate() {
         pieces.push(text(if number == 0 { "" } else { " || " }));

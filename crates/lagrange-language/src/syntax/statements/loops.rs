@@ -3,12 +3,12 @@
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 use crate::syntax::ast::{
-    Block, IndexCondition, IndexTest, Repetition, Selection, Statement, StatementKind, TestKind,
+    Block, CombinedCondition, ConditionTest, Repetition, Selection, Statement, StatementKind, TestKind,
 };
 use crate::syntax::cursor::Cursor;
 use crate::syntax::identifiers::eat_comparison;
 use crate::syntax::messages::arrays;
-use crate::syntax::parser::{Parsed, Parser};
+use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 
 impl Parser<'_> {
@@ -60,10 +60,21 @@ impl Parser<'_> {
     }
 
     /// `i > 0 && i < n || …`
-    pub(in crate::syntax) fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<IndexCondition> {
+    pub(in crate::syntax) fn index_condition(&mut self, cursor: &mut Cursor) -> Parsed<CombinedCondition> {
+        self.combined_condition(cursor, |parser, cursor| {
+            parser.misplaced(arrays::COMPARISON, arrays::SELECTION_HELP, cursor)
+        })
+    }
+
+    /// Comparisons with `&&`, `||` and `!`; `missing` reports one without its sign.
+    pub(in crate::syntax) fn combined_condition(
+        &mut self,
+        cursor: &mut Cursor,
+        missing: fn(&mut Self, &mut Cursor) -> Reported,
+    ) -> Parsed<CombinedCondition> {
         let mut alternatives = vec![Vec::new()];
         self.turns(cursor, |parser, cursor| {
-            let test = parser.index_test(cursor)?;
+            let test = parser.test(cursor, missing)?;
             if let Some(tests) = alternatives.last_mut() {
                 tests.push(test);
             }
@@ -78,30 +89,42 @@ impl Parser<'_> {
             }
             Ok(Turn::next_if(goes_on))
         })?;
-        Ok(IndexCondition { alternatives })
+        Ok(CombinedCondition { alternatives })
     }
 
     /// `!(…)`, `(…)` or `i < n`
-    fn index_test(&mut self, cursor: &mut Cursor) -> Parsed<IndexTest> {
+    fn test(
+        &mut self,
+        cursor: &mut Cursor,
+        missing: fn(&mut Self, &mut Cursor) -> Reported,
+    ) -> Parsed<ConditionTest> {
         let is_negated = cursor.eat_all('!').count() % 2 == 1;
         let group = cursor.group(Delimiter::Parenthesis).filter(|group| is_condition(group)).cloned();
-        if let Some(group) = group {
+        if let Some(group) = group.filter(|_| ends_test(cursor.peek_past(1))) {
             cursor.skip_one();
             let condition = self.inside(&group, |parser, cursor| {
-                let condition = parser.index_condition(cursor)?;
+                let condition = parser.combined_condition(cursor, missing)?;
                 match cursor.at_end() {
                     true => Ok(condition),
                     false => Err(parser.no_operator(cursor, "`)`")),
                 }
             })?;
-            return Ok(IndexTest { is_negated, kind: TestKind::Nested(condition) });
+            return Ok(ConditionTest { is_negated, kind: TestKind::Nested(condition) });
         }
         let left = self.expression(cursor)?;
-        let Some(comparison) = eat_comparison(cursor) else {
-            return Err(self.misplaced(arrays::COMPARISON, arrays::SELECTION_HELP, cursor));
-        };
+        let Some(comparison) = eat_comparison(cursor) else { return Err(missing(self, cursor)) };
         let right = self.expression(cursor)?;
-        Ok(IndexTest { is_negated, kind: TestKind::Comparison(left, comparison, right) })
+        Ok(ConditionTest { is_negated, kind: TestKind::Comparison(left, comparison, right) })
+    }
+}
+
+/// True of what may stand behind a condition in parentheses, and not behind a part of a sum.
+fn ends_test(token: Option<&TokenTree>) -> bool {
+    match token {
+        Some(TokenTree::Punct(punct)) => "&|,;".contains(punct.as_char()),
+        Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Brace,
+        Some(_) => false,
+        None => true,
     }
 }
 

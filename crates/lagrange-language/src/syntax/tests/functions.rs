@@ -1,5 +1,5 @@
 use super::{read, statements};
-use crate::syntax::ast::{Declaration, StatementKind, TableSource};
+use crate::syntax::ast::{Declaration, Name, StatementKind, TableSource};
 use crate::syntax::print;
 
 /// A statement about a function without a formula.
@@ -33,11 +33,18 @@ pub(super) fn callable(declaration: &Declaration, kind: &StatementKind) -> Strin
                 table.parameters.len()
             )
         }
-        StatementKind::Solve(unknown) => {
-            let unit = unknown.name.unit.as_ref().map_or(String::new(), |unit| format!(" {unit}"));
-            let said = [Some(unknown.residual), unknown.start, unknown.iterations];
+        StatementKind::Solve(unknowns) => {
+            let named = |name: &Name| {
+                let unit = name.unit.as_ref().map_or(String::new(), |unit| format!(" {unit}"));
+                format!("{}{unit}", name.text)
+            };
+            let names = unknowns.names.iter().map(named).collect::<Vec<_>>().join(", ");
+            let starts = unknowns.starts.iter().copied().map(Some).chain([None]);
+            let starts = starts.take(unknowns.starts.len().max(1));
+            let said =
+                unknowns.residuals.iter().copied().map(Some).chain(starts).chain([unknowns.iterations]);
             let said = said.map(|id| id.map(|id| print::expression(&declaration.expressions, id)));
-            format!("solve {}{unit} {said:?}", unknown.name.text)
+            format!("solve {names} {:?}", said.collect::<Vec<_>>())
         }
         _ => String::new(),
     }

@@ -2,7 +2,7 @@
 
 use super::Statement;
 use super::parts::{PartDefinition, Placement};
-use crate::syntax::ast::conditions::IndexCondition;
+use crate::syntax::ast::conditions::CombinedCondition;
 use crate::syntax::ast::{AstId, Name, Range};
 
 /// `for i in 0..n { … }`
@@ -20,7 +20,7 @@ pub struct Repetition {
 #[derive(Clone, Debug)]
 pub struct Selection {
     /// Conditions, each with the statements that are meant where it holds and none before it does.
-    pub branches: Vec<(IndexCondition, Vec<Statement>)>,
+    pub branches: Vec<(CombinedCondition, Vec<Statement>)>,
     /// Statements that apply if no condition holds.
     pub otherwise: Vec<Statement>,
 }

@@ -30,7 +30,7 @@ impl StatementKind {
             StatementKind::Function(function) => vec![&mut function.name],
             StatementKind::External(function) => vec![&mut function.name],
             StatementKind::Table(table) => vec![&mut table.name],
-            StatementKind::Solve(unknown) => vec![&mut unknown.name],
+            StatementKind::Solve(unknowns) => unknowns.names.iter_mut().collect(),
             StatementKind::Event(event) => vec![&mut event.name],
             StatementKind::Friction(friction) => vec![&mut friction.name],
             StatementKind::Reduce(reduction) => {

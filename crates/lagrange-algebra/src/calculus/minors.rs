@@ -1,0 +1,70 @@
+//! Determinants of small matrices of expressions, by expansion along rows.
+//!
+//! A minor of some columns in the last rows occurs in many larger ones and is computed once. At
+//! most 2ⁿ of them make up a determinant, fewer where entries are zero.
+
+use crate::calculus::partial;
+use lagrange_expr::collections::HashMap;
+use lagrange_expr::expr::{ExprId, Graph};
+
+/// The minors of a matrix.
+pub(super) struct Minors<'a> {
+    rows: &'a [Vec<ExprId>],
+    /// Minors by the rows and the columns that they are made of, as bits.
+    known: HashMap<(u32, u32), ExprId>,
+}
+
+impl Minors<'_> {
+    pub(super) fn new(rows: &[Vec<ExprId>]) -> Minors<'_> {
+        Minors { rows, known: HashMap::default() }
+    }
+
+    pub(super) fn determinant(&mut self, graph: &mut Graph) -> ExprId {
+        let all = self.all();
+        self.minor(graph, all, all)
+    }
+
+    /// The derivative of the determinant by an entry.
+    pub(super) fn cofactor(&mut self, graph: &mut Graph, row: usize, column: usize) -> ExprId {
+        let all = self.all();
+        let minor = self.minor(graph, all & !(1 << row), all & !(1 << column));
+        if (row + column).is_multiple_of(2) { minor } else { graph.negate(minor) }
+    }
+
+    fn all(&self) -> u32 {
+        (1 << self.rows.len()) - 1
+    }
+
+    /// The recursion is as deep as the matrix has rows.
+    fn minor(&mut self, graph: &mut Graph, rows: u32, columns: u32) -> ExprId {
+        if rows == 0 {
+            return graph.number(1);
+        }
+        if let Some(&known) = self.known.get(&(rows, columns)) {
+            return known;
+        }
+        let first = rows.trailing_zeros();
+        let (mut terms, mut is_odd) = (Vec::new(), false);
+        for column in (0..self.rows.len()).filter(|column| columns & 1 << column != 0) {
+            let entry = self.rows[first as usize][column];
+            if !graph.is_zero(entry) {
+                let rest = self.minor(graph, rows & !(1 << first), columns & !(1 << column));
+                let term = graph.multiply(entry, rest);
+                terms.push(if is_odd { graph.negate(term) } else { term });
+            }
+            is_odd = !is_odd;
+        }
+        let minor = graph.total(terms);
+        self.known.insert((rows, columns), minor);
+        minor
+    }
+}
+
+/// Returns the determinant of the Jacobian of some expressions by as many symbols.
+pub fn jacobian_determinant(graph: &mut Graph, expressions: &[ExprId], symbols: &[ExprId]) -> ExprId {
+    let mut rows = Vec::new();
+    for &expression in expressions {
+        rows.push(symbols.iter().map(|&symbol| partial(graph, expression, symbol)).collect());
+    }
+    Minors::new(&rows).determinant(graph)
+}
