@@ -84,6 +84,8 @@ pub(super) struct Entry {
 #[derive(Default, Debug)]
 pub(super) struct Scope {
     entries: OrderedMap<String, Entry>,
+    /// Unknowns of coupled equations: one that is mentioned gives all others a purpose.
+    coupled: Vec<Vec<String>>,
 }
 
 impl Scope {
@@ -124,6 +126,11 @@ impl Scope {
         }
     }
 
+    /// Couples names: none is reported as unused if one of them is mentioned.
+    pub(super) fn couple(&mut self, names: &[Name]) {
+        self.coupled.push(names.iter().map(|name| name.text.clone()).collect());
+    }
+
     /// The entry of that name, without counting as a use.
     pub(super) fn find(&self, name: &str) -> Option<&Entry> {
         self.entries.get(&name.to_owned())
@@ -149,8 +156,10 @@ impl Scope {
 
     /// Warns of names that nothing mentions.
     pub(super) fn report_unused(&self, report: &mut Report) {
+        let is_used = |name: &String| self.entries.get(name).is_some_and(|entry| entry.used);
+        let serves = |name| self.coupled.iter().any(|all| all.contains(name) && all.iter().any(is_used));
         for (name, entry) in self.entries.iter() {
-            if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') {
+            if !entry.used && entry.kind.should_be_used() && !name.starts_with('_') && !serves(name) {
                 report
                     .unused(name, entry.span, messages::names::unused(entry.kind.describe(), name))
                     .help(messages::names::unused_help(name));

@@ -41,6 +41,7 @@ pub(super) fn define_unknowns(elaborator: &mut Elaborator<'_>, definition: &Unkn
     }
     let equations = StatedEquations::read(&mut elaborator.evaluator, definition, &symbols);
     let values = equations.map(|equations| solution(elaborator, names, &symbols, &equations));
+    elaborator.evaluator.scope.couple(names);
     for (i, name) in names.iter().enumerate() {
         let value = values.as_ref().map(|values| values[i]);
         elaborator.labels.extend(value.map(|value| (value, name.text.clone())));

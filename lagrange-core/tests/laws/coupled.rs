@@ -233,3 +233,14 @@ fn what_is_printed_of_equations_is_read_as_those() {
         assert_eq!(emitted(again), emitted(declaration), "{equations}");
     }
 }
+
+#[test]
+fn an_unknown_that_only_serves_another_is_no_mistake() {
+    for (used, unused) in [("y", 0), ("z", 0), ("y + z", 0), ("1", 2)] {
+        let text = format!(
+            "coord x; solve (y, z): 0 = y - x + z^3, 0 = z + y^3; kinetic = 1/2 * dot(x)^2; force x = {used};"
+        );
+        let system = parse(&text).expect("no mistake");
+        assert_eq!(system.report.diagnostics().len(), unused, "{used}");
+    }
+}
