@@ -5,7 +5,6 @@ lagrange::system! {
     kinetic = 1/2 * (dot(x)^2 + dot(y)^2);
     potential = if x < 0 { x };
     potential = if x = 0 { x } else { y };
-    potential = if x < 0 && y < 0 { x } else { y };
     potential = if 0 < x < 1 { x } else { y };
     potential = if !x { x } else { y };
     potential = if x { x } else { y };
