@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Exports systems as units of the Functional Mock-up Interface, and compares their motions, in an environment of its own.
+# The command `lagrange` is built, unless one is given.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -12,5 +13,5 @@ environment=$PWD/target/fmi
     }
     "$environment/bin/pip" install --quiet "fmpy>=0.3.20" "numpy>=2" scipy
 }
-cargo build --quiet --locked -p lagrange-cli
-"$environment/bin/python" tools/fmi_check.py "${CARGO_TARGET_DIR:-target}/debug/lagrange"
+[ $# -gt 0 ] || cargo build --quiet --locked -p lagrange-cli
+"$environment/bin/python" tools/fmi_check.py "${1:-${CARGO_TARGET_DIR:-target}/debug/lagrange}"
