@@ -247,7 +247,7 @@ fn fold_power(value: &Number, exponent: &Number) -> Option<Number> {
 
 /// Sorts by operand and adds up the weights of equal ones. Operands of weight zero are dropped.
 ///
-/// Where `adds_up` declines a total, one half stays beside the rest: `x^¼ · x^¾` becomes
+/// If `adds_up` declines a total, one half stays beside the rest: `x^¼ · x^¾` becomes
 /// `x^½ · x^½`. So the result does not depend on the order of operands.
 fn merge(operands: &mut Vec<Weighted>, adds_up: impl Fn(ExprId, &[Weighted], &Number) -> bool) {
     operands.sort_unstable_by(|(a, m), (b, n)| (a, m).cmp(&(b, n)));
