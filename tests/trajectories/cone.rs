@@ -1,6 +1,6 @@
 //! Friction in a plane, beside closed forms, a regularised reference and its own law.
 //!
-//! `cargo test --release -p lagrange-trajectories-tests --test cone` runs it.
+//! `cargo motions --test cone` runs it.
 #![cfg(any(not(debug_assertions), clippy))]
 
 use lagrange::Simulate;

@@ -1,6 +1,6 @@
 //! Long motions, whose many steps only optimised code takes in reasonable time.
 //!
-//! `cargo test --release -p lagrange-trajectories-tests` runs them; without optimisation there is
+//! `cargo motions` runs them; without optimisation there is
 //! nothing here but for lints.
 #![cfg(any(not(debug_assertions), clippy))]
 

@@ -1,12 +1,14 @@
 //! Contacts that `contact` statements declare, beside the same by hand, closed forms and what is
 //! conserved.
 //!
-//! `cargo test --release -p lagrange-trajectories-tests --test contacts` runs it.
+//! `cargo motions --test contacts` runs it.
 #![cfg(any(not(debug_assertions), clippy))]
 
+mod boxes;
 mod by_hand;
 mod flat;
 mod moving;
+mod plates;
 mod robot;
 mod round;
 mod stepped;

@@ -1,6 +1,6 @@
 //! Bodies thrown onto rough ground at random: whatever they do, the run goes on.
 //!
-//! `LAGRANGE_THROWS=300 cargo test --release -p lagrange-trajectories-tests throws` takes so many
+//! `LAGRANGE_THROWS=300 cargo motions throws` takes so many
 //! throws in the place of a few.
 
 mod random;
