@@ -73,6 +73,7 @@ fn systems_of_the_oracle_have_the_same_bits_with_arrays() {
     let systems = [
         ("chain3_absolute", chain(3, absolute)),
         ("chain5_absolute", chain(5, absolute)),
+        ("chain5_absolute", chain(5, "let angle = q[i];").replace("a[i]", "angle")),
         ("chain10_absolute", chain(10, absolute)),
         ("chain4_relative", chain(4, relative)),
         ("chain6_relative", chain(6, relative)),
@@ -96,7 +97,7 @@ fn systems_of_the_oracle_have_the_same_bits_with_arrays() {
 }
 
 /// What may stand in the loop over all of a random system.
-const TERMS: [&str; 8] = [
+const TERMS: [&str; 10] = [
     "kinetic = 1/2*m[i]*(i + 1)*dot(q[i])^2;",
     "let p[i] = (l[i]*sin(q[i]), -l[i]*cos(q[i])); kinetic = kinetic_energy(m[i], dot(p[i]) + (dot(q[0]), 0));",
     "if i > 0 { potential = spring_energy(k[i % 2][i / n * 0], q[i] - q[i-1]); } else { potential = q[i]^2; }",
@@ -104,6 +105,8 @@ const TERMS: [&str; 8] = [
     "potential = sum(j in 0..=i, m[j]*cos(q[i] - q[(j + 1) % n]));",
     "dissipation = if i > 1 { dot(q[i] - q[i - 2])^2 } else { dot(q[i])^2 };",
     "event hit[i] = q[i] - i, rising => { dot(q[i]) = -dot(q[i]); }",
+    "let r = q[i] - k[0][1]; let (s, c) = (sin(r), cos(q[i])); let f(z) = z * s; potential = f(r) * c;",
+    "for j in i..n { const next = (j + 1) / n * 0; let d = q[j] - q[next]; force q[i] = -d; dissipation = dot(d)^2; }",
     "output place[i] = sum(j in 0..i, l[j]*q[j])*(i + 1);",
 ];
 

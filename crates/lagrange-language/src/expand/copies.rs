@@ -177,9 +177,11 @@ impl Copier<'_> {
             return self.expressions.add(element.unwrap_or(Expression::Invalid), origin);
         }
         let name = segment.text.as_str();
-        match self.objection(name) {
+        let is_as_written = matches!(self.expressions.get(id), Expression::Name(same) if same == name);
+        let objection = self.objection(name, is_as_written);
+        match objection {
             Some((message, help)) => self.invalid(id, message, &help),
-            None if matches!(self.expressions.get(id), Expression::Name(same) if same == name) => id,
+            None if is_as_written => id,
             None => self.expressions.add(Expression::Name(name.to_owned()), origin),
         }
     }
@@ -188,8 +190,16 @@ impl Copier<'_> {
     fn function(&mut self, call: AstId, function: &Name, scope: ScopeId) -> String {
         let (mut name, mut place) = (function.text.clone(), scope);
         loop {
+            if let Some(local) = self.scopes.local(place, &name) {
+                return local.text.clone();
+            }
             match self.scopes.member(self.scopes.part_of(place), &name) {
-                Meaning::Declared(text) => return text,
+                Meaning::Declared(text) => {
+                    if self.scopes.is_local(place, &name) && !is_function(&name) {
+                        self.complaints.unknown(&name, (call, function.span.into()), (&self.scopes, place));
+                    }
+                    return text;
+                }
                 Meaning::Argument(value, outer) => match self.expressions.get(value) {
                     Expression::Name(other) => (name, place) = (other.clone(), outer),
                     _ => return name,

@@ -36,7 +36,8 @@ mod wholes;
 use std::collections::BTreeSet;
 
 use crate::syntax::ast::{
-    ArrayExpression, Declaration, Expression, Expressions, Statement, StatementKind, declared_bodies,
+    ArrayExpression, Declaration, Expression, Expressions, Nested, Statement, StatementKind, declared_bodies,
+    nested,
 };
 use collecting::declared_elements;
 use complaints::Complaints;
@@ -104,19 +105,11 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
         })
 }
 
-/// The names that are declared anywhere, loops and their variables aside.
+/// The names that are declared anywhere, except those that are local to loops.
 fn names_of(statements: &[Statement]) -> BTreeSet<String> {
     let mut names = BTreeSet::from(BUILT_IN.map(str::to_owned));
-    let mut pending = vec![statements];
-    while let Some(statements) = pending.pop() {
-        for Statement { kind, .. } in statements {
-            let written = kind.written_names().into_iter();
-            names.extend(written.map(|(name, suffix)| format!("{}{suffix}", name.text)));
-            if let StatementKind::Block(block) = kind {
-                pending.extend(block.bodies());
-            }
-        }
-    }
+    let lasting = nested(statements).into_iter().flat_map(Nested::lasting_names);
+    names.extend(lasting.map(|(name, suffix)| format!("{}{suffix}", name.text)));
     names
 }
 

@@ -147,7 +147,8 @@ fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Nam
                 let of = Name { span: segment.span, ..name.clone() };
                 return Some(element(&of, copier.element(&segment, scope)?));
             }
-            Ok(Target::Declared(segment)) => match copier.objection(&segment.text) {
+            Ok(Target::Declared(segment)) => match copier.objection(&segment.text, segment.text == name.text)
+            {
                 Some(objection) => objection,
                 None => {
                     let of = Name { span: segment.span, ..name.clone() };

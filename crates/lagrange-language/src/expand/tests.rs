@@ -1,3 +1,4 @@
+mod locals;
 mod parts;
 
 use super::without_arrays;

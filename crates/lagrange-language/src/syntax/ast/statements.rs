@@ -19,7 +19,7 @@ use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
-pub use loops::{Block, Repetition, Selection};
+pub use loops::{Block, Nested, Repetition, Selection, nested};
 pub use parts::{PartArgument, PartDefinition, Placement};
 
 /// A statement and the stretch of source it covers.
@@ -435,6 +435,18 @@ impl StatementKind {
             StatementKind::Scene(scene) => matches!(scene, SceneStatement::Mobilizer(_)),
             _ => self.declares_arrays(),
         }
+    }
+
+    /// True if names that it declares in a loop, without indices, are those of one iteration.
+    pub fn is_local_in_loops(&self) -> bool {
+        matches!(
+            self,
+            StatementKind::Let(..)
+                | StatementKind::LetTuple(..)
+                | StatementKind::Function(_)
+                | StatementKind::Solve(_)
+                | StatementKind::Constants(_)
+        )
     }
 
     /// Returns the names that expressions behind the statement may mention.
