@@ -60,7 +60,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             }
         }
         StatementKind::Mode(mode) => define_mode(elaborator, mode),
-        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, *assignment)),
+        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),

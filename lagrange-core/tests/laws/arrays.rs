@@ -97,7 +97,7 @@ fn systems_of_the_oracle_have_the_same_bits_with_arrays() {
 }
 
 /// What may stand in the loop over all of a random system.
-const TERMS: [&str; 10] = [
+const TERMS: [&str; 11] = [
     "kinetic = 1/2*m[i]*(i + 1)*dot(q[i])^2;",
     "let p[i] = (l[i]*sin(q[i]), -l[i]*cos(q[i])); kinetic = kinetic_energy(m[i], dot(p[i]) + (dot(q[0]), 0));",
     "if i > 0 { potential = spring_energy(k[i % 2][i / n * 0], q[i] - q[i-1]); } else { potential = q[i]^2; }",
@@ -107,6 +107,7 @@ const TERMS: [&str; 10] = [
     "event hit[i] = q[i] - i, rising => { dot(q[i]) = -dot(q[i]); }",
     "let r = q[i] - k[0][1]; let (s, c) = (sin(r), cos(q[i])); let f(z) = z * s; potential = f(r) * c;",
     "for j in i..n { const next = (j + 1) / n * 0; let d = q[j] - q[next]; force q[i] = -d; dissipation = dot(d)^2; }",
+    "event all[i] = q[i] + 1, falling => { for j in 0..n { if j != i { dot(q[j]) = dot(q[i])/(j + 1); } else { q[j] = 0; } } }",
     "output place[i] = sum(j in 0..i, l[j]*q[j])*(i + 1);",
 ];
 
@@ -122,7 +123,8 @@ fn systems() -> impl Strategy<Value = String> {
         });
         format!(
             "const n = {n}; param m[n] {default}, l[n] = 2, k[2][2] = [[1, 2], 3]; coord q[n]; {} for i in 0..n {{ {} }}",
-            "kinetic = sum(i in 0..n, dot(q[i])^2);",
+            "kinetic = sum(i in 0..n, dot(q[i])^2);
+             every 2 => { for i in 1..n { if i % 2 == 1 { dot(q[i]) = q[i-1]; } } }",
             distinct.join(" ")
         )
     })

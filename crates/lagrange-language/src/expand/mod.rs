@@ -20,6 +20,7 @@ mod corners;
 mod counting;
 mod defaults;
 mod elements;
+mod enclosures;
 mod indices;
 mod messages;
 mod parts;
@@ -36,8 +37,8 @@ mod wholes;
 use std::collections::BTreeSet;
 
 use crate::syntax::ast::{
-    ArrayExpression, Declaration, Expression, Expressions, Nested, Statement, StatementKind, declared_bodies,
-    nested,
+    ArrayExpression, Declaration, Enclosure, Expression, Expressions, Nested, Statement, StatementKind,
+    declared_bodies, nested,
 };
 use collecting::declared_elements;
 use complaints::Complaints;
@@ -97,6 +98,7 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
         || declaration.statements.iter_mut().any(|statement| {
             let is_several = matches!(statement.kind, StatementKind::Block(_));
             is_several
+                || !statement.kind.enclosures_mut().is_empty()
                 || statement
                     .kind
                     .names_mut()
@@ -119,6 +121,7 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(Statement { kind, .. }) = pending.pop() {
         roots.extend(kind.names_mut().into_iter().flat_map(|name| name.indices.clone()));
+        roots.extend(kind.enclosures_mut().into_iter().flat_map(Enclosure::expressions_mut).map(|id| *id));
         if let StatementKind::Block(block) = kind {
             let (expressions, bodies) = block.parts_mut();
             roots.extend(expressions.into_iter().map(|id| *id));

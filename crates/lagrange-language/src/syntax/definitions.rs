@@ -144,7 +144,7 @@ impl Parser<'_> {
         self.items(help, cursor, |parser, cursor| {
             let target = parser.expression(cursor)?;
             parser.equals(help, cursor)?;
-            Ok(Assignment { target, value: parser.item_value(cursor) })
+            Ok(Assignment::new(target, parser.item_value(cursor)))
         })
     }
 

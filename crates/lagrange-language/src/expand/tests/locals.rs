@@ -1,17 +1,6 @@
 //! Names that are local to loops.
 
-use super::{assert_same, written_out};
-use crate::expand::without_arrays;
-use crate::syntax::{parse_text, print};
-use lagrange_expr::diagnostics::Report;
-
-/// The messages and helps for a text.
-fn reported(text: &str) -> String {
-    let mut report = Report::default();
-    let declaration = parse_text(text, &mut report).expect("consists of tokens");
-    let _ = print::statements(&without_arrays(declaration, &mut report));
-    report.to_string()
-}
+use super::{assert_same, reported, written_out};
 
 #[test]
 fn a_name_in_a_loop_is_new_in_each_iteration() {

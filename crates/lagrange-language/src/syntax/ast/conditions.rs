@@ -32,6 +32,12 @@ impl CombinedCondition {
         whole
     }
 
+    /// Returns the condition that holds where this one does not.
+    pub fn negated(&self) -> CombinedCondition {
+        let test = ConditionTest { is_negated: true, kind: TestKind::Nested(self.clone()) };
+        CombinedCondition { alternatives: vec![vec![test]] }
+    }
+
     /// Returns its expressions, in source order.
     pub fn expressions(&self) -> Vec<AstId> {
         let tests = self.alternatives.iter().flatten();

@@ -13,13 +13,13 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::definitions::{Definition, EmitItem, Mode, Reduction, StateKind};
+use super::definitions::{Definition, EmitItem, Mode, Reduction, ReductionItem, StateKind};
 use super::events::{Action, Assignment, Clock, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
-pub use loops::{Block, Nested, Repetition, Selection, nested};
+pub use loops::{Block, Enclosed, Enclosure, Nested, Repetition, Selection, nested};
 pub use parts::{PartArgument, PartDefinition, Placement};
 
 /// A statement and the stretch of source it covers.
@@ -59,10 +59,10 @@ pub struct Statement {
 ///           | "output" named "=" sum ";"
 ///           | "stabilise" "=" sum ";"
 ///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
-///           | "every" sum "=>" "{" { sum "=" sum ";" } "}" [ ";" ]
+///           | "every" sum "=>" assignments [ ";" ]
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
-///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
+///           | "reduce" NAME "{" { lines<reduction> } "}" [ ";" ]
 ///           | loop | choice | part | placement | include | scene
 /// named     = NAME [ ":" unit ]
 /// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
@@ -72,7 +72,10 @@ pub struct Statement {
 /// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 ///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 /// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
-///           | "{" { sum "=" sum ";" } "}" [ ";" ]
+///           | assignments [ ";" ]
+/// assignments = "{" { lines<assignment> } "}"
+/// assignment = sum "=" sum ";"
+/// lines<L>  = L | "for" NAME "in" range "{" { lines<L> } "}" | "if" condition "{" { lines<L> } "}" [ "else" … ]
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 /// ```
 ///
@@ -335,7 +338,7 @@ impl StatementKind {
             StatementKind::Every(clock) => clock.expressions_mut(),
             StatementKind::Friction(friction) => friction.expressions_mut(),
             StatementKind::Reduce(reduction) => {
-                reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
+                reduction.items.iter_mut().flat_map(ReductionItem::expressions_mut).collect()
             }
             StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
@@ -387,6 +390,14 @@ impl StatementKind {
             },
             _ => None,
         }
+    }
+
+    /// Returns the loops and conditions around its lines.
+    pub fn enclosures_mut(&mut self) -> Vec<&mut Enclosure> {
+        if let StatementKind::Reduce(reduction) = self {
+            return reduction.items.iter_mut().flat_map(Enclosed::enclosures_mut).collect();
+        }
+        self.assignments_mut().into_iter().flatten().flat_map(Enclosed::enclosures_mut).collect()
     }
 
     /// Returns the names that a statement declares, each with the expression for its value or for
