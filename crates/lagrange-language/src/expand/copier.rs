@@ -74,8 +74,14 @@ impl<'a> Copier<'a> {
                     }
                 }
                 Expression::Array(_) | Expression::Entry { .. } => Change::Anywhere,
-                Expression::Component(_, name) if !name.indices.is_empty() => Change::Anywhere,
-                Expression::Call(function, _) if scopes.is_scoped(&function.text) => Change::Anywhere,
+                Expression::Component(_, name) | Expression::Call(name, _) if !name.indices.is_empty() => {
+                    Change::Anywhere
+                }
+                Expression::Call(function, _)
+                    if scopes.is_scoped(&function.text) || elements.is_array(&function.text) =>
+                {
+                    Change::Anywhere
+                }
                 Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
                 _ => of_operands().unwrap_or(Change::Nowhere),
             };

@@ -12,6 +12,7 @@
 //! Loops in loops may stand for any number of statements, for which there is a bound, as for all
 //! terms together.
 
+mod callees;
 mod collecting;
 mod complaints;
 mod copier;
@@ -89,7 +90,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| match expression {
         Expression::Array(_) | Expression::Entry { .. } => true,
-        Expression::Component(_, name) => !name.indices.is_empty(),
+        Expression::Component(_, name) | Expression::Call(name, _) => !name.indices.is_empty(),
         _ => false,
     };
     let mut expressions = declaration.expressions.iter();
@@ -130,7 +131,9 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     }
     for (_, expression) in expressions.iter() {
         match expression {
-            Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
+            Expression::Array(ArrayExpression::Element(name)) | Expression::Call(name, _) => {
+                roots.extend(&name.indices);
+            }
             Expression::Array(ArrayExpression::Fold { range, .. }) => roots.extend([range.from, range.to]),
             Expression::Array(ArrayExpression::Select { condition, .. }) => {
                 roots.extend(condition.expressions());

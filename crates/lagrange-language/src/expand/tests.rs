@@ -1,3 +1,4 @@
+mod callees;
 mod enclosures;
 mod locals;
 mod parts;

@@ -109,10 +109,8 @@ impl Printer<'_> {
             }
             StatementKind::Function(function) => {
                 self.text("let ");
-                self.text(&function.name.text);
-                self.text("(");
-                self.list(&function.parameters, |printer, name| printer.text(&name.text));
-                self.between(") = ", function.value, ";");
+                self.signature(&function.name, &function.parameters);
+                self.between(" = ", function.value, ";");
             }
             StatementKind::External(function) => self.external(function),
             StatementKind::Table(table) => self.table(table),

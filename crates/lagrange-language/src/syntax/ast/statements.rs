@@ -80,7 +80,8 @@ pub struct Statement {
 /// ```
 ///
 /// `NAME { "[" sum "]" }` is possible wherever a statement has `NAME`, except for names of
-/// functions, their parameters and types. Behind the name of an array, a value may be a `list`.
+/// functions of the crate, parameters and types. Behind the name of an array, a value may be a
+/// `list`.
 ///
 /// ```text
 /// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
@@ -455,6 +456,7 @@ impl StatementKind {
             StatementKind::Let(..)
                 | StatementKind::LetTuple(..)
                 | StatementKind::Function(_)
+                | StatementKind::Table(_)
                 | StatementKind::Solve(_)
                 | StatementKind::Constants(_)
         )
