@@ -147,6 +147,8 @@ fn is_shown(elaborator: &mut Elaborator<'_>, syntax: AstId, value: &Operand) -> 
 fn displayed(graph: &mut Graph, value: ExprId, name: &Name) -> ExprId {
     let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return value };
     let (scale, pi) = (graph.number(unit.scale.number.clone()), graph.pi());
+    let below = graph.number(-&unit.offset);
+    let value = graph.add(value, below);
     let factors = [(value, 1), (scale, -1), (pi, -unit.scale.pi)];
     graph.product(factors.map(|(factor, exponent)| (factor, Number::from(i64::from(exponent)))))
 }

@@ -34,8 +34,8 @@ pub(super) struct Scopes {
     scoped: HashSet<String>,
     /// Parts that are placed anywhere.
     interiors: HashSet<String>,
-    /// Names that are local to loops, as they would be outside, with their meanings so far.
-    locals: HashMap<String, i64>,
+    /// The number of meanings so far of each name that is local to loops, as it would be outside.
+    local_counts: HashMap<String, i64>,
 }
 
 struct Scope {
@@ -157,7 +157,7 @@ impl Scopes {
         let base = self.prefixed(scope, &name.text);
         let Some(inside) = scope.0.and_then(|index| self.scopes.get_mut(index)) else { return };
         self.scoped.insert(name.text.clone());
-        let count = self.locals.get_or_insert_with(base.clone(), || 0);
+        let count = self.local_counts.get_or_insert_with(base.clone(), || 0);
         let text = messages::element(&base, &[*count]);
         *count += 1;
         inside.locals.insert(name.text.clone(), LocalName { text, span: name.span });
@@ -171,7 +171,7 @@ impl Scopes {
     /// True if a name is local to a loop in the part around a place, or outside of parts.
     pub(super) fn is_local(&self, scope: ScopeId, name: &str) -> bool {
         let part = self.around(scope).map_or("", |part| part.prefix.as_str());
-        self.locals.contains(&format!("{part}{name}"))
+        self.local_counts.contains(&format!("{part}{name}"))
     }
 
     fn add(

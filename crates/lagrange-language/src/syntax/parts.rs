@@ -26,7 +26,7 @@ impl Parser<'_> {
                 .inside(&group, |parser, cursor| Ok(parser.items(form("part"), cursor, Self::part_argument))),
             None => Ok(Vec::new()),
         };
-        let body = self.between_braces(form("part"), cursor, Self::statements);
+        let body = self.statements_between_braces(form("part"), cursor);
         self.declared_names = outside;
         let (arguments, body, origin) = (arguments?, body?, cursor.since(start));
         let part = PartDefinition { name, arguments, body, origin, is_included: false };

@@ -30,7 +30,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What loops and conditions enclose.
+    /// Lines in the loops and conditions around them.
     pub(super) fn enclosed(&mut self, around: &[Enclosure], print: impl FnOnce(&mut Self)) {
         for enclosure in around {
             match enclosure {

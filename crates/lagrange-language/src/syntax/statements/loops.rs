@@ -4,7 +4,7 @@ use proc_macro2::{Delimiter, Group, TokenTree};
 
 use crate::syntax::ast::{
     Block, CombinedCondition, ConditionTest, Enclosed, Enclosure, Name, Range, Repetition, Selection,
-    StatementKind, TestKind,
+    Statement, StatementKind, TestKind,
 };
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::identifiers::eat_comparison;
@@ -133,8 +133,17 @@ impl Parser<'_> {
         whole.map(|()| (branches, otherwise))
     }
 
+    /// Reads statements in braces.
+    pub(in crate::syntax) fn statements_between_braces(
+        &mut self,
+        help: &str,
+        cursor: &mut Cursor,
+    ) -> Parsed<Vec<Statement>> {
+        self.between_braces(help, cursor, Self::statements)
+    }
+
     /// Reads lines or statements in braces.
-    pub(in crate::syntax) fn between_braces<T>(
+    fn between_braces<T>(
         &mut self,
         help: &str,
         cursor: &mut Cursor,
