@@ -26,7 +26,7 @@ lagrange::system! {
     output si: rad/s = dot(phi);
     output winding: degC = ambient + 40 [K/rad] * phi;
     output cold: degC = -40;
-    output warning: 1 = if ambient < 0 degC { ambient - -30 degC } else { 1 [K] } / 1 [K];
+    output warning: 1 = (if ambient < alarm { ambient - -30 degC } else { hottest - ambient }) / 1 [K];
     output loss_of_winding: ohm = resistance(ambient + 25 K);
     reduce Small { small phi; }
 }
@@ -65,7 +65,7 @@ fn temperatures_count_from_their_own_zero() {
     assert!((axle.warning(0.0, &q, &v) - 10.0).abs() < 1e-12);
     assert!((axle.loss_of_winding(0.0, &q, &v) - 1.5).abs() < 1e-13);
     let message = Axle { hottest: 400.0, ..axle }.check_parameters().unwrap_err().to_string();
-    assert_eq!(message, "the parameter `hottest` is 400.0, but it must be from 263.15 to 393.15");
+    assert_eq!(message, "the parameter `hottest` is 400.0 K, but it must be from 263.15 to 393.15 K");
 }
 
 #[test]

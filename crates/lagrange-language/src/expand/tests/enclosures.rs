@@ -66,7 +66,9 @@ fn mistakes_in_enclosed_lines_are_reported() {
         ("every 1 => { for i in 0..2 { } }", "nothing is assigned"),
         ("reduce R { for i in 0..2 { held x[i] = 1; } }", "expected"),
     ];
-    for (text, message) in mistakes {
+    let branches = "if 1 > 2 { x[0] = 1; } else ".repeat(101);
+    let long = format!("event e = x[0], rising => {{ {branches} {{ x[0] = 1; }} }}");
+    for (text, message) in mistakes.into_iter().chain([(long.as_str(), "more than 100 choices")]) {
         let found = reported(&format!("coord x[2]; {text}"));
         assert!(found.contains(message), "{text}\n{found}");
         assert_eq!(found.matches("error at").count(), 1, "{text}\n{found}");

@@ -32,10 +32,19 @@ impl CombinedCondition {
         whole
     }
 
-    /// Returns the condition that holds where this one does not.
-    pub fn negated(&self) -> CombinedCondition {
-        let test = ConditionTest { is_negated: true, kind: TestKind::Nested(self.clone()) };
-        CombinedCondition { alternatives: vec![vec![test]] }
+    /// Returns the condition that holds where a branch behind others is taken: none of the former
+    /// holds, but the last one does, if there is one.
+    pub fn of_branch(former: &[CombinedCondition], last: Option<&CombinedCondition>) -> CombinedCondition {
+        if let ([], Some(first)) = (former, last) {
+            return first.clone();
+        }
+        let test = |is_negated, condition: &CombinedCondition| ConditionTest {
+            is_negated,
+            kind: TestKind::Nested(condition.clone()),
+        };
+        let former = former.iter().map(|condition| test(true, condition));
+        let tests = former.chain(last.map(|condition| test(false, condition))).collect();
+        CombinedCondition { alternatives: vec![tests] }
     }
 
     /// Returns its expressions, in source order.

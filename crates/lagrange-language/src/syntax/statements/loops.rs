@@ -8,9 +8,11 @@ use crate::syntax::ast::{
 };
 use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::identifiers::eat_comparison;
+use crate::syntax::messages;
 use crate::syntax::messages::arrays;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
+use lagrange_expr::limits::MAX_BRANCHES;
 
 impl Parser<'_> {
     /// `i in 0..n { … }` behind the word `for`.
@@ -76,19 +78,20 @@ impl Parser<'_> {
         let within = |parser: &mut Self, cursor: &mut Cursor| parser.enclosed_lines(cursor, read);
         if cursor.eat_word("for").is_some() {
             let (variable, range, lines) = self.in_each(cursor, within)?;
-            return Ok(enclosed(lines, &[Enclosure::Loop(variable, range)]));
+            return Ok(enclosed(lines, &Enclosure::Loop(variable, range)));
         }
-        cursor.skip_one();
+        let start = cursor.skip_one();
         let (branches, otherwise) = self.in_branches(cursor, within)?;
-        let (mut all, mut before) = (Vec::new(), Vec::new());
-        for (condition, lines) in branches {
-            let negated = Enclosure::Condition(condition.negated());
-            before.push(Enclosure::Condition(condition));
-            all.extend(enclosed(lines, &before));
-            before.pop();
-            before.push(negated);
+        if branches.len() as u64 > MAX_BRANCHES {
+            let message = messages::long_condition(MAX_BRANCHES);
+            return Err(self.fail_with_help(start, message, messages::LONG_CONDITION_HELP));
         }
-        all.extend(enclosed(otherwise, &before));
+        let (conditions, bodies): (Vec<_>, Vec<_>) = branches.into_iter().unzip();
+        let mut all = Vec::new();
+        for (number, lines) in bodies.into_iter().chain([otherwise]).enumerate() {
+            let condition = CombinedCondition::of_branch(&conditions[..number], conditions.get(number));
+            all.extend(enclosed(lines, &Enclosure::Condition(condition)));
+        }
         Ok(all)
     }
 
@@ -215,11 +218,9 @@ impl Parser<'_> {
     }
 }
 
-/// Lines with more around them.
-fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &[Enclosure]) -> Vec<T> {
-    for line in &mut lines {
-        line.enclosures_mut().splice(0..0, around.iter().cloned());
-    }
+/// Lines with something more around them.
+fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &Enclosure) -> Vec<T> {
+    lines.iter_mut().for_each(|line| line.enclosures_mut().insert(0, around.clone()));
     lines
 }
 
