@@ -147,7 +147,7 @@ const TERMS: [&str; 12] = [
     "potential = sum(j in 0..=i, m[j]*cos(q[i] - q[(j + 1) % n]));",
     "dissipation = if i > 1 { dot(q[i] - q[i - 2])^2 } else { dot(q[i])^2 };",
     "event hit[i] = q[i] - i, rising => { dot(q[i]) = -dot(q[i]); }",
-    "let f[i](z) = l[i] * z; table pull[i](s) = [(0, i), (1, 2)], interpolation: linear, outside: clamp; force q[i] = f[i](pull[i](q[i]));",
+    "let scaled[i](z) = l[i] * z; table pull[i](s) = [(0, i), (1, 2)], interpolation: linear, outside: clamp; force q[i] = scaled[i](pull[i](q[i]));",
     "let r = q[i] - k[0][1]; let (s, c) = (sin(r), cos(q[i])); let f(z) = z * s; potential = f(r) * c;",
     "for j in i..n { const next = (j + 1) / n * 0; let d = q[j] - q[next]; force q[i] = -d; dissipation = dot(d)^2; }",
     "event all[i] = q[i] + 1, falling => { for j in 0..n { if j != i { dot(q[j]) = dot(q[i])/(j + 1); } else { q[j] = 0; } } }",

@@ -32,8 +32,8 @@ impl CombinedCondition {
         whole
     }
 
-    /// Returns the condition that holds where a branch behind others is taken: none of the former
-    /// holds, but the last one does, if there is one.
+    /// Returns the condition of a branch: no former one holds, and the last one does, if there is
+    /// one.
     pub fn of_branch(former: &[CombinedCondition], last: Option<&CombinedCondition>) -> CombinedCondition {
         if let ([], Some(first)) = (former, last) {
             return first.clone();

@@ -14,6 +14,9 @@ use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
 use lagrange_expr::limits::MAX_BRANCHES;
 
+/// The lines of a choice: those of each condition, and those of no condition.
+type Branches<T> = (Vec<(CombinedCondition, Vec<T>)>, Vec<T>);
+
 impl Parser<'_> {
     /// `i in 0..n { … }` behind the word `for`.
     pub(super) fn repetition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
@@ -115,7 +118,7 @@ impl Parser<'_> {
         &mut self,
         cursor: &mut Cursor,
         mut read: impl FnMut(&mut Self, &mut Cursor) -> Vec<T>,
-    ) -> Parsed<(Vec<(CombinedCondition, Vec<T>)>, Vec<T>)> {
+    ) -> Parsed<Branches<T>> {
         let (mut branches, mut otherwise) = (Vec::new(), Vec::new());
         let whole = self.turns(cursor, |parser, cursor| {
             let condition = parser.counting(cursor, Self::index_condition)?;
