@@ -11,6 +11,8 @@ lagrange::system! {
     param inertia: kg*m^2 = 0.5, r: m = 0.3, slope: % = 4, loss: 1 = 2.5 % + 1/200;
     coord phi: rad = 1;
     start dot(phi) = 30 [rpm];
+    param ambient: degC = -20, hottest: degC in -10..=2*60 = 85, alarm: K = -5 degC;
+    table resistance(winding: degC): ohm = [(-20, 1), (30, 2)], interpolation: linear, outside: clamp;
     input u: N*m = 3;
     kinetic = 1/2 * inertia * dot(phi)^2;
     force phi = u;
@@ -22,6 +24,10 @@ lagrange::system! {
     output share: % = loss + slope;
     output fixed: km/h = 36;
     output si: rad/s = dot(phi);
+    output winding: degC = ambient + 40 [K/rad] * phi;
+    output cold: degC = -40;
+    output warning: 1 = (if ambient < alarm { ambient - -30 degC } else { hottest - ambient }) / 1 [K];
+    output loss_of_winding: ohm = resistance(ambient + 25 K);
     reduce Small { small phi; }
 }
 
@@ -46,6 +52,20 @@ fn outputs_are_numbers_in_their_units() {
     assert_near(axle.share(0.0, &q, &v), 7.0);
     assert_eq!((axle.fixed(0.0, &q, &v), axle.si(0.0, &q, &v)), (36.0, 2.5));
     assert_near(Small::from(&axle).speed(0.0, &q, &v), axle.speed(0.0, &q, &v));
+}
+
+/// Numbers in degrees Celsius are temperatures above 273.15 K.
+#[test]
+fn temperatures_count_from_their_own_zero() {
+    let axle = Axle::default();
+    assert_eq!((axle.ambient, axle.hottest, axle.alarm), (253.15, 358.15, 268.15));
+    let (q, v) = ([0.7], [2.5]);
+    assert!((axle.winding(0.0, &q, &v) - (-20.0 + 28.0)).abs() < 1e-12);
+    assert_eq!(axle.cold(0.0, &q, &v), -40.0);
+    assert!((axle.warning(0.0, &q, &v) - 10.0).abs() < 1e-12);
+    assert!((axle.loss_of_winding(0.0, &q, &v) - 1.5).abs() < 1e-13);
+    let message = Axle { hottest: 400.0, ..axle }.check_parameters().unwrap_err().to_string();
+    assert_eq!(message, "the parameter `hottest` is 400.0 K, but it must be from 263.15 to 393.15 K");
 }
 
 #[test]

@@ -65,5 +65,8 @@ fn base(unit: &Unit) -> Option<String> {
     if !unit.is_coherent() {
         write!(base, " factor=\"{:?}\"", unit.scale.to_f64()).ok()?;
     }
+    if !unit.offset.is_zero() {
+        write!(base, " offset=\"{:?}\"", unit.offset.to_f64()).ok()?;
+    }
     Some(base + "/>")
 }

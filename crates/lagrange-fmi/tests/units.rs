@@ -129,7 +129,8 @@ fn dependencies_and_units_are_those_of_the_formulas() {
     let unit = unit(
         "struct Cart; param m: kg = 2, k: N/m = 3; input push: N = 0; coord x: m = 1, a: rad = 0;
         kinetic = 1/2 * m * dot(x)^2 + 1/2 * (1 [kg*m^2]) * dot(a)^2; potential = 1/2 * k * x^2;
-        force x = push; output pull: N = push - k * x; output turn: rad/s = dot(a);",
+        force x = push; output pull: N = push - k * x; output turn: rad/s = dot(a);
+        output warmth: degC = x * 1 [K/m];",
     );
     let document = Document::parse(&unit.description).expect("XML");
     let base = |name: &str| {
@@ -140,6 +141,7 @@ fn dependencies_and_units_are_those_of_the_formulas() {
     assert_eq!(base("N"), "kg1 m1 s-2");
     assert_eq!(base("N/m"), "kg1 s-2");
     assert_eq!(base("rad/s"), "s-1 rad1");
+    assert_eq!(base("degC"), "K1 factor1.0 offset273.15");
     let unknowns = |element: &str| {
         let list = document.descendants().find(|node| node.has_tag_name(element)).expect("a list");
         let unknowns = list.children().filter(Node::is_element);
@@ -150,7 +152,7 @@ fn dependencies_and_units_are_those_of_the_formulas() {
             .collect::<Vec<_>>()
     };
     // 1 to 4 are the state, 5 to 8 its rates, 9 and 10 parameters, 11 the input.
-    assert_eq!(unknowns("Outputs"), [["12", "1 11"], ["13", "4"]]);
+    assert_eq!(unknowns("Outputs"), [["12", "1 11"], ["13", "4"], ["14", "1"]]);
     assert_eq!(unknowns("Derivatives"), [["5", "3"], ["6", "4"], ["7", "1 11"], ["8", ""]]);
 }
 

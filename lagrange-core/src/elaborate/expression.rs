@@ -118,7 +118,9 @@ fn evaluate_quantity(evaluator: &mut Evaluator<'_>, number: AstId, unit: &Unit) 
     let (scale, pi) = (evaluator.graph.number(unit.scale.number.clone()), evaluator.graph.pi());
     let factors = [(number, 1), (scale, 1), (pi, unit.scale.pi)];
     let factors = factors.map(|(factor, exponent)| (factor, Number::from(i64::from(exponent))));
-    Some(Operand::Scalar(evaluator.graph.product(factors)))
+    let scaled = evaluator.graph.product(factors);
+    let zero = evaluator.graph.number(unit.offset.clone());
+    Some(Operand::Scalar(evaluator.graph.add(scaled, zero)))
 }
 
 fn evaluate_name(evaluator: &mut Evaluator<'_>, name: &str, origin: Origin) -> Option<Operand> {

@@ -11,7 +11,7 @@ use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::{self, AstId, Definition};
 
 /// `start x = e;` or `start dot(x) = e;`
-pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: ast::Assignment) {
+pub(super) fn add_start(elaborator: &mut Elaborator<'_>, assignment: &ast::Assignment) {
     let index = assigned_index(elaborator, assignment.target, messages::START_HELP);
     let origin = elaborator.evaluator.origin(assignment.target);
     set_start(elaborator, index, origin, assignment.value);

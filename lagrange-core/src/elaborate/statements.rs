@@ -60,7 +60,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
             }
         }
         StatementKind::Mode(mode) => define_mode(elaborator, mode),
-        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, *assignment)),
+        StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
@@ -147,6 +147,8 @@ fn is_shown(elaborator: &mut Elaborator<'_>, syntax: AstId, value: &Operand) -> 
 fn displayed(graph: &mut Graph, value: ExprId, name: &Name) -> ExprId {
     let Some(unit) = name.unit.as_ref().filter(|unit| !unit.is_coherent()) else { return value };
     let (scale, pi) = (graph.number(unit.scale.number.clone()), graph.pi());
+    let below = graph.number(-&unit.offset);
+    let value = graph.add(value, below);
     let factors = [(value, 1), (scale, -1), (pi, -unit.scale.pi)];
     graph.product(factors.map(|(factor, exponent)| (factor, Number::from(i64::from(exponent)))))
 }

@@ -81,17 +81,24 @@ pub struct Unit {
     pub dimension: Dimension,
     /// Its factor to the coherent unit.
     pub scale: Scale,
+    /// The value of its zero in the coherent unit: 273.15 K for `degC`, otherwise zero.
+    pub offset: Number,
     /// Place in the declaration.
     pub origin: Origin,
 }
 
 impl Unit {
-    /// Creates the product of these factors, which must be known; `None` if its factor to the
-    /// coherent unit is not exact.
+    /// Creates the product of these factors, which must be known. Returns `None` if its factor to
+    /// the coherent unit is not exact, or if one of several factors counts from a zero of its own.
     pub fn of(factors: Vec<UnitFactor>, origin: Origin) -> Option<Unit> {
-        let mut unit = Unit { factors: Vec::new(), dimension: Dimension::NONE, scale: Scale::ONE, origin };
+        let (dimension, scale, offset) = (Dimension::NONE, Scale::ONE, Number::ZERO);
+        let mut unit = Unit { factors: Vec::new(), dimension, scale, offset, origin };
         for factor in &factors {
-            let UnitMeaning { dimension, scale, .. } = meaning(&factor.name)?;
+            let UnitMeaning { dimension, scale, offset, .. } = meaning(&factor.name)?;
+            if !offset.is_zero() && (factors.len() > 1 || factor.exponent != Number::ONE) {
+                return None;
+            }
+            unit.offset = offset;
             unit.dimension = unit.dimension.times(&dimension.power(&factor.exponent));
             unit.scale = unit.scale.times(&scale.power(&factor.exponent)?);
         }
@@ -110,7 +117,7 @@ impl Unit {
 
     /// True if numbers in it are numbers in coherent units.
     pub fn is_coherent(&self) -> bool {
-        self.scale.is_one()
+        self.scale.is_one() && self.offset.is_zero()
     }
 
     /// Returns the unit of the same dimension that numbers have at run time: itself if it is

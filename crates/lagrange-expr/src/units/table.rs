@@ -10,6 +10,8 @@ pub struct UnitMeaning {
     pub dimension: Dimension,
     /// Its factor to the coherent unit.
     pub scale: Scale,
+    /// The value of its zero in the coherent unit; not zero for scales of temperature.
+    pub offset: Number,
     /// The coherent unit of its dimension, as a product of powers.
     pub coherent: Vec<(&'static str, i8)>,
 }
@@ -28,6 +30,7 @@ struct Scaled {
     numerator: &'static str,
     denominator: &'static str,
     pi: i32,
+    offset: &'static str,
     coherent: &'static [(&'static str, i8)],
     takes_prefixes: bool,
 }
@@ -71,7 +74,7 @@ const fn scaled(
     (numerator, denominator, pi): (&'static str, &'static str, i32),
     coherent: &'static [(&'static str, i8)],
 ) -> Scaled {
-    Scaled { names, numerator, denominator, pi, coherent, takes_prefixes: false }
+    Scaled { names, numerator, denominator, pi, offset: "0", coherent, takes_prefixes: false }
 }
 
 const fn prefixed(
@@ -83,7 +86,7 @@ const fn prefixed(
 }
 
 /// Units beside the coherent ones, all of them exact.
-const SCALED: [Scaled; 42] = [
+const SCALED: [Scaled; 43] = [
     scaled(&["%", "percent"], ("1", "100", 0), &[]),
     prefixed(&["g"], ("0.001", "1", 0), &[("kg", 1)]),
     prefixed(&["t"], ("1000", "1", 0), &[("kg", 1)]),
@@ -127,6 +130,7 @@ const SCALED: [Scaled; 42] = [
     prefixed(&["P"], ("0.1", "1", 0), &[("Pa", 1), ("s", 1)]),
     prefixed(&["St"], ("0.0001", "1", 0), &[("m", 2), ("s", -1)]),
     prefixed(&["G"], ("0.0001", "1", 0), &[("T", 1)]),
+    Scaled { offset: "273.15", ..scaled(&["degC"], ("1", "1", 0), &[("K", 1)]) },
 ];
 
 /// Prefixes of the SI with their powers of ten.
@@ -164,7 +168,7 @@ const PREFIXES: [(&str, i32); 26] = [
 const USUAL_PREFIXES: [&str; 8] = ["k", "M", "G", "c", "d", "m", "u", "n"];
 
 /// Words that people write for units, with what they mean here.
-const MEANT: [(&[&str], &str); 26] = [
+const MEANT: [(&[&str], &str); 27] = [
     (&["Nm", "newtonmeter", "newtonmetre"], "N*m"),
     (&["kNm"], "kN*m"),
     (&["Ns"], "N*s"),
@@ -189,7 +193,8 @@ const MEANT: [(&[&str], &str); 26] = [
     (&["volt", "volts"], "V"),
     (&["ampere", "amperes", "amp", "amps"], "A"),
     (&["hertz"], "Hz"),
-    (&["kelvin", "degC", "celsius", "Celsius"], "K"),
+    (&["kelvin"], "K"),
+    (&["celsius", "Celsius"], "degC"),
     (&["Ohm", "ohms"], "ohm"),
 ];
 
@@ -210,7 +215,10 @@ fn with_prefix(name: &str, prefix: &str, power: i32) -> Option<UnitMeaning> {
 fn named(name: &str) -> Option<(UnitMeaning, bool)> {
     if let Some(row) = COHERENT.iter().find(|row| row.names.contains(&name)) {
         let (dimension, coherent) = (Dimension::of(row.exponents), vec![(row.names[0], 1)]);
-        return Some((UnitMeaning { dimension, scale: Scale::ONE, coherent }, row.takes_prefixes));
+        return Some((
+            UnitMeaning { dimension, scale: Scale::ONE, offset: Number::ZERO, coherent },
+            row.takes_prefixes,
+        ));
     }
     let row = SCALED.iter().find(|row| row.names.contains(&name))?;
     let mut dimension = Dimension::NONE;
@@ -220,8 +228,8 @@ fn named(name: &str) -> Option<(UnitMeaning, bool)> {
     }
     let denominator = Number::parse_decimal(row.denominator)?.reciprocal()?;
     let number = &Number::parse_decimal(row.numerator)? * &denominator;
-    let scale = Scale { number, pi: row.pi };
-    Some((UnitMeaning { dimension, scale, coherent: row.coherent.to_vec() }, row.takes_prefixes))
+    let (scale, offset) = (Scale { number, pi: row.pi }, Number::parse_decimal(row.offset)?);
+    Some((UnitMeaning { dimension, scale, offset, coherent: row.coherent.to_vec() }, row.takes_prefixes))
 }
 
 /// Returns the unit that was probably meant by a word.

@@ -80,6 +80,19 @@ fn units_have_their_exact_values() {
     }
 }
 
+/// A scale with a zero of its own is a unit alone.
+#[test]
+fn offsets_are_not_in_products() {
+    let of = |powers: &[(&str, i8)]| Unit::coherent_of(powers, Span::call_site().into());
+    let celsius = of(&[("degC", 1)]).expect("a unit");
+    assert_eq!((celsius.offset.to_f64(), celsius.is_coherent()), (273.15, false));
+    assert_eq!(celsius.coherent().to_string(), "K");
+    for powers in [&[("degC", 2)][..], &[("degC", -1)], &[("W", 1), ("degC", -1)], &[("degC", 1), ("s", 1)]] {
+        assert!(of(powers).is_none(), "{powers:?}");
+    }
+    assert!(meaning("mdegC").is_none());
+}
+
 /// Units that are defined by others.
 #[test]
 fn units_fit_their_definitions() {

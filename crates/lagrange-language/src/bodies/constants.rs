@@ -31,7 +31,7 @@ pub(super) fn number(
             Expression::Name(name) => values.push(*constants.get(name)?),
             Expression::Quantity(_, unit) if are_parts_known => {
                 let value = values.pop()?;
-                values.push(value * unit.scale.to_f64());
+                values.push(value * unit.scale.to_f64() + unit.offset.to_f64());
             }
             Expression::Negate(_) if are_parts_known => {
                 let value = values.pop()?;

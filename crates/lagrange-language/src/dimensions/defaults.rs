@@ -186,8 +186,9 @@ impl UnitWriter<'_> {
             TableSource::File { contents, .. } => {
                 for (_, point) in contents.iter_mut().flat_map(|contents| &mut contents.points) {
                     for (component, name) in point.iter_mut().zip(&columns) {
-                        let scale = name.unit.as_ref().map_or(Scale::ONE, |unit| unit.scale.clone());
-                        *component = scaled(*component, &scale);
+                        if let Some(unit) = &name.unit {
+                            *component = in_coherent_unit(*component, unit);
+                        }
                     }
                 }
             }
@@ -195,12 +196,20 @@ impl UnitWriter<'_> {
     }
 }
 
-/// A number of a file, scaled as if it were a literal: exactly, and then rounded.
-fn scaled(value: f64, scale: &Scale) -> f64 {
-    if scale.is_one() || !value.is_finite() {
+/// A number of a file, converted as if it were a literal: exactly, and then rounded.
+fn in_coherent_unit(value: f64, unit: &Unit) -> f64 {
+    if unit.is_coherent() || !value.is_finite() {
         return value;
     }
-    let exact = Number::parse_decimal(&format!("{:e}", value.abs()));
-    let exact = exact.map(|number| Scale { number: &number * &scale.number, pi: scale.pi }.to_f64());
-    exact.map_or(value * scale.to_f64(), |magnitude| magnitude.copysign(value))
+    let Scale { number, pi } = &unit.scale;
+    let Some(magnitude) = Number::parse_decimal(&format!("{:e}", value.abs())) else {
+        return value * unit.scale.to_f64() + unit.offset.to_f64();
+    };
+    let exact = if value.is_sign_negative() { -&magnitude } else { magnitude };
+    let converted = &(&exact * number) + &unit.offset;
+    match converted.is_zero() && unit.offset.is_zero() {
+        // Zeros keep their signs.
+        true => value,
+        false => Scale { number: converted, pi: *pi }.to_f64(),
+    }
 }

@@ -18,14 +18,24 @@ pub(super) fn is_name(expressions: &Expressions, id: AstId) -> bool {
     matches!(expressions.get(id), Expression::Name(name) if name != "pi")
 }
 
-/// `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`.
+/// `500` as `500 [mm]`, anything else as `(…) * 1 [mm]`; `(…) * 1 [K] + 273.15 [K]` for a unit with
+/// a zero of its own, whose factor is one.
 pub(super) fn with_unit(expressions: &mut Expressions, value: AstId, unit: &Unit) -> AstId {
     let origin = expressions.origin(value);
-    let quantity = |of| Expression::Quantity(of, Box::new(unit.clone()));
     if let Expression::Number(_) = expressions.get(value) {
-        return expressions.add(quantity(value), origin);
+        return expressions.add(Expression::Quantity(value, Box::new(unit.clone())), origin);
     }
-    let one = expressions.add(Expression::Number(Number::ONE), origin);
-    let unit = expressions.add(quantity(one), origin);
-    expressions.add(Expression::Binary(BinaryOperator::Multiply, origin.start, value, unit), origin)
+    let mut quantity = |number, unit| {
+        let number = expressions.add(Expression::Number(number), origin);
+        expressions.add(Expression::Quantity(number, Box::new(unit)), origin)
+    };
+    let binary = |operator, left, right| Expression::Binary(operator, origin.start, left, right);
+    if unit.offset.is_zero() {
+        let one = quantity(Number::ONE, unit.clone());
+        return expressions.add(binary(BinaryOperator::Multiply, value, one), origin);
+    }
+    let one = quantity(Number::ONE, unit.coherent());
+    let zero = quantity(unit.offset.clone(), unit.coherent());
+    let above = expressions.add(binary(BinaryOperator::Multiply, value, one), origin);
+    expressions.add(binary(BinaryOperator::Add, above, zero), origin)
 }

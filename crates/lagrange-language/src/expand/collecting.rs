@@ -119,7 +119,10 @@ impl Collector<'_, '_> {
             }
             return;
         }
-        self.member(&own, &text, declared);
+        match self.counting.scopes.local(scope, &own) {
+            Some(_) => self.local(&own, &text, declared),
+            None => self.member(&own, &text, declared),
+        }
         if let Some(array) = self.elements.arrays.get(&text) {
             let before = array.name.span;
             return self.clash(name, before, messages::array_and_name(&text));
@@ -255,6 +258,20 @@ impl Collector<'_, '_> {
             elements: vec![ArrayElement { name: text.to_owned(), written }],
             member_of: Some([part.interior.name.text.clone(), own.to_owned()]),
         });
+    }
+
+    /// Remembers a name that is local to a loop, with what it stands for in this iteration.
+    fn local(&mut self, own: &str, text: &str, declared: &DeclaredName<'_>) {
+        let DeclaredName { name, scope, statement, .. } = *declared;
+        let new = || DeclaredArray {
+            name: Name::new(own, name.span),
+            sizes: None,
+            elements: Vec::new(),
+            member_of: None,
+        };
+        let written = self.written(scope, own);
+        let local = self.elements.locals.get_or_insert_with((statement, own.to_owned()), new);
+        local.elements.push(ArrayElement { name: text.to_owned(), written });
     }
 
     fn clash(&mut self, name: &Name, before: Span, message: String) {

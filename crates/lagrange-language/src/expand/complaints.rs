@@ -165,6 +165,9 @@ impl<'a> Complaints<'a> {
             return;
         }
         let (message, help) = match scopes.around(scope) {
+            _ if scopes.is_local(scope, name) => {
+                (messages::unknown_name(name), messages::known_in_loop(name))
+            }
             Some(part) => self.unknown_in(&part.interior, name),
             None => {
                 let nearest = nearest(name, self.names.iter().map(String::as_str));
@@ -206,6 +209,10 @@ impl<'a> Complaints<'a> {
         let (segment, message, help) = match fault {
             PathFault::Index(fault, scope) => return self.fault(expressions, fault, (scopes, *scope)),
             PathFault::Outside(segment) => match scopes.around(scope) {
+                _ if scopes.is_local(scope, &segment.text) => {
+                    let (name, help) = (&segment.text, messages::known_in_loop(&segment.text));
+                    (segment, messages::unknown_name(name), help)
+                }
                 Some(part) => {
                     let (message, help) = self.unknown_in(&part.interior, &segment.text);
                     (segment, message, help)

@@ -74,8 +74,14 @@ impl<'a> Copier<'a> {
                     }
                 }
                 Expression::Array(_) | Expression::Entry { .. } => Change::Anywhere,
-                Expression::Component(_, name) if !name.indices.is_empty() => Change::Anywhere,
-                Expression::Call(function, _) if scopes.is_scoped(&function.text) => Change::Anywhere,
+                Expression::Component(_, name) | Expression::Call(name, _) if !name.indices.is_empty() => {
+                    Change::Anywhere
+                }
+                Expression::Call(function, _)
+                    if scopes.is_scoped(&function.text) || elements.is_array(&function.text) =>
+                {
+                    Change::Anywhere
+                }
                 Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
                 _ => of_operands().unwrap_or(Change::Nowhere),
             };
@@ -163,12 +169,20 @@ impl<'a> Copier<'a> {
         indices_of(name, scope, counting, &mut self.complaints)
     }
 
-    /// Why a name without an index means nothing, and what to do.
-    pub(super) fn objection(&self, name: &str) -> Option<(String, String)> {
+    /// Why a name without an index means nothing, and what to do. A name of an expanded declaration
+    /// is none in the text.
+    pub(super) fn objection(&self, name: &str, is_as_written: bool) -> Option<(String, String)> {
         if self.elements.is_array(name) {
             return Some((messages::no_index(name), messages::written_help(self.elements.example(name))));
         }
-        let written = self.elements.as_written(name).filter(|_| !self.complaints.names.contains(name))?;
+        if self.complaints.names.contains(name) {
+            return None;
+        }
+        if self.scopes.is_local(ScopeId::default(), name) {
+            return Some((messages::unknown_name(name), messages::known_in_loop(name)));
+        }
+        let local = self.elements.local(name).filter(|_| is_as_written);
+        let written = local.or_else(|| self.elements.as_written(name))?;
         Some((messages::unknown_name(name), messages::write(written)))
     }
 

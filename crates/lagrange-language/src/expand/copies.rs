@@ -8,10 +8,9 @@ use super::copier::{Change, Copier, Task};
 use super::counting::Counting;
 use super::messages;
 use super::paths::{Path, Segment, Target};
-use super::scopes::{Meaning, ScopeId};
+use super::scopes::ScopeId;
 use super::unrolling::{origin_of, values};
 use crate::syntax::ast::{ArrayExpression, AstId, BinaryOperator, Expression, Fold, Name, Range};
-use crate::syntax::is_function;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
 use lagrange_expr::number::Number;
@@ -36,6 +35,7 @@ impl Copier<'_> {
                     let Expression::Call(mut function, arguments) = expression else { continue };
                     let operands = copies.split_off(copies.len().saturating_sub(arguments.len()));
                     function.text = name;
+                    function.indices.clear();
                     copies.push(self.expressions.add(Expression::Call(function, operands), origin));
                 }
                 Task::Fold(fold, count, origin) => {
@@ -177,34 +177,12 @@ impl Copier<'_> {
             return self.expressions.add(element.unwrap_or(Expression::Invalid), origin);
         }
         let name = segment.text.as_str();
-        match self.objection(name) {
+        let is_as_written = matches!(self.expressions.get(id), Expression::Name(same) if same == name);
+        let objection = self.objection(name, is_as_written);
+        match objection {
             Some((message, help)) => self.invalid(id, message, &help),
-            None if matches!(self.expressions.get(id), Expression::Name(same) if same == name) => id,
+            None if is_as_written => id,
             None => self.expressions.add(Expression::Name(name.to_owned()), origin),
-        }
-    }
-
-    /// The name of the function that a call in a scope means. One that is not known is reported.
-    fn function(&mut self, call: AstId, function: &Name, scope: ScopeId) -> String {
-        let (mut name, mut place) = (function.text.clone(), scope);
-        loop {
-            match self.scopes.member(self.scopes.part_of(place), &name) {
-                Meaning::Declared(text) => return text,
-                Meaning::Argument(value, outer) => match self.expressions.get(value) {
-                    Expression::Name(other) => (name, place) = (other.clone(), outer),
-                    _ => return name,
-                },
-                Meaning::Outside => {
-                    let is_external =
-                        self.scopes.around(place).is_some_and(|part| part.interior.external.contains(&name));
-                    if is_external || is_function(&name) || !self.complaints.names.contains(&name) {
-                        return name;
-                    }
-                    self.complaints.unknown(&name, (call, function.span.into()), (&self.scopes, place));
-                    return name;
-                }
-                Meaning::Placed | Meaning::Value(_) | Meaning::Hidden => return name,
-            }
         }
     }
 

@@ -21,6 +21,8 @@ pub(super) struct ElementNames {
     pub(super) texts: HashMap<String, (Span, String)>,
     /// Members of parts that are no arrays.
     pub(super) members: Vec<DeclaredArray>,
+    /// Names that are local to loops, by the statements that declare them.
+    pub(super) locals: OrderedMap<(usize, String), DeclaredArray>,
 }
 
 /// A name without indices.
@@ -100,6 +102,12 @@ impl ElementNames {
         self.texts.get(&text.to_owned()).map(|(_, written)| written.as_str())
     }
 
+    /// Returns the spelling of the local name that stands for a text.
+    pub(super) fn local(&self, text: &str) -> Option<&str> {
+        let mut elements = self.locals.iter().flat_map(|(_, local)| &local.elements);
+        elements.find(|element| element.name == text).map(|element| element.written.as_str())
+    }
+
     /// Returns the number of indices of an array whose elements have values.
     pub(super) fn rank_of_values(&self, name: &str) -> Option<usize> {
         self.arrays.get(&name.to_owned()).filter(|array| array.has_values).map(|array| array.rank)
@@ -170,6 +178,7 @@ impl ElementNames {
                 .collect(),
             member_of: array.member_of.clone(),
         });
-        arrays.chain(self.members.iter().cloned()).collect()
+        let locals = self.locals.iter().map(|(_, local)| local.clone());
+        arrays.chain(self.members.iter().cloned()).chain(locals).collect()
     }
 }

@@ -25,6 +25,13 @@ messages! {
     variable_is_parameter(name) =
         "`{name}` is a parameter of the function and cannot be the variable of a sum in it";
     variable_is_declared(name) = "`{name}` is already declared and cannot be the variable of a loop";
+    local_is_declared(name) = "`{name}` is already declared, and a name in a loop must be new";
+    known_in_loop(name) =
+        "`{name}` is known only inside its loop: outside, use an element, `let {name}[i] = …; … {name}[0]`";
+    values_called(name) = "`{name}` is an array of values, which cannot be called";
+    VALUES_CALLED_HELP = "write `*` before the parentheses for a product";
+    NOTHING_LEFT = "nothing is left between the braces: no condition in them holds, or every range is empty";
+    NOTHING_LEFT_HELP = "put the statement into an `if` that holds where something is left";
     too_many_statements(most) = "loops up to this one expand to more than {most} statements";
     too_many_terms(most) = "loops and sums up to this one expand to more than {most} terms";
     too_many_elements(most) = "arrays up to this one have more than {most} elements";

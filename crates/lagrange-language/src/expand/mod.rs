@@ -12,6 +12,7 @@
 //! Loops in loops may stand for any number of statements, for which there is a bound, as for all
 //! terms together.
 
+mod callees;
 mod collecting;
 mod complaints;
 mod copier;
@@ -20,6 +21,7 @@ mod corners;
 mod counting;
 mod defaults;
 mod elements;
+mod enclosures;
 mod indices;
 mod messages;
 mod parts;
@@ -36,7 +38,8 @@ mod wholes;
 use std::collections::BTreeSet;
 
 use crate::syntax::ast::{
-    ArrayExpression, Declaration, Expression, Expressions, Statement, StatementKind, declared_bodies,
+    ArrayExpression, Declaration, Enclosure, Expression, Expressions, Nested, Statement, StatementKind,
+    declared_bodies, nested,
 };
 use collecting::declared_elements;
 use complaints::Complaints;
@@ -87,7 +90,7 @@ pub fn without_arrays(mut declaration: Declaration, report: &mut Report) -> Decl
 pub fn has_arrays(declaration: &mut Declaration) -> bool {
     let is_array = |expression: &Expression| match expression {
         Expression::Array(_) | Expression::Entry { .. } => true,
-        Expression::Component(_, name) => !name.indices.is_empty(),
+        Expression::Component(_, name) | Expression::Call(name, _) => !name.indices.is_empty(),
         _ => false,
     };
     let mut expressions = declaration.expressions.iter();
@@ -96,6 +99,7 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
         || declaration.statements.iter_mut().any(|statement| {
             let is_several = matches!(statement.kind, StatementKind::Block(_));
             is_several
+                || !statement.kind.enclosures_mut().is_empty()
                 || statement
                     .kind
                     .names_mut()
@@ -104,19 +108,11 @@ pub fn has_arrays(declaration: &mut Declaration) -> bool {
         })
 }
 
-/// The names that are declared anywhere, loops and their variables aside.
+/// The names that are declared anywhere, except those that are local to loops.
 fn names_of(statements: &[Statement]) -> BTreeSet<String> {
     let mut names = BTreeSet::from(BUILT_IN.map(str::to_owned));
-    let mut pending = vec![statements];
-    while let Some(statements) = pending.pop() {
-        for Statement { kind, .. } in statements {
-            let written = kind.written_names().into_iter();
-            names.extend(written.map(|(name, suffix)| format!("{}{suffix}", name.text)));
-            if let StatementKind::Block(block) = kind {
-                pending.extend(block.bodies());
-            }
-        }
-    }
+    let lasting = nested(statements).into_iter().flat_map(Nested::lasting_names);
+    names.extend(lasting.map(|(name, suffix)| format!("{}{suffix}", name.text)));
     names
 }
 
@@ -126,6 +122,7 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     let mut pending = statements.iter_mut().collect::<Vec<_>>();
     while let Some(Statement { kind, .. }) = pending.pop() {
         roots.extend(kind.names_mut().into_iter().flat_map(|name| name.indices.clone()));
+        roots.extend(kind.enclosures_mut().into_iter().flat_map(Enclosure::expressions_mut).map(|id| *id));
         if let StatementKind::Block(block) = kind {
             let (expressions, bodies) = block.parts_mut();
             roots.extend(expressions.into_iter().map(|id| *id));
@@ -134,7 +131,9 @@ fn counted(statements: &mut [Statement], expressions: &Expressions) -> HashSet<S
     }
     for (_, expression) in expressions.iter() {
         match expression {
-            Expression::Array(ArrayExpression::Element(name)) => roots.extend(&name.indices),
+            Expression::Array(ArrayExpression::Element(name)) | Expression::Call(name, _) => {
+                roots.extend(&name.indices);
+            }
             Expression::Array(ArrayExpression::Fold { range, .. }) => roots.extend([range.from, range.to]),
             Expression::Array(ArrayExpression::Select { condition, .. }) => {
                 roots.extend(condition.expressions());

@@ -7,8 +7,8 @@ use super::complaints::Complaints;
 use super::messages;
 use super::scopes::Interior;
 use crate::syntax::ast::{
-    Block, Expression, Expressions, MobilizerKind, Name, PartDefinition, SceneStatement, Statement,
-    StatementKind,
+    Block, Expression, Expressions, MobilizerKind, Name, Nested, PartDefinition, SceneStatement, Statement,
+    StatementKind, nested,
 };
 use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::diagnostics::{Origin, nearest};
@@ -73,14 +73,8 @@ impl<'d> Parts<'d> {
         }
         let mut interior = interior(part);
         check_arguments(part, expressions, complaints);
-        let mut pending = vec![&part.body[..]];
-        while let Some(statements) = pending.pop() {
-            for statement in statements {
-                check_statement(statement, &interior, complaints);
-                if let StatementKind::Block(block) = &statement.kind {
-                    pending.extend(block.bodies());
-                }
-            }
+        for Nested { statement, .. } in nested(&part.body) {
+            check_statement(statement, &interior, complaints);
         }
         // What is said of these is not said again wherever they are placed.
         let Interior { arguments, declared, .. } = &mut interior;
@@ -92,21 +86,17 @@ impl<'d> Parts<'d> {
 
 /// Reports parts in loops, conditions and other parts.
 fn refuse(statements: &[Statement], complaints: &mut Complaints<'_>) {
-    let mut pending = vec![statements];
-    while let Some(statements) = pending.pop() {
-        for Statement { kind, .. } in statements {
-            match kind {
-                StatementKind::Block(Block::Part(part)) => {
-                    let error = complaints.report.error(part.name.span, messages::PART_INSIDE);
-                    error.help(messages::PART_INSIDE_HELP);
-                }
-                StatementKind::Block(Block::Include(path)) => {
-                    let error = complaints.report.error(path.span, messages::INCLUDE_INSIDE);
-                    error.help(messages::INCLUDE_INSIDE_HELP);
-                }
-                StatementKind::Block(block) => pending.extend(block.bodies()),
-                _ => {}
+    for Nested { statement, .. } in nested(statements) {
+        match &statement.kind {
+            StatementKind::Block(Block::Part(part)) => {
+                let error = complaints.report.error(part.name.span, messages::PART_INSIDE);
+                error.help(messages::PART_INSIDE_HELP);
             }
+            StatementKind::Block(Block::Include(path)) => {
+                let error = complaints.report.error(path.span, messages::INCLUDE_INSIDE);
+                error.help(messages::INCLUDE_INSIDE_HELP);
+            }
+            _ => {}
         }
     }
 }
@@ -115,23 +105,19 @@ fn refuse(statements: &[Statement], complaints: &mut Complaints<'_>) {
 fn interior(part: &PartDefinition) -> Interior {
     let arguments = part.arguments.iter().map(|argument| argument.name.text.clone()).collect();
     let (mut declared, mut placed, mut external) = (BTreeSet::new(), BTreeSet::new(), BTreeSet::new());
-    let mut pending = vec![&part.body[..]];
-    while let Some(statements) = pending.pop() {
-        for Statement { kind, .. } in statements {
-            match kind {
-                StatementKind::Block(Block::Place(placement)) => {
-                    placed.insert(placement.name.text.clone());
-                }
-                StatementKind::Block(block) => pending.extend(block.bodies()),
-                StatementKind::External(function) => {
-                    external.insert(function.name.text.clone());
-                }
-                kind => {
-                    for (name, suffix) in kind.written_names() {
-                        declared.insert(format!("{}{suffix}", name.text));
-                        if !is_free(kind) {
-                            declared.insert(name.text.clone());
-                        }
+    for nested in nested(&part.body) {
+        match &nested.statement.kind {
+            StatementKind::Block(Block::Place(placement)) => {
+                placed.insert(placement.name.text.clone());
+            }
+            StatementKind::External(function) => {
+                external.insert(function.name.text.clone());
+            }
+            kind => {
+                for (name, suffix) in nested.lasting_names() {
+                    declared.insert(format!("{}{suffix}", name.text));
+                    if !is_free(kind) {
+                        declared.insert(name.text.clone());
                     }
                 }
             }

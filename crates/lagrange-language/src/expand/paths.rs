@@ -65,7 +65,7 @@ pub(super) enum PathFault {
 }
 
 impl Segment {
-    fn of(name: &Name, scope: ScopeId) -> Segment {
+    pub(super) fn of(name: &Name, scope: ScopeId) -> Segment {
         let indices = name.indices.iter().map(|index| (*index, scope)).collect();
         Segment { text: name.text.clone(), span: name.span, indices }
     }

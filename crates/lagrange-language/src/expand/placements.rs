@@ -220,7 +220,9 @@ fn is_taken(name: &Name, indices: &[i64], scope: ScopeId, site: &mut Site<'_, '_
     };
     let message = if site.scopes.elements(outer, &name.text).is_some_and(is_twin) {
         messages::placed_twice(messages::written(&name.text, indices))
-    } else if outer.is_none() && site.complaints.names.contains(&name.text) {
+    } else if outer.is_none() && site.complaints.names.contains(&name.text)
+        || site.scopes.is_local(scope, &name.text)
+    {
         messages::part_and_name(&name.text)
     } else {
         return false;

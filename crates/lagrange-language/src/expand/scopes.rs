@@ -5,6 +5,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
+use proc_macro2::Span;
+
+use super::messages;
 use crate::syntax::ast::{AstId, Name};
 use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::number::Number;
@@ -31,6 +34,8 @@ pub(super) struct Scopes {
     scoped: HashSet<String>,
     /// Parts that are placed anywhere.
     interiors: HashSet<String>,
+    /// The number of meanings so far of each name that is local to loops, as it would be outside.
+    local_counts: HashMap<String, i64>,
 }
 
 struct Scope {
@@ -40,6 +45,15 @@ struct Scope {
     /// The variable of a loop; `None` of the inside of a part. Parameters of functions, which hide
     /// other names, have no value.
     variable: Option<(String, Option<i64>)>,
+    /// Names that are known only here.
+    locals: BTreeMap<String, LocalName>,
+}
+
+/// A name that is declared anew in each iteration of a loop.
+pub(super) struct LocalName {
+    /// Name in the expanded declaration.
+    pub(super) text: String,
+    pub(super) span: Span,
 }
 
 /// Names of a part, wherever it is placed.
@@ -138,13 +152,35 @@ impl Scopes {
         (id, self.add(ScopeId::default(), Some(id), None))
     }
 
+    /// Declares a name that is known only in this iteration of a loop.
+    pub(super) fn localise(&mut self, scope: ScopeId, name: &Name) {
+        let base = self.prefixed(scope, &name.text);
+        let Some(inside) = scope.0.and_then(|index| self.scopes.get_mut(index)) else { return };
+        self.scoped.insert(name.text.clone());
+        let count = self.local_counts.get_or_insert_with(base.clone(), || 0);
+        let text = messages::element(&base, &[*count]);
+        *count += 1;
+        inside.locals.insert(name.text.clone(), LocalName { text, span: name.span });
+    }
+
+    /// Returns what a name that is local to a loop around a place stands for.
+    pub(super) fn local(&self, scope: ScopeId, name: &str) -> Option<&LocalName> {
+        self.outwards(scope).find_map(|scope| scope.locals.get(name))
+    }
+
+    /// True if a name is local to a loop in the part around a place, or outside of parts.
+    pub(super) fn is_local(&self, scope: ScopeId, name: &str) -> bool {
+        let part = self.around(scope).map_or("", |part| part.prefix.as_str());
+        self.local_counts.contains(&format!("{part}{name}"))
+    }
+
     fn add(
         &mut self,
         outer: ScopeId,
         part: Option<PlacedId>,
         variable: Option<(String, Option<i64>)>,
     ) -> ScopeId {
-        self.scopes.push(Scope { outer, part, variable });
+        self.scopes.push(Scope { outer, part, variable, locals: BTreeMap::new() });
         ScopeId(Some(self.scopes.len() - 1))
     }
 
@@ -184,9 +220,10 @@ impl Scopes {
         self.by_name.get(&(outer, name.to_owned()))
     }
 
-    /// True if a name means something else in a part than outside, or is that of a placed part.
+    /// True if a name means something else in a part or a loop than outside, or is that of a placed
+    /// part.
     pub(super) fn is_scoped(&self, name: &str) -> bool {
-        !self.placed.is_empty() && self.scoped.contains(name)
+        self.scoped.contains(name)
     }
 
     /// True if a loop is around a place, within the same part.
@@ -196,7 +233,11 @@ impl Scopes {
 
     /// The name that something declared in a scope has in the expanded declaration.
     pub(super) fn prefixed(&self, scope: ScopeId, name: &str) -> String {
-        self.around(scope).map_or_else(|| name.to_owned(), |part| format!("{}{name}", part.prefix))
+        match (self.local(scope, name), self.around(scope)) {
+            (Some(local), _) => local.text.clone(),
+            (None, Some(part)) => format!("{}{name}", part.prefix),
+            (None, None) => name.to_owned(),
+        }
     }
 
     /// The value of a name; `Some(None)` of what is hidden, `None` of what is declared outside of
@@ -213,11 +254,17 @@ impl Scopes {
 
     /// The meaning of a name.
     pub(super) fn meaning(&self, scope: ScopeId, name: &str) -> Meaning {
-        match self.find(scope, name) {
-            Some(Some(value)) => Meaning::Value(value),
-            Some(None) => Meaning::Hidden,
-            None => self.member(self.part_of(scope), name),
+        for around in self.outwards(scope) {
+            match &around.variable {
+                Some((variable, Some(value))) if variable == name => return Meaning::Value(*value),
+                Some((variable, None)) if variable == name => return Meaning::Hidden,
+                _ => {}
+            }
+            if let Some(local) = around.locals.get(name) {
+                return Meaning::Declared(local.text.clone());
+            }
         }
+        self.member(self.part_of(scope), name)
     }
 
     /// The meaning of a name in a part, or outside of all.

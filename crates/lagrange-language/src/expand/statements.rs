@@ -8,10 +8,11 @@ use super::scopes::ScopeId;
 use super::unrolling::Instance;
 use super::wholes::WholeArray;
 use crate::syntax::ast::{
-    ArrayShape, AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion, Reduction,
-    ReductionItem, SceneStatement, Statement, StatementKind,
+    ArrayShape, Assignment, AstId, Contact, Definition, Mobilizer, MobilizerKind, Mode, Name, Quaternion,
+    Reduction, ReductionItem, ReductionKind, SceneStatement, Statement, StatementKind,
 };
 use lagrange_expr::collections::HashMap;
+use lagrange_expr::diagnostics::Origin;
 
 /// The statements that one instance stands for: one, but for quaternions and modes that are
 /// declared together, and none if it is wrong.
@@ -40,10 +41,17 @@ pub(super) fn written_out(copier: &mut Copier<'_>, instance: &Instance<'_>) -> V
             return elements.map(|(_, name)| with(of_values(name))).collect();
         }
         StatementKind::Reduce(reduction) => {
-            let items = reduction.items.iter().flat_map(|item| reduced(copier, item, scope)).collect();
+            let items = reduction.items.iter().flat_map(|item| {
+                let scopes = copier.iterations(&item.enclosures, scope).into_iter();
+                scopes.flat_map(|scope| reduced(copier, item, scope)).collect::<Vec<_>>()
+            });
+            let items = items.collect::<Vec<_>>();
+            if items.is_empty() && !reduction.items.is_empty() {
+                copier.nothing_left(statement.origin);
+            }
             StatementKind::Reduce(Reduction { items, ..reduction.clone() })
         }
-        kind => match single(copier, kind, scope) {
+        kind => match single(copier, (kind, statement.origin), scope) {
             Some(kind) => kind,
             None => return Vec::new(),
         },
@@ -79,7 +87,7 @@ fn given_to(copier: &mut Copier<'_>, name: &Name, array: &WholeArray, value: Ast
 fn reduced(copier: &mut Copier<'_>, item: &ReductionItem, scope: ScopeId) -> Vec<ReductionItem> {
     let value = item.value.map(|value| copier.copied(value, scope));
     if let Some(array) = copier.whole_array(&item.coordinate, scope) {
-        let with = |coordinate, value| ReductionItem { coordinate, value, kind: item.kind };
+        let with = |coordinate, value| reduction_item(coordinate, value, item.kind);
         return match value {
             Some(value) => {
                 let given = given_to(copier, &item.coordinate, &array, value).into_iter();
@@ -92,11 +100,19 @@ fn reduced(copier: &mut Copier<'_>, item: &ReductionItem, scope: ScopeId) -> Vec
         };
     }
     let coordinate = mentioned(copier, &item.coordinate, scope).into_iter();
-    coordinate.map(|coordinate| ReductionItem { coordinate, value, kind: item.kind }).collect()
+    coordinate.map(|coordinate| reduction_item(coordinate, value, item.kind)).collect()
+}
+
+fn reduction_item(coordinate: Name, value: Option<AstId>, kind: ReductionKind) -> ReductionItem {
+    ReductionItem { coordinate, value, kind, enclosures: Vec::new() }
 }
 
 /// A statement without indices.
-fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Option<StatementKind> {
+fn single(
+    copier: &mut Copier<'_>,
+    (kind, origin): (&StatementKind, Origin),
+    scope: ScopeId,
+) -> Option<StatementKind> {
     let mut kind = kind.clone();
     if let StatementKind::External(function) = &kind
         && copier.scopes.around(scope).is_some()
@@ -119,14 +135,32 @@ fn single(copier: &mut Copier<'_>, kind: &StatementKind, scope: ScopeId) -> Opti
             inner = copier.scopes.hiding(inner, &parameter.text);
         }
     }
+    // Each in the loops around it.
+    let assignments = kind.assignments_mut().map(std::mem::take);
     let mut copies: HashMap<AstId, AstId> = HashMap::default();
     for id in kind.expressions_mut() {
         *id = *copies.get_or_insert_with(*id, || copier.copied(*id, inner));
     }
-    if let Some(assignments) = kind.assignments_mut() {
-        *assignments = assignments.drain(..).flat_map(|one| copier.assigned(one)).collect();
+    if let Some(written) = assignments
+        && let Some(assignments) = kind.assignments_mut()
+    {
+        *assignments = written.iter().flat_map(|one| assigned(copier, one, scope)).collect();
+        if assignments.is_empty() && !written.is_empty() {
+            copier.nothing_left(origin);
+        }
     }
     Some(kind)
+}
+
+/// An assignment in each iteration of the loops around it.
+fn assigned(copier: &mut Copier<'_>, assignment: &Assignment, scope: ScopeId) -> Vec<Assignment> {
+    let mut all = Vec::new();
+    for scope in copier.iterations(&assignment.enclosures, scope) {
+        let value = copier.copied(assignment.value, scope);
+        let target = copier.copied(assignment.target, scope);
+        all.extend(copier.assigned(Assignment::new(target, value)));
+    }
+    all
 }
 
 /// Gives the parts of a joint that are made of names those of the names that it has now.
@@ -147,7 +181,8 @@ fn mentioned(copier: &mut Copier<'_>, name: &Name, scope: ScopeId) -> Option<Nam
                 let of = Name { span: segment.span, ..name.clone() };
                 return Some(element(&of, copier.element(&segment, scope)?));
             }
-            Ok(Target::Declared(segment)) => match copier.objection(&segment.text) {
+            Ok(Target::Declared(segment)) => match copier.objection(&segment.text, segment.text == name.text)
+            {
                 Some(objection) => objection,
                 None => {
                     let of = Name { span: segment.span, ..name.clone() };

@@ -1,3 +1,6 @@
+mod callees;
+mod enclosures;
+mod locals;
 mod parts;
 
 use super::without_arrays;
@@ -16,6 +19,14 @@ fn written_out(text: &str) -> String {
     assert!(!report.has_errors(), "{text}\n{report}");
     assert_eq!(print::statements(&again), print::statements(&declaration));
     print::statements(&declaration)
+}
+
+/// The messages and helps for a text.
+fn reported(text: &str) -> String {
+    let mut report = Report::default();
+    let declaration = parse_text(text, &mut report).expect("consists of tokens");
+    without_arrays(declaration, &mut report);
+    report.to_string()
 }
 
 fn assert_same(with_arrays: &str, without: &str) {

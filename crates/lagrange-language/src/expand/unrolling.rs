@@ -6,7 +6,7 @@ use super::defaults::{element_of, positions};
 use super::messages;
 use super::parts::Parts;
 use super::placements::{Placer, Site};
-use super::scopes::{ScopeId, Scopes};
+use super::scopes::{Meaning, ScopeId, Scopes};
 use crate::syntax::ast::{
     Block, Definition, Expressions, Name, PlacedInstance, Placement, Range, Repetition, Selection, Statement,
     StatementKind,
@@ -92,7 +92,11 @@ impl<'d> Unroller<'_, '_, 'd> {
                 }
                 StatementKind::Block(Block::Part(_) | Block::Include(_)) => {}
                 kind => {
-                    if let (StatementKind::Constants(list), false) = (kind, self.scopes.is_in_loop(scope)) {
+                    let is_local = self.scopes.is_in_loop(scope) && kind.is_local_in_loops();
+                    if is_local && !self.localise(kind, scope) {
+                        continue;
+                    }
+                    if let StatementKind::Constants(list) = kind {
                         list.iter().for_each(|definition| self.constant(definition, scope));
                     }
                     self.unrolled.instances.push(Instance { statement, scope });
@@ -180,6 +184,38 @@ impl<'d> Unroller<'_, '_, 'd> {
         self.statements(&selection.otherwise, scope);
     }
 
+    /// Makes names without indices those of this iteration; false if one is known, which is
+    /// reported.
+    fn localise(&mut self, kind: &StatementKind, scope: ScopeId) -> bool {
+        let names = kind.written_names().into_iter().map(|(name, _)| name);
+        let mut names = names.filter(|name| name.indices.is_empty());
+        names.all(|name| {
+            let Some(message) = self.objection(name, scope) else {
+                self.scopes.localise(scope, name);
+                return true;
+            };
+            if self.complaints.once_of(std::ptr::from_ref(name).addr()) {
+                let error = self.complaints.report.error(name.span, message);
+                if let Some(local) = self.scopes.local(scope, &name.text) {
+                    error.related(Origin::from(local.span), messages::FIRST_DECLARED);
+                }
+                error.help(messages::OTHER_NAME_HELP);
+            }
+            false
+        })
+    }
+
+    /// Why a name cannot be local to a loop.
+    fn objection(&self, name: &Name, scope: ScopeId) -> Option<String> {
+        if self.scopes.find(scope, &name.text).is_some() {
+            return Some(messages::shadowed_variable(&name.text));
+        }
+        let is_known = self.scopes.local(scope, &name.text).is_some()
+            || self.complaints.knows(&name.text, (self.scopes, scope))
+            || matches!(self.scopes.member(self.scopes.part_of(scope), &name.text), Meaning::Placed);
+        is_known.then(|| messages::local_is_declared(&name.text))
+    }
+
     /// Remembers a constant, if it is a number that indices can be made of.
     fn constant(&mut self, definition: &Definition, scope: ScopeId) {
         let name = &definition.name;
@@ -238,7 +274,9 @@ pub(super) fn values(
     let message = match counting.scopes.find(scope, &variable.text) {
         Some(Some(_)) => Some(messages::shadowed_variable(&variable.text)),
         Some(None) => Some(messages::variable_is_parameter(&variable.text)),
-        None if complaints.knows(&variable.text, (counting.scopes, scope)) => {
+        None if counting.scopes.local(scope, &variable.text).is_some()
+            || complaints.knows(&variable.text, (counting.scopes, scope)) =>
+        {
             Some(messages::variable_is_declared(&variable.text))
         }
         None => None,

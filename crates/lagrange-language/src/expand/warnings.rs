@@ -32,7 +32,7 @@ pub fn once_for_each_array(declaration: &Declaration, report: &mut Report) {
         };
         let (element, whole) = (format!("`{name}`"), format!("`{own}`"));
         diagnostic.message = diagnostic.message.replace(&element, &whole);
-        if let (Some(_), Some(help)) = (&array.member_of, &mut diagnostic.help) {
+        if let Some(help) = &mut diagnostic.help {
             *help = help.replace(&format!("`_{name}`"), &format!("`_{own}`"));
         }
         diagnostic.severity = Severity::Unused(own.clone());

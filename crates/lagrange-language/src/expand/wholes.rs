@@ -31,7 +31,7 @@ impl Copier<'_> {
 
     /// An assignment, or one to each component of a vector or matrix of targets.
     pub(super) fn assigned(&mut self, assignment: Assignment) -> Vec<Assignment> {
-        let Assignment { target, value } = assignment;
+        let Assignment { target, value, .. } = assignment;
         let (rate, whole) = match self.expressions.get(target) {
             Expression::Call(function, arguments) if arguments.len() == 1 => {
                 (Some(function.clone()), arguments[0])
@@ -52,7 +52,7 @@ impl Copier<'_> {
                 None => leaf,
             };
             let value = self.part_given(value, &indices, shape);
-            assigned.push(Assignment { target, value });
+            assigned.push(Assignment::new(target, value));
         }
         assigned
     }

@@ -46,7 +46,8 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Block, PartArgument, PartDefinition, Placement, Repetition, Selection, Statement, StatementKind,
+    Block, Enclosed, Enclosure, Nested, PartArgument, PartDefinition, Placement, Repetition, Selection,
+    Statement, StatementKind, nested,
 };
 pub use surfaces::{Contact, Surface, SurfaceKind};
 

@@ -144,7 +144,7 @@ impl Parser<'_> {
         self.items(help, cursor, |parser, cursor| {
             let target = parser.expression(cursor)?;
             parser.equals(help, cursor)?;
-            Ok(Assignment { target, value: parser.item_value(cursor) })
+            Ok(Assignment::new(target, parser.item_value(cursor)))
         })
     }
 
@@ -262,9 +262,9 @@ impl Parser<'_> {
         }
     }
 
-    /// Reports names of functions and of their parameters with square brackets behind them.
-    pub(super) fn refuse_elements<'n>(&mut self, mut names: impl Iterator<Item = &'n Name>) -> Parsed<()> {
-        let Some(indexed) = names.find(|name| !name.indices.is_empty()) else { return Ok(()) };
+    /// Reports names of functions of the crate and of parameters with square brackets behind them.
+    pub(super) fn refuse_elements(&mut self, names: &[Name]) -> Parsed<()> {
+        let Some(indexed) = names.iter().find(|name| !name.indices.is_empty()) else { return Ok(()) };
         let help = arrays::FUNCTIONS_HELP;
         Err(self.fail_with_help(indexed.span, arrays::FUNCTIONS, help))
     }
@@ -272,7 +272,7 @@ impl Parser<'_> {
     /// `(x, y) = e` behind the name of a function.
     fn function(&mut self, name: Name, group: &Group, cursor: &mut Cursor) -> Parsed<StatementKind> {
         let parameters = self.inside(group, |parser, cursor| parser.component_names("let", cursor))?;
-        self.refuse_elements(parameters.iter().chain([&name]))?;
+        self.refuse_elements(&parameters)?;
         self.refuse_units(&parameters);
         let value = self.assigned(form("let"), cursor)?;
         Ok(StatementKind::Function(Box::new(FunctionDefinition { name, parameters, value })))

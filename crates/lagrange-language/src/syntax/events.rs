@@ -3,7 +3,7 @@
 use proc_macro2::{Delimiter, Group, Span};
 
 use super::ast::{Action, Assignment, AstId, Clock, Direction, Event, Name};
-use super::cursor::{Cursor, group_origin};
+use super::cursor::Cursor;
 use super::foreign;
 use super::identifiers::at_relation;
 use super::messages;
@@ -134,12 +134,11 @@ impl Parser<'_> {
 
     /// The assignments between braces, of which there must be one.
     fn assigned_in(&mut self, group: &Group) -> Vec<Assignment> {
-        if group.stream().is_empty() {
-            let error = self.report.error(group_origin(group), messages::NOTHING_ASSIGNED);
-            error.help(messages::NOTHING_ASSIGNED_HELP);
-        }
-        // A mistake between the braces leaves the end of the statement in place.
-        self.inside(group, Self::assignments).unwrap_or_default()
+        self.some_lines(
+            group,
+            (messages::NOTHING_ASSIGNED, messages::NOTHING_ASSIGNED_HELP),
+            Self::assignment,
+        )
     }
 
     /// `(e)`.
@@ -158,44 +157,26 @@ impl Parser<'_> {
         })
     }
 
-    /// `dot(x) = e; y = e;`
-    fn assignments(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Assignment>> {
-        let mut assignments = Vec::new();
-        self.each(cursor, |parser, cursor| {
-            if cursor.eat(';').is_some() {
-                return;
-            }
-            if cursor.at_statement() {
-                return parser.statement_in_event(cursor);
-            }
-            parser.begin_statement();
-            match parser.assignment(cursor) {
-                Ok(assignment) => assignments.push(assignment),
-                Err(Reported) => parser.skip_statement(cursor),
-            }
-            if cursor.eat(';').is_none() && !parser.skipped {
-                parser.missing_semicolon(cursor);
-            }
-        });
-        Ok(assignments)
-    }
-
     /// Reports a statement between the braces and skips it. What it declares is not reported as
     /// unknown.
-    fn statement_in_event(&mut self, cursor: &mut Cursor) {
+    fn statement_in_event(&mut self, cursor: &mut Cursor) -> Reported {
         let start = cursor.position();
         if let Some(keyword) = cursor.eat_ident() {
             let help = messages::statement_in_event_help(keyword.to_string());
             self.fail_with_help(keyword.span(), messages::STATEMENT_IN_EVENT, help);
         }
-        cursor.skip_statement();
+        self.skip_statement(cursor);
         self.leave_out(cursor, start);
-        cursor.eat(';');
+        Reported
     }
 
-    fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Assignment> {
+    /// `dot(x) = e`
+    fn assignment(&mut self, cursor: &mut Cursor) -> Parsed<Vec<Assignment>> {
+        if cursor.at_statement() {
+            return Err(self.statement_in_event(cursor));
+        }
         let target = self.expression(cursor)?;
-        Ok(Assignment { target, value: self.assigned(messages::ASSIGNMENT_HELP, cursor)? })
+        Ok(vec![Assignment::new(target, self.assigned(messages::ASSIGNMENT_HELP, cursor)?)])
     }
 }
 

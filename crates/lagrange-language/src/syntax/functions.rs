@@ -24,6 +24,7 @@ impl Parser<'_> {
     /// `f(x, y)`, with or without derivatives between braces.
     pub(super) fn external(&mut self, cursor: &mut Cursor) -> Parsed<ExternalFunction> {
         let (name, parameters) = self.function_head("function", cursor)?;
+        self.refuse_elements(std::slice::from_ref(&name))?;
         if let Some(equals) = cursor.eat_equals() {
             let help = words::defined_function(&name.text);
             let reported = self.fail_with_help(equals, words::VALUE_OF_EXTERNAL, help);
@@ -44,7 +45,7 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, form(keyword)));
         };
         let parameters = self.inside(&group, |parser, cursor| parser.component_names(keyword, cursor))?;
-        self.refuse_elements(parameters.iter().chain([&name]))?;
+        self.refuse_elements(&parameters)?;
         for (i, parameter) in parameters.iter().enumerate() {
             if let Some(first) = parameters[..i].iter().find(|first| first.text == parameter.text) {
                 let error = self.report.error(parameter.span, words::repeated_argument(&parameter.text));

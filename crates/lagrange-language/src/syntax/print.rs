@@ -12,7 +12,7 @@ mod scenes;
 
 use super::ast::{
     Action, AllowedRange, Assignment, AstId, Block, Declaration, Definition, Direction, EmitItem, Event,
-    Expressions, Friction, Name, Reduction, ReductionKind, StatementKind,
+    Expressions, Friction, Name, Reduction, ReductionItem, ReductionKind, StatementKind,
 };
 
 /// Writes the statements of a declaration, each on a separate line.
@@ -109,10 +109,8 @@ impl Printer<'_> {
             }
             StatementKind::Function(function) => {
                 self.text("let ");
-                self.text(&function.name.text);
-                self.text("(");
-                self.list(&function.parameters, |printer, name| printer.text(&name.text));
-                self.between(") = ", function.value, ";");
+                self.signature(&function.name, &function.parameters);
+                self.between(" = ", function.value, ";");
             }
             StatementKind::External(function) => self.external(function),
             StatementKind::Table(table) => self.table(table),
@@ -225,8 +223,10 @@ impl Printer<'_> {
     fn assignments(&mut self, assignments: &[Assignment]) {
         self.text("{");
         for assignment in assignments {
-            self.labelled(" ", assignment.target);
-            self.between(" = ", assignment.value, ";");
+            self.enclosed(&assignment.enclosures, |printer| {
+                printer.labelled(" ", assignment.target);
+                printer.between(" = ", assignment.value, ";");
+            });
         }
         self.text(" }");
     }
@@ -261,16 +261,19 @@ impl Printer<'_> {
         self.text("reduce ");
         self.text(&reduction.name.text);
         self.text(" {");
-        for line in reduction.items.chunk_by(|a, b| a.kind == b.kind) {
-            self.text(match line[0].kind {
-                ReductionKind::Frozen => " freeze ",
-                ReductionKind::Small => " small ",
+        let is_free = |item: &ReductionItem| item.enclosures.is_empty();
+        for line in reduction.items.chunk_by(|a, b| a.kind == b.kind && is_free(a) && is_free(b)) {
+            self.enclosed(&line[0].enclosures, |printer| {
+                printer.text(match line[0].kind {
+                    ReductionKind::Frozen => " freeze ",
+                    ReductionKind::Small => " small ",
+                });
+                printer.list(line, |printer, item| {
+                    printer.name(&item.coordinate);
+                    printer.assigned(item.value);
+                });
+                printer.text(";");
             });
-            self.list(line, |printer, item| {
-                printer.name(&item.coordinate);
-                printer.assigned(item.value);
-            });
-            self.text(";");
         }
         self.text(" }");
     }

@@ -3,7 +3,7 @@
 use proc_macro2::Delimiter;
 
 use super::ast::{Reduction, ReductionItem, ReductionKind};
-use super::cursor::{Cursor, group_origin};
+use super::cursor::Cursor;
 use super::foreign;
 use super::messages;
 use super::messages::forms::form;
@@ -22,31 +22,8 @@ impl Parser<'_> {
             let message = messages::expected("`{`", cursor.peek());
             return Err(self.fail_with_help(cursor.here(), message, form("reduce")));
         };
-        if group.stream().is_empty() {
-            let help = form("reduce");
-            self.report.error(group_origin(&group), messages::NOTHING_REDUCED).help(help);
-        }
-        // A mistake between the braces leaves the end of the statement in place.
-        let items = self.inside(&group, Self::reduction_lines).unwrap_or_default();
-        Ok(Reduction { name, items })
-    }
-
-    fn reduction_lines(&mut self, cursor: &mut Cursor) -> Parsed<Vec<ReductionItem>> {
-        let mut items = Vec::new();
-        self.each(cursor, |parser, cursor| {
-            if cursor.eat(';').is_some() {
-                return;
-            }
-            parser.begin_statement();
-            match parser.reduction_line(cursor) {
-                Ok(line) => items.extend(line),
-                Err(_) => parser.skip_statement(cursor),
-            }
-            if cursor.eat(';').is_none() && !parser.skipped {
-                parser.missing_semicolon(cursor);
-            }
-        });
-        Ok(items)
+        let nothing = (messages::NOTHING_REDUCED, form("reduce"));
+        Ok(Reduction { name, items: self.some_lines(&group, nothing, Self::reduction_line) })
     }
 
     fn reduction_line(&mut self, cursor: &mut Cursor) -> Parsed<Vec<ReductionItem>> {
@@ -74,6 +51,6 @@ impl Parser<'_> {
             let help = messages::frozen_without_value_help(&coordinate.text);
             self.report.error(coordinate.span, message).help(help);
         }
-        Ok(ReductionItem { coordinate, kind, value })
+        Ok(ReductionItem { coordinate, kind, value, enclosures: Vec::new() })
     }
 }

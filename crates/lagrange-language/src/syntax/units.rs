@@ -102,6 +102,10 @@ impl Parser<'_> {
 
     fn unit_of(&mut self, factors: Vec<UnitFactor>, origin: Origin) -> Parsed<Box<Unit>> {
         self.has_units = true;
+        let is_alone = matches!(&factors[..], [factor] if factor.exponent == Number::ONE);
+        if let Some(point) = factors.iter().find(|factor| has_offset(&factor.name)).filter(|_| !is_alone) {
+            return Err(self.fail_with_help(origin, words::offset_in_unit(&point.name), words::OFFSET_HELP));
+        }
         match Unit::of(factors, origin) {
             Some(unit) => {
                 self.has_dimensions |= !unit.dimension.is_none();
@@ -218,7 +222,6 @@ impl Parser<'_> {
     pub(super) fn unknown_unit(&mut self, word: &str, place: Origin) -> Reported {
         let known = names();
         let help = match (meant(word), nearest(word, known.iter().map(String::as_str))) {
-            (Some("K"), _) => words::KELVIN_HELP.to_owned(),
             (Some(unit), _) => words::write_unit(unit),
             (None, Some(unit)) => words::did_you_mean(unit),
             (None, None) => words::UNIT_HELP.to_owned(),
@@ -233,6 +236,10 @@ impl Parser<'_> {
             self.fail_with_help(unit.origin, words::ON_LET_FUNCTION, words::ON_LET_FUNCTION_HELP);
         }
     }
+}
+
+fn has_offset(unit: &str) -> bool {
+    meaning(unit).is_some_and(|meaning| !meaning.offset.is_zero())
 }
 
 /// True if a colon and a unit follow, not the name of a type of Rust.

@@ -32,6 +32,21 @@ impl CombinedCondition {
         whole
     }
 
+    /// Returns the condition of a branch: no former one holds, and the last one does, if there is
+    /// one.
+    pub fn of_branch(former: &[CombinedCondition], last: Option<&CombinedCondition>) -> CombinedCondition {
+        if let ([], Some(first)) = (former, last) {
+            return first.clone();
+        }
+        let test = |is_negated, condition: &CombinedCondition| ConditionTest {
+            is_negated,
+            kind: TestKind::Nested(condition.clone()),
+        };
+        let former = former.iter().map(|condition| test(true, condition));
+        let tests = former.chain(last.map(|condition| test(false, condition))).collect();
+        CombinedCondition { alternatives: vec![tests] }
+    }
+
     /// Returns its expressions, in source order.
     pub fn expressions(&self) -> Vec<AstId> {
         let tests = self.alternatives.iter().flatten();

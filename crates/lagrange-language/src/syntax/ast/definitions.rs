@@ -1,5 +1,6 @@
 //! Parts of statements that declare names, reduced types or products.
 
+use super::statements::{Enclosed, Enclosure};
 use super::{AstId, Name};
 
 /// The kind of a state.
@@ -60,6 +61,20 @@ pub struct ReductionItem {
     pub kind: ReductionKind,
     /// The value behind `=`; without one it is 0.
     pub value: Option<AstId>,
+    /// Loops and conditions around it, until they are written out.
+    pub enclosures: Vec<Enclosure>,
+}
+
+impl ReductionItem {
+    pub(super) fn expressions_mut(&mut self) -> impl Iterator<Item = &mut AstId> {
+        self.value.iter_mut().chain(self.enclosures.iter_mut().flat_map(Enclosure::expressions_mut))
+    }
+}
+
+impl Enclosed for ReductionItem {
+    fn enclosures_mut(&mut self) -> &mut Vec<Enclosure> {
+        &mut self.enclosures
+    }
 }
 
 /// The possible changes to a coordinate.

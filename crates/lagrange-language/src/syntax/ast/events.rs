@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::statements::{Enclosed, Enclosure};
 use super::{AstId, Name};
 
 /// A zero to be found during a motion, and what happens there.
@@ -76,17 +77,31 @@ pub enum Action {
 }
 
 /// One `target = value` of an event, of a clock or of the start.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Assignment {
     /// Quantity that changes: should be `x` or `dot(x)` of a coordinate.
     pub target: AstId,
     /// Value that it gets.
     pub value: AstId,
+    /// Loops and conditions around it, until they are written out.
+    pub enclosures: Vec<Enclosure>,
 }
 
 impl Assignment {
-    pub(super) fn parts(&mut self) -> [&mut AstId; 2] {
-        [&mut self.value, &mut self.target]
+    /// An assignment that nothing encloses.
+    pub fn new(target: AstId, value: AstId) -> Assignment {
+        Assignment { target, value, enclosures: Vec::new() }
+    }
+
+    pub(super) fn parts(&mut self) -> impl Iterator<Item = &mut AstId> {
+        let around = self.enclosures.iter_mut().flat_map(Enclosure::expressions_mut);
+        [&mut self.value, &mut self.target].into_iter().chain(around)
+    }
+}
+
+impl Enclosed for Assignment {
+    fn enclosures_mut(&mut self) -> &mut Vec<Enclosure> {
+        &mut self.enclosures
     }
 }
 

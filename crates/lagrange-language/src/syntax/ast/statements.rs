@@ -13,13 +13,13 @@ use super::bodies::SceneStatement;
 use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
-use super::definitions::{Definition, EmitItem, Mode, Reduction, StateKind};
+use super::definitions::{Definition, EmitItem, Mode, Reduction, ReductionItem, StateKind};
 use super::events::{Action, Assignment, Clock, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
-pub use loops::{Block, Repetition, Selection};
+pub use loops::{Block, Enclosed, Enclosure, Nested, Repetition, Selection, nested};
 pub use parts::{PartArgument, PartDefinition, Placement};
 
 /// A statement and the stretch of source it covers.
@@ -59,10 +59,10 @@ pub struct Statement {
 ///           | "output" named "=" sum ";"
 ///           | "stabilise" "=" sum ";"
 ///           | "event" NAME "=" sum "," ( "rising" | "falling" | "crossing" ) "=>" action
-///           | "every" sum "=>" "{" { sum "=" sum ";" } "}" [ ";" ]
+///           | "every" sum "=>" assignments [ ";" ]
 ///           | "friction" NAME "=" sum "," limits ";"
 ///           | "emit" "{" { [ "no" ] NAME "," } "}" [ ";" ]
-///           | "reduce" NAME "{" { reduction } "}" [ ";" ]
+///           | "reduce" NAME "{" { lines<reduction> } "}" [ ";" ]
 ///           | loop | choice | part | placement | include | scene
 /// named     = NAME [ ":" unit ]
 /// allowed   = "in" [ sum ] ".." [ [ "=" ] sum ] | ( ">" | ">=" | "<" | "<=" ) sum
@@ -72,12 +72,16 @@ pub struct Statement {
 /// reduction = "freeze" NAME "=" sum { "," NAME "=" sum } ";"
 ///           | "small" NAME [ "=" sum ] { "," NAME [ "=" sum ] } ";"
 /// action    = ( "stop" | "record" | "impact" "(" sum ")" ) ";"
-///           | "{" { sum "=" sum ";" } "}" [ ";" ]
+///           | assignments [ ";" ]
+/// assignments = "{" { lines<assignment> } "}"
+/// assignment = sum "=" sum ";"
+/// lines<L>  = L | "for" NAME "in" range "{" { lines<L> } "}" | "if" condition "{" { lines<L> } "}" [ "else" … ]
 /// limits    = sum [ "," "smooth" ":" sum ] | "kinetic" ":" sum "," "static" ":" sum
 /// ```
 ///
 /// `NAME { "[" sum "]" }` is possible wherever a statement has `NAME`, except for names of
-/// functions, their parameters and types. Behind the name of an array, a value may be a `list`.
+/// functions of the crate, parameters and types. Behind the name of an array, a value may be a
+/// `list`.
 ///
 /// ```text
 /// loop      = "for" NAME "in" range "{" { statement } "}" [ ";" ]
@@ -335,7 +339,7 @@ impl StatementKind {
             StatementKind::Every(clock) => clock.expressions_mut(),
             StatementKind::Friction(friction) => friction.expressions_mut(),
             StatementKind::Reduce(reduction) => {
-                reduction.items.iter_mut().filter_map(|item| item.value.as_mut()).collect()
+                reduction.items.iter_mut().flat_map(ReductionItem::expressions_mut).collect()
             }
             StatementKind::Block(block) => block.expressions_mut(),
             StatementKind::Scene(scene) => scene.expressions_mut(),
@@ -389,6 +393,14 @@ impl StatementKind {
         }
     }
 
+    /// Returns the loops and conditions around its lines.
+    pub fn enclosures_mut(&mut self) -> Vec<&mut Enclosure> {
+        if let StatementKind::Reduce(reduction) = self {
+            return reduction.items.iter_mut().flat_map(Enclosed::enclosures_mut).collect();
+        }
+        self.assignments_mut().into_iter().flatten().flat_map(Enclosed::enclosures_mut).collect()
+    }
+
     /// Returns the names that a statement declares, each with the expression for its value or for
     /// the start of its value.
     pub fn declarations_mut(&mut self) -> Vec<(&Name, Option<&mut AstId>)> {
@@ -435,6 +447,19 @@ impl StatementKind {
             StatementKind::Scene(scene) => matches!(scene, SceneStatement::Mobilizer(_)),
             _ => self.declares_arrays(),
         }
+    }
+
+    /// True if names that it declares in a loop, without indices, are those of one iteration.
+    pub fn is_local_in_loops(&self) -> bool {
+        matches!(
+            self,
+            StatementKind::Let(..)
+                | StatementKind::LetTuple(..)
+                | StatementKind::Function(_)
+                | StatementKind::Table(_)
+                | StatementKind::Solve(_)
+                | StatementKind::Constants(_)
+        )
     }
 
     /// Returns the names that expressions behind the statement may mention.

@@ -5,6 +5,7 @@
 
 mod arrays;
 mod conditionals;
+mod offsets;
 mod operands;
 
 use proc_macro2::Span;
@@ -105,10 +106,9 @@ impl Parser<'_> {
 
     fn apply(&mut self, operator: WaitingOperator, right: ReadOperand) -> ReadOperand {
         match operator {
-            WaitingOperator::Negate(minus) => {
-                self.add(Expression::Negate(right.id), Origin::from(minus).to(right.origin))
-            }
+            WaitingOperator::Negate(minus) => self.negated(right, Origin::from(minus).to(right.origin)),
             WaitingOperator::Binary(left, operator, span) => {
+                self.refuse_offset(operator, [left, right]);
                 let expression = Expression::Binary(operator, span, left.id, right.id);
                 self.add(expression, left.origin.to(right.origin))
             }

@@ -118,19 +118,11 @@ impl Parser<'_> {
     fn name_or_call(&mut self, name: Name, cursor: &mut Cursor) -> Parsed<ReadOperand> {
         let start = Origin::from(name.span);
         let name = self.indexed(name, cursor)?;
-        let element = cursor.before();
         match cursor.eat_group(Delimiter::Parenthesis) {
             None => self.named(name, cursor),
             Some(group) => {
                 if let (Some(fold), []) = (at_fold(&name, &group), &name.indices[..]) {
                     return self.fold(fold, &group, start);
-                }
-                if !name.indices.is_empty() {
-                    return Err(self.fail_with_help(
-                        element,
-                        messages::arrays::FUNCTIONS,
-                        messages::arrays::FUNCTIONS_HELP,
-                    ));
                 }
                 if let Some(help) = fold_in_other_words(&name, &group) {
                     return Err(self.fail_with_help(start, messages::arrays::NO_FOLD, help));

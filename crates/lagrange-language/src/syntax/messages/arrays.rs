@@ -14,7 +14,7 @@ pub(in crate::syntax) const LIST_END: &str = "`,` or `]`";
 pub(in crate::syntax) const LIST_HELP: &str =
     "write one value for each element: `param l[3] = [1, 0.5, 0.25];`";
 pub(in crate::syntax) const NO_SIZE: &str = "this list of values needs a number of elements";
-pub(in crate::syntax) const FUNCTIONS: &str = "functions and their parameters have no elements";
+pub(in crate::syntax) const FUNCTIONS: &str = "functions of the crate and parameters have no elements";
 pub(in crate::syntax) const FUNCTIONS_HELP: &str =
     "make the index another parameter, or write the expression out in a loop";
 

@@ -2,7 +2,7 @@
 
 use super::Printer;
 use super::expressions::dots;
-use crate::syntax::ast::{Name, Repetition, Selection, Statement};
+use crate::syntax::ast::{Enclosure, Name, Range, Repetition, Selection, Statement};
 
 impl Printer<'_> {
     /// A name with what stands in square brackets, behind dots and behind a colon.
@@ -30,10 +30,31 @@ impl Printer<'_> {
         }
     }
 
+    /// Lines in the loops and conditions around them.
+    pub(super) fn enclosed(&mut self, around: &[Enclosure], print: impl FnOnce(&mut Self)) {
+        for enclosure in around {
+            match enclosure {
+                Enclosure::Loop(variable, range) => self.head(variable, range, " for "),
+                Enclosure::Condition(condition) => {
+                    self.text(" if ");
+                    self.index_condition(condition);
+                }
+            }
+            self.text(" {");
+        }
+        print(self);
+        around.iter().for_each(|_| self.text(" }"));
+    }
+
+    /// `for i in 0..n`
+    fn head(&mut self, variable: &Name, range: &Range, word: &str) {
+        self.labelled(&format!("{word}{} in ", variable.text), range.from);
+        self.labelled(dots(range), range.to);
+    }
+
     pub(super) fn repetition(&mut self, repetition: &Repetition) {
         let Repetition { variable, range, body } = repetition;
-        self.labelled(&format!("for {} in ", variable.text), range.from);
-        self.labelled(dots(range), range.to);
+        self.head(variable, range, "for ");
         self.block(body);
     }
 

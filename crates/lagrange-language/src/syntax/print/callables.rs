@@ -70,8 +70,8 @@ impl Printer<'_> {
     }
 
     /// `f(x, y)`
-    fn signature(&mut self, name: &Name, parameters: &[Name]) {
-        self.text(&name.text);
+    pub(super) fn signature(&mut self, name: &Name, parameters: &[Name]) {
+        self.indexed(name);
         self.text("(");
         self.list(parameters, Self::name);
         self.text(")");

@@ -139,7 +139,8 @@ fn pieces(expressions: &Expressions, id: AstId) -> Vec<PrintedPiece> {
             PrintedPiece::Expression(arguments[1], PrintedBinding::Operand),
         ],
         Expression::Call(function, arguments) => {
-            std::iter::once(text(function.text.as_str())).chain(bracketed_list(arguments)).collect()
+            let name = std::iter::once(text(function.text.as_str())).chain(indexed(&function.indices));
+            name.chain(bracketed_list(arguments)).collect()
         }
         Expression::Component(vector, name) => {
             let member = [receiver(expressions, *vector), text(format!(".{}", name.text))].into_iter();

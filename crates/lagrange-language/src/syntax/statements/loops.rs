@@ -3,47 +3,140 @@
 use proc_macro2::{Delimiter, Group, TokenTree};
 
 use crate::syntax::ast::{
-    Block, CombinedCondition, ConditionTest, Repetition, Selection, Statement, StatementKind, TestKind,
+    Block, CombinedCondition, ConditionTest, Enclosed, Enclosure, Name, Range, Repetition, Selection,
+    Statement, StatementKind, TestKind,
 };
-use crate::syntax::cursor::Cursor;
+use crate::syntax::cursor::{Cursor, group_origin};
 use crate::syntax::identifiers::eat_comparison;
+use crate::syntax::messages;
 use crate::syntax::messages::arrays;
 use crate::syntax::parser::{Parsed, Parser, Reported};
 use crate::syntax::recovery::Turn;
+use lagrange_expr::limits::MAX_BRANCHES;
+
+/// The lines of a choice: those of each condition, and those of no condition.
+type Branches<T> = (Vec<(CombinedCondition, Vec<T>)>, Vec<T>);
 
 impl Parser<'_> {
     /// `i in 0..n { … }` behind the word `for`.
     pub(super) fn repetition(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        let head = self.variable(arrays::LOOP_HELP, cursor);
-        if head.is_err() {
-            self.skip_braces(cursor);
-        }
-        let (variable, range) = head?;
-        let body =
-            self.within(&variable, |parser| parser.statements_between_braces(arrays::LOOP_HELP, cursor))?;
+        let (variable, range, body) = self.in_each(cursor, Self::statements)?;
         Ok(StatementKind::Block(Block::Repeat(Box::new(Repetition { variable, range, body }))))
     }
 
     /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
     pub(super) fn selection(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
-        let mut selection = Selection { branches: Vec::new(), otherwise: Vec::new() };
+        let (branches, otherwise) = self.in_branches(cursor, Self::statements)?;
+        Ok(StatementKind::Block(Block::Select(Selection { branches, otherwise })))
+    }
+
+    /// Reads the lines in braces, of which there must be one, also those in loops and choices. A
+    /// mistake between the braces leaves the end of the statement in place.
+    pub(in crate::syntax) fn some_lines<T: Enclosed>(
+        &mut self,
+        group: &Group,
+        (nothing, help): (&str, &str),
+        read: fn(&mut Self, &mut Cursor) -> Parsed<Vec<T>>,
+    ) -> Vec<T> {
+        let mistakes = self.report.diagnostics().len();
+        let lines = self.inside(group, |parser, cursor| Ok(parser.enclosed_lines(cursor, read)));
+        let lines = lines.unwrap_or_default();
+        if lines.is_empty() && self.report.diagnostics().len() == mistakes {
+            self.report.error(group_origin(group), nothing).help(help);
+        }
+        lines
+    }
+
+    /// Reads lines up to the last token. Those that cannot be read are reported and left out.
+    fn enclosed_lines<T: Enclosed>(
+        &mut self,
+        cursor: &mut Cursor,
+        read: fn(&mut Self, &mut Cursor) -> Parsed<Vec<T>>,
+    ) -> Vec<T> {
+        let mut lines = Vec::new();
+        self.each(cursor, |parser, cursor| {
+            if cursor.eat(';').is_some() {
+                return;
+            }
+            parser.begin_statement();
+            let is_block = cursor.at_word("for") || cursor.at_word("if");
+            let line = if is_block { parser.block_of_lines(cursor, read) } else { read(parser, cursor) };
+            match line {
+                Ok(line) => lines.extend(line),
+                Err(Reported) => parser.skip_statement(cursor),
+            }
+            if cursor.eat(';').is_none() && !parser.skipped && !is_block {
+                parser.missing_semicolon(cursor);
+            }
+        });
+        lines
+    }
+
+    /// The lines of a loop or a choice, each with what encloses it.
+    fn block_of_lines<T: Enclosed>(
+        &mut self,
+        cursor: &mut Cursor,
+        read: fn(&mut Self, &mut Cursor) -> Parsed<Vec<T>>,
+    ) -> Parsed<Vec<T>> {
+        let within = |parser: &mut Self, cursor: &mut Cursor| parser.enclosed_lines(cursor, read);
+        if cursor.eat_word("for").is_some() {
+            let (variable, range, lines) = self.in_each(cursor, within)?;
+            return Ok(enclosed(lines, &Enclosure::Loop(variable, range)));
+        }
+        let start = cursor.skip_one();
+        let (branches, otherwise) = self.in_branches(cursor, within)?;
+        if branches.len() as u64 > MAX_BRANCHES {
+            let message = messages::long_condition(MAX_BRANCHES);
+            return Err(self.fail_with_help(start, message, messages::LONG_CONDITION_HELP));
+        }
+        let (conditions, bodies): (Vec<_>, Vec<_>) = branches.into_iter().unzip();
+        let mut all = Vec::new();
+        for (number, lines) in bodies.into_iter().chain([otherwise]).enumerate() {
+            let condition = CombinedCondition::of_branch(&conditions[..number], conditions.get(number));
+            all.extend(enclosed(lines, &Enclosure::Condition(condition)));
+        }
+        Ok(all)
+    }
+
+    /// `i in 0..n { … }` behind the word `for`.
+    fn in_each<T>(
+        &mut self,
+        cursor: &mut Cursor,
+        read: impl FnOnce(&mut Self, &mut Cursor) -> Vec<T>,
+    ) -> Parsed<(Name, Range, Vec<T>)> {
+        let head = self.variable(arrays::LOOP_HELP, cursor);
+        if head.is_err() {
+            self.skip_braces(cursor);
+        }
+        let (variable, range) = head?;
+        let body = self.within(&variable, |parser| parser.between_braces(arrays::LOOP_HELP, cursor, read))?;
+        Ok((variable, range, body))
+    }
+
+    /// `i > 0 { … } else if … { … } else { … }` behind the word `if`.
+    fn in_branches<T>(
+        &mut self,
+        cursor: &mut Cursor,
+        mut read: impl FnMut(&mut Self, &mut Cursor) -> Vec<T>,
+    ) -> Parsed<Branches<T>> {
+        let (mut branches, mut otherwise) = (Vec::new(), Vec::new());
         let whole = self.turns(cursor, |parser, cursor| {
             let condition = parser.counting(cursor, Self::index_condition)?;
-            let body = parser.statements_between_braces(arrays::SELECTION_HELP, cursor)?;
-            selection.branches.push((condition, body));
+            let body = parser.between_braces(arrays::SELECTION_HELP, cursor, &mut read)?;
+            branches.push((condition, body));
             if cursor.eat_word("else").is_none() {
                 return Ok(Turn::Last);
             }
             if cursor.eat_word("if").is_some() {
                 return Ok(Turn::Next);
             }
-            selection.otherwise = parser.statements_between_braces(arrays::SELECTION_HELP, cursor)?;
+            otherwise = parser.between_braces(arrays::SELECTION_HELP, cursor, &mut read)?;
             Ok(Turn::Last)
         });
         if whole.is_err() {
             self.skip_braces(cursor);
         }
-        whole.map(|()| StatementKind::Block(Block::Select(selection)))
+        whole.map(|()| (branches, otherwise))
     }
 
     /// Reads statements in braces.
@@ -52,11 +145,21 @@ impl Parser<'_> {
         help: &str,
         cursor: &mut Cursor,
     ) -> Parsed<Vec<Statement>> {
+        self.between_braces(help, cursor, Self::statements)
+    }
+
+    /// Reads lines or statements in braces.
+    fn between_braces<T>(
+        &mut self,
+        help: &str,
+        cursor: &mut Cursor,
+        read: impl FnOnce(&mut Self, &mut Cursor) -> Vec<T>,
+    ) -> Parsed<Vec<T>> {
         let group = self.braces(help, cursor)?;
         let counts = std::mem::replace(&mut self.counts, false);
-        let statements = self.inside(&group, |parser, cursor| Ok(parser.statements(cursor)));
+        let lines = self.inside(&group, |parser, cursor| Ok(read(parser, cursor)));
         (self.counts, self.skipped) = (counts, false);
-        statements
+        lines
     }
 
     /// `i > 0 && i < n || …`
@@ -116,6 +219,12 @@ impl Parser<'_> {
         let right = self.expression(cursor)?;
         Ok(ConditionTest { is_negated, kind: TestKind::Comparison(left, comparison, right) })
     }
+}
+
+/// Lines with something more around them.
+fn enclosed<T: Enclosed>(mut lines: Vec<T>, around: &Enclosure) -> Vec<T> {
+    lines.iter_mut().for_each(|line| line.enclosures_mut().insert(0, around.clone()));
+    lines
 }
 
 /// True of what may stand behind a condition in parentheses, and not behind a part of a sum.

@@ -1,7 +1,7 @@
 //! Loops, choices and parts: statements in braces, as written.
 
-use super::Statement;
 use super::parts::{PartDefinition, Placement};
+use super::{Statement, StatementKind};
 use crate::syntax::ast::conditions::CombinedCondition;
 use crate::syntax::ast::{AstId, Name, Range};
 
@@ -23,6 +23,67 @@ pub struct Selection {
     pub branches: Vec<(CombinedCondition, Vec<Statement>)>,
     /// Statements that apply if no condition holds.
     pub otherwise: Vec<Statement>,
+}
+
+/// A statement with what is around it.
+#[derive(Clone, Copy)]
+pub struct Nested<'d> {
+    /// The statement.
+    pub statement: &'d Statement,
+    /// True within a loop.
+    pub is_in_loop: bool,
+}
+
+impl<'d> Nested<'d> {
+    /// Returns the names that the statement declares for all that follow: those of one iteration
+    /// are excluded.
+    pub fn lasting_names(self) -> impl Iterator<Item = (&'d Name, String)> {
+        let kind = &self.statement.kind;
+        let are_local = self.is_in_loop && kind.is_local_in_loops();
+        kind.written_names().into_iter().filter(move |(name, _)| !(are_local && name.indices.is_empty()))
+    }
+}
+
+/// Returns all statements with those in loops and choices, each before its own, without those of
+/// parts.
+pub fn nested(statements: &[Statement]) -> Vec<Nested<'_>> {
+    let with = |is_in_loop| move |statement| Nested { statement, is_in_loop };
+    let mut pending = statements.iter().rev().map(with(false)).collect::<Vec<_>>();
+    let mut all = Vec::new();
+    while let Some(next) = pending.pop() {
+        all.push(next);
+        if let StatementKind::Block(block) = &next.statement.kind {
+            let is_in_loop = next.is_in_loop || matches!(block, Block::Repeat(_));
+            let within = block.bodies().into_iter().flatten().collect::<Vec<_>>();
+            pending.extend(within.into_iter().rev().map(with(is_in_loop)));
+        }
+    }
+    all
+}
+
+/// A loop or a condition around a line of an event, a clock or a reduction.
+#[derive(Clone, Debug)]
+pub enum Enclosure {
+    /// `for i in 0..n { … }`
+    Loop(Name, Range),
+    /// `if i > 0 { … }`, or the negation of what stands before `else`
+    Condition(CombinedCondition),
+}
+
+impl Enclosure {
+    /// Returns its expressions, to be read or replaced.
+    pub fn expressions_mut(&mut self) -> Vec<&mut AstId> {
+        match self {
+            Enclosure::Loop(_, range) => vec![&mut range.from, &mut range.to],
+            Enclosure::Condition(condition) => condition.expressions_mut(),
+        }
+    }
+}
+
+/// A line between braces that loops and conditions may enclose.
+pub trait Enclosed {
+    /// Returns what encloses it, from the outside inwards, until that is written out.
+    fn enclosures_mut(&mut self) -> &mut Vec<Enclosure>;
 }
 
 /// Statements that stand for others: those of loops, choices and parts.

@@ -1,0 +1,76 @@
+//! Loops and conditions in events, clocks and reductions.
+
+use super::{assert_same, reported};
+
+#[test]
+fn loops_in_events_and_clocks_stand_for_assignments() {
+    assert_same(
+        "coord x[3]; discrete n[3]; event hit = x[0], rising => {
+             for i in 0..3 { dot(x[i]) = -dot(x[i]); if i > 1 { x[i] = i; } else if i == 0 { x[i] = 7; } else { n[i] = 5; } }
+             n[2] = 4;
+         }",
+        "coord x_0, x_1, x_2; discrete n_0, n_1, n_2; event hit = x_0, rising => {
+             dot(x_0) = -dot(x_0); dot(x_1) = -dot(x_1); dot(x_2) = -dot(x_2); x_2 = 2; x_0 = 7; n_1 = 5; n_2 = 4;
+         }",
+    );
+    assert_same(
+        "coord x; discrete n[2][2]; every 2 => { for i in 0..2 { for j in 0..=i { n[i][j] = x + sum(k in 0..i, j); } } }",
+        "coord x; discrete n_0_0, n_0_1, n_1_0, n_1_1; every 2 => { n_0_0 = x + 0; n_1_0 = x + 0; n_1_1 = x + 1; }",
+    );
+    assert_same(
+        "coord x; event hit = x, rising => { for i in 3..4 { dot(x) = i; } }",
+        "coord x; event hit = x, rising => { dot(x) = 3; }",
+    );
+}
+
+/// The loops around an event enclose those within.
+#[test]
+fn loops_around_and_within_events_know_each_other() {
+    assert_same(
+        "coord x[2]; for i in 0..2 { let r = x[i]; event hit[i] = r, rising => { for j in 0..2 { if j != i { dot(x[j]) = r; } } } }",
+        "coord x_0, x_1; let r_0 = x_0; event hit_0 = r_0, rising => { dot(x_1) = r_0; }
+         let r_1 = x_1; event hit_1 = r_1, rising => { dot(x_0) = r_1; }",
+    );
+    assert_same(
+        "part Leg(n) { coord y[2]; event hit = y[0], rising => { for j in 0..n { dot(y[j]) = 0; } } } leg: Leg { n: 2; }",
+        "coord leg_y_0, leg_y_1; event leg_hit = leg_y_0, rising => { dot(leg_y_0) = 0; dot(leg_y_1) = 0; }",
+    );
+}
+
+#[test]
+fn loops_in_reductions_stand_for_their_lines() {
+    assert_same(
+        "coord x[3], y[3]; reduce Held { for i in 0..3 { if i > 0 { freeze x[i] = i, y[i] = 0; } else { small y[i]; } } }",
+        "coord x_0, x_1, x_2, y_0, y_1, y_2; reduce Held { freeze x_1 = 1, x_2 = 2, y_1 = 0, y_2 = 0; small y_0; }",
+    );
+}
+
+#[test]
+fn mistakes_in_enclosed_lines_are_reported() {
+    let mistakes = [
+        ("event e = x[0], rising => { for i in 0..0 { x[i] = 1; } }", "nothing is left between the braces"),
+        ("event e = x[0], rising => { if 1 > 2 { x[0] = 1; } }", "nothing is left between the braces"),
+        ("reduce R { for i in 1..1 { freeze x[i] = 1; } }", "nothing is left between the braces"),
+        ("event e = x[0], rising => { for i in 0..3 { x[i] = 1; } }", "there is no `x[2]`, for i = 2"),
+        ("event e = x[0], rising => { for x in 0..2 { dot(x) = 1; } }", "cannot be the variable of a loop"),
+        ("event e = x[0], rising => { for i in 0..x { x[i] = 1; } }", "`x` cannot be an index"),
+        ("event e = x[0], rising => { if x[0] > 0 { x[1] = 1; } }", "can only use indices"),
+        ("event e = x[0], rising => { for i in 0..2 { force x[i] = 1; } }", "an event can only assign"),
+        ("event e = x[0], rising => { for i 0..2 { x[i] = 1; } }", "expected `in`"),
+        ("event e = x[0], rising => { for i in 0..2 x[i] = 1; }", "expected `{`"),
+        ("event e = x[0], rising => { for i in 0..2 { x[i] = 1 } }", "`;`"),
+        (
+            "event e = x[0], rising => { for i in 0..3000000000 { for j in 0..2 { x[i] = 1; } } }",
+            "more than 200000 terms",
+        ),
+        ("every 1 => { for i in 0..2 { } }", "nothing is assigned"),
+        ("reduce R { for i in 0..2 { held x[i] = 1; } }", "expected"),
+    ];
+    let branches = "if 1 > 2 { x[0] = 1; } else ".repeat(101);
+    let long = format!("event e = x[0], rising => {{ {branches} {{ x[0] = 1; }} }}");
+    for (text, message) in mistakes.into_iter().chain([(long.as_str(), "more than 100 choices")]) {
+        let found = reported(&format!("coord x[2]; {text}"));
+        assert!(found.contains(message), "{text}\n{found}");
+        assert_eq!(found.matches("error at").count(), 1, "{text}\n{found}");
+    }
+}
