@@ -153,14 +153,15 @@ const PYTHON: &[Layer] = &[
 const C: &[Layer] = &[
     Layer {
         modules: &["names", "refusal"],
-        purpose: "names and numbers as C; systems that C cannot compute",
+        purpose: "names and numbers as C; systems that C and JavaScript cannot compute",
     },
+    Layer { modules: &["syntax"], purpose: "the text of both languages where it differs beyond statements" },
     Layer { modules: &["functions"], purpose: "the functions of a module, with programs and shapes" },
     Layer { modules: &["callables"], purpose: "tables and solutions of equations" },
     Layer { modules: &["bodies"], purpose: "bodies of functions of the state" },
     Layer { modules: &["arrays"], purpose: "names, units and defaults as arrays" },
     Layer { modules: &["header"], purpose: "the header" },
-    Layer { modules: &["source"], purpose: "the source file" },
+    Layer { modules: &["script", "source"], purpose: "functions of JavaScript; the source file" },
 ];
 
 const FMI: &[Layer] = &[
