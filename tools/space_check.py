@@ -13,9 +13,8 @@ import shutil
 import sys
 import time
 
-from browser_check import FLAGS, Browser, Checks
+from browser_check import FLAGS, GRAPHICS, Browser, Checks
 
-GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 WIDE, NARROW = (1280, 720), (390, 844)
 # The picture is read in the same task in which it is drawn.
 SEEN = """(() => {
