@@ -270,6 +270,17 @@ PIXELS = """(() => {
   }
   return JSON.stringify({ sum, ink });
 })()"""
+# The largest distance between the places of things at the start as the page computes them, and as they are written for films.
+APART = """(() => {
+  restart();
+  const { space } = model.scene;
+  const apart = space.things.map((thing, k) => {
+    const [live, written] = [space.poses[0][k], placement(thing, 0, 0, space.unit)];
+    const pairs = [...live.origin.map((value, i) => [value / live.scale, written.origin[i]]), ...live.turn.map((value, i) => [value, written.turn[i]])];
+    return Math.max(...[...pairs, [live.stretch / live.scale, written.stretch]].map(([a, b]) => Math.abs(a - b)));
+  });
+  return Math.max(...apart);
+})()"""
 OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
 WIDTHS = [(400, 800), (900, 1000), (1600, 900)]
 
@@ -301,6 +312,8 @@ def check_live(browser, path, checks, pictures):
         if pictures:
             browser.picture(pictures / f"{path.stem}-{width}.png")
     browser.send("Emulation.clearDeviceMetricsOverride")
+    if browser.evaluate("Boolean(model.scene?.space)"):
+        checks.that(browser.evaluate(APART) < 1e-3, "in space, things are where a film has them at the start")
 
     browser.click("#play")
     time.sleep(0.8)

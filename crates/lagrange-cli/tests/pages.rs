@@ -161,6 +161,21 @@ fn a_motion_that_slides_along_a_switch_ends_in_words() {
     assert!((t - 0.5).abs() < 1e-6 && failure.contains("slides along a switch"), "{failure} at {t}");
 }
 
+/// Bounces end at v/g (1 + e)/(1 − e) after the first fall; the ball does not fall through the floor.
+#[test]
+fn bounces_that_accumulate_end_in_words() {
+    for e in [0.0_f64, 0.05, 0.3, 0.8] {
+        let ball = format!(
+            "struct Ball; coord y = 1.1; kinetic = 1/2 * dot(y)^2; potential = 9.81 * y;
+            event floor = y - 0.1, falling => {{ dot(y) = -{e} * dot(y); }} event top = dot(y), falling => record;"
+        );
+        let Some((t, y, failure)) = run("ball", &page("ball", &ball), 30.0) else { return };
+        let (failure, end) = (failure.expect("an end"), (2.0 / 9.81_f64).sqrt() * (1.0 + e) / (1.0 - e));
+        assert!(failure.starts_with("Events follow each other without end"), "{failure}");
+        assert!((t - end).abs() < 1e-6 && (y[0] - 0.1).abs() < 1e-9, "e = {e}: {y:?} at {t}, not {end}");
+    }
+}
+
 #[test]
 fn what_pages_cannot_run_is_refused_by_name() {
     let base = "coord x = 0; kinetic = 1/2 * dot(x)^2;";

@@ -82,3 +82,4 @@ pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;
 pub use space::live::{LiveMesh, LiveScene};
+pub use stage::is_made_up;

@@ -89,7 +89,7 @@ impl Numbers<'_> {
     }
 }
 
-fn connector(kind: ConnectorKind) -> Connector {
+pub(crate) fn connector(kind: ConnectorKind) -> Connector {
     match kind {
         ConnectorKind::Spring => Connector::Spring,
         ConnectorKind::Damper => Connector::Damper,

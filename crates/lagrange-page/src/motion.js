@@ -23,7 +23,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
   };
   const has = (name) => name in functions;
   const motion = { t: 0, y: [], p: [], failure: null, isStopped: false, events: [], energy: () => (has("energy") ? at("energy", motion.t, motion.y)[0] : NaN) };
-  let [length, rates, signs, recent, crossed] = [0, null, [], [], 0];
+  let [length, rates, signs, origin, recent, crossed] = [0, null, [], [], [], []];
 
   const areFinite = (values) => values.every(Number.isFinite);
   const rhs = (t, y) => at("rhs", t, y);
@@ -59,16 +59,18 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     });
   }
 
-  // Signs on the way from this moment on; where a function is zero, that of its change.
+  // Signs on the way from this moment on; where a function is zero, that of its change along the rates, as far as it is seen.
   function signsAt(values) {
-    const after = () => {
-      const h = 1e-7 * (1 + Math.abs(motion.t));
-      const slope = rhs(motion.t, motion.y);
-      return surfaces(motion.t + h, motion.y.map((value, i) => value + h * slope[i]));
-    };
     const isThere = (value, i) => value === 0 || recent.includes(i);
-    const next = values.some(isThere) ? after() : values;
-    return values.map((value, i) => (isThere(value, i) ? Math.sign(next[i] - value) || 1 : Math.sign(value)));
+    if (!values.some(isThere)) return values.map(Math.sign);
+    const slope = rhs(motion.t, motion.y);
+    const noise = 1e-14 * (1 + Math.max(...motion.y.map(Math.abs)));
+    const changes = values.map(() => 0);
+    for (let h = 1e-7; h < 1; h *= 100) {
+      const next = surfaces(motion.t + h, motion.y.map((value, i) => value + h * slope[i]));
+      values.forEach((value, i) => { if (Math.abs(changes[i]) < noise) changes[i] = next[i] - value; });
+    }
+    return values.map((value, i) => (isThere(value, i) ? Math.sign(changes[i]) || 1 : Math.sign(value)));
   }
   function choosesSides() {
     const first = model.fields;
@@ -76,15 +78,20 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     at("switches", motion.t, motion.y).forEach((value, i) => { motion.p[first + i] = Math.sign(value) || 1; });
     signsAt(surfaces(motion.t, motion.y)).slice(model.events.length).forEach((sign, i) => { motion.p[first + i] = sign; });
   }
-  function begins() {
+  function begins(values = []) {
+    const before = signs;
     rates = null;
-    signs = signsAt(surfaces(motion.t, motion.y));
+    origin = surfaces(motion.t, motion.y);
+    // What an event has not changed is not passed, even if it is beyond by rounding.
+    signs = signsAt(origin).map((sign, i) => (origin[i] === values[i] && !recent.includes(i) ? before[i] : sign));
     // A switch is left on the side on which it is computed.
     model.switches.forEach((_, i) => { signs[model.events.length + i] = motion.p[model.fields + i]; });
   }
-  const crosses = (i, from, to) => {
+  // True if a function passes zero in a direction that counts. One that was just beyond, by rounding, must go on beyond.
+  const crosses = (i, value) => {
     const direction = model.events[i]?.direction ?? 0;
-    return (direction >= 0 && from < 0 && to >= 0) || (direction <= 0 && from > 0 && to <= 0);
+    const [rises, falls] = [signs[i] < 0 && value >= 0 && value > origin[i], signs[i] > 0 && value <= 0 && value < origin[i]];
+    return (direction >= 0 && rises) || (direction <= 0 && falls);
   };
   // The first part of a step after which surfaces are crossed, with the part before.
   function crossing(taken) {
@@ -92,7 +99,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     let before = 0;
     for (const part of WITHIN) {
       const values = surfaces(motion.t + part * taken.h, part === 1 ? taken.y : within(taken, part));
-      if (values.some((value, i) => crosses(i, signs[i], value))) return [before, part];
+      if (values.some((value, i) => crosses(i, value))) return [before, part];
       before = part;
     }
     return null;
@@ -104,7 +111,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     for (let k = 0; k < 60 && to - from > 4 * Number.EPSILON * Math.max(Math.abs(motion.t), to); k++) {
       const middle = 0.5 * (from + to);
       const trial = step(middle);
-      if (surfaces(motion.t + middle, trial.y).some((value, i) => crosses(i, signs[i], value))) [to, last] = [middle, trial]; else from = middle;
+      if (surfaces(motion.t + middle, trial.y).some((value, i) => crosses(i, value))) [to, last] = [middle, trial]; else from = middle;
     }
     return last ?? step(to);
   }
@@ -148,8 +155,11 @@ function startsMotion(model, functions, tolerance = 1e-10) {
   }
   function reacts() {
     const values = surfaces(motion.t, motion.y);
-    const hit = values.map((_, i) => i).filter((i) => crosses(i, signs[i], values[i]));
+    const hit = values.map((_, i) => i).filter((i) => crosses(i, values[i]));
     for (const i of hit) {
+      const { t, count } = crossed[i] ?? { t: -Infinity, count: 0 };
+      crossed[i] = { t: motion.t, count: motion.t - t < 1e-8 * (1 + Math.abs(motion.t)) ? count + 1 : 0 };
+      if (crossed[i].count > 4) return fails("Events follow each other without end, or the motion slides along a switch,");
       if (i >= model.events.length) {
         motion.p[model.fields + i - model.events.length] *= -1;
         continue;
@@ -164,7 +174,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     if (motion.events.length > 2000) motion.events.splice(0, 1000);
     // What was not assigned may have passed a switch with what was.
     if (has("switches") && hit.some((i) => model.events[i]?.action === "replace")) choosesSides();
-    begins();
+    begins(values);
     recent = [];
     return true;
   }
@@ -182,7 +192,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
   // Starts from a state, which is brought onto the constraints; false if that fails.
   motion.start = (y, p) => {
     Object.assign(motion, { t: 0, y: [...y], p: [...p, ...model.switches.map(() => 1)], failure: null, isStopped: false, events: [] });
-    [length, recent, crossed] = [1e-3, [], 0];
+    [length, recent, crossed] = [1e-3, [], []];
     motion.change(motion.p);
     if (!motion.failure && model.clocks) ticks();
     return !motion.failure && areFinite(rhs(0, motion.y)) || fails("The accelerations are not finite numbers at the start,");
@@ -211,17 +221,15 @@ function startsMotion(model, functions, tolerance = 1e-10) {
       }
       const place = crossing(taken);
       const used = place ? located(taken, place) : taken;
-      const before = motion.t;
       const isAtGoal = !place && wanted === goal - motion.t;
       if (!accepts(used, isAtGoal ? goal : motion.t + used.h)) return false;
       length = Math.max(isAtGoal ? length : 0, wanted * Math.min(5, 0.9 * Math.max(taken.error, 1e-10) ** -0.2));
       if (place) {
-        crossed = motion.t - before < 1e-9 * (1 + Math.abs(motion.t)) ? crossed + 1 : 0;
         if (!reacts()) return false;
-        if (crossed > 40) return fails("Events follow each other without end, or the motion slides along a switch,");
       } else if (signs.length) {
-        const values = surfaces(motion.t, motion.y);
-        signs = signs.map((sign, i) => (i < model.events.length && Math.sign(values[i])) || sign);
+        origin = surfaces(motion.t, motion.y);
+        // Zeros in the other direction do not count, and are passed without notice.
+        model.events.forEach(({ direction }, i) => { if (direction && Math.sign(origin[i]) === -direction) signs[i] = -direction; });
       }
       if (goal === tick && motion.t === goal) ticks();
     }

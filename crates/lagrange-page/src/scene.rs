@@ -2,12 +2,12 @@
 
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
-use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour};
+use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 use serde_json::{Value, json};
 
-use crate::items::Numbers;
+use crate::items::{Numbers, connector};
 
 const PLANE: &str = include_str!("plane.js");
 const SPACE: &str = include_str!("space.js");
@@ -39,8 +39,7 @@ fn in_plane(drawing: &DrawnScene) -> Shown {
         }
         DrawnKind::Line { .. } => json!({ "kind": "line" }),
         DrawnKind::Connector { name, kind } => {
-            let is_made_up = name.rsplit('_').next().is_some_and(|end| end.parse::<usize>().is_ok());
-            let label = if is_made_up { String::new() } else { plain(name) };
+            let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
             json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
         }
         DrawnKind::Joint { kind, .. } => json!({ "kind": "joint", "variant": format!("{kind:?}") }),
@@ -118,18 +117,20 @@ impl Places {
 
     fn thing(&self, mesh: LiveMesh) -> Value {
         match mesh {
-            LiveMesh::Body(index) => {
-                let (at, is_frame) = self.bodies[index];
-                json!({ "kind": if is_frame { "frame" } else { "body" }, "at": at })
-            }
+            LiveMesh::Body(index) => self.body(index),
             LiveMesh::Connector(index, lane) => {
                 json!({ "kind": "connector", "at": self.connectors[index], "lane": lane })
             }
             LiveMesh::Joint(index) => json!({ "kind": "joint", "at": self.joints[index] }),
             LiveMesh::Rod(index, outer) => {
-                let outer = outer.map(|body| self.bodies[body]).filter(|(_, is_frame)| !is_frame);
-                json!({ "kind": "rod", "at": self.joints[index], "outer": outer.map(|(at, _)| at) })
+                let outer = outer.map(|body| self.body(body));
+                json!({ "kind": "rod", "at": self.joints[index], "outer": outer })
             }
         }
+    }
+
+    fn body(&self, index: usize) -> Value {
+        let (at, is_frame) = self.bodies[index];
+        json!({ "kind": if is_frame { "frame" } else { "body" }, "at": at })
     }
 }

@@ -40,7 +40,10 @@ function showsScene(scene) {
       return { ...pose, origin: pose.origin.map((value, row) => value + lane * pose.turn[row]) };
     },
     joint: (numbers) => ({ origin: numbers.slice(0, 3), turn: along(unit(numbers.slice(3, 6)) ?? [0, 0, 1]), stretch: 0 }),
-    rod: (numbers, k, { outer }, all) => spanned(k, numbers.slice(0, 3), outer === null ? numbers.slice(0, 3) : body(all.slice(outer)).origin),
+    rod: (numbers, k, { outer }, all) => {
+      const from = numbers.slice(0, 3);
+      return spanned(k, from, outer ? poses[outer.kind](all.slice(outer.at)).origin : from);
+    },
   };
   const posesOf = (values) => things.map((thing, k) => poses[thing.kind](values.slice(thing.at), k, thing, values));
   // In the page's own lengths, which are those of the first radius over that of the ball.
