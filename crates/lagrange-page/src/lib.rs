@@ -25,9 +25,8 @@ mod model;
 mod scene;
 
 use lagrange_c::Script;
-use lagrange_core::pipeline::NumericSystem;
-use lagrange_draw::{LiveScene, PAGE_STYLE};
-use serde_json::Value;
+use lagrange_core::pipeline::{NumericSystem, Programs};
+use lagrange_draw::PAGE_STYLE;
 
 pub use error::PageError;
 
@@ -64,29 +63,32 @@ fn is_used(name: &str) -> bool {
 /// If the system holds what only compiled Rust can run, or a number of its drawing is not finite.
 pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> {
     let programs = system.programs();
+    let start = normalised(programs, start);
     let script = Script::new(programs, is_used)?;
-    let shown = shown(system, start)?;
-    let (elements, scene, viewer) = match &shown {
-        None => (String::new(), Value::Null, String::new()),
-        Some(Shown { elements, scene, viewer }) => {
-            (format!("<figure id=\"picture\">{elements}</figure>"), scene.clone(), viewer.clone())
-        }
-    };
-    let mut model = model(system, start);
-    let is_in_space = scene.get("space").is_some();
+    let Shown { elements, scene, viewer, style, keys } = shown(system, &start)?;
+    let mut model = model(system, &start);
     model["scene"] = scene;
     let names = script.functions.iter().map(|name| format!("{name}: system_{name}"));
-    let functions = format!("{}return {{ {} }};\n", script.text, names.collect::<Vec<_>>().join(", "));
-    let space = if is_in_space { [LiveScene::STYLE, LiveScene::KEYS] } else { [""; 2] };
     Ok(format!(
         include_str!("page.html"),
         title = title(&programs.name),
-        style = [PAGE_STYLE, STYLE, space[0]].concat(),
+        style = [PAGE_STYLE, STYLE, style].concat(),
         figure = elements,
-        keys = space[1],
+        keys = keys,
         // A text cannot end the script.
         model = model.to_string().replace('<', "\\u003c"),
-        functions = functions,
+        functions = format!("{}return {{ {} }};\n", script.text, names.collect::<Vec<_>>().join(", ")),
         script = [MOTION, &viewer, PAGE].concat(),
     ))
+}
+
+/// Brings the quaternions of a state to length one.
+fn normalised(programs: &Programs, start: &[f64]) -> Vec<f64> {
+    let mut start = start.to_vec();
+    for &first in &programs.variables.quaternions {
+        let Some(parts) = start.get_mut(first..first + 4) else { continue };
+        let length = parts.iter().map(|part| part * part).sum::<f64>().sqrt();
+        parts.iter_mut().for_each(|part| *part /= length);
+    }
+    start
 }

@@ -12,7 +12,8 @@ use crate::items::{Numbers, connector};
 const PLANE: &str = include_str!("plane.js");
 const SPACE: &str = include_str!("space.js");
 
-/// A picture that a page moves.
+/// A picture that a page moves; nothing by default.
+#[derive(Default)]
 pub(crate) struct Shown {
     /// Elements of the picture.
     pub(crate) elements: String,
@@ -20,13 +21,23 @@ pub(crate) struct Shown {
     pub(crate) scene: Value,
     /// The script.
     pub(crate) viewer: String,
+    /// Rules of CSS.
+    pub(crate) style: &'static str,
+    /// Help on keys.
+    pub(crate) keys: &'static str,
 }
 
-/// Returns the picture of a system, if it has a drawing.
-pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Option<Shown>, DrawError> {
-    let Some(drawing) = &system.programs().drawing else { return Ok(None) };
-    let shown = if drawing.is_in_space { in_space(system, drawing, start)? } else { in_plane(drawing) };
-    Ok(Some(shown))
+/// Returns the picture of a system, as far as it has a drawing.
+pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, DrawError> {
+    match &system.programs().drawing {
+        None => Ok(Shown::default()),
+        Some(drawing) if drawing.is_in_space => in_space(system, drawing, start),
+        Some(drawing) => Ok(in_plane(drawing)),
+    }
+}
+
+fn figure(elements: &str) -> String {
+    format!("<figure id=\"picture\">{elements}</figure>")
 }
 
 fn in_plane(drawing: &DrawnScene) -> Shown {
@@ -47,10 +58,10 @@ fn in_plane(drawing: &DrawnScene) -> Shown {
     };
     let items = drawing.items.iter().map(&mut item).collect::<Vec<_>>();
     Shown {
-        elements: "<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>"
-            .to_owned(),
+        elements: figure("<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>"),
         scene: json!({ "items": items }),
         viewer: PLANE.to_owned(),
+        ..Shown::default()
     }
 }
 
@@ -74,8 +85,10 @@ fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Resu
     let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();
     Ok(Shown {
         scene: json!({ "space": space, "things": things, "middle": live.middle, "radius": live.radius }),
-        elements: live.elements,
+        elements: figure(&live.elements),
         viewer: [LiveScene::VIEWER, SPACE].concat(),
+        style: LiveScene::STYLE,
+        keys: LiveScene::KEYS,
     })
 }
 

@@ -65,7 +65,9 @@ function showsScene(scene) {
   return {
     fit(moments) {
       ball = { middle: about, radius: 1e-9 };
+      last.fill(null);
       const all = moments.map(posesOf);
+      last.fill(null);
       grow(all);
       if (show) return;
       // What is seen at first decides how large everything is.
