@@ -161,7 +161,8 @@ fn a_motion_that_slides_along_a_switch_ends_in_words() {
     assert!((t - 0.5).abs() < 1e-6 && failure.contains("slides along a switch"), "{failure} at {t}");
 }
 
-/// Bounces end at v/g (1 + e)/(1 − e) after the first fall; the ball does not fall through the floor.
+/// Bounces end at v/g (1 + e)/(1 − e) after the first fall; the ball does not fall through the
+/// floor.
 #[test]
 fn bounces_that_accumulate_end_in_words() {
     for e in [0.0_f64, 0.05, 0.3, 0.8] {

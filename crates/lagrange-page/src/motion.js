@@ -22,7 +22,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     return out;
   };
   const has = (name) => name in functions;
-  const motion = { t: 0, y: [], p: [], failure: null, isStopped: false, events: [], energy: () => (has("energy") ? at("energy", motion.t, motion.y)[0] : NaN) };
+  const motion = { t: 0, y: [], p: [], failure: null, events: { count: 0 }, energy: () => (has("energy") ? at("energy", motion.t, motion.y)[0] : NaN) };
   let [length, rates, signs, origin, recent, crossed] = [0, null, [], [], [], []];
 
   const areFinite = (values) => values.every(Number.isFinite);
@@ -130,9 +130,10 @@ function startsMotion(model, functions, tolerance = 1e-10) {
     }
     return y;
   }
-  // Newton's steps, least by mass, back to the constraints of positions, then of velocities.
-  function held(t, y) {
-    if (!model.constraints || model.isStabilised) return normalised(y);
+  // Newton's steps, least by mass, back to the constraints of positions, then of velocities. Stabilised ones hold by themselves once they
+  // are met.
+  function held(t, y, isToMeet = false) {
+    if (!model.constraints || (model.isStabilised && !isToMeet)) return normalised(y);
     const corrected = (residuals, state) => at("correction", t, state, [...motion.p, ...residuals]);
     for (let [k, before] = [0, Infinity]; k < 20; k++) {
       const residuals = at("position_residuals", t, y);
@@ -165,13 +166,12 @@ function startsMotion(model, functions, tolerance = 1e-10) {
         continue;
       }
       const { name, action } = model.events[i];
-      motion.events.push({ t: motion.t, name });
-      if (action === "stop") [motion.isStopped, motion.failure] = [true, `The event ${name} ends the motion at t = ${motion.t.toPrecision(6)} s.`];
+      motion.events = { count: motion.events.count + 1, name, t: motion.t };
+      if (action === "stop") fails(`The event ${name} ends the motion`);
       if (action === "replace") motion.y = held(motion.t, at(`after_event_${i}`, motion.t, motion.y));
     }
     recent = hit;
     if (!areFinite(motion.y)) return fails("The state after an event is not a number");
-    if (motion.events.length > 2000) motion.events.splice(0, 1000);
     // What was not assigned may have passed a switch with what was.
     if (has("switches") && hit.some((i) => model.events[i]?.action === "replace")) choosesSides();
     begins(values);
@@ -191,7 +191,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
 
   // Starts from a state, which is brought onto the constraints; false if that fails.
   motion.start = (y, p) => {
-    Object.assign(motion, { t: 0, y: [...y], p: [...p, ...model.switches.map(() => 1)], failure: null, isStopped: false, events: [] });
+    Object.assign(motion, { t: 0, y: [...y], p: [...p, ...model.switches.map(() => 1)], failure: null, events: { count: 0 } });
     [length, recent, crossed] = [1e-3, [], []];
     motion.change(motion.p);
     if (!motion.failure && model.clocks) ticks();
@@ -200,7 +200,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
   // Continues with other parameters and inputs.
   motion.change = (p) => {
     motion.p = [...p.slice(0, model.fields), ...motion.p.slice(model.fields)];
-    const y = held(motion.t, [...motion.y]);
+    const y = held(motion.t, [...motion.y], true);
     if (!isHeld(motion.t, y)) return fails("The state cannot be brought onto the constraints");
     motion.y = y;
     choosesSides();
@@ -228,6 +228,7 @@ function startsMotion(model, functions, tolerance = 1e-10) {
         if (!reacts()) return false;
       } else if (signs.length) {
         origin = surfaces(motion.t, motion.y);
+        if (origin.some(Number.isNaN)) return fails("The function of an event or a switch is not a number");
         // Zeros in the other direction do not count, and are passed without notice.
         model.events.forEach(({ direction }, i) => { if (direction && Math.sign(origin[i]) === -direction) signs[i] = -direction; });
       }

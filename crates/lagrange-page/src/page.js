@@ -56,6 +56,8 @@ function draw() {
   element("time").textContent = `t = ${motion.t.toFixed(2)} s`;
   const energy = motion.energy();
   element("energy").textContent = functions.energy ? `energy ${withUnit(energy, model.energyUnit)}, changed by ${withUnit(energy - firstEnergy, model.energyUnit, 2)}` : "";
+  const { count, name, t } = motion.events;
+  element("events").textContent = count ? `${count} event${count > 1 ? "s" : ""}, last ${name} at ${t.toFixed(3)} s` : "";
   const slow = isSlow ? "The motion is slower than real time here." : "";
   element("message").textContent = motion.failure ?? slow;
   plot();
@@ -130,6 +132,7 @@ function ticks(low, high, count) {
 }
 
 function setPlaying(isToPlay) {
+  if (isToPlay && motion.failure) restart();
   isPlaying = isToPlay && !motion.failure;
   [lastTick, isSlow] = [null, false];
   element("play").textContent = isPlaying ? "Pause" : "Play";
