@@ -210,20 +210,22 @@ function startsMotion(model, functions, tolerance = 1e-10) {
   // Moves on until a time, or as far as it gets before a deadline in milliseconds; false if the motion has ended.
   motion.advance = (end, deadline = Infinity) => {
     while (motion.t < end && !motion.failure && performance.now() < deadline) {
+      // Shorter steps are lost in the rounding of the time.
+      if (length < 1e-15 * Math.max(1, Math.abs(motion.t))) return fails("The accelerations are no longer finite numbers, or change too fast,");
       const tick = nextTick();
       const goal = Math.min(end, tick);
       const wanted = Math.min(length, goal - motion.t);
       const taken = step(wanted);
       if (!(taken.error <= 1)) {
         length = wanted * (taken.error < Infinity ? Math.max(0.2, 0.9 * taken.error ** -0.2) : 0.1);
-        if (length < 1e-14 * Math.max(1, Math.abs(motion.t))) return fails("The accelerations are no longer finite numbers, or change too fast,");
         continue;
       }
       const place = crossing(taken);
       const used = place ? located(taken, place) : taken;
       const isAtGoal = !place && wanted === goal - motion.t;
       if (!accepts(used, isAtGoal ? goal : motion.t + used.h)) return false;
-      length = Math.max(isAtGoal ? length : 0, wanted * Math.min(5, 0.9 * Math.max(taken.error, 1e-10) ** -0.2));
+      // A step that only the goal has made short says nothing of the next.
+      if (wanted === length) length *= Math.min(5, 0.9 * Math.max(taken.error, 1e-10) ** -0.2);
       if (place) {
         if (!reacts()) return false;
       } else if (signs.length) {
