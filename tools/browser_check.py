@@ -23,7 +23,9 @@ FLAGS = [
     "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
 ]
 # Pages of bodies in space have a graphics processor that is a program.
-GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+WITH_GRAPHICS = [flag for flag in FLAGS if flag != "--disable-gpu"] + [
+    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+]
 # What is drawn where: of everything that is seen in the picture its place on the screen and its shape.
 SEEN = """(() => {
   const picture = document.querySelector("#picture svg") || document.documentElement;
@@ -373,18 +375,16 @@ def main():
         options.pictures.mkdir(parents=True, exist_ok=True)
     kinds = {".svg": check_svg, ".html": check_page}
     failures = 0
-    browser = Browser(options.browser, [flag for flag in FLAGS if flag != "--disable-gpu"] + GRAPHICS)
-    try:
-        for film in options.films:
-            checks = Checks(film.name)
-            browser.problems = []
-            is_live = film.suffix == ".html" and "startsMotion" in film.read_text()
-            check = check_live if is_live else kinds[film.suffix]
-            check(browser, film, checks, options.pictures)
+    for film in options.films:
+        checks = Checks(film.name)
+        is_live = film.suffix == ".html" and "startsMotion" in film.read_text()
+        browser = Browser(options.browser, WITH_GRAPHICS if is_live else FLAGS)
+        try:
+            (check_live if is_live else kinds[film.suffix])(browser, film, checks, options.pictures)
             checks.that(not browser.problems, f"no errors of scripts {browser.problems or ''}")
-            failures += checks.failures
-    finally:
-        browser.close()
+        finally:
+            browser.close()
+        failures += checks.failures
     sys.exit(failures > 0)
 
 
