@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Plays films in a real browser: `tools/browser_check.py film.html film.svg …`
+"""Plays films and live pages in a real browser: `tools/browser_check.py film.html film.svg page.html …`
 
 Starts chromium without a window, opens each file and does what a user does: waits, presses buttons and keys, moves the slider. The
 files must have something in them that moves. Needs Python 3 and chromium, nothing else: commands go through the browser's own pipe
@@ -21,6 +21,10 @@ import time
 FLAGS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "--disable-sync", "--window-size=900,1000", "--remote-debugging-pipe",
+]
+# Pages of bodies in space have a graphics processor that is a program.
+WITH_GRAPHICS = [flag for flag in FLAGS if flag != "--disable-gpu"] + [
+    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
 ]
 # What is drawn where: of everything that is seen in the picture its place on the screen and its shape.
 SEEN = """(() => {
@@ -251,6 +255,114 @@ def check_page(browser, path, checks, pictures):
         browser.picture(pictures / f"{path.stem}-no-script.png")
 
 
+# What a live page shows: a hash of the pixels of its picture, in the same task in which they are drawn.
+PIXELS = """(() => {
+  const shown = document.querySelector("#picture canvas");
+  if (!shown) return null;
+  draw();
+  const copy = Object.assign(document.createElement("canvas"), { width: shown.width, height: shown.height });
+  const paper = copy.getContext("2d");
+  paper.drawImage(shown, 0, 0);
+  const pixels = paper.getImageData(0, 0, copy.width, copy.height).data;
+  let [sum, ink] = [0, 0];
+  for (let k = 0; k < pixels.length; k += 4) {
+    const value = pixels[k + 3] ? pixels[k] + 3 * pixels[k + 1] + 7 * pixels[k + 2] : 2805;
+    if (value < 2600) ink += 1;
+    sum = (sum * 31 + value) % 2147483647;
+  }
+  return JSON.stringify({ sum, ink });
+})()"""
+# The largest distance between the places of things at the start as the page computes them, and as they are written for films.
+APART = """(() => {
+  restart();
+  const { space } = model.scene;
+  const apart = space.things.map((thing, k) => {
+    const [live, written] = [space.poses[0][k], placement(thing, 0, 0, space.unit)];
+    const pairs = [...live.origin.map((value, i) => [value / live.scale, written.origin[i]]), ...live.turn.map((value, i) => [value, written.turn[i]])];
+    return Math.max(...[...pairs, [live.stretch / live.scale, written.stretch]].map(([a, b]) => Math.abs(a - b)));
+  });
+  return Math.max(...apart);
+})()"""
+# Milliseconds of a frame, on average.
+FRAME = "(() => { const t = performance.now(); for (let k = 0; k < 20; k++) goOn(1 / 60); return (performance.now() - t) / 20; })()"
+OVERFLOW = "document.documentElement.scrollWidth - innerWidth"
+WIDTHS = [(400, 800), (900, 1000), (1600, 900)]
+
+
+def check_live(browser, path, checks, pictures):
+    def shown():
+        return json.loads(browser.evaluate(PIXELS) or "null")
+
+    def slide(selector, part):
+        """Puts the slider a part of its way by a press of the mouse."""
+        browser.evaluate(f"document.querySelector({json.dumps(selector)}).scrollIntoView({{ block: 'center' }})")
+        script = f"JSON.stringify(document.querySelector({json.dumps(selector)}).getBoundingClientRect())"
+        box = json.loads(browser.evaluate(script))
+        place = {"x": box["x"] + part * box["width"], "y": box["y"] + box["height"] / 2}
+        for kind in ("mousePressed", "mouseReleased"):
+            browser.send("Input.dispatchMouseEvent", type=kind, button="left", clickCount=1, **place)
+        time.sleep(0.5)
+
+    browser.open(path, [("prefers-reduced-motion", "reduce")])
+    has_picture = browser.evaluate("model.scene !== null")
+    time.sleep(0.3)
+    checks.that(browser.evaluate("motion.t") == 0, "waits where less motion is preferred")
+    first = shown()
+    checks.that(not has_picture or first["ink"] > 300, f"draws the start {first or ''}")
+    for width, height in WIDTHS:
+        browser.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        time.sleep(0.2)
+        checks.that(browser.evaluate(OVERFLOW) <= 0, f"fits a width of {width}")
+        if pictures:
+            browser.picture(pictures / f"{path.stem}-{width}.png")
+    browser.send("Emulation.clearDeviceMetricsOverride")
+    if browser.evaluate("Boolean(model.scene?.space)"):
+        checks.that(browser.evaluate(APART) < 1e-3, "in space, things are where a film has them at the start")
+
+    browser.click("#play")
+    time.sleep(0.8)
+    browser.click("#play")
+    reached = browser.evaluate("motion.t")
+    checks.that(0.2 < reached < 2, f"plays in real time after a click, until the next: {reached:.2f} s")
+    checks.that(browser.evaluate("play.textContent") == "Play" and browser.evaluate("motion.failure") is None, "pauses")
+    then = shown()
+    checks.that(not has_picture or then["sum"] != first["sum"], "the picture has changed")
+    time.sleep(0.3)
+    checks.that(browser.evaluate("motion.t") == reached, "stands still while paused")
+    browser.click("#step")
+    checks.that(abs(browser.evaluate("motion.t") - reached - 0.02) < 1e-9, "makes a step")
+    checks.that("NaN" not in browser.evaluate("document.body.innerText"), "values are numbers")
+    frame = min(browser.evaluate(FRAME) for _ in range(4))
+    checks.that(frame < 1000 / 60, f"a frame takes {frame:.1f} ms of computing and drawing")
+
+    if browser.evaluate("model.quantities.length") > 0:
+        before = browser.evaluate("JSON.stringify(fields)")
+        slide("#panels fieldset input[type=range]", 0.7)
+        checks.that(browser.evaluate("JSON.stringify(fields)") != before, "a slider of a value sets it")
+        checks.that(browser.evaluate("JSON.stringify(motion.p.slice(0, model.fields)) === JSON.stringify(fields)"), "and the motion has it")
+    if browser.evaluate("document.querySelectorAll('[id^=Start-]').length") > 0:
+        slide("[id^=Start-]", 0.2)
+        checks.that(browser.evaluate("motion.t") == 0 and not browser.evaluate("isPlaying"), "a slider of a start restarts")
+    browser.evaluate("document.activeElement.blur()")
+    browser.press(" ")
+    browser.wait(lambda: browser.evaluate("motion.t > 0"), "space plays")
+    browser.press("Home")
+    checks.that(browser.evaluate("motion.t") == 0, "Home restarts")
+    browser.evaluate("const rates = functions.rhs; functions.rhs = (t, y, p, out) => { rates(t, y, p, out); if (t > 0.1) out.fill(NaN); }; for (let k = 0; k < 20; k++) goOn(0.02)")
+    said = browser.evaluate("element('message').textContent")
+    checks.that("finite" in said and browser.evaluate("motion.y.every(Number.isFinite)"), f"stops at the last good state and says so: {said}")
+
+    browser.open(path, [("prefers-color-scheme", "dark")])
+    time.sleep(1.0)
+    checks.that(browser.evaluate("motion.t") > 0.2, "plays by itself")
+    dark = browser.evaluate("getComputedStyle(document.body).backgroundColor")
+    checks.that(sum(int(part) for part in dark[4:-1].split(",")) < 150, "is dark where that is preferred")
+    if pictures:
+        browser.picture(pictures / f"{path.stem}-dark.png")
+    browser.open(path, has_scripts=False)
+    checks.that(browser.evaluate("document.querySelector('#controls').hidden"), "without scripts, no buttons that would do nothing")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("films", nargs="+", type=pathlib.Path)
@@ -263,16 +375,16 @@ def main():
         options.pictures.mkdir(parents=True, exist_ok=True)
     kinds = {".svg": check_svg, ".html": check_page}
     failures = 0
-    browser = Browser(options.browser)
-    try:
-        for film in options.films:
-            checks = Checks(film.name)
-            browser.problems = []
-            kinds[film.suffix](browser, film, checks, options.pictures)
+    for film in options.films:
+        checks = Checks(film.name)
+        is_live = film.suffix == ".html" and "startsMotion" in film.read_text()
+        browser = Browser(options.browser, WITH_GRAPHICS if is_live else FLAGS)
+        try:
+            (check_live if is_live else kinds[film.suffix])(browser, film, checks, options.pictures)
             checks.that(not browser.problems, f"no errors of scripts {browser.problems or ''}")
-            failures += checks.failures
-    finally:
-        browser.close()
+        finally:
+            browser.close()
+        failures += checks.failures
     sys.exit(failures > 0)
 
 

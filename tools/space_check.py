@@ -13,9 +13,8 @@ import shutil
 import sys
 import time
 
-from browser_check import FLAGS, Browser, Checks
+from browser_check import FLAGS, WITH_GRAPHICS, Browser, Checks
 
-GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 WIDE, NARROW = (1280, 720), (390, 844)
 # The picture is read in the same task in which it is drawn.
 SEEN = """(() => {
@@ -253,7 +252,7 @@ def main():
     if options.pictures:
         options.pictures.mkdir(parents=True, exist_ok=True)
     failures = 0
-    browser = Browser(options.browser, [flag for flag in FLAGS if flag != "--disable-gpu"] + GRAPHICS)
+    browser = Browser(options.browser, WITH_GRAPHICS)
     try:
         for film in options.films:
             checks = Checks(film.name)

@@ -6,6 +6,7 @@
 //! replaces the requested items, so that only the mistake is reported.
 
 mod callables;
+mod drawn;
 mod included;
 mod numeric;
 mod orthogonal;
@@ -26,6 +27,7 @@ use lagrange_language::syntax::parse_tokens;
 use lagrange_language::tables::{Reader, no_files, read_files};
 use phases::{equations_of, items_of, model_of};
 
+pub use drawn::{DrawnScene, PlacedItem, PlacedPart};
 pub use numeric::NumericSystem;
 pub use phases::DerivedPart;
 pub use programs::{Layout, Place, Programs, Range, Reaction, TickingClock};

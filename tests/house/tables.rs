@@ -14,7 +14,7 @@ pub(crate) struct Layer {
     pub(crate) purpose: &'static str,
 }
 
-pub(crate) const LIBRARIES: [Library; 19] = [
+pub(crate) const LIBRARIES: [Library; 20] = [
     Library { name: "lagrange", layers: LAGRANGE },
     Library { name: "lagrange-algebra", layers: ALGEBRA },
     Library { name: "lagrange-c", layers: C },
@@ -30,6 +30,7 @@ pub(crate) const LIBRARIES: [Library; 19] = [
     Library { name: "lagrange-language", layers: LANGUAGE },
     Library { name: "lagrange-macro", layers: &[] },
     Library { name: "lagrange-math", layers: MATH },
+    Library { name: "lagrange-page", layers: PAGE },
     Library { name: "lagrange-plot", layers: PLOT },
     Library { name: "lagrange-python", layers: PYTHON },
     Library { name: "lagrange-runtime", layers: RUNTIME },
@@ -153,14 +154,24 @@ const PYTHON: &[Layer] = &[
 const C: &[Layer] = &[
     Layer {
         modules: &["names", "refusal"],
-        purpose: "names and numbers as C; systems that C cannot compute",
+        purpose: "names and numbers as C; systems that C and JavaScript cannot compute",
     },
+    Layer { modules: &["syntax"], purpose: "the text of both languages where it differs beyond statements" },
     Layer { modules: &["functions"], purpose: "the functions of a module, with programs and shapes" },
     Layer { modules: &["callables"], purpose: "tables and solutions of equations" },
     Layer { modules: &["bodies"], purpose: "bodies of functions of the state" },
     Layer { modules: &["arrays"], purpose: "names, units and defaults as arrays" },
     Layer { modules: &["header"], purpose: "the header" },
-    Layer { modules: &["source"], purpose: "the source file" },
+    Layer { modules: &["script", "source"], purpose: "functions of JavaScript; the source file" },
+];
+
+const PAGE: &[Layer] = &[
+    Layer {
+        modules: &["error", "items", "model"],
+        purpose: "systems that no page can show; items in space from their numbers; names, units and ranges \
+                  for the page",
+    },
+    Layer { modules: &["scene"], purpose: "the picture of a page, and the script that moves it" },
 ];
 
 const FMI: &[Layer] = &[

@@ -1,6 +1,6 @@
 //! Bodies of functions of the state.
 
-use lagrange_core::code::{Precision, Surroundings, Unrepresentable, statements};
+use lagrange_core::code::{Surroundings, Target, Unrepresentable, statements};
 use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::{Place, Programs};
 use lagrange_core::program::{Op, Program};
@@ -9,14 +9,15 @@ use lagrange_core::symbol::Role;
 use crate::callables::Callables;
 use crate::functions::{Function, Part};
 
-/// Statements of the body of a function.
+/// Statements of the body of a function. In C, sides of switches are those of the state; scripts
+/// take them from behind the inputs.
 pub(crate) fn body(
     name: &str,
     programs: &Programs,
     callables: &Callables<'_>,
     function: &Function<'_>,
 ) -> Result<String, Unrepresentable> {
-    let mut out = preparation(name, programs, function);
+    let mut out = preparation(name, programs, callables.target, function);
     let state = State { programs, callables, takes_residuals: function.takes_residuals };
     let mut first = 0;
     for part in &function.parts {
@@ -27,19 +28,17 @@ pub(crate) fn body(
 }
 
 /// Computes what programs take beside the state: sides, accelerations and multipliers.
-fn preparation(name: &str, programs: &Programs, function: &Function<'_>) -> String {
+fn preparation(name: &str, programs: &Programs, target: Target, function: &Function<'_>) -> String {
     let layout = &programs.layout;
     let takes = |has: fn(Role) -> bool| function.parts.iter().any(|part| takes(part.program, has));
     let array = |what: &str, count: usize| {
-        format!("    double {what}[{count}];\n    {name}_{what}(t, y, p, {what});\n")
+        format!("    {}\n    {name}_{what}(t, y, p, {what});\n", target.array(what, count))
     };
     let mut out = String::new();
-    if takes(|role| matches!(role, Role::Side(_))) {
-        let count = layout.sides;
+    if target != Target::JavaScript && takes(|role| matches!(role, Role::Side(_))) {
+        let (count, sign) = (layout.sides, target.call("sign", "switches[i]"));
         out += &array("switches", count);
-        out += &format!(
-            "    for (int i = 0; i < {count}; i++)\n        switches[i] = LAGRANGE_SIGN(switches[i]);\n"
-        );
+        out += &format!("    {}\n        switches[i] = {sign};\n", target.repeat(count));
     }
     if takes(|role| matches!(role, Role::Acceleration(_))) {
         out += &array("accelerations", layout.velocities);
@@ -61,19 +60,17 @@ fn written(part: &Part<'_>, first: usize, state: &State<'_>) -> Result<String, U
         return Ok(String::new());
     }
     let (program, values) = (part.program, part.program.outputs().len());
+    let target = state.callables.target;
     if first == 0 && part.count == values {
-        return statements(program, Precision::Double, state, "out");
+        return statements(program, target, state, "out");
     }
-    let all = statements(program, Precision::Double, state, "values")?;
-    let copied = format!(
-        "    for (int i = 0; i < {}; i++)\n        out[{first} + i] = {};\n",
-        part.count,
-        match guard(part) {
-            Some(guard) => format!("{guard} ? values[i] : NAN"),
-            None => "values[i]".to_owned(),
-        }
-    );
-    Ok(format!("    {{\n    double values[{values}];\n{all}{copied}    }}\n"))
+    let all = statements(program, target, state, "values")?;
+    let copied = match guard(part) {
+        Some(guard) => format!("{guard} ? values[i] : {}", target.nan()),
+        None => "values[i]".to_owned(),
+    };
+    let copied = format!("    {}\n        out[{first} + i] = {copied};\n", target.repeat(part.count));
+    Ok(format!("    {{\n    {}\n{all}{copied}    }}\n", target.array("values", values)))
 }
 
 /// The condition under which the digits of results can be trusted: rounding errors grow by less
@@ -96,9 +93,11 @@ struct State<'a> {
 
 impl Surroundings for State<'_> {
     fn place(&self, role: Role) -> String {
+        let is_script = self.callables.target == Target::JavaScript;
         match role {
-            Role::Side(index) => return format!("switches[{index}]"),
+            Role::Side(index) if !is_script => return format!("switches[{index}]"),
             Role::Acceleration(index) => return format!("accelerations[{index}]"),
+            Role::Multiplier(_) if self.takes_residuals && is_script => {}
             Role::Multiplier(index) if self.takes_residuals => {
                 return format!("p[{}]", self.programs.layout.fields() + index as usize);
             }

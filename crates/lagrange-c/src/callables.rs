@@ -1,6 +1,6 @@
 //! Functions without a formula: tables, and solutions of equations.
 
-use lagrange_core::code::{Precision, Surroundings, Unrepresentable, statements};
+use lagrange_core::code::{Surroundings, Target, Unrepresentable, statements};
 use lagrange_core::opaque::{Opaque, Table};
 use lagrange_core::pipeline::Programs;
 use lagrange_core::program::{NewtonProgram, Op, Program};
@@ -8,16 +8,19 @@ use lagrange_core::symbol::Role;
 
 use crate::functions::Function;
 use crate::names::number;
+use crate::syntax::{constants, head, in_language, list};
 
 /// The functions without a formula that a module calls.
 pub(crate) struct Callables<'a> {
     /// Tables and their derivatives, each once.
     tables: Vec<&'a Opaque>,
     solutions: &'a [NewtonProgram],
+    /// The language of the module.
+    pub(crate) target: Target,
 }
 
 impl<'a> Callables<'a> {
-    pub(crate) fn new(programs: &'a Programs, functions: &[Function<'a>]) -> Callables<'a> {
+    pub(crate) fn new(programs: &'a Programs, functions: &[Function<'a>], target: Target) -> Callables<'a> {
         let solutions = &programs.solutions[..];
         let of_solutions = solutions.iter().flat_map(|solution| [&solution.start, &solution.equation]);
         let of_functions = functions.iter().flat_map(|function| &function.parts).map(|part| part.program);
@@ -30,7 +33,7 @@ impl<'a> Callables<'a> {
                 tables.push(function);
             }
         }
-        Callables { tables, solutions }
+        Callables { tables, solutions, target }
     }
 
     /// Returns a call of a function for these arguments.
@@ -46,30 +49,32 @@ impl<'a> Callables<'a> {
                 };
                 let known = if arguments.is_empty() { "0".to_owned() } else { arguments.join(", ") };
                 let results = results.map_or_else(String::new, |results| format!(", {results}"));
-                format!("solution_{index}((const double[]){{ {known} }}{results})")
+                format!("solution_{index}({}{results})", list(self.target, &known))
             }
         }
     }
 
     /// Returns the definitions of all these functions.
     pub(crate) fn definitions(&self) -> Result<String, Unrepresentable> {
+        let target = self.target;
         let mut out = String::new();
-        if !self.tables.is_empty() {
-            out += &format!("\n{}", include_str!("tables.h"));
-        }
+        let mut include = |is_needed: bool, texts: [&str; 2]| {
+            if is_needed {
+                out += &format!("\n{}", in_language(target, texts));
+            }
+        };
+        let counts = || self.solutions.iter().map(|solution| solution.values.len());
+        include(!self.tables.is_empty(), [include_str!("tables.h"), include_str!("tables.js")]);
+        include(counts().any(|count| count == 1), [include_str!("newton.h"), include_str!("newton.js")]);
+        include(counts().any(|count| count > 1), [include_str!("coupled.h"), include_str!("coupled.js")]);
         for (index, function) in self.tables.iter().enumerate() {
             let first =
                 self.tables.iter().position(|table| table.function().name == function.function().name);
-            out += &definition(index, first.unwrap_or(index), function);
-        }
-        if self.solutions.iter().any(|solution| solution.values.len() == 1) {
-            out += &format!("\n{}", include_str!("newton.h"));
-        }
-        if self.solutions.iter().any(|solution| solution.values.len() > 1) {
-            out += &format!("\n{}", include_str!("coupled.h"));
+            out += &definition(target, index, first.unwrap_or(index), function);
         }
         for (index, solution) in self.solutions.iter().enumerate() {
-            out += &format!("\n{};", signature(index, solution));
+            out +=
+                &in_language(target, [format!("\n{};", signature(target, index, solution)), String::new()]);
         }
         for (index, solution) in self.solutions.iter().enumerate() {
             out += &self.solution(index, solution)?;
@@ -79,84 +84,88 @@ impl<'a> Callables<'a> {
 
     fn solution(&self, index: usize, solution: &NewtonProgram) -> Result<String, Unrepresentable> {
         let equation = Equation { solution, callables: self };
+        let target = self.target;
         let [start, residual] = [&solution.start, &solution.equation]
-            .map(|program| statements(program, Precision::Double, &equation, "out"));
+            .map(|program| statements(program, target, &equation, "out"));
         let (start, residual, iterations) = (start?, residual?, solution.iterations);
         let count = solution.values.len();
         let (what, unknown, declared, found) = match count {
             1 => (
                 "residual",
                 "double y",
-                "double out[1];",
+                target.array("out", 1),
                 format!("return newton(out[0], {iterations}, equation_{index}, x);"),
             ),
             _ => (
                 "residuals",
                 "const double *y",
-                "",
+                String::new(),
                 format!("coupled({count}, {iterations}, equation_{index}, x, out);"),
             ),
         };
         let names =
             solution.functions.iter().map(|function| function.function().name.escape_default().to_string());
+        let parameters = format!("{unknown}, const double *x, double *out");
+        let [unused, unused_known] =
+            in_language(target, [["    (void)y, (void)x;\n", "    (void)x;\n"], ["", ""]]);
         Ok(format!(
             "\n// The {what} of {}, slopes and rounding errors.\n\
-             LAGRANGE_FUNCTION void equation_{index}({unknown}, const double *x, double *out)\n\
-             {{\n    (void)y, (void)x;\n{residual}}}\n\
+             {}\n\
+             {{\n{unused}{residual}}}\n\
              \n{}\n\
-             {{\n    {declared}\n    (void)x;\n{start}\
+             {{\n    {declared}\n{unused_known}{start}\
              \x20   {found}\n}}\n",
             names.collect::<Vec<_>>().join(", "),
-            signature(index, solution)
+            head(target, "LAGRANGE_FUNCTION void", &format!("equation_{index}"), &parameters),
+            signature(target, index, solution)
         ))
     }
 }
 
 /// The head of the function that solves equations: one value is returned, several are stored.
-fn signature(index: usize, solution: &NewtonProgram) -> String {
-    match solution.values.len() {
-        1 => format!("LAGRANGE_FUNCTION double solution_{index}(const double *x)"),
-        _ => format!("LAGRANGE_FUNCTION void solution_{index}(const double *x, double *out)"),
-    }
+fn signature(target: Target, index: usize, solution: &NewtonProgram) -> String {
+    let (result, parameters) = match solution.values.len() {
+        1 => ("double", "const double *x"),
+        _ => ("void", "const double *x, double *out"),
+    };
+    head(target, &format!("LAGRANGE_FUNCTION {result}"), &format!("solution_{index}"), parameters)
 }
 
 /// The definition of a table or of one of its derivatives, whose numbers are those of the `first`
 /// with its name.
-fn definition(index: usize, first: usize, function: &Opaque) -> String {
+fn definition(target: Target, index: usize, first: usize, function: &Opaque) -> String {
     let Some(table) = function.table() else { return String::new() };
     let size = table.interpolation.coefficients();
     let mut out = format!("\n// {}\n", function.describe().replace('`', "").escape_default());
     if first == index {
         for (argument, axis) in table.axes.iter().enumerate() {
-            out += &array(&format!("knots_{index}_{argument}"), &axis.knots);
+            out += &constants(target, &format!("knots_{index}_{argument}"), &axis.knots);
         }
-        out += &array(&format!("coefficients_{index}"), &table.coefficients);
+        out += &constants(target, &format!("coefficients_{index}"), &table.coefficients);
     }
     let parameters = ["double x", "double x, double y"][usize::from(table.axes.len() > 1)];
-    let call = call(first, function, table);
-    out + &format!(
-        "LAGRANGE_FUNCTION double table_{index}({parameters})\n{{\n    return {call}, coefficients_{first}, {size});\n}}\n"
-    )
+    let call = call(target, first, function, table);
+    let head = head(target, "LAGRANGE_FUNCTION double", &format!("table_{index}"), parameters);
+    out + &format!("{head}\n{{\n    return {call}, coefficients_{first}, {size});\n}}\n")
 }
 
 /// A call of the function that looks a value up, up to the coefficients.
-fn call(first: usize, function: &Opaque, table: &Table) -> String {
+fn call(target: Target, first: usize, function: &Opaque, table: &Table) -> String {
     let arguments = table.axes.iter().zip(["x", "y"]).zip(function.orders()).enumerate();
     let axes = arguments.map(|(argument, ((axis, variable), order))| {
-        let density = number(axis.density);
-        format!(
-            "&(const Axis){{ knots_{first}_{argument}, {}, {density}, {order} }}, {variable}",
-            axis.knots.len()
-        )
+        let (density, knots) = (number(axis.density), format!("knots_{first}_{argument}"));
+        let count = axis.knots.len();
+        let axis = in_language(
+            target,
+            [
+                format!("&(const Axis){{ {knots}, {count}, {density}, {order} }}"),
+                format!("{{ knots: {knots}, density: {density}, order: {order} }}"),
+            ],
+        );
+        format!("{axis}, {variable}")
     });
     let name = ["curve", "surface"][usize::from(table.axes.len() > 1)];
     format!("{name}({}", axes.collect::<Vec<_>>().join(", "))
-}
-
-fn array(name: &str, values: &[f64]) -> String {
-    let values = values.iter().map(|value| number(*value)).collect::<Vec<_>>();
-    let lines = values.chunks(8).map(|line| format!("    {},\n", line.join(", "))).collect::<String>();
-    format!("static const double {name}[] = {{\n{lines}}};\n")
 }
 
 /// The arguments of the equation of an algebraic unknown.

@@ -147,6 +147,12 @@ fn of_ports(programs: &Programs) -> Vec<Function<'_>> {
     vec![outputs, function("start", start, programs.start.iter().map(Part::of).collect())]
 }
 
+/// Returns the function that places what is drawn.
+pub(crate) fn of_drawing(programs: &Programs) -> Option<Function<'_>> {
+    let drawing = programs.drawing.as_ref()?;
+    Some(function("drawing", &["The numbers of all that is drawn."], vec![Part::of(&drawing.program)]))
+}
+
 /// Functions of events, switches and clocks.
 fn of_changes(programs: &Programs) -> Vec<Function<'_>> {
     let variables = &programs.variables;

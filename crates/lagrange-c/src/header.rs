@@ -6,6 +6,9 @@ use crate::arrays::arrays;
 use crate::functions::Function;
 use crate::names::with_unit;
 
+/// The arguments of all functions.
+pub(crate) const ARGUMENTS: &str = "double t, const double *y, const double *p, double *out";
+
 /// Returns the text of the header.
 pub(crate) fn header(name: &str, programs: &Programs, functions: &[Function<'_>]) -> String {
     let upper = name.to_uppercase();
@@ -73,7 +76,7 @@ fn declaration(name: &str, function: &Function<'_>) -> String {
 
 /// Returns the head of a function.
 pub(crate) fn signature(name: &str, function: &Function<'_>) -> String {
-    format!("void {name}_{}(double t, const double *y, const double *p, double *out)", function.name)
+    format!("void {name}_{}({ARGUMENTS})", function.name)
 }
 
 fn normalise(name: &str, programs: &Programs) -> String {

@@ -1,4 +1,5 @@
-//! Systems as modules of C: a header and a source file that need nothing but the standard library.
+//! Systems as modules of C, a header and a source file that need nothing but the standard library,
+//! and as functions of JavaScript.
 //!
 //! All functions have one signature, `void NAME_rhs(double t, const double *y, const double *p,
 //! double *out)`. The time is `t`. The state `y` holds positions, then velocities; `p` holds
@@ -6,7 +7,8 @@
 //! C99. Names, units, defaults and sizes are arrays and macros.
 //!
 //! The operations are those of the interpreter. With the same elementary functions, and without
-//! contraction of products and sums, results have the same bits.
+//! contraction of products and sums, results have the same bits. A [`Script`] has the same
+//! functions with the same arguments, `system_rhs(t, y, p, out)`.
 //!
 //! ```
 //! use lagrange_c::Module;
@@ -31,7 +33,9 @@ mod functions;
 mod header;
 mod names;
 mod refusal;
+mod script;
 mod source;
+mod syntax;
 
 use lagrange_core::pipeline::Programs;
 
@@ -39,6 +43,7 @@ use functions::functions;
 use names::identifier;
 
 pub use refusal::Refusal;
+pub use script::Script;
 
 /// A module of C.
 #[derive(Clone, PartialEq, Eq, Debug)]

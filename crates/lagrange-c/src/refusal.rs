@@ -1,4 +1,4 @@
-//! Systems that C cannot compute.
+//! Systems that C and JavaScript cannot compute.
 
 use std::error::Error;
 use std::fmt::{self, Display, Formatter};
@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use lagrange_core::opaque::Opaque;
 use lagrange_core::pipeline::Programs;
 
-/// The reason why a system is not written as C.
+/// The reason why a system is not written as C or JavaScript.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Refusal {
@@ -24,14 +24,14 @@ impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Touching(names) => {
-                write!(f, "contacts and friction are not written as C: {}", quoted(names))
+                write!(f, "contacts and friction run in compiled Rust only: {}", quoted(names))
             }
             Refusal::Functions(names) => {
-                write!(f, "functions of a crate are not known to C: {}", quoted(names))
+                write!(f, "functions of a crate are known to compiled Rust only: {}", quoted(names))
             }
             Refusal::Redundant(names) => write!(
                 f,
-                "some constraints always follow from others, which C does not solve: {}",
+                "some constraints always follow from others, which written code does not solve: {}",
                 quoted(names)
             ),
             Refusal::Constants(constants) => {

@@ -1,6 +1,6 @@
 //! The source file of a module.
 
-use lagrange_core::code::{Precision, Unrepresentable, prelude};
+use lagrange_core::code::{Precision, Target, Unrepresentable, prelude};
 use lagrange_core::pipeline::Programs;
 
 use crate::arrays::arrays;
@@ -18,7 +18,7 @@ pub(crate) fn source(
     functions: &[Function<'_>],
 ) -> Result<String, Refusal> {
     let refused = |error: Unrepresentable| Refusal::Constants(error.constants);
-    let callables = Callables::new(programs, functions);
+    let callables = Callables::new(programs, functions, Target::C(Precision::Double));
     let mut out = format!("#include \"{stem}.h\"\n\n{}\n", prelude(Precision::Double));
     for array in arrays(programs) {
         out += &array.definition(name);

@@ -1,5 +1,6 @@
 //! Modules of C, compiled by the C compiler of the machine without a warning. All functions return
-//! what the interpreter returns, bit by bit.
+//! what the interpreter returns, bit by bit. Scripts return it up to the rounding of elementary
+//! functions, where the machine has Node.js.
 #![cfg(unix)]
 
 mod systems;
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 
-use lagrange_c::{Module, Refusal};
+use lagrange_c::{Module, Refusal, Script};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{NumericSystem, Programs, Reaction, parse};
@@ -160,13 +161,53 @@ fn written(folder: &Path, name: &str, text: &str) -> PathBuf {
     path
 }
 
+/// A script that prints the results of all functions at all states.
+fn script_of(case: &Case) -> String {
+    let script = Script::new(case.numeric.programs(), |_| true).expect("what C computes");
+    assert_eq!(script.functions, case.functions());
+    let list = |values: &[f64]| format!("{values:?}").replace("inf", "Infinity");
+    let fields = case.numeric.programs().layout.fields();
+    let calls = case.samples.iter().map(|sample| {
+        let Sample { t, y, p } = sample;
+        let sides = case.expected("switches", sample).into_iter().map(f64::signum).collect::<Vec<_>>();
+        let p = [&p[..fields], &sides, &p[fields..]].concat();
+        format!("  for (const f of functions) print(f, {t:?}, {}, {});\n", list(y), list(&p))
+    });
+    format!(
+        "(() => {{\n\"use strict\";\n{}const functions = [{}];\nfunction print(f, t, y, p) {{\n  const out = [];\n  \
+         f(t, y, p, out);\n  console.log(out.join(\" \"));\n}}\n{}}})();\n",
+        script.text,
+        script.functions.iter().map(|name| format!("system_{name}")).collect::<Vec<_>>().join(", "),
+        calls.collect::<String>()
+    )
+}
+
+/// Elementary functions of both differ by an ulp or two, which sums that cancel make larger.
+#[test]
+fn scripts_have_the_numbers_of_the_interpreter() {
+    const NEAR: f64 = 256.0 * f64::EPSILON;
+    if Command::new("node").arg("--version").output().is_err() {
+        eprintln!("skipped: there is no `node` to run scripts");
+        return;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("scripts");
+    fs::create_dir_all(&folder).expect("a folder");
+    let cases = SYSTEMS.map(Case::new);
+    let path = written(&folder, "main.js", &cases.iter().map(script_of).collect::<String>());
+    let output = Command::new("node").arg(path).output().expect("a script");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    compare(&cases, &String::from_utf8(output.stdout).expect("numbers"), |a, b, size| {
+        (a - b).abs() <= NEAR * size
+    });
+}
+
 #[test]
 fn functions_of_modules_have_the_bits_of_the_interpreter() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("modules");
     let cases = SYSTEMS.map(Case::new);
     let has_clang = Command::new("clang").arg("--version").output().is_ok();
     for compiler in ["cc"].into_iter().chain(has_clang.then_some("clang")) {
-        compare(&cases, &run(&folder, &cases, compiler));
+        compare(&cases, &run(&folder, &cases, compiler), |a, b, _| a == b);
     }
 }
 
@@ -187,7 +228,8 @@ fn numbers(line: &str) -> Vec<f64> {
     line.split_whitespace().map(|word| word.parse().expect("a number")).collect()
 }
 
-fn compare(cases: &[Case], printed: &str) {
+/// Compares numbers, of which the largest of a function has a size.
+fn compare(cases: &[Case], printed: &str, is_same: impl Fn(f64, f64, f64) -> bool) {
     let mut lines = printed.lines();
     let mut compared = 0;
     for case in cases {
@@ -195,7 +237,8 @@ fn compare(cases: &[Case], printed: &str) {
             for function in case.functions() {
                 let found = numbers(lines.next().expect("a line for each function"));
                 let expected = case.expected(function, sample);
-                let is_same = |(a, b): (&f64, &f64)| a == b || a.is_nan() && b.is_nan();
+                let size = expected.iter().map(|value| value.abs()).fold(0.0, f64::max);
+                let is_same = |(a, b): (&f64, &f64)| is_same(*a, *b, size) || a.is_nan() && b.is_nan();
                 let are_same = found.len() == expected.len() && found.iter().zip(&expected).all(is_same);
                 assert!(are_same, "{}_{function}: {found:?}, not {expected:?}", case.module.name);
                 compared += found.iter().filter(|value| value.is_finite()).count();

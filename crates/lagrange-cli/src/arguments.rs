@@ -20,6 +20,7 @@ Commands:
   rust FILE         write the code that the macro emits
   c FILE            write a module of C: NAME.h and NAME.c, named for the struct
   fmu FILE          write a unit of the Functional Mock-up Interface 2.0: NAME.fmu
+  page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
   urdf FILE         write the declaration of a robot that a URDF file describes
@@ -37,8 +38,8 @@ Options:
       --single        compute in single precision (kernel)
       --until TIME    end of the motion, which starts at 0 (simulate)
       --every TIME    sample so often, instead of at every step (simulate)
-      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate, fmu)
-      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate, fmu)
+      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate, fmu, page)
+      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate, fmu, page)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
                       `rk4` or `gauss` in equal steps (simulate)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate)
@@ -105,6 +106,8 @@ pub(crate) enum Action {
         /// True without a compiled library.
         is_source: bool,
     },
+    /// Writes a page in which the system moves, from these values at the start.
+    Page(Values),
     /// Computes a motion.
     Simulate(Settings),
     /// Imports a robot.
@@ -201,6 +204,7 @@ impl Action {
             "c" => Action::Module,
             "fmu" => Action::Unit { values: Values::default(), is_source: false },
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
+            "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
@@ -231,7 +235,7 @@ impl Action {
     /// Reads the value of an option; false if the action has none of this name.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
-            (Action::Unit { values, .. }, _) => return values.read(option, parser),
+            (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
             (Action::Simulate(settings), _) => return settings.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),

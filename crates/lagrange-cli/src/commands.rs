@@ -14,6 +14,7 @@ use lagrange_files::save_bytes;
 use lagrange_fmi::{ExportError, MockupUnit, Start};
 use lagrange_import::listing;
 use lagrange_import::urdf::{Import, Options, import};
+use lagrange_page::{PageError, page};
 use proc_macro2::TokenStream;
 use quote::quote;
 use serde_json::Value;
@@ -51,6 +52,7 @@ impl Command {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
+            Action::Page(values) => return self.page(values),
             Action::Unit { values, is_source } => return self.unit(values, *is_source),
             Action::Urdf(options) => self.source().and_then(|source| robot(&source, options)),
             Action::Write(text) => self.source().and_then(|source| written(&source, *text)),
@@ -92,6 +94,23 @@ impl Command {
             write(Some(&path), &bytes)
         });
         ended(written.is_ok())
+    }
+
+    /// Writes a page in which the system moves.
+    fn page(&self, values: &Values) -> Ended {
+        let system = self.source().and_then(|source| {
+            let derived =
+                reported(&source, source.drawn_system(), |system| system.derive(StrategyChoice::Cheapest))?;
+            Ok((dynamic(&source, Programs::new(&derived))?, source.name))
+        });
+        let Ok((mut system, name)) = system else { return Ended::WithMistakes };
+        let start = match set(values, &mut system).and_then(|()| start(values, &system)) {
+            Ok(state) => state,
+            Err(failure) => return failed(failure),
+        };
+        let refused = |error: PageError| print_error(&format!("{name}: {error}"));
+        let html = page(system.numeric(), &start).map_err(refused);
+        ended(html.and_then(|html| write(self.output.as_deref(), &html)).is_ok())
     }
 
     /// Writes the header and the source file of a module.
@@ -193,7 +212,16 @@ fn with_derivatives(source: &Source) -> Outcome<Derived> {
 
 /// Derives a system; prints warnings and errors.
 fn derived(source: &Source, derive: impl FnOnce(System) -> Result<Derived, Report>) -> Outcome<Derived> {
-    let derived = source.system().and_then(derive).map_err(|report| {
+    reported(source, source.system(), derive)
+}
+
+/// Derives a system that is read already; prints warnings and errors.
+fn reported(
+    source: &Source,
+    system: Result<System, Report>,
+    derive: impl FnOnce(System) -> Result<Derived, Report>,
+) -> Outcome<Derived> {
+    let derived = system.and_then(derive).map_err(|report| {
         mistakes::print(source, &report);
         Printed
     })?;

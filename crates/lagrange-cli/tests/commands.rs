@@ -139,7 +139,10 @@ fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
     let ball = "coord h; kinetic = 1/2 * dot(h)^2; event floor = h, falling => impact(0.5);";
     let refused = run_on(ball, &["c", "-", "-o", &path("ball")]);
     assert_eq!(refused.status.code(), Some(1));
-    assert_eq!(errors(&refused), "error: <stdin>: contacts and friction are not written as C: `floor`\n");
+    assert_eq!(
+        errors(&refused),
+        "error: <stdin>: contacts and friction run in compiled Rust only: `floor`\n"
+    );
     assert!(!folder.join("ball.h").exists() && !folder.join("ball.c").exists());
 }
 

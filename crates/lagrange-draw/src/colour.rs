@@ -52,6 +52,12 @@ pub(super) fn body(index: usize) -> Colour {
     light(INKS[BODIES[index % BODIES.len()]])
 }
 
+/// Returns the colour of the body of this index in pictures of the plane, as CSS has it.
+pub fn body_colour(index: usize) -> String {
+    let Colour([red, green, blue, _]) = body(index);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
 /// Fraction of paper in the colour of a solid, whose shaded faces are darker.
 const SOLID: f64 = 0.45;
 

@@ -73,9 +73,13 @@ mod tag;
 mod timeline;
 mod view;
 
+pub use colour::body_colour;
 pub use drawing::{Drawing, DrawnSpace};
 pub use error::DrawError;
 pub use film::Film;
+pub use film::page::STYLE as PAGE_STYLE;
 pub use moment::Moment;
 pub use picture::Picture;
 pub use sketch::Sketch;
+pub use space::live::{LiveMesh, LiveScene};
+pub use stage::is_made_up;

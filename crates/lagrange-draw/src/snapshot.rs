@@ -88,8 +88,15 @@ impl<D: Stored> Snapshot<D> {
     where
         M::Scalar: Into<f64>,
     {
+        Snapshot::collected(|keep| system.items(t, q, v, keep))
+    }
+
+    /// Keeps the items that are handed out.
+    pub(super) fn collected<S: Scalar + Into<f64>>(
+        visit: impl FnOnce(&mut dyn FnMut(Item<'_, S, D>)),
+    ) -> Self {
         let mut snapshot = Snapshot::default();
-        system.items(t, q, v, &mut |item| snapshot.keep(item));
+        visit(&mut |item| snapshot.keep(item));
         snapshot
     }
 

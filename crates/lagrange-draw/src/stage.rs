@@ -94,7 +94,7 @@ fn connector(name: &str, kind: Connector, ends: [Point; 2], lane: f64, wanted: W
 }
 
 /// True if a connector was declared without a name: it is called by its kind and a number then.
-pub(super) fn is_made_up(name: &str, kind: Connector) -> bool {
+pub fn is_made_up(name: &str, kind: Connector) -> bool {
     let kind = match kind {
         Connector::Spring => "spring_",
         Connector::Damper => "damper_",

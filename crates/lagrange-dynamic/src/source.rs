@@ -37,12 +37,25 @@ impl Source {
     /// # Errors
     /// All mistakes in it and in its tables.
     pub fn system(&self) -> Result<System, Report> {
+        self.parsed(&without_macro(&self.text))
+    }
+
+    /// Parses and checks the declaration, and requests its drawing if there is anything to draw.
+    ///
+    /// # Errors
+    /// All mistakes in it and in its tables.
+    pub fn drawn_system(&self) -> Result<System, Report> {
+        let drawn = format!("{}\nemit {{ drawing }}", without_macro(&self.text));
+        self.parsed(&drawn).or_else(|_| self.system())
+    }
+
+    fn parsed(&self, text: &str) -> Result<System, Report> {
         // Code that is written holds the points of tables, so it is compiled without their files.
         let table = |path: &str| {
             let file = files::read(&self.folder, path)?;
             Ok(FileText { path: String::new(), ..file })
         };
-        parse_with(&without_macro(&self.text), &table)
+        parse_with(text, &table)
     }
 }
 

@@ -5,6 +5,7 @@
 //! These begin with those of the declaration; a [`Layout`] gives the place of each. Roots and names
 //! of the programs are those of emitted code, so that results have the same bits.
 
+use super::drawn::{DrawnScene, placed_items};
 use super::phases::DerivedPart;
 use super::system::Derived;
 use crate::derive::Equations;
@@ -81,6 +82,8 @@ pub struct Programs {
     pub linearised: Option<Program>,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
+    /// The scene, if a drawing is requested.
+    pub drawing: Option<DrawnScene>,
     /// Algebraic unknowns that rates are made of.
     pub unknowns: Vec<String>,
     /// Their values.
@@ -205,6 +208,7 @@ impl Programs {
             .iter()
             .chain(&self.jacobian)
             .chain(&self.linearised)
+            .chain(self.drawing.iter().map(|drawing| &drawing.program))
             .chain(self.switch_times.iter().flatten());
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events);
         fixed.chain(replaced).chain(of_clocks).chain(values).chain(outputs).chain(others)
@@ -294,6 +298,7 @@ impl<'a> Lowering<'a> {
             jacobian: self.jacobian(),
             linearised: self.linearised(),
             outputs: self.outputs(),
+            drawing: self.drawing(),
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
             unknown_values: self.on_sides(&unknowns.iter().map(|(root, _)| *root).collect::<Vec<_>>()),
             solutions: self.solutions(),
@@ -421,6 +426,12 @@ impl<'a> Lowering<'a> {
     fn outputs(&mut self) -> Vec<(String, Program)> {
         let outputs = self.model.outputs.clone().into_iter();
         outputs.map(|output| (output.name, self.on_sides(&output.components))).collect()
+    }
+
+    fn drawing(&mut self) -> Option<DrawnScene> {
+        let is_in_space = self.declaration.is_in_space;
+        let (items, roots) = placed_items(&self.model.scene, is_in_space);
+        (!items.is_empty()).then(|| DrawnScene { is_in_space, items, program: self.on_sides(&roots) })
     }
 
     /// The algebraic unknowns that rates are made of, with their names.

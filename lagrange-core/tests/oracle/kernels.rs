@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use lagrange_core::code::{Precision, Surroundings, prelude, statements};
+use lagrange_core::code::{Precision, Surroundings, Target, prelude, statements};
 use lagrange_core::derive::StrategyChoice;
 use lagrange_core::elementary::ROWS;
 use lagrange_core::expr::{Function, Graph, Relation};
@@ -105,7 +105,7 @@ fn functions_have_the_limits_of_the_language() {
     let (one, two) = (graph.number(1), graph.number(2));
     roots.extend(relations.map(|relation| graph.choose(relation, x, y, one, two)));
     let computed = lower(&graph, &roots, &Labels::default());
-    let body = statements(&computed, Precision::Double, &TwoNumbers, "a").expect("no numbers");
+    let body = statements(&computed, Target::C(Precision::Double), &TwoNumbers, "a").expect("no numbers");
     let special = [0.0, -0.0, 0.5, -0.5, 1.0, 3.0, -2.0, 1e200, f64::INFINITY, -f64::INFINITY, f64::NAN];
     let places = special.iter().flat_map(|x| special.iter().map(|y| [*x, *y])).collect::<Vec<_>>();
     let calls = places.iter().map(|[x, y]| {

@@ -1,4 +1,5 @@
-//! Programs as the body of a function: of Rust, and by [`statements`] of C.
+//! Programs as the body of a function: of Rust, and by [`statements`] of C and
+//! JavaScript.
 //!
 //! The statements read like handwritten code. A value with a name, or with several uses, becomes a
 //! `let`; all others are written where they are used, up to a bounded length. Names are the labels
@@ -9,7 +10,6 @@
 //! Elementary functions are called by their bare names; a body lists those that it needs in scope.
 
 mod body;
-mod c;
 mod fragment;
 mod literal;
 mod names;
@@ -18,13 +18,14 @@ mod pairs;
 mod parts;
 mod sine_cosine;
 mod solved;
+mod statements;
 mod values;
 mod writer;
 
 pub use body::{FunctionBody, Scalar, Unrepresentable};
-pub use c::{Precision, Surroundings, prelude, statements};
 pub use literal::float;
 pub use names::Names;
+pub use statements::{Precision, SCRIPT_PRELUDE, Surroundings, Target, prelude, statements};
 
 use crate::program::{Op, Program};
 use lagrange_expr::symbol::{Role, Symbols};

@@ -16,7 +16,8 @@ use lagrange_plot::label::Label;
 use lagrange_plot::notation::Columns;
 
 const PAGE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
+/// Colours and areas of all pages.
+pub const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 /// Script that shows the layers of pictures.
 const LAYERS: &str = include_str!("layers.js");

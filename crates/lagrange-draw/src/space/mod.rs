@@ -10,6 +10,7 @@ mod camera;
 mod drawing;
 mod film;
 mod glb;
+pub(crate) mod live;
 mod mesh;
 mod motion;
 mod page;

@@ -19,14 +19,14 @@ use lagrange_plot::characters::number;
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 
-const STYLE: &str = include_str!("page/space.css");
-const VIEWER: &str = concat!(
+pub(super) const STYLE: &str = include_str!("page/space.css");
+pub(super) const VIEWER: &str = concat!(
     include_str!("page/viewer.js"),
     include_str!("page/camera.js"),
     include_str!("page/painter.js"),
     include_str!("page/labels.js")
 );
-const KEYS: &str = " Drag to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
+pub(super) const KEYS: &str = " Drag to turn, with two fingers or the right button to shift; wheel or pinch to zoom; double click for the first \
                     view. With the picture in focus, arrow keys turn, + and − zoom, 0 is the first view.";
 
 /// Whole numbers to the radius of the whole, to the size of a mesh, and to one.
@@ -40,18 +40,24 @@ const NORMAL: f64 = 100.0;
 
 /// The page of a motion.
 pub(super) fn html(projector: &Projector, timeline: &Timeline) -> String {
-    let Projector { recording, look, .. } = projector;
-    let scene = Scene { recording, look, frame: Frame::of(recording) };
+    let (picture, space) = parts(projector);
     let page = Page {
-        title: &look.title,
+        title: &projector.look.title,
         timeline,
         style: STYLE,
-        picture: scene.elements(&projector.project(0..1)),
-        shown: format!("\"space\":{}", scene.json()),
+        picture,
+        shown: format!("\"space\":{space}"),
         viewer: VIEWER,
         keys: KEYS,
     };
     page.html()
+}
+
+/// Returns the elements for the viewer, and what it reads.
+pub(super) fn parts(projector: &Projector) -> (String, String) {
+    let Projector { recording, look, .. } = projector;
+    let scene = Scene { recording, look, frame: Frame::of(recording) };
+    (scene.elements(&projector.project(0..1)), scene.json())
 }
 
 /// Whole numbers stand for places: the origin is `middle`, and the length one is `unit`.

@@ -16,7 +16,7 @@ use crate::emit::base::refusal::Refusal;
 use crate::emit::base::shape::{Shape, length};
 use crate::emit::base::writer::MethodWriter;
 use crate::model::{Model, Product};
-use lagrange_algebra::code::{Precision, Surroundings, Unrepresentable, prelude, statements};
+use lagrange_algebra::code::{Precision, Surroundings, Target, Unrepresentable, prelude, statements};
 use lagrange_algebra::program::{Labels, lower, optimise};
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::opaque::Opaque;
@@ -95,7 +95,7 @@ fn body(
     let mut labels = Labels::default();
     equations.labels.iter().for_each(|(id, name)| labels.insert(*id, name.as_str()));
     let program = optimise(&lower(&model.graph, roots, &labels), model.accuracy);
-    statements(&program, precision, &Arguments(model), results)
+    statements(&program, Target::C(precision), &Arguments(model), results)
 }
 
 /// The arguments of the functions of a kernel.

@@ -113,7 +113,7 @@ function extremes(space) {
   const last = film.times.length - 1;
   const count = Math.min(last, 60);
   const moments = Array.from({ length: count + 1 }, (_, k) => (count ? Math.round(k * last / count) : 0));
-  const poses = moments.flatMap((moment) => space.things.map((thing) => [thing, placement(thing, moment, 0, space.unit)]));
+  const poses = moments.flatMap((moment) => placements(space, moment, 0).map((pose, k) => [space.things[k], pose]));
   const shown = poses.filter(([, { scale }]) => scale > 0);
   const places = shown.flatMap(([thing, pose]) => meshes[thing.mesh].map((corner) => placed(pose, corner)));
   for (const list of space.traces.flatMap(({ past, points }) => [past, points])) {

@@ -17,7 +17,7 @@ function viewer() {
 
   function draw() {
     isAsked = false;
-    const things = space.things.map((thing) => placement(thing, ...moment, space.unit));
+    const things = placements(space, ...moment);
     const traces = space.traces.map((trace) => traced(trace, ...moment, space.unit));
     reset.hidden = camera.isFirst();
     painter.draw(camera, things, traces);
@@ -71,6 +71,11 @@ function matrix([x, y, z, w]) {
     2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x),
     2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y),
   ];
+}
+
+// Where things are; a page that moves them by itself has their `poses`.
+function placements(space, index, part) {
+  return space.poses?.[index] ?? space.things.map((thing) => placement(thing, index, part, space.unit));
 }
 
 // Where a thing is.

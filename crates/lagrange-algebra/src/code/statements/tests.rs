@@ -1,4 +1,4 @@
-use super::{Precision, Surroundings, function_name, prelude, statements};
+use super::{Precision, Surroundings, Target, prelude, statements};
 use crate::program::{Labels, lower, optimise};
 use lagrange_expr::accuracy::Accuracy;
 use lagrange_expr::elementary::ROWS;
@@ -32,7 +32,7 @@ impl Surroundings for Vectors<'_> {
 }
 
 /// A one-sided spring with dry friction, on a turning disc.
-fn body(precision: Precision, accuracy: Accuracy) -> String {
+fn body(target: Target, accuracy: Accuracy) -> String {
     let mut graph = Graph::new();
     let g = &mut graph;
     let [k, gap] = ["k", "gap"].map(|name| {
@@ -52,17 +52,22 @@ fn body(precision: Precision, accuracy: Accuracy) -> String {
     let mut labels = Labels::default();
     labels.insert(normal, "normal");
     let program = optimise(&lower(g, &[force, lever], &labels), accuracy);
-    statements(&program, precision, &Vectors(g), "a").expect("moderate numbers")
+    statements(&program, target, &Vectors(g), "a").expect("moderate numbers")
 }
 
 #[test]
 fn values_are_statements_with_what_the_declaration_calls_them() {
-    insta::assert_snapshot!("spring", body(Precision::Double, Accuracy::Standard));
+    insta::assert_snapshot!("spring", body(Target::C(Precision::Double), Accuracy::Standard));
+}
+
+#[test]
+fn a_script_has_the_same_statements() {
+    insta::assert_snapshot!("script", body(Target::JavaScript, Accuracy::Standard));
 }
 
 #[test]
 fn constants_have_the_kind_of_the_numbers() {
-    let single = body(Precision::Single, Accuracy::Fast);
+    let single = body(Target::C(Precision::Single), Accuracy::Fast);
     assert!(single.contains("(-0.1f)") && single.contains("LAGRANGE_SIN_COS"), "{single}");
     assert!(prelude(Precision::Single).starts_with("typedef float REAL;\n#define LAGRANGE_SINGLE 1\n"));
 }
@@ -74,7 +79,7 @@ fn numbers_out_of_range_are_reported_once() {
     let large = Number::parse_decimal("1e60").expect("a literal");
     let scaled = graph.scale(large, x);
     let program = lower(&graph, &[scaled], &Labels::default());
-    let write = |precision| statements(&program, precision, &Vectors(&graph), "a");
+    let write = |precision| statements(&program, Target::C(precision), &Vectors(&graph), "a");
     assert_eq!(
         write(Precision::Double).as_deref(),
         Ok("    const REAL x0 = q[0]; // x\n    const REAL x1 = 1e60 * x0;\n    a[0] = x1;\n")
@@ -86,7 +91,8 @@ fn numbers_out_of_range_are_reported_once() {
 fn the_prelude_has_every_function() {
     let prelude = prelude(Precision::Double);
     for row in &ROWS {
-        let definition = format!("#define {}(", function_name(row.rust));
+        let definition =
+            format!("#define {}", Target::C(Precision::Double).call(row.rust, "").replace(')', ""));
         assert!(prelude.contains(&definition), "{definition}");
     }
 }

@@ -1,9 +1,12 @@
-//! Programs as the body of a C function, for devices that rustc does not compile for.
+//! Programs as the body of a function of C or JavaScript, for machines that rustc does not compile
+//! for.
 //!
-//! The text is C99, OpenCL C 1.2 and CUDA C++ at once. Where their names differ, it uses a macro of
-//! the [`prelude`], of which there is one for all. A value is a statement with a numbered variable,
-//! since every language has its own reserved words. The name in the declaration stands in a
-//! comment.
+//! The text of C is C99, OpenCL C 1.2 and CUDA C++ at once. Where their names differ, it uses a
+//! macro of the [`prelude`], of which there is one for all. A value is a statement with a numbered
+//! variable, since every language has its own reserved words. The name in the declaration stands in
+//! a comment.
+
+mod target;
 
 use super::body::Unrepresentable;
 use super::literal::Constant;
@@ -14,22 +17,21 @@ use lagrange_expr::expr::Relation;
 use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 
-/// The numbers that C computes with.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Precision {
-    /// `double`
-    Double,
-    /// `float`
-    Single,
-}
+pub use target::{Precision, Target};
+
+/// The functions that bodies in JavaScript call, beside those of `Math`.
+pub const SCRIPT_PRELUDE: &str = include_str!("prelude.js");
 
 /// Returns the definition of a C macro for each row of the list of elementary functions.
 macro_rules! definitions {
     ($(
         $name:ident($($argument:ident),*) C($libm:ident, $libmf:ident) lanes $lanes:tt $method:tt
     )*) => {
-        [$((function_name(stringify!($name)), [$(stringify!($argument)),*].join(", "), stringify!($libm))),*]
-            .map(|(name, arguments, c)| format!("#define {name}({arguments}) LAGRANGE_OF({c})({arguments})\n"))
+        [$((stringify!($name), [$(stringify!($argument)),*].join(", "), stringify!($libm))),*]
+            .map(|(name, arguments, c)| {
+                let head = Target::C(Precision::Double).call(name, &arguments);
+                format!("#define {head} LAGRANGE_OF({c})({arguments})\n")
+            })
             .concat()
     };
 }
@@ -46,9 +48,9 @@ pub fn prelude(precision: Precision) -> String {
     format!("typedef {real} REAL;\n#define LAGRANGE_SINGLE {is_single}\n{text}")
 }
 
-/// The names that a body in C refers to.
+/// The names that a body refers to.
 pub trait Surroundings {
-    /// Returns the expression under which C finds a symbol.
+    /// Returns the expression under which the body finds a symbol.
     fn place(&self, role: Role) -> String;
 
     /// Returns the name of a symbol in the declaration.
@@ -62,19 +64,19 @@ pub trait Surroundings {
 /// Writes the statements of a function that computes a program, each on a separate line, indented
 /// once.
 ///
-/// `surroundings` is where C finds symbols and functions without a formula. The results are stored
-/// to the elements of `results`.
+/// `surroundings` is where the body finds symbols and functions without a formula. The results are
+/// stored to the elements of `results`.
 ///
 /// # Errors
 /// If a constant of the program is out of the range of the numbers.
 pub fn statements(
     program: &Program,
-    precision: Precision,
+    target: Target,
     surroundings: &dyn Surroundings,
     results: &str,
 ) -> Result<String, Unrepresentable> {
     let names = ValueNames::new(program);
-    let mut writer = StatementWriter { program, precision, surroundings, names, out: String::new() };
+    let mut writer = StatementWriter { program, target, surroundings, names, out: String::new() };
     let mut unrepresentable = Vec::new();
     for (id, op) in program.values() {
         match op {
@@ -126,7 +128,7 @@ impl ValueNames {
 /// A body as far as it is written.
 struct StatementWriter<'a> {
     program: &'a Program,
-    precision: Precision,
+    target: Target,
     surroundings: &'a dyn Surroundings,
     names: ValueNames,
     out: String,
@@ -135,11 +137,7 @@ struct StatementWriter<'a> {
 impl StatementWriter<'_> {
     /// Writes a constant where it is used.
     fn constant(&mut self, constant: Constant<'_>, unrepresentable: &mut Vec<String>) {
-        let text = match self.precision {
-            Precision::Double => constant.double(),
-            Precision::Single => constant.single().map(|text| format!("{text}f")),
-        };
-        let text = text.unwrap_or_else(|| {
+        let text = self.target.constant(constant).unwrap_or_else(|| {
             let words = constant.describe();
             if !unrepresentable.contains(&words) {
                 unrepresentable.push(words);
@@ -155,7 +153,8 @@ impl StatementWriter<'_> {
         let variable = self.names.fresh();
         // Not every compiler of C takes other letters, even in comments.
         let comment = name.map_or_else(String::new, |name| format!(" // {}", name.escape_default()));
-        self.out += &format!("    const REAL {variable} = {expression};{comment}\n");
+        let definition = self.target.define(&variable, expression);
+        self.out += &format!("    {definition}{comment}\n");
         self.names.values.push(variable);
     }
 
@@ -186,7 +185,8 @@ impl StatementWriter<'_> {
                 let arguments = key.1.iter().map(|argument| self.names.values[*argument].as_str());
                 let arguments = arguments.chain([values.as_str()]).collect::<Vec<_>>();
                 let call = self.surroundings.call(function, &arguments);
-                self.out += &format!("    REAL {values}[{}];\n    {call};\n", function.unknowns().len());
+                let array = self.target.array(&values, function.unknowns().len());
+                self.out += &format!("    {array}\n    {call};\n");
                 self.names.solutions.insert(key, values.clone());
                 values
             }
@@ -199,8 +199,7 @@ impl StatementWriter<'_> {
         for (place, angle) in angles.iter().enumerate() {
             let [sine, cosine] = [self.names.fresh(), self.names.fresh()];
             let angle = &self.names.values[*angle];
-            self.out +=
-                &format!("    REAL {sine}, {cosine};\n    LAGRANGE_SIN_COS({angle}, {sine}, {cosine});\n");
+            self.out += &self.target.sine_and_cosine(angle, [&sine, &cosine]);
             self.names.pairs.insert((id, place as u32), [sine, cosine]);
         }
         // The pair itself is no number.
@@ -214,24 +213,20 @@ impl StatementWriter<'_> {
     }
 
     fn expression(&self, op: &Op) -> String {
-        let at = |id: &ValueId| self.names.values[*id].as_str();
+        let (target, at) = (self.target, |id: &ValueId| self.names.values[*id].as_str());
+        let minus = |id: &ValueId| format!("-{}", at(id));
         match op {
             Op::Add(a, b) => format!("{} + {}", at(a), at(b)),
             Op::Subtract(a, b) => format!("{} - {}", at(a), at(b)),
             Op::Multiply(a, b) => format!("{} * {}", at(a), at(b)),
             Op::Divide(a, b) => format!("{} / {}", at(a), at(b)),
-            Op::Negate(a) => format!("-{}", at(a)),
-            Op::MultiplyAdd(a, b, c) => format!("LAGRANGE_MULTIPLY_ADD({}, {}, {})", at(a), at(b), at(c)),
-            Op::MultiplySubtract(a, b, c) => {
-                format!("LAGRANGE_MULTIPLY_ADD({}, {}, -{})", at(a), at(b), at(c))
-            }
-            Op::SubtractProduct(a, b, c) => {
-                format!("LAGRANGE_MULTIPLY_ADD(-{}, {}, {})", at(a), at(b), at(c))
-            }
-            Op::Power(a, exponent) => format!("lagrange_powi({}, {exponent})", at(a)),
+            Op::Negate(a) => minus(a),
+            Op::MultiplyAdd(a, b, c) => target.multiply_add([at(a), at(b), at(c)]),
+            Op::MultiplySubtract(a, b, c) => target.multiply_add([at(a), at(b), &minus(c)]),
+            Op::SubtractProduct(a, b, c) => target.multiply_add([&minus(a), at(b), at(c)]),
+            Op::Power(a, exponent) => target.power(at(a), *exponent),
             Op::Call(function, arguments) => {
-                let arguments = arguments.iter().map(at).collect::<Vec<_>>().join(", ");
-                format!("{}({arguments})", function_name(row(*function).rust))
+                target.call(row(*function).rust, &arguments.iter().map(at).collect::<Vec<_>>().join(", "))
             }
             Op::Opaque(function, arguments) => {
                 self.surroundings.call(function, &arguments.iter().map(at).collect::<Vec<_>>())
@@ -248,11 +243,6 @@ impl StatementWriter<'_> {
             _ => unreachable!("{op:?} is no expression"),
         }
     }
-}
-
-/// The macro of the prelude for a function of `lagrange::Scalar`.
-fn function_name(rust: &str) -> String {
-    format!("LAGRANGE_{}", rust.to_uppercase())
 }
 
 /// A relation and its opposite.

@@ -1,0 +1,195 @@
+//! Live pages: their motions beside those of `lagrange simulate`, where the machine has Node.js,
+//! and what is refused.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Systems with the times at which their motions are compared: events, a stop, switches in time and
+/// state, a closed loop, a quaternion, clocks, a table, an unknown, a rolling constraint.
+const SYSTEMS: [(&str, &str, f64); 9] = [
+    (
+        "double",
+        "struct DoublePendulum; param l: m > 0 = 1, g: m/s^2 = 9.81; coord a: rad = 1, b: rad = 0.5;
+        gravity = (0, -g);
+        body upper { mass: 1 [kg]; shape: slender_rod(l); center: l/2 * (sin(a), -cos(a)); angle: a - pi/2; }
+        body lower { mass: 1 [kg]; shape: slender_rod(l); center: upper.point(l/2, 0) + l/2 * (sin(b), -cos(b)); angle: b - pi/2; }
+        pin upper.point(-l/2, 0) to (0, 0); pin upper.point(l/2, 0) to lower.point(-l/2, 0);",
+        2.0,
+    ),
+    (
+        "bounce",
+        "struct Ball; param e = 0.7; coord x = 0, y = 1; start dot(x) = 0.5;
+        kinetic = 1/2 * (dot(x)^2 + dot(y)^2); potential = 9.81 * y;
+        event floor = y, falling => { dot(y) = -e * dot(y); } event end = t - 1.7, rising => stop;",
+        1.7,
+    ),
+    (
+        "kinks",
+        "struct Kinks; coord x = 1; kinetic = 1/2 * dot(x)^2; potential = 3 * abs(x);
+        force x = if t > 1.25 { 0.7 } else { -0.2 * max(dot(x), 0) };",
+        4.0,
+    ),
+    (
+        "loop",
+        "struct FourBar; coord a = 0, b = pi/3, c = 2*pi/3; start dot(a) = 30, dot(b) = -10, dot(c) = -10;
+        let x = 0.1 * cos(a) + 0.3 * cos(b) - 0.3 * cos(c) - 0.4; let y = 0.1 * sin(a) + 0.3 * sin(b) - 0.3 * sin(c);
+        kinetic = 0.01 * dot(a)^2 + 0.1 * dot(b)^2 + 0.05 * dot(c)^2; potential = 3 * sin(b) + 2 * sin(c);
+        constraint along = x; constraint across = y; output pull = along;",
+        1.0,
+    ),
+    (
+        "top",
+        "struct Top; gravity = (0, 0, -9.81); body rotor { mass: 0.5; centroid: (0, 0, 0.1); inertia: (2e-3, 2e-3, 1e-3); }
+        ball tip = ground to rotor; start tip_qw = 1, tip_qx = 0.2, tip_qy = 0, tip_qz = 0, tip_wx = 0, tip_wy = 0, tip_wz = 60;",
+        1.0,
+    ),
+    (
+        "room",
+        "struct Room; param period = 0.1; coord x = 0; state warmth = 20; discrete held = 0; mode heater = off | on;
+        kinetic = 1/2 * dot(x)^2; force x = held - x; dot(warmth) = 1 * (5 - warmth) + if heater == on { 30 } else { 0 };
+        event cold = warmth - 19, falling => { heater = on; } event warm = warmth - 21, rising => { heater = off; }
+        every period => { held = warmth - 20 - x - dot(x); }",
+        1.05,
+    ),
+    (
+        "wind",
+        "struct Wind; table gust(time) = [(0, 0), (1, 2), (1.5, -1), (3, 0.5)], interpolation: monotone, outside: clamp;
+        coord x = 0; kinetic = 1/2 * dot(x)^2; potential = 2 * x^2; force x = gust(t);",
+        2.0,
+    ),
+    (
+        "implicit",
+        "struct Implicit; coord x = 1; solve y: 0 = y^3 + y - x, start: x; kinetic = 1/2 * dot(x)^2; potential = 2 * y^2;",
+        2.0,
+    ),
+    (
+        "skate",
+        "struct Skate; coord x = 0, y = 0, phi = 0.3; start dot(phi) = 1, dot(x) = cos(0.3), dot(y) = sin(0.3);
+        kinetic = 1/2 * (dot(x)^2 + dot(y)^2) + 1/2 * dot(phi)^2; potential = 2 * y;
+        constraint edge = dot(x) * sin(phi) - dot(y) * cos(phi);",
+        2.0,
+    ),
+];
+
+/// Runs the motion of a page without a browser, and prints what it reaches.
+const RUN: &str = "
+const motion = startsMotion(model, functions);
+motion.start(model.states.map((state) => state.value), model.quantities.map((field) => field.value));
+const first = motion.energy();
+for (let k = 1; k <= 100; k++) motion.advance(k * END / 100);
+console.log(JSON.stringify([motion.t, motion.y, motion.failure]));
+";
+
+fn lagrange(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_lagrange")).args(arguments).output().expect("the command starts")
+}
+
+fn folder() -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages");
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+/// The file of a declaration, and that of its page.
+fn written(name: &str, declaration: &str) -> [String; 2] {
+    let paths = ["lag", "html"].map(|extension| folder().join(format!("{name}.{extension}")));
+    fs::write(&paths[0], declaration).expect("a file that can be written");
+    paths.map(|path| path.to_str().expect("UTF-8").to_owned())
+}
+
+fn page(name: &str, declaration: &str) -> String {
+    let [declared, page] = written(name, declaration);
+    let result = lagrange(&["page", &declared, "-o", &page]);
+    assert!(result.status.success(), "{name}: {}", String::from_utf8_lossy(&result.stderr));
+    fs::read_to_string(page).expect("a page")
+}
+
+/// What a page reaches, or nothing where there is no Node.js.
+fn run(name: &str, page: &str, end: f64) -> Option<(f64, Vec<f64>, Option<String>)> {
+    let (_, script) = page.rsplit_once("<script>").expect("a script");
+    let (motion, _) = script.split_once("// The page:").expect("the motion stands before the page");
+    let path = folder().join(format!("{name}.js"));
+    fs::write(&path, format!("{motion}{}", RUN.replace("END", &end.to_string()))).expect("written");
+    let Ok(output) = Command::new("node").arg(path).output() else {
+        eprintln!("skipped: there is no `node` to run pages");
+        return None;
+    };
+    assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    Some(serde_json::from_slice(&output.stdout).expect("what the script prints"))
+}
+
+#[test]
+fn pages_move_as_the_interpreter_does() {
+    for (name, declaration, end) in SYSTEMS {
+        let page = page(name, declaration);
+        assert!(page.len() < 100_000, "{name}: {} bytes", page.len());
+        let loads =
+            ["src=", "href=", "fetch(", "import", "url("].into_iter().find(|word| page.contains(word));
+        assert_eq!(loads, None, "{name} needs more than its file");
+        let Some((t, y, failure)) = run(name, &page, end) else { return };
+        let [declared, _] = written(name, declaration);
+        let until = end.to_string();
+        let simulated = lagrange(&["simulate", &declared, "--until", &until, "--tolerance", "1e-12"]);
+        let rows = String::from_utf8(simulated.stdout).expect("rows");
+        let last = rows.lines().last().expect("an end").split(',').map(str::parse::<f64>);
+        let last = last.collect::<Result<Vec<_>, _>>().expect("numbers");
+        assert!(
+            (t - last[0]).abs() < 1e-9 && (failure.is_some() == (name == "bounce")),
+            "{name}: {failure:?} at {t}"
+        );
+        for (found, wanted) in y.iter().zip(&last[1..]) {
+            assert!((found - wanted).abs() < 2e-7 * (1.0 + wanted.abs()), "{name}: {y:?}, not {last:?}");
+        }
+    }
+}
+
+#[test]
+fn a_page_stops_at_the_last_state_that_is_a_number() {
+    let falling = "struct Falling; coord x = 1; kinetic = 1/2 * dot(x)^2; force x = -sqrt(x) - 1;";
+    let Some((t, y, failure)) = run("falling", &page("falling", falling), 5.0) else { return };
+    let failure = failure.expect("a square root of a negative number");
+    assert!(failure.starts_with("The accelerations are no longer finite numbers"), "{failure}");
+    assert!(0.5 < t && t < 2.0 && y.iter().all(|value| value.is_finite()) && y[0].abs() < 1e-3, "{t}: {y:?}");
+}
+
+#[test]
+fn a_motion_that_slides_along_a_switch_ends_in_words() {
+    let rubbing = "struct Rubbing; coord x = 0; start dot(x) = 1; kinetic = 1/2 * dot(x)^2; force x = -2 * sign(dot(x));";
+    let Some((t, _, failure)) = run("rubbing", &page("rubbing", rubbing), 2.0) else { return };
+    let failure = failure.expect("at rest nothing determines the force");
+    assert!((t - 0.5).abs() < 1e-6 && failure.contains("slides along a switch"), "{failure} at {t}");
+}
+
+/// Bounces end at v/g (1 + e)/(1 − e) after the first fall; the ball does not fall through the
+/// floor.
+#[test]
+fn bounces_that_accumulate_end_in_words() {
+    for e in [0.0_f64, 0.05, 0.3, 0.8] {
+        let ball = format!(
+            "struct Ball; coord y = 1.1; kinetic = 1/2 * dot(y)^2; potential = 9.81 * y;
+            event floor = y - 0.1, falling => {{ dot(y) = -{e} * dot(y); }} event top = dot(y), falling => record;"
+        );
+        let Some((t, y, failure)) = run("ball", &page("ball", &ball), 30.0) else { return };
+        let (failure, end) = (failure.expect("an end"), (2.0 / 9.81_f64).sqrt() * (1.0 + e) / (1.0 - e));
+        assert!(failure.starts_with("Events follow each other without end"), "{failure}");
+        assert!((t - end).abs() < 1e-6 && (y[0] - 0.1).abs() < 1e-9, "e = {e}: {y:?} at {t}, not {end}");
+    }
+}
+
+#[test]
+fn what_pages_cannot_run_is_refused_by_name() {
+    let base = "coord x = 0; kinetic = 1/2 * dot(x)^2;";
+    for (declaration, wanted) in [
+        (format!("{base} event floor = x, falling => impact(0.5);"), "`floor`"),
+        (format!("function road(x); {base} potential = road(x);"), "`road"),
+        (format!("{base} constraint a = x; constraint b = sin(x);"), "`a`, `b`"),
+        ("coord x; kinetic = 1/2 * dot(x)^2;".to_owned(), "the start of `x` is missing"),
+    ] {
+        let [declared, _] = written("refused", &declaration);
+        let result = lagrange(&["page", &declared]);
+        let message = String::from_utf8_lossy(&result.stderr).into_owned();
+        assert!(!result.status.success() && message.contains(wanted), "{declaration}: {message}");
+        assert!(result.stdout.is_empty(), "nothing is written");
+    }
+}

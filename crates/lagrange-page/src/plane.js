@@ -1,0 +1,184 @@
+// Draws bodies, lines, connectors and joints of the plane on a canvas. `scene` has the items in order; their numbers stand one after the
+// other. Sizes that no item has are pixels. Shapes are those of films.
+function showsScene(scene) {
+  const canvas = document.getElementById("canvas");
+  const paper = canvas.getContext("2d");
+  const [INK, PALE, HATCHING, MARGIN] = ["#282828", "#828282", "#969696", 34];
+  let [numbers, window_, next] = [[], null, 0];
+  const take = (count) => numbers.slice(next, (next += count));
+
+  const turned = ([x, y], angle) => [Math.cos(angle) * x - Math.sin(angle) * y, Math.sin(angle) * x + Math.cos(angle) * y];
+  const add = (a, b) => [a[0] + b[0], a[1] + b[1]];
+  const arc = (radius, from, to, [a, b] = [radius, radius]) =>
+    Array.from({ length: 49 }, (_, k) => from + (to - from) * k / 48).map((angle) => [a * Math.cos(angle), b * Math.sin(angle)]);
+  const round = (radius) => arc(radius, 0, 2 * Math.PI);
+  // Closed lines of each outline, in its own coordinates, and the part of a radius that shows how it is turned; `half` is half the width
+  // of what has no thickness.
+  const outlines = {
+    PointMass: (half) => ({ rings: [round(half)] }),
+    SlenderRod: (half, l) => ({ rings: [[...arc(half, -Math.PI / 2, Math.PI / 2).map((p) => add(p, [l / 2, 0])), ...arc(half, Math.PI / 2, 1.5 * Math.PI).map((p) => add(p, [-l / 2, 0]))]] }),
+    Disk: (half, r) => ({ rings: [round(r)], radius: [0.4 * r, r] }),
+    Annulus: (half, inner, outer) => ({ rings: [round(outer), round(inner)], radius: [inner, outer] }),
+    Ring: (half, r) => ({ rings: [round(r + half), round(r - half)], radius: [0.8 * r, r] }),
+    Rectangle: (half, a, b) => ({ rings: [[[-a / 2, -b / 2], [a / 2, -b / 2], [a / 2, b / 2], [-a / 2, b / 2]]] }),
+    SemicircularDisk: (half, r) => ({ rings: [arc(r, 0, Math.PI)] }),
+    CircularSector: (half, r, angle) => ({ rings: [[[0, 0], ...arc(r, -angle / 2, angle / 2)]] }),
+    RightTriangle: (half, a, b) => ({ rings: [[[0, 0], [a, 0], [0, b]]] }),
+    Triangle: (half, a, b, c) => {
+      const x = (a * a + c * c - b * b) / (2 * a);
+      return { rings: [[[0, 0], [a, 0], [x, Math.sqrt(c * c - x * x)]]] };
+    },
+    Ellipse: (half, a, b) => ({ rings: [arc(a, 0, 2 * Math.PI, [a, b])] }),
+    RegularPolygon: (half, n, r) => ({ rings: [Array.from({ length: Math.round(n) }, (_, k) => turned([r, 0], 2 * Math.PI * k / n))] }),
+    Polygon: (half, ...c) => ({ rings: [Array.from({ length: c.length / 2 }, (_, k) => [c[2 * k], c[2 * k + 1]])] }),
+  };
+
+  const width = () => canvas.clientWidth;
+  const height = () => canvas.clientHeight;
+  const scale = () => Math.min((width() - 2 * MARGIN) / window_.size[0], (height() - 2 * MARGIN) / window_.size[1]);
+  const pixel = ([x, y]) => [width() / 2 + scale() * (x - window_.middle[0]), height() / 2 - scale() * (y - window_.middle[1])];
+
+  function line(points, { isClosed = false, fill = null, colour = INK, thickness = 1.5, rule = "nonzero" } = {}) {
+    paper.beginPath();
+    for (const ring of isClosed ? points : [points]) {
+      ring.forEach((point, k) => (k ? paper.lineTo(...point) : paper.moveTo(...point)));
+      if (isClosed) paper.closePath();
+    }
+    if (fill) { paper.fillStyle = fill; paper.fill(rule); }
+    paper.strokeStyle = colour;
+    paper.lineWidth = thickness;
+    paper.stroke();
+  }
+  function hatch(segments) {
+    paper.beginPath();
+    for (const [from, to] of segments) { paper.moveTo(...from); paper.lineTo(...to); }
+    paper.strokeStyle = HATCHING;
+    paper.lineWidth = 1;
+    paper.stroke();
+  }
+  const circle = (at, radius, fill, colour = INK) => line([round(radius).map((p) => add(at, p))], { isClosed: true, fill, colour });
+
+  // Each kind of item: its numbers, taken in order, as a function that draws it and places that must be seen.
+  const kinds = {
+    body({ colour, label, parts }) {
+      const [cx, cy, x, y, angle] = take(5);
+      const origin = add([x, y], turned([-cx, -cy], angle));
+      const shapes = parts.map(({ variant, count, hole }) => {
+        const dimensions = take(count);
+        const [px, py, turn] = take(3);
+        const own = (point) => add(origin, turned(add([px, py], turned(point, turn)), angle));
+        return { own, hole, shape: (half) => outlines[variant](half, ...dimensions) };
+      });
+      const draw = () => {
+        const [solid, holes] = [shapes.filter(({ hole }) => !hole), shapes.filter(({ hole }) => hole)];
+        const half = 4 / scale();
+        const rings = ({ own, shape }) => shape(half).rings.map((ring) => ring.map((point) => pixel(own(point))));
+        for (const part of solid) {
+          line([...rings(part), ...holes.flatMap(rings)], { isClosed: true, fill: colour, rule: "evenodd" });
+          const { radius } = part.shape(half);
+          if (radius) line(radius.map((r) => pixel(part.own([r, 0]))));
+        }
+        const center = pixel([x, y]);
+        if (!shapes.length) circle(center, 4, colour);
+        // A name stands in its body, or beside one that is too small.
+        const size = Math.max(0, ...solid.flatMap(({ own, shape }) => shape(half).rings.flat().map((p) => Math.hypot(...add(pixel(own(p)), center.map((c) => -c))))));
+        return { label, at: size < 16 ? add(center, [0, -size - 12]) : center };
+      };
+      const seen = shapes.flatMap(({ own, shape }) => shape(0).rings.flat().map(own));
+      return { draw, seen: [...seen, [x, y]] };
+    },
+    line() {
+      const [x, y, angle] = take(3);
+      const draw = () => {
+        const reach = 0.5 * Math.hypot(width(), height()) / scale();
+        const at = (along, aside = 0) => pixel(add([x, y], turned([along, -aside / scale()], angle)));
+        const foot = turned([window_.middle[0] - x, window_.middle[1] - y], -angle)[0];
+        line([at(foot - reach), at(foot + reach)]);
+        const gap = 9 / scale();
+        const [first, last] = [-1, 1].map((side) => Math.round((foot + side * reach) / gap));
+        hatch(Array.from({ length: last - first + 1 }, (_, k) => (first + k) * gap).map((place) => [at(place), at(place - 0.7 * gap, 7)]));
+      };
+      return { draw, seen: [[x, y]] };
+    },
+    connector({ variant, label }) {
+      const [x0, y0, x1, y1] = take(5);
+      const draw = () => {
+        const [from, to] = [pixel([x0, y0]), pixel([x1, y1])];
+        const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
+        const angle = Math.atan2(to[1] - from[1], to[0] - from[0]);
+        const at = (along, aside) => add(from, turned([along, aside], angle));
+        const middle = at(length / 2, variant.endsWith("Damper") ? 17 : -17);
+        if (variant.startsWith("Torsion")) {
+          const spiral = Array.from({ length: 60 }, (_, k) => turned([4 + 0.2 * k, 0], k / 4));
+          line(spiral.map((p) => add(from, p)), { colour: variant === "TorsionSpring" ? INK : PALE });
+        } else if (variant === "Spring") {
+          const [turns, ends] = [12, Math.min(12, 0.2 * length)];
+          const zigzag = Array.from({ length: turns }, (_, k) => at(ends + (length - 2 * ends) * (k + 0.5) / turns, k % 2 ? 7 : -7));
+          line([from, at(ends, 0), ...zigzag, at(length - ends, 0), to]);
+        } else {
+          const [start, end] = [0.35 * length, 0.65 * length];
+          line([at(end, -7), at(start, -7), at(start, 7), at(end, 7)], { colour: PALE });
+          line([from, at(start, 0)], { colour: PALE });
+          line([to, at(0.5 * length, 0)], { colour: PALE });
+          line([at(0.5 * length, -6), at(0.5 * length, 6)], { colour: PALE });
+        }
+        for (const end of [from, to]) circle(end, 2, INK);
+        return { label, at: middle };
+      };
+      return { draw, seen: [[x0, y0], [x1, y1]] };
+    },
+    joint({ variant }) {
+      const place = take(2);
+      const draw = () => {
+        const at = pixel(place);
+        if (variant === "Anchor") {
+          line([[at, add(at, [-9, 15]), add(at, [9, 15])]], { isClosed: true, fill: "#fff" });
+          hatch([-12, -6, 0, 6, 12].map((k) => [add(at, [k, 15]), add(at, [k - 5, 21])]));
+        }
+        if (variant === "Slide") line([[[-8, -5], [8, -5], [8, 5], [-8, 5]].map((p) => add(at, p))], { isClosed: true, fill: "#fff" });
+        circle(at, variant === "Roll" ? 2.5 : 4, variant === "Roll" ? INK : "#fff");
+      };
+      return { draw, seen: [place] };
+    },
+  };
+  function items(values) {
+    [numbers, next] = [values, 0];
+    return scene.items.map((item) => kinds[item.kind](item));
+  }
+  const finite = (places) => places.filter((place) => place.every(Number.isFinite));
+
+  function cover(places) {
+    const all = [...(window_ ? [0, 1].map((end) => window_.middle.map((m, k) => m + (end - 0.5) * window_.size[k])) : []), ...finite(places)];
+    const [low, high] = [Math.min, Math.max].map((f) => [0, 1].map((k) => all.reduce((best, place) => f(best, place[k]), all[0]?.[k] ?? 0)));
+    const size = [0, 1].map((k) => high[k] - low[k]);
+    const least = 0.1 * Math.max(...size) || 1;
+    window_ = { middle: [0, 1].map((k) => (low[k] + high[k]) / 2), size: size.map((s) => Math.max(s, least)) };
+  }
+  return {
+    // The window in which all of these moments can be seen; it grows with what leaves it.
+    fit(moments) {
+      window_ = null;
+      cover(moments.flatMap((values) => items(values).flatMap(({ seen }) => seen)));
+    },
+    show(values) {
+      const drawn = items(values);
+      cover(drawn.flatMap(({ seen }) => seen));
+      const ratio = devicePixelRatio;
+      const [wide, high] = [width(), height()].map((side) => Math.round(side * ratio));
+      if (canvas.width !== wide || canvas.height !== high) [canvas.width, canvas.height] = [wide, high];
+      paper.setTransform(ratio, 0, 0, ratio, 0, 0);
+      paper.clearRect(0, 0, width(), height());
+      paper.lineJoin = paper.lineCap = "round";
+      const labels = drawn.map(({ draw }) => draw()).filter((mark) => mark?.label);
+      paper.font = "italic 15px 'STIX Two Text', Cambria, 'Times New Roman', serif";
+      paper.textAlign = "center";
+      paper.lineWidth = 4;
+      paper.strokeStyle = "#fff";
+      paper.fillStyle = INK;
+      for (const { label, at } of labels) {
+        paper.strokeText(label, at[0], at[1] + 5);
+        paper.fillText(label, at[0], at[1] + 5);
+      }
+    },
+  };
+}

@@ -1,0 +1,149 @@
+//! The picture of a page, and the script that moves it.
+
+use lagrange_core::bodies::DrawnKind;
+use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
+use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::formula;
+use serde_json::{Value, json};
+
+use crate::items::{Numbers, connector};
+
+const PLANE: &str = include_str!("plane.js");
+const SPACE: &str = include_str!("space.js");
+
+/// A picture that a page moves; nothing by default.
+#[derive(Default)]
+pub(crate) struct Shown {
+    /// Elements of the picture.
+    pub(crate) elements: String,
+    /// Data for the script.
+    pub(crate) scene: Value,
+    /// The script.
+    pub(crate) viewer: String,
+    /// Rules of CSS.
+    pub(crate) style: &'static str,
+    /// Help on keys.
+    pub(crate) keys: &'static str,
+}
+
+/// Returns the picture of a system, as far as it has a drawing.
+pub(crate) fn shown(system: &NumericSystem, start: &[f64]) -> Result<Shown, DrawError> {
+    match &system.programs().drawing {
+        None => Ok(Shown::default()),
+        Some(drawing) if drawing.is_in_space => in_space(system, drawing, start),
+        Some(drawing) => Ok(in_plane(drawing)),
+    }
+}
+
+fn figure(elements: &str) -> String {
+    format!("<figure id=\"picture\">{elements}</figure>")
+}
+
+fn in_plane(drawing: &DrawnScene) -> Shown {
+    let mut bodies = 0;
+    let mut item = |item: &PlacedItem| match &item.kind {
+        DrawnKind::Body { .. } => {
+            bodies += 1;
+            let (colour, parts) = (body_colour(bodies - 1), item.parts.iter().map(part).collect::<Vec<_>>());
+            json!({ "kind": "body", "label": plain(&item.body), "colour": colour, "parts": parts })
+        }
+        DrawnKind::Line { .. } => json!({ "kind": "line" }),
+        DrawnKind::Connector { name, kind } => {
+            let label = if is_made_up(name, connector(*kind)) { String::new() } else { plain(name) };
+            json!({ "kind": "connector", "label": label, "variant": format!("{kind:?}") })
+        }
+        DrawnKind::Joint { kind, .. } => json!({ "kind": "joint", "variant": format!("{kind:?}") }),
+        kind => unreachable!("{kind:?} is not of the plane"),
+    };
+    let items = drawing.items.iter().map(&mut item).collect::<Vec<_>>();
+    Shown {
+        elements: figure("<canvas id=\"canvas\" role=\"img\" aria-label=\"Drawing of the motion\"></canvas>"),
+        scene: json!({ "items": items }),
+        viewer: PLANE.to_owned(),
+        ..Shown::default()
+    }
+}
+
+fn part(part: &PlacedPart) -> Value {
+    json!({ "variant": part.variant, "count": part.dimension_count, "hole": part.is_hole })
+}
+
+fn plain(name: &str) -> String {
+    Label::parse(&formula(name)).plain()
+}
+
+fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
+    let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
+    let values = system.evaluate(&drawing.program, 0.0, q, v);
+    let live = LiveScene::new(|visit| {
+        let mut numbers = Numbers(&values);
+        drawing.items.iter().for_each(|item| numbers.item(item, visit));
+    })?;
+    let places = Places::of(drawing);
+    let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();
+    let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();
+    Ok(Shown {
+        scene: json!({ "space": space, "things": things, "middle": live.middle, "radius": live.radius }),
+        elements: figure(&live.elements),
+        viewer: [LiveScene::VIEWER, SPACE].concat(),
+        style: LiveScene::STYLE,
+        keys: LiveScene::KEYS,
+    })
+}
+
+/// Places at which the numbers of items begin, by kind.
+#[derive(Default)]
+struct Places {
+    /// Bodies and frames, and true for a frame.
+    bodies: Vec<(usize, bool)>,
+    connectors: Vec<usize>,
+    joints: Vec<usize>,
+}
+
+impl Places {
+    fn of(drawing: &DrawnScene) -> Places {
+        let mut places = Places::default();
+        let mut at = 0;
+        for item in &drawing.items {
+            at += match item.kind {
+                DrawnKind::Body { .. } => {
+                    places.bodies.push((at, false));
+                    15 + item.parts.iter().map(|part| part.dimension_count + 12).sum::<usize>()
+                }
+                DrawnKind::Frame { .. } => {
+                    places.bodies.push((at, true));
+                    12
+                }
+                DrawnKind::Connector { .. } => {
+                    places.connectors.push(at);
+                    7
+                }
+                _ => {
+                    places.joints.push(at);
+                    6
+                }
+            };
+        }
+        places
+    }
+
+    fn thing(&self, mesh: LiveMesh) -> Value {
+        match mesh {
+            LiveMesh::Body(index) => self.body(index),
+            LiveMesh::Connector(index, lane) => {
+                json!({ "kind": "connector", "at": self.connectors[index], "lane": lane })
+            }
+            LiveMesh::Joint(index) => json!({ "kind": "joint", "at": self.joints[index] }),
+            LiveMesh::Rod(index, outer) => {
+                let outer = outer.map(|body| self.body(body));
+                json!({ "kind": "rod", "at": self.joints[index], "outer": outer })
+            }
+        }
+    }
+
+    fn body(&self, index: usize) -> Value {
+        let (at, is_frame) = self.bodies[index];
+        json!({ "kind": if is_frame { "frame" } else { "body" }, "at": at })
+    }
+}

@@ -1,0 +1,85 @@
+// Shows meshes of films where a motion has them. Of a thing, `scene.things` says which numbers place it; all lengths are divided by the
+// radius of the ball that holds what has been seen, and the ball grows with what leaves it.
+function showsScene(scene) {
+  const { space, things, middle: about } = scene;
+  // The viewer of films knows them as one.
+  Object.assign(film, { space });
+  let [ball, show] = [null, null];
+  const subtract = (a, b) => a.map((value, k) => value - b[k]);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const unit = (a) => { const size = Math.hypot(...a); return size > 0 ? a.map((value) => value / size) : null; };
+  // Columns of a rotation whose third is a direction: T. Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6 (2017).
+  function along([x, y, z]) {
+    const sign = z < 0 || Object.is(z, -0) ? -1 : 1;
+    const [a, b] = [-1 / (sign + z), -x * y / (sign + z)];
+    return [1 + sign * x * x * a, sign * b, -sign * x, b, sign + y * y * a, -y, x, y, z];
+  }
+  // The same with the first column near one before, so that nothing spins.
+  function near(before, third) {
+    const first = before && unit(subtract(before.slice(0, 3), third.map((value) => value * before.slice(0, 3).reduce((sum, b, k) => sum + b * third[k], 0))));
+    return first ? [...first, ...cross(third, first), ...third] : along(third);
+  }
+  const last = things.map(() => null);
+  function spanned(k, from, to) {
+    const way = subtract(to, from);
+    const third = unit(way);
+    if (third) last[k] = near(last[k], third);
+    return { origin: from, turn: last[k] ?? [1, 0, 0, 0, 1, 0, 0, 0, 1], stretch: Math.hypot(...way) };
+  }
+  const columns = (rows) => [0, 1, 2].flatMap((column) => [0, 1, 2].map((row) => rows[3 * row + column]));
+  function body(numbers) {
+    const [centroid, center, rotation] = [numbers.slice(0, 3), numbers.slice(3, 6), numbers.slice(6, 15)];
+    const origin = center.map((value, row) => value - centroid.reduce((sum, c, k) => sum + rotation[3 * row + k] * c, 0));
+    return { origin, turn: columns(rotation), stretch: 0 };
+  }
+  const poses = {
+    body: (numbers) => body(numbers),
+    frame: (numbers) => ({ origin: numbers.slice(9, 12), turn: columns(numbers), stretch: 0 }),
+    connector: (numbers, k, { lane }) => {
+      const pose = spanned(k, numbers.slice(0, 3), numbers.slice(3, 6));
+      return { ...pose, origin: pose.origin.map((value, row) => value + lane * pose.turn[row]) };
+    },
+    joint: (numbers) => ({ origin: numbers.slice(0, 3), turn: along(unit(numbers.slice(3, 6)) ?? [0, 0, 1]), stretch: 0 }),
+    rod: (numbers, k, { outer }, all) => {
+      const from = numbers.slice(0, 3);
+      return spanned(k, from, outer ? poses[outer.kind](all.slice(outer.at)).origin : from);
+    },
+  };
+  const posesOf = (values) => things.map((thing, k) => poses[thing.kind](values.slice(thing.at), k, thing, values));
+  // In the page's own lengths, which are those of the first radius over that of the ball.
+  const inBall = ({ origin, turn, stretch }) => ({
+    origin: subtract(origin, ball.middle).map((value) => value / ball.radius), turn, stretch: stretch / ball.radius, scale: scene.radius / ball.radius,
+  });
+  const corners = space.meshes.map(cornersOf);
+  const reach = space.things.map(({ mesh }) => Math.max(0, ...corners[mesh].map((corner) => Math.hypot(...corner.slice(0, 3)))) * scene.radius);
+  function grow(all) {
+    for (const pose of all) {
+      pose.forEach(({ origin, turn, stretch }, k) => {
+        const ends = [origin, origin.map((value, row) => value + stretch * turn[6 + row])];
+        for (const end of ends.filter((place) => place.every(Number.isFinite))) {
+          ball.radius = Math.max(ball.radius, Math.hypot(...subtract(end, ball.middle)) + reach[k]);
+        }
+      });
+    }
+  }
+  return {
+    fit(moments) {
+      ball = { middle: about, radius: 1e-9 };
+      last.fill(null);
+      const all = moments.map(posesOf);
+      last.fill(null);
+      grow(all);
+      if (show) return;
+      // What is seen at first decides how large everything is.
+      space.poses = all.map((poses) => poses.map(inBall));
+      film.times = space.poses.map((_, k) => k);
+      show = viewer();
+    },
+    show(values) {
+      const pose = posesOf(values);
+      grow([pose]);
+      space.poses = [pose.map(inBall)];
+      show(0, 0);
+    },
+  };
+}

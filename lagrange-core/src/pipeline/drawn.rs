@@ -1,0 +1,77 @@
+//! Items to draw as plain data, and the expressions that place them.
+
+use crate::model::{BodyMotion, DrawnItem, OutlinedPart, Scene};
+use lagrange_algebra::program::Program;
+use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies::DrawnKind;
+
+/// All that is drawn of a system but loads: bodies, frames, lines, connectors and joints.
+#[derive(Clone, Debug)]
+pub struct DrawnScene {
+    /// True if vectors have three components.
+    pub is_in_space: bool,
+    /// Items in the order in which they are drawn.
+    pub items: Vec<PlacedItem>,
+    /// The numbers of all items, one after the other.
+    pub program: Program,
+}
+
+/// An item, whose numbers are those of its kind.
+///
+/// Those of a body are its centroid in its own coordinates, its centre, and its angle or, in space,
+/// its rotation in rows. The numbers of its parts follow: dimensions, place, and angle or rotation.
+#[derive(Clone, Debug)]
+pub struct PlacedItem {
+    /// Kind of the item.
+    pub kind: DrawnKind,
+    /// The name of a body; empty for other items, whose kinds hold it.
+    pub body: String,
+    /// The parts of a body's shape.
+    pub parts: Vec<PlacedPart>,
+}
+
+/// A part of a body's shape.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PlacedPart {
+    /// A variant of `lagrange::scene::Outline`, in space of `lagrange::scene::Solid`.
+    pub variant: &'static str,
+    /// True if the dimensions are corners, of which each takes two places.
+    pub has_corners: bool,
+    /// Number of values that are dimensions.
+    pub dimension_count: usize,
+    /// True if it is cut out.
+    pub is_hole: bool,
+}
+
+/// Returns the items of a scene that are no loads, and their expressions.
+pub(super) fn placed_items(scene: &Scene, is_in_space: bool) -> (Vec<PlacedItem>, Vec<ExprId>) {
+    let is_load = |item: &&DrawnItem| {
+        use DrawnKind::{Force, Moment, Omitted, Torque};
+        matches!(item.kind, Force { .. } | Moment { .. } | Torque { .. } | Omitted { .. })
+    };
+    let (mut items, mut roots) = (Vec::new(), Vec::new());
+    for item in scene.drawing.iter().filter(|item| !is_load(item)) {
+        let motion = match item.kind {
+            DrawnKind::Body { body, .. } => scene.motions.get(body),
+            _ => None,
+        };
+        roots.extend(motion.into_iter().flat_map(|motion| pose(motion, is_in_space)));
+        roots.extend(&item.values);
+        roots.extend(item.parts.iter().flat_map(|part| &part.values));
+        let body = motion.map(|motion| motion.body.text.clone()).unwrap_or_default();
+        let parts = item.parts.iter().map(placed_part).collect();
+        items.push(PlacedItem { kind: item.kind.clone(), body, parts });
+    }
+    (items, roots)
+}
+
+/// Centroid, centre, and angle or rotation of a body.
+fn pose(motion: &BodyMotion, is_in_space: bool) -> &[ExprId] {
+    // Mass and moment of inertia are before, rates behind.
+    &motion.values[if is_in_space { 10..25 } else { 2..7 }]
+}
+
+fn placed_part(part: &OutlinedPart) -> PlacedPart {
+    let &OutlinedPart { variant, has_corners, dimension_count, is_hole, .. } = part;
+    PlacedPart { variant, has_corners, dimension_count, is_hole }
+}
