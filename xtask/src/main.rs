@@ -101,8 +101,8 @@ fn check(root: &Path) -> ExitCode {
 fn steps() -> Vec<Step> {
     let mut steps = vec![
         Step::new("formatting", "fmt --all --check"),
-        // All targets: benchmarks, too, are compiled as far as lints go. What adapters adapt to takes longest
-        // to compile, and is compiled below.
+        // All targets: benchmarks, too, are compiled as far as lints go. What adapters adapt to
+        // takes longest to compile, and is compiled below.
         Step::new(
             "lints",
             "clippy --workspace --exclude lagrange-adapters-tests --all-targets --all-features -- -D warnings",
