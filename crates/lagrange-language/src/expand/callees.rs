@@ -48,12 +48,13 @@ impl Copier<'_> {
         }
     }
 
-    /// The function behind indices. An array that is called as a whole, and values that are called,
-    /// are reported.
+    /// The function behind indices. An array of functions that is called as a whole, and values
+    /// that are called, are reported. Without an index, a name may be that of a method, as in
+    /// `box.corner(0)`.
     fn element_called(&mut self, call: AstId, callee: Segment, scope: ScopeId) -> String {
         let has_values = self.elements.rank_of_values(&callee.text).is_some();
         let (message, help) = match callee.indices.is_empty() {
-            true if has_values || !self.elements.is_array(&callee.text) => return callee.text,
+            true if !self.elements.is_callable(&callee.text) => return callee.text,
             true => (
                 messages::no_index(&callee.text),
                 messages::written_help(self.elements.example(&callee.text)),

@@ -209,8 +209,9 @@ impl Collector<'_, '_> {
             let (rank, elements) = (indices.len(), BTreeMap::new());
             let member_of = scopes.around(scope).map(|part| [part.interior.name.text.clone(), own]);
             let written = written.clone();
-            let has_values = kind.declares_values();
-            let new = Array { name: of_array, written, member_of, sizes, rank, has_values, elements };
+            let (has_values, is_callable) = (kind.declares_values(), kind.declares_callables());
+            let new =
+                Array { name: of_array, written, member_of, sizes, rank, has_values, is_callable, elements };
             self.elements.arrays.insert(array.clone(), new);
         }
         let Some(known) = self.elements.arrays.get_mut(&array) else { return false };

@@ -48,6 +48,8 @@ pub(super) struct Array {
     pub(super) rank: usize,
     /// True if its elements have values.
     pub(super) has_values: bool,
+    /// True if elements can be called.
+    pub(super) is_callable: bool,
     /// Places of elements, by their indices, with what they are called.
     pub(super) elements: BTreeMap<Vec<i64>, (Span, String)>,
 }
@@ -72,6 +74,11 @@ impl ElementNames {
     /// True if a name is that of an array.
     pub(super) fn is_array(&self, name: &str) -> bool {
         self.arrays.get(&name.to_owned()).is_some()
+    }
+
+    /// True if a name is that of an array whose elements can be called.
+    pub(super) fn is_callable(&self, name: &str) -> bool {
+        self.arrays.get(&name.to_owned()).is_some_and(|array| array.is_callable)
     }
 
     /// Returns the name of an element.

@@ -56,3 +56,14 @@ fn mistakes_in_calls_of_elements_are_reported() {
         assert_eq!(found.matches("error at").count(), 1, "{text}\n{found}");
     }
 }
+
+/// Names of methods belong to no array, though contacts make one of that name.
+#[test]
+fn an_array_may_be_called_like_a_method() {
+    let text = "gravity = (0, 0, -9.81); body case { mass: 2; shape: cuboid(0.4, 0.4, 0.4); } free case;";
+    for contact in
+        ["contact corner = case.corners on ground {}", "contact corner[4] = case.corners on ground {}"]
+    {
+        assert_eq!(reported(&format!("{text} {contact}")), "", "{contact}");
+    }
+}

@@ -449,6 +449,11 @@ impl StatementKind {
         }
     }
 
+    /// True if names that it declares can be called.
+    pub fn declares_callables(&self) -> bool {
+        matches!(self, StatementKind::Function(_) | StatementKind::External(_) | StatementKind::Table(_))
+    }
+
     /// True if names that it declares in a loop, without indices, are those of one iteration.
     pub fn is_local_in_loops(&self) -> bool {
         matches!(
