@@ -42,7 +42,7 @@ pub enum AnalysisError {
     WithoutDerivatives,
     /// The search came to no end.
     Search {
-        /// What is left, by name.
+        /// The equation that is left, by name, and the place where the search stopped.
         message: String,
         /// The state at which it stopped.
         state: Vec<f64>,

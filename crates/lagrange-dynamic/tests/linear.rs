@@ -1,5 +1,5 @@
-//! Equilibria and linear models of declarations that take both ways: compiled by the macro, and read
-//! as text. They must be the same, bit by bit.
+//! Equilibria and linear models of declarations that take both ways: compiled by the macro, and
+//! read as text. They must be the same, bit by bit.
 
 use lagrange::linear::{LinearModel, Linearise};
 use lagrange_core::derive::StrategyChoice;

@@ -24,7 +24,7 @@ use crate::simulation::{DrivenRun, FreeRun};
 pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
-    /// The same with its system matrix, once it was wanted.
+    /// The same with its system matrix, from the first search or linearisation on.
     linearised: Arc<OnceLock<DeclaredSystem>>,
 }
 

@@ -80,8 +80,8 @@ pub struct Programs {
     /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
     /// the system matrix is requested.
     pub linearised: Option<Program>,
-    /// The system matrix [A B; C D; G 0] in rows, if it is requested: derivatives by displacements,
-    /// first-order states, velocities and inputs of their rates, outputs and constraint velocities.
+    /// The system matrix [A B; C D; G 0] in rows, if it is requested. Columns are those of
+    /// displacements, first-order states, velocities and inputs.
     pub system_matrix: Option<Program>,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
