@@ -31,6 +31,11 @@ class DeclarationError(ValueError):
     column: int | None
     help: str | None
 
+class EquilibriumError(RuntimeError):
+    """A search that found no equilibrium, with the state at which it stopped."""
+
+    state: Array
+
 class SimulationError(RuntimeError):
     """A motion that failed, with what it reached."""
 
@@ -92,12 +97,102 @@ class System:
         returns the inputs at a time and a state. What it raises is raised here. Without it, other
         threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
+    def equilibrium(
+        self,
+        near: State | dict[str, float] | None = None,
+        *,
+        hold: Sequence[str] = (),
+        trim: Sequence[str] = (),
+        time: float = 0.0,
+    ) -> Equilibrium:
+        """Searches for an equilibrium near a state, or for a steady motion with its velocities.
+
+        Coordinates and states of `hold` keep their values, and inputs of `trim` are unknowns, too.
+        Constraints hold. Raises `EquilibriumError` where Newton's method stops.
+        """
+    def linearise(self, state: State | dict[str, float] | None = None, *, time: float = 0.0) -> LinearModel:
+        """Linearises the equations of motion and the outputs at a state, by exact derivatives.
+
+        Raises `ValueError` where they have a corner, or the state violates constraints.
+        """
     def equations(self) -> str:
         """Returns the equations as text."""
     def latex(self) -> str:
         """Returns the equations of motion as LaTeX, which Jupyter shows for the system."""
     def c(self) -> tuple[str, str]:
         """Returns a module of C: header and source."""
+
+class Equilibrium:
+    """An equilibrium or a steady motion."""
+
+    @property
+    def state(self) -> Array:
+        """The state, with the velocities that were given."""
+    @property
+    def inputs(self) -> dict[str, float]:
+        """All inputs by name, for `System.with_parameters`; empty if none were trimmed."""
+    @property
+    def iterations(self) -> int:
+        """Number of steps."""
+    @property
+    def freedom(self) -> int:
+        """Number of directions in which other equilibria adjoin this one: 0 if it is isolated."""
+
+class LinearModel:
+    """A linear model x' = A x + B u, y = C x + D u, as `scipy.signal.StateSpace` takes it.
+
+    States are deviations of positions, first-order states and velocities, without those that
+    follow from constraints.
+    """
+
+    @property
+    def a(self) -> Array:
+        """A, of shape (states, states)."""
+    @property
+    def b(self) -> Array:
+        """B, of shape (states, inputs)."""
+    @property
+    def c(self) -> Array:
+        """C, of shape (outputs, states)."""
+    @property
+    def d(self) -> Array:
+        """D, of shape (outputs, inputs)."""
+    @property
+    def states(self) -> list[str]:
+        """Names of the states."""
+    @property
+    def inputs(self) -> list[str]:
+        """Names of the inputs."""
+    @property
+    def outputs(self) -> list[str]:
+        """Names of the outputs' columns."""
+    def modes(self) -> list[Mode]:
+        """Computes the modes, one for each pair of conjugate eigenvalues."""
+    @property
+    def is_stable(self) -> bool | None:
+        """True if deviations decay, false if some grow, `None` where nonlinear terms decide."""
+    def lqr(self, q: Array | Sequence[Sequence[float]], r: Array | Sequence[Sequence[float]]) -> Array:
+        """Computes the gain K of the feedback u = -K x that minimises the integral of
+        x'Qx + u'Ru. Raises `ValueError` if no feedback stabilises the system."""
+
+class Mode:
+    """A mode of a linear model."""
+
+    @property
+    def eigenvalue(self) -> complex:
+        """The eigenvalue in 1/s, with an imaginary part that is not negative."""
+    @property
+    def natural_frequency(self) -> float:
+        """Magnitude of the eigenvalue, in rad/s."""
+    @property
+    def frequency(self) -> float:
+        """Oscillations in a unit of time, in Hz."""
+    @property
+    def damping_ratio(self) -> float:
+        """Damping ratio: 1 and more if it does not oscillate, negative if it grows."""
+    @property
+    def shape(self) -> dict[str, complex]:
+        """Complex amplitudes of displacements, states and velocities."""
 
 class Trajectory:
     """A motion: columns by name, and events."""

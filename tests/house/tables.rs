@@ -136,18 +136,27 @@ const DYNAMIC: &[Layer] = &[
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
-    Layer { modules: &["motion"], purpose: "differential equations, events and sides of switches" },
+    Layer {
+        modules: &["linearised", "motion"],
+        purpose: "derivatives for linear models; differential equations, events and sides of switches",
+    },
     Layer {
         modules: &["declared"],
         purpose: "systems with values for their parameters, visited in some room",
     },
-    Layer { modules: &["method"], purpose: "methods of integration by name" },
+    Layer {
+        modules: &["analysis", "method"],
+        purpose: "equilibria and linear models; methods of integration by name",
+    },
     Layer { modules: &["run"], purpose: "settings of runs" },
 ];
 
 const PYTHON: &[Layer] = &[
     Layer { modules: &["error", "motion"], purpose: "exceptions; motions by column" },
-    Layer { modules: &["simulation"], purpose: "runs, with inputs by functions of Python" },
+    Layer {
+        modules: &["linear", "simulation"],
+        purpose: "equilibria and linear models; runs, with inputs by functions of Python",
+    },
     Layer { modules: &["system"], purpose: "declared systems" },
 ];
 

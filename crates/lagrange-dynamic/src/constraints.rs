@@ -54,7 +54,7 @@ impl<const CAPACITY: usize> ConstrainedSystem for DynamicSystem<CAPACITY> {
     const CONSTRAINTS: &'static [&'static str] = &[];
 
     fn constraint_names(&self) -> &'static [&'static str] {
-        self.names.constraints
+        self.names.layout.constraints
     }
 
     fn multipliers(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Inline<CAPACITY> {

@@ -39,7 +39,7 @@ impl DeclaredSystem {
     /// If it holds what only compiled code can run.
     pub fn new(programs: Programs) -> Result<Self, Refusal> {
         check(&programs)?;
-        let names = names_of(&programs.variables, &programs.unknowns);
+        let names = names_of(&programs);
         Ok(DeclaredSystem { numeric: NumericSystem::of(Arc::new(programs)), names })
     }
 

@@ -41,9 +41,11 @@
 //! Users of the macro do not compile this crate.
 #![forbid(unsafe_code)]
 
+mod analysis;
 mod constraints;
 mod declared;
 mod inline;
+mod linearised;
 mod mechanics;
 mod method;
 mod motion;
@@ -53,6 +55,7 @@ mod run;
 mod source;
 mod system;
 
+pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
 pub use inline::{Inline, Rows};
 pub use method::{MethodChoice, MethodError};

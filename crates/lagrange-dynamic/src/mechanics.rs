@@ -87,7 +87,7 @@ impl<const CAPACITY: usize> ControlledSystem for DynamicSystem<CAPACITY> {
     const INPUTS: &'static [&'static str] = &[];
 
     fn input_names(&self) -> &'static [&'static str] {
-        &self.names.fields[self.programs().layout.parameters..]
+        self.names.layout.inputs
     }
 
     fn inputs(&self) -> Inline<CAPACITY> {
@@ -112,7 +112,7 @@ impl<const CAPACITY: usize> OutputSystem for DynamicSystem<CAPACITY> {
     const OUTPUTS: &'static [&'static str] = &[];
 
     fn output_names(&self) -> &'static [&'static str] {
-        self.names.outputs
+        self.names.layout.outputs
     }
 
     fn outputs(&self, t: f64, q: &Inline<CAPACITY>, v: &Inline<CAPACITY>) -> Vec<f64> {

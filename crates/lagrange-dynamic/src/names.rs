@@ -6,10 +6,10 @@
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-use lagrange_core::emit::Variables;
+use lagrange_core::pipeline::Programs;
 use lagrange_core::syntax::ast;
 use lagrange_runtime::event::{DeclaredEvent, Direction};
-use lagrange_runtime::system::Description;
+use lagrange_runtime::system::{Description, MatrixLayout};
 
 type Texts = &'static [&'static str];
 
@@ -20,24 +20,26 @@ pub(crate) struct Names {
     pub(crate) description: Description,
     /// Parameters, then inputs.
     pub(crate) fields: Texts,
-    pub(crate) constraints: Texts,
+    /// Inputs, columns of outputs, constraints.
+    pub(crate) layout: MatrixLayout,
     /// Declared events, then those of switches.
     pub(crate) events: &'static [DeclaredEvent],
-    /// Columns of outputs.
-    pub(crate) outputs: Texts,
     /// Algebraic unknowns.
     pub(crate) unknowns: Texts,
 }
 
-/// Returns the names of a system with these variables and algebraic unknowns.
-pub(crate) fn names_of(variables: &Variables, unknowns: &[String]) -> &'static Names {
+/// Returns the names of a system.
+pub(crate) fn names_of(programs: &Programs) -> &'static Names {
     static KNOWN: Mutex<Option<HashMap<String, &'static Names>>> = Mutex::new(None);
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
     let known = known.get_or_insert_default();
-    known.entry(format!("{variables:?}{unknowns:?}")).or_insert_with(|| kept(variables, unknowns))
+    let Programs { variables, layout, are_holonomic, unknowns, .. } = programs;
+    let all = format!("{variables:?}{layout:?}{are_holonomic:?}{unknowns:?}");
+    known.entry(all).or_insert_with(|| kept(programs))
 }
 
-fn kept(variables: &Variables, unknowns: &[String]) -> &'static Names {
+fn kept(programs: &Programs) -> &'static Names {
+    let variables = &programs.variables;
     let units = variables.units.iter().map(|(name, unit)| (text(name), text(unit))).collect::<Vec<_>>();
     let declared = variables
         .events
@@ -52,13 +54,19 @@ fn kept(variables: &Variables, unknowns: &[String]) -> &'static Names {
         units: Vec::leak(units),
         quaternions: Vec::leak(variables.quaternions.clone()),
     };
+    let fields = texts(&variables.fields);
+    let layout = MatrixLayout {
+        inputs: &fields[programs.layout.parameters..],
+        outputs: texts(&variables.outputs.concat()),
+        constraints: texts(&variables.constraints),
+        are_holonomic: Vec::leak(programs.are_holonomic.clone()),
+    };
     Box::leak(Box::new(Names {
         description,
-        fields: texts(&variables.fields),
-        constraints: texts(&variables.constraints),
+        fields,
+        layout,
         events: Vec::leak(declared.chain(sides).collect()),
-        outputs: texts(&variables.outputs.concat()),
-        unknowns: texts(unknowns),
+        unknowns: texts(&programs.unknowns),
     }))
 }
 

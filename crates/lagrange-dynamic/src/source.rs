@@ -40,13 +40,14 @@ impl Source {
         self.parsed(&without_macro(&self.text))
     }
 
-    /// Parses and checks the declaration, and requests its drawing if there is anything to draw.
+    /// Parses and checks the declaration, and requests one more product of it, such as `drawing`,
+    /// if it can have that.
     ///
     /// # Errors
     /// All mistakes in it and in its tables.
-    pub fn drawn_system(&self) -> Result<System, Report> {
-        let drawn = format!("{}\nemit {{ drawing }}", without_macro(&self.text));
-        self.parsed(&drawn).or_else(|_| self.system())
+    pub fn system_with(&self, product: &str) -> Result<System, Report> {
+        let longer = format!("{}\nemit {{ {product} }}", without_macro(&self.text));
+        self.parsed(&longer).or_else(|_| self.system())
     }
 
     fn parsed(&self, text: &str) -> Result<System, Report> {

@@ -39,7 +39,7 @@ impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
 
     /// True if outputs are declared.
     pub fn has_outputs(&self) -> bool {
-        !self.names.outputs.is_empty()
+        !self.names.layout.outputs.is_empty()
     }
 
     /// Runs a program at a state.

@@ -5,6 +5,7 @@
 #![forbid(unsafe_code)]
 
 mod error;
+mod linear;
 mod motion;
 mod simulation;
 mod system;
@@ -17,6 +18,10 @@ use pyo3::{Bound, PyResult, pymodule};
 fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
     module.add_class::<motion::PyTrajectory>()?;
+    module.add_class::<linear::PyEquilibrium>()?;
+    module.add_class::<linear::PyLinearModel>()?;
+    module.add_class::<linear::PyMode>()?;
     module.add("DeclarationError", module.py().get_type::<error::DeclarationError>())?;
+    module.add("EquilibriumError", module.py().get_type::<error::EquilibriumError>())?;
     module.add("SimulationError", module.py().get_type::<error::SimulationError>())
 }

@@ -1,18 +1,21 @@
 //! Declared systems.
 
 use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
 
 use lagrange_c::Module;
 use lagrange_core::derive::StrategyChoice;
+use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
-use lagrange_core::pipeline::{Derived, Programs};
-use lagrange_dynamic::{DeclaredSystem, MethodChoice, RunSettings, Source};
+use lagrange_core::pipeline::{Derived, Programs, System};
+use lagrange_dynamic::{DeclaredSystem, MethodChoice, RunSettings, SearchSettings, Source};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
 
 use crate::error::declaration_error;
+use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::simulation::{DrivenRun, FreeRun};
 
@@ -21,6 +24,8 @@ use crate::simulation::{DrivenRun, FreeRun};
 pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
+    /// The same with its system matrix, from the first search or linearisation on.
+    linearised: Arc<OnceLock<DeclaredSystem>>,
 }
 
 #[pymethods]
@@ -52,7 +57,7 @@ impl PySystem {
         for (name, value) in pairs(values)? {
             declared.set(&name, value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
         }
-        Ok(PySystem { source: self.source.clone(), declared })
+        Ok(PySystem { declared, source: self.source.clone(), linearised: self.linearised.clone() })
     }
 
     #[getter]
@@ -159,6 +164,29 @@ impl PySystem {
         }
     }
 
+    #[pyo3(signature = (near=None, *, hold=Vec::new(), trim=Vec::new(), time=0.0))]
+    fn equilibrium(
+        &self,
+        py: Python<'_>,
+        near: Option<&Bound<'_, PyAny>>,
+        hold: Vec<String>,
+        trim: Vec<String>,
+        time: f64,
+    ) -> PyResult<PyEquilibrium> {
+        let settings = SearchSettings { time, near: self.state(near)?, hold, trim };
+        PyEquilibrium::search(py, &self.with_derivatives(py)?, settings)
+    }
+
+    #[pyo3(signature = (state=None, *, time=0.0))]
+    fn linearise(
+        &self,
+        py: Python<'_>,
+        state: Option<&Bound<'_, PyAny>>,
+        time: f64,
+    ) -> PyResult<PyLinearModel> {
+        PyLinearModel::new(py, &self.with_derivatives(py)?, time, &self.state(state)?)
+    }
+
     fn equations(&self, py: Python<'_>) -> PyResult<String> {
         Ok(self.derived(py)?.documentation().join("\n"))
     }
@@ -186,14 +214,28 @@ impl PySystem {
 
 impl PySystem {
     fn of(py: Python<'_>, source: Source) -> PyResult<Self> {
-        let derived = derive(py, &source)?;
-        let declared = DeclaredSystem::new(Programs::new(&derived));
-        let declared = declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))?;
-        Ok(PySystem { source, declared })
+        let declared = runnable(&derive(py, source.system())?)?;
+        Ok(PySystem { source, declared, linearised: Arc::default() })
+    }
+
+    /// The system with its system matrix, which is derived the first time.
+    fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
+        self.check_values()?;
+        let mut system = match self.linearised.get() {
+            Some(known) => known.clone(),
+            None => {
+                let found = runnable(&derive(py, self.source.system_with("system_matrix"))?)?;
+                self.linearised.get_or_init(|| found).clone()
+            }
+        };
+        for (name, value) in self.declared.variables().fields.iter().zip(self.declared.numeric().fields()) {
+            system.set(name, *value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
+        }
+        Ok(system)
     }
 
     fn derived(&self, py: Python<'_>) -> PyResult<Derived> {
-        derive(py, &self.source)
+        derive(py, self.source.system())
     }
 
     fn start_of(&self, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
@@ -246,9 +288,14 @@ impl PySystem {
     }
 }
 
-fn derive(py: Python<'_>, source: &Source) -> PyResult<Derived> {
-    let derived = source.system().and_then(|system| system.derive(StrategyChoice::Cheapest));
+fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
+    let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
     derived.map_err(|report| declaration_error(py, &report))
+}
+
+fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
+    let declared = DeclaredSystem::new(Programs::new(derived));
+    declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
 }
 
 fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {

@@ -201,3 +201,63 @@ def test_threads_run_side_by_side():
         thread.join()
     for index, end in enumerate(ends):
         np.testing.assert_array_equal(end, system.simulate({"theta1": 1 + 0.1 * index}, until=20).y[-1])
+
+
+PUSHED_CART = """
+param M: kg = 1, m: kg = 0.2, l: m = 0.5, g: m/s^2 = 9.81;
+coord x: m, theta: rad = 3;
+input u: N = 0;
+let p = (x + l * sin(theta), -l * cos(theta));
+kinetic = 1/2 * M * dot(x)^2 + kinetic_energy(m, dot(p));
+potential = m * g * p.y;
+force x = u;
+output tip: m = p.x;
+"""
+
+
+def test_linear_models_are_those_by_hand():
+    system = lagrange.System(PUSHED_CART)
+    upright = system.equilibrium({"x": 0.5}, hold=["x"])
+    np.testing.assert_allclose(upright.state, [0.5, np.pi, 0, 0], atol=1e-12)
+    assert upright.inputs == {} and upright.freedom == 0 and upright.iterations > 0
+    model = system.linearise(upright.state)
+    assert model.states == ["x", "theta", "x_dot", "theta_dot"] and model.inputs == ["u"]
+    heavy, light, length, g = 1, 0.2, 0.5, 9.81
+    a = np.zeros((4, 4))
+    a[0, 2] = a[1, 3] = 1
+    a[2, 1], a[3, 1] = light * g / heavy, (heavy + light) * g / (heavy * length)
+    np.testing.assert_allclose(model.a, a, atol=1e-12)
+    np.testing.assert_allclose(model.b[:, 0], [0, 0, 1 / heavy, 1 / (heavy * length)], atol=1e-12)
+    np.testing.assert_allclose(model.c, [[1, -length, 0, 0]], atol=1e-12)
+    assert model.d.shape == (1, 1) and model.is_stable is False
+    grows = max(mode.eigenvalue.real for mode in model.modes())
+    assert abs(grows - np.sqrt(a[3, 1])) < 1e-12
+
+
+def test_regulators_are_those_of_scipy():
+    linalg = pytest.importorskip("scipy.linalg")
+    model = lagrange.System(PUSHED_CART).linearise({"theta": np.pi})
+    q, r = np.diag([1.0, 2, 3, 4]), np.array([[0.5]])
+    gain = model.lqr(q, r)
+    solution = linalg.solve_continuous_are(model.a, model.b, q, r)
+    np.testing.assert_allclose(gain, np.linalg.solve(r, model.b.T @ solution), rtol=1e-8)
+    assert np.linalg.eigvals(model.a - model.b @ gain).real.max() < 0
+    with pytest.raises(ValueError, match="q"):
+        model.lqr([[1.0], [2.0, 3.0]], r)
+
+
+def test_equilibria_follow_parameters_and_trim_inputs():
+    text = "param m = 1, l = 1, g = 9.81; coord a; input u = 0; kinetic = 1/2*m*(l*dot(a))^2;"
+    text += "potential = -m*g*l*cos(a); force a = u;"
+    arm = lagrange.System(text)
+    held = arm.equilibrium({"a": 0.3}, hold=["a"], trim=["u"])
+    assert abs(held.inputs["u"] - 9.81 * np.sin(0.3)) < 1e-12
+    heavier = arm.with_parameters(m=2.0).equilibrium({"a": 0.3}, hold=["a"], trim=["u"])
+    assert abs(heavier.inputs["u"] - 2 * 9.81 * np.sin(0.3)) < 1e-12
+    mode = arm.linearise([0.0, 0.0]).modes()[0]
+    assert abs(mode.natural_frequency - np.sqrt(9.81)) < 1e-12 and set(mode.shape) == {"a", "a_dot"}
+    with pytest.raises(lagrange.EquilibriumError, match="`b` is not among") as raised:
+        arm.equilibrium({"a": 0.3}, hold=["b"])
+    assert raised.value.state[0] == 0.3
+    with pytest.raises(lagrange.EquilibriumError, match="remains"):
+        lagrange.System("coord x = 0; kinetic = dot(x)^2; potential = -x;").equilibrium()

@@ -9,7 +9,7 @@ use super::drawn::{DrawnScene, placed_items};
 use super::phases::DerivedPart;
 use super::system::Derived;
 use crate::derive::Equations;
-use crate::emit::{NamedRoots, Variables, by_state, by_state_and_inputs, on_sides, variables};
+use crate::emit::{NamedRoots, Variables, by_state, by_state_and_inputs, on_sides, system_matrix, variables};
 use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Speed};
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::{Labels, NewtonProgram, Op, Program, lower, optimise};
@@ -80,6 +80,9 @@ pub struct Programs {
     /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
     /// the system matrix is requested.
     pub linearised: Option<Program>,
+    /// The system matrix [A B; C D; G 0] in rows, if it is requested. Columns are those of
+    /// displacements, first-order states, velocities and inputs.
+    pub system_matrix: Option<Program>,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
     /// The scene, if a drawing is requested.
@@ -208,6 +211,7 @@ impl Programs {
             .iter()
             .chain(&self.jacobian)
             .chain(&self.linearised)
+            .chain(&self.system_matrix)
             .chain(self.drawing.iter().map(|drawing| &drawing.program))
             .chain(self.switch_times.iter().flatten());
         let fixed = of_motion.into_iter().chain(of_constraints).chain(of_events);
@@ -295,8 +299,9 @@ impl<'a> Lowering<'a> {
             reactions,
             clocks,
             products: self.products(),
-            jacobian: self.jacobian(),
-            linearised: self.linearised(),
+            jacobian: self.derivatives(Product::Jacobian, |model, _, rows| by_state(model, rows)),
+            linearised: self.derivatives(Product::SystemMatrix, by_state_and_inputs),
+            system_matrix: self.derivatives(Product::SystemMatrix, system_matrix),
             outputs: self.outputs(),
             drawing: self.drawing(),
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
@@ -411,15 +416,14 @@ impl<'a> Lowering<'a> {
         roots.into_iter().map(|(product, roots)| (product, self.on_sides(&roots))).collect()
     }
 
-    fn jacobian(&mut self) -> Option<Program> {
-        let rows = self.equations.product(Product::Jacobian, &self.model)?;
-        let entries = by_state(&mut self.model, &rows);
-        Some(self.on_sides(&entries))
-    }
-
-    fn linearised(&mut self) -> Option<Program> {
-        let rows = self.equations.product(Product::SystemMatrix, &self.model)?;
-        let entries = by_state_and_inputs(&mut self.model, self.equations, &rows);
+    /// All rows of a derivative, which follow from those of the accelerations.
+    fn derivatives(
+        &mut self,
+        product: Product,
+        all: impl FnOnce(&mut Model, &Equations, &[ExprId]) -> Vec<ExprId>,
+    ) -> Option<Program> {
+        let rows = self.equations.product(product, &self.model)?;
+        let entries = all(&mut self.model, self.equations, &rows);
         Some(self.on_sides(&entries))
     }
 

@@ -3,7 +3,7 @@
 use super::tangent::Blocks;
 use crate::linalg::dense::DenseMatrix;
 use crate::scalar::{Number, Scalar};
-use crate::system::{LinearisedSystem, StateVector};
+use crate::system::LinearisedSystem;
 
 /// Beside the entries of a matrix, a difference of its two sides that is not larger is rounding.
 const SAME: f64 = 1e-9;
@@ -16,7 +16,7 @@ where
     M::Scalar: Into<f64>,
 {
     let sided = system.on_sides(t, y)?;
-    let events = M::EVENTS.iter().enumerate().filter(|(_, event)| event.is_side);
+    let events = system.events().iter().enumerate().filter(|(_, event)| event.is_side);
     let (here, rates) = (Blocks::of(&sided, t, y).matrix, sided.rhs(t, y));
     for (index, event) in events.filter(|(index, _)| is_near(&sided, t, y, *index)) {
         let Ok(Some(other)) = sided.react(index, t, M::Scalar::ZERO, y).map(|response| response.system)
@@ -37,7 +37,7 @@ where
 fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: usize) -> bool {
     let passes = |t: M::Scalar, y: &M::State| {
         let mut values = [M::Scalar::ONE; crate::system::MOST_LOCATED];
-        sided.event_values(t, y, &mut values[..M::EVENTS.len()]);
+        sided.event_values(t, y, &mut values[..sided.events().len()]);
         // NaN passes, too.
         let is_kept = values[event] > M::Scalar::ZERO;
         !is_kept
@@ -45,7 +45,7 @@ fn is_near<M: LinearisedSystem>(sided: &M, t: M::Scalar, y: &M::State, event: us
     let step = M::Scalar::epsilon().sqrt();
     let reach = |value: M::Scalar| step * value.abs().max(M::Scalar::ONE);
     let signs = [M::Scalar::ONE, -M::Scalar::ONE];
-    let displaced = (0..M::State::ZERO.as_ref().len()).flat_map(|k| {
+    let displaced = (0..y.as_ref().len()).flat_map(|k| {
         signs.map(|sign| {
             let mut near = *y;
             near.as_mut()[k] = near.as_ref()[k] + sign * reach(near.as_ref()[k]);

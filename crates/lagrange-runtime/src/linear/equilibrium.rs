@@ -23,14 +23,13 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::error::{Equation, EquilibriumCause, EquilibriumError, Undetermined};
-use super::names::{freedoms, tangent_names};
+use super::names::Names;
 use super::tangent::{Blocks, first_undefined};
 use crate::linalg::dense::DenseMatrix;
 use crate::linalg::singular_values::{SingularValues, dot, length};
 use crate::scalar::{Number, Scalar};
 use crate::system::{
-    Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, description_of_type, displaced,
-    join, normalised, split,
+    Component, ControlledSystem, LinearisedSystem, OdeSystem, StateVector, displaced, join, normalised, split,
 };
 
 /// Steps after which a search ends.
@@ -44,6 +43,7 @@ const FLAT: f64 = 1e-10;
 #[must_use = "a search does nothing before `solve`"]
 pub struct EquilibriumSearch<'a, M: LinearisedSystem> {
     system: &'a M,
+    names: Names,
     time: M::Scalar,
     start: EquilibriumGuess<M>,
     held: Vec<String>,
@@ -80,9 +80,7 @@ impl<M: LinearisedSystem + ControlledSystem> Equilibrium<M> {
 }
 
 fn with_inputs<M: ControlledSystem>(system: &M, values: &[M::Scalar]) -> M {
-    let mut inputs = M::InputVector::ZERO;
-    inputs.as_mut().copy_from_slice(values);
-    system.with_inputs(inputs.into())
+    system.with_inputs(M::InputVector::of(values).into())
 }
 
 /// The state and the inputs that a search tries.
@@ -118,6 +116,7 @@ where
     pub(super) fn near(system: &'a M, near: M::State) -> Self {
         EquilibriumSearch {
             system,
+            names: Names::of(system),
             time: M::Scalar::ZERO,
             start: EquilibriumGuess { y: near, inputs: Vec::new() },
             held: Vec::new(),
@@ -156,7 +155,7 @@ where
     /// If Newton's method finds no equilibrium, or something there is not finite.
     pub fn solve(self) -> Result<Equilibrium<M>, EquilibriumError<M>> {
         let mut point = EquilibriumGuess {
-            y: normalised::<M>(description_of_type::<M>(), &self.start.y),
+            y: normalised::<M>(self.names.state, &self.start.y),
             inputs: self.start.inputs.clone(),
         };
         let mut iterations = 0;
@@ -164,7 +163,7 @@ where
         let EquilibriumGuess { y: state, inputs } = point;
         match found {
             Ok(freedom) => Ok(Equilibrium { state, inputs, iterations, freedom }),
-            Err(cause) => Err(EquilibriumError { cause, state, inputs, iterations }),
+            Err(cause) => Err(EquilibriumError { cause, state, inputs, iterations, names: self.names }),
         }
     }
 
@@ -182,7 +181,7 @@ where
             let was_near = is_near;
             is_near = target.iter().all(|entry| entry.abs() <= self.tolerance());
             let Some(values) = SingularValues::of(&here.jacobian) else {
-                return Err(EquilibriumCause::Derivative(Undetermined::of::<M>((0, 0))));
+                return Err(EquilibriumCause::Derivative(Undetermined::of(&self.names, (0, 0))));
             };
             let step = values.shortest(&target, self.rounding().sqrt());
             let next = self.shortened(point, &here, &unknowns, &step);
@@ -203,9 +202,9 @@ where
 
     /// Columns of the system matrix for the unknowns.
     fn unknowns(&self) -> Result<Vec<usize>, EquilibriumCause<M::Scalar>> {
-        let names = tangent_names::<M>();
-        let positions = &names[..freedoms::<M>() + M::FIRST_ORDER_STATES];
-        let inputs = M::LAYOUT.inputs.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let names = self.names.tangent();
+        let positions = &names[..names.len() - self.names.freedoms()];
+        let inputs = self.names.beyond.inputs.iter().map(ToString::to_string).collect::<Vec<_>>();
         for (wanted, known) in [(&self.held, positions), (&self.trimmed, &inputs)] {
             if let Some(name) = wanted.iter().find(|name| !known.contains(name)) {
                 let (name, known) = (name.clone(), known.to_vec());
@@ -230,7 +229,7 @@ where
             system.undefined(self.time, &point.y, &rates)
         });
         undefined.map_or(Ok(()), |undefined| {
-            Err(EquilibriumCause::Undefined(undefined.with_names_of(description_of_type::<M>())))
+            Err(EquilibriumCause::Undefined(undefined.with_names_of(self.names.state)))
         })
     }
 
@@ -238,32 +237,31 @@ where
     /// positions.
     fn residuals(&self, point: &EquilibriumGuess<M>) -> Vec<f64> {
         let (q, v) = split::<M>(&point.y);
-        let states = M::COORDINATES.len() - M::FIRST_ORDER_STATES;
+        let Names { state, .. } = self.names;
         self.ask(point, |system| {
             let rates = system.rhs(self.time, &point.y);
             let [positions, _] = system.residuals(self.time, &q, &v);
-            let held = positions.as_ref().iter().zip(M::LAYOUT.are_holonomic);
-            let held = held.filter(|(_, is_holonomic)| **is_holonomic).map(|(residual, _)| residual);
-            let (states, accelerations) = rates.as_ref()[states..].split_at(M::FIRST_ORDER_STATES);
+            let held = self.names.holonomic().map(|(index, _)| &positions.as_ref()[index]);
+            let changing = &rates.as_ref()[self.names.first_state()..];
+            let (states, accelerations) = changing.split_at(state.first_order_states);
             accelerations.iter().chain(states).chain(held).map(|&value| value.into()).collect()
         })
     }
 
     /// Their names.
-    fn equation(index: usize) -> Equation {
-        let n = freedoms::<M>();
+    fn equation(&self, index: usize) -> Equation {
+        let (n, state) = (self.names.freedoms(), self.names.state);
         if index < n {
             return Equation::Acceleration(
-                Component::of_velocity(description_of_type::<M>(), index).unwrap_or(Component::Index(index)),
+                Component::of_velocity(state, index).unwrap_or(Component::Index(index)),
             );
         }
-        let states = &M::COORDINATES[M::COORDINATES.len() - M::FIRST_ORDER_STATES..];
+        let states = &state.coordinates[self.names.first_state()..];
         if let Some(name) = states.get(index - n) {
             return Equation::Rate(name);
         }
-        let held = M::LAYOUT.constraints.iter().zip(M::LAYOUT.are_holonomic);
-        let mut held = held.filter(|(_, is_holonomic)| **is_holonomic);
-        Equation::Constraint(held.nth(index - n - states.len()).map_or("", |(name, _)| name))
+        let held = self.names.holonomic().nth(index - n - states.len());
+        Equation::Constraint(held.map_or("", |(_, name)| name))
     }
 
     fn linearised(
@@ -273,12 +271,12 @@ where
     ) -> Result<LocalEquations, EquilibriumCause<M::Scalar>> {
         let blocks = self.ask(point, |system| Blocks::of(system, self.time, &point.y));
         if let Some(place) = first_undefined(&blocks.matrix) {
-            return Err(EquilibriumCause::Derivative(Undetermined::of::<M>(place)));
+            return Err(EquilibriumCause::Derivative(Undetermined::of(&self.names, place)));
         }
         let (first, n) = (blocks.velocities(), blocks.freedoms);
         let rates = blocks.matrix.part(&(first..first + n).chain(n..first).collect::<Vec<_>>(), unknowns);
-        let gradients = (0..M::LAYOUT.are_holonomic.len()).filter(|&index| M::LAYOUT.are_holonomic[index]);
-        let gradients = gradients.map(|index| blocks.constraint_row(index)).collect::<Vec<_>>();
+        let gradients = self.names.holonomic().map(|(index, _)| blocks.constraint_row(index));
+        let gradients = gradients.collect::<Vec<_>>();
         // Gradients of constraints by displacements are those of their rates by velocities.
         let gradient = |row: usize, unknown: usize| match unknown < n {
             true => blocks.matrix[(gradients[row], first + unknown)],
@@ -304,15 +302,13 @@ where
 
     /// The magnitude of each unknown, at least one. Displacements of orientations are angles.
     fn scales(&self, point: &EquilibriumGuess<M>, unknowns: &[usize]) -> Vec<f64> {
-        let (n, states) = (freedoms::<M>(), M::FIRST_ORDER_STATES);
-        let tangent = 2 * n + states;
+        let (n, system) = (self.names.freedoms(), self.names.state);
+        let tangent = 2 * n + system.first_order_states;
         let value = |unknown: &usize| match *unknown {
             input if input >= tangent => point.inputs[input - tangent].into(),
-            state if state >= n => point.y.as_ref()[M::COORDINATES.len() - states + state - n].into(),
-            position if description_of_type::<M>().velocities_are_rates() => {
-                point.y.as_ref()[position].into()
-            }
-            position => match M::COORDINATES.iter().position(|name| *name == M::RATES_OF[position]) {
+            state if state >= n => point.y.as_ref()[self.names.first_state() + state - n].into(),
+            position if system.velocities_are_rates() => point.y.as_ref()[position].into(),
+            position => match system.coordinates.iter().position(|name| *name == system.rates_of[position]) {
                 Some(position) => point.y.as_ref()[position].into(),
                 None => 1.0,
             },
@@ -354,16 +350,15 @@ where
         step: &[f64],
         part: f64,
     ) -> EquilibriumGuess<M> {
-        let (n, states) = (freedoms::<M>(), M::FIRST_ORDER_STATES);
+        let (n, states) = (self.names.freedoms(), self.names.state.first_order_states);
         let (mut q, v) = split::<M>(&point.y);
-        let (mut displacement, mut inputs) = (M::Velocities::ZERO, point.inputs.clone());
-        let first_state = M::COORDINATES.len() - states;
+        let (mut displacement, mut inputs) = (v.zeros(), point.inputs.clone());
         for ((&unknown, step), scale) in unknowns.iter().zip(step).zip(&here.scales) {
             let change = M::Scalar::from_f64(-part * step * scale);
             if unknown < n {
                 displacement.as_mut()[unknown] = change;
             } else if unknown < n + states {
-                let state = &mut q.as_mut()[first_state + unknown - n];
+                let state = &mut q.as_mut()[self.names.first_state() + unknown - n];
                 *state = *state + change;
             } else {
                 let input = &mut inputs[unknown - 2 * n - states];
@@ -381,7 +376,7 @@ where
             |best: usize, row: usize| if weighted[row].abs() > weighted[best].abs() { row } else { best };
         let row = (0..weighted.len()).fold(0, worse);
         EquilibriumCause::Left {
-            equation: Self::equation(row),
+            equation: self.equation(row),
             residual: M::Scalar::from_f64(here.residuals[row]),
             is_changed: here.jacobian.row(row).iter().any(|slope| *slope != 0.0),
         }
@@ -406,7 +401,7 @@ where
             let rate = row.iter().zip(v.as_ref()).fold(0.0, |sum, (slope, &v)| sum + slope * v.into());
             let size = row.iter().fold(FLAT * slopes.largest(), |most, slope| most.max(slope.abs()));
             if rate.abs() > self.rounding().sqrt() * size * speeds {
-                return Err(EquilibriumCause::Unsteady { equation: Self::equation(index), rate });
+                return Err(EquilibriumCause::Unsteady { equation: self.equation(index), rate });
             }
         }
         Ok(())

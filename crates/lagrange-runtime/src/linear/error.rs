@@ -5,8 +5,8 @@ use std::fmt::{Debug, Display, Formatter, Result};
 use std::string::{String, ToString};
 use std::vec::Vec;
 
-use super::names::tangent_names;
-use crate::system::{Acceleration, Component, LinearisedSystem, MechanicalSystem, StepFailure, Undefined};
+use super::names::Names;
+use crate::system::{Acceleration, Component, MechanicalSystem, StepFailure, Undefined};
 
 /// An equation of an equilibrium.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -40,6 +40,7 @@ pub struct EquilibriumError<M: MechanicalSystem> {
     pub inputs: Vec<M::Scalar>,
     /// Number of steps that were taken.
     pub iterations: u32,
+    pub(super) names: Names,
 }
 
 /// The cause of a search without a result.
@@ -88,7 +89,7 @@ impl<M: MechanicalSystem> Debug for EquilibriumError<M> {
     }
 }
 
-impl<M: LinearisedSystem> Display for EquilibriumError<M> {
+impl<M: MechanicalSystem> Display for EquilibriumError<M> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match &self.cause {
             EquilibriumCause::Undefined(undefined) => return write!(f, "{undefined}"),
@@ -110,14 +111,14 @@ impl<M: LinearisedSystem> Display for EquilibriumError<M> {
             EquilibriumCause::NotAdmitted(failure) => write!(f, "no equilibrium was found: {failure}")?,
         }
         write!(f, " (Newton's method stopped after {} steps at ", self.iterations)?;
-        let inputs = M::LAYOUT.inputs.iter().zip(&self.inputs);
-        let values = M::COORDINATES.iter().zip(self.state.as_ref()).chain(inputs);
+        let inputs = self.names.beyond.inputs.iter().zip(&self.inputs);
+        let values = self.names.state.coordinates.iter().zip(self.state.as_ref()).chain(inputs);
         listed(f, values.map(|(name, value)| ("", name, std::format!(" = {value:?}"))))?;
         write!(f, ")")
     }
 }
 
-impl<M: LinearisedSystem> Error for EquilibriumError<M> {}
+impl<M: MechanicalSystem> Error for EquilibriumError<M> {}
 
 /// Writes items with commas between them, each in three pieces.
 fn listed<A: Display, B: Display, C: Display>(
@@ -175,12 +176,11 @@ pub struct Undetermined {
 
 impl Undetermined {
     /// The entry at this row and column.
-    pub(super) fn of<M: LinearisedSystem>((row, column): (usize, usize)) -> Undetermined {
-        let components = tangent_names::<M>();
+    pub(super) fn of(names: &Names, (row, column): (usize, usize)) -> Undetermined {
+        let (components, layout) = (names.tangent(), names.beyond);
         let by = components.get(column).cloned();
-        let input = || M::LAYOUT.inputs[column - components.len()].to_string();
+        let input = || layout.inputs[column - components.len()].to_string();
         let by = by.unwrap_or_else(input);
-        let layout = M::LAYOUT;
         let beyond = row.saturating_sub(components.len());
         let of = match (components.get(row), layout.outputs.get(beyond)) {
             (Some(name), _) => std::format!("the rate of `{name}`"),

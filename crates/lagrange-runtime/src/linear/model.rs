@@ -6,14 +6,14 @@ use std::vec::Vec;
 use super::corner::corner;
 use super::error::{LinearisationError, NotConverged, Undetermined};
 use super::modes::Modes;
-use super::names::{Components, tangent_names};
+use super::names::{Components, Names};
 use super::regulator::{DesignError, Observer, Plant, Regulator, Time, observer, regulator};
 use super::sampled::{SampledModel, held};
 use super::tangent::{Blocks, TangentSpace, first_undefined};
 use super::transfer::{NoSuchChannel, Transfer};
 use super::weakest::{Channel, WeakestDirection, weakest};
 use crate::linalg::dense::DenseMatrix;
-use crate::system::{LinearisedSystem, description_of_type};
+use crate::system::{LinearisedSystem, MatrixLayout};
 
 /// The linear model ẋ = A x + B u, y = C x + D u of a system near a state, with names on rows and
 /// columns.
@@ -43,9 +43,9 @@ impl LinearModel {
         M: LinearisedSystem,
         M::Scalar: Into<f64>,
     {
-        let rates = system.rhs(t, &y);
+        let (names, rates) = (Names::of(system), system.rhs(t, &y));
         if let Some(undefined) = system.undefined(t, &y, &rates) {
-            return Err(LinearisationError::Undefined(undefined.with_names_of(description_of_type::<M>())));
+            return Err(LinearisationError::Undefined(undefined.with_names_of(names.state)));
         }
         system.admit(t, &mut y).map_err(LinearisationError::NotAdmitted)?;
         if let Some(surface) = corner(system, t, &y) {
@@ -53,19 +53,15 @@ impl LinearModel {
         }
         let blocks = Blocks::of(system, t, &y);
         if let Some(place) = first_undefined(&blocks.matrix) {
-            return Err(LinearisationError::Derivative(Undetermined::of::<M>(place)));
+            return Err(LinearisationError::Derivative(Undetermined::of(&names, place)));
         }
-        let space = TangentSpace::new(&blocks, M::LAYOUT.are_holonomic);
-        Ok(LinearModel::on(&blocks, &space, tangent_names::<M>(), M::LAYOUT.inputs, M::LAYOUT.outputs))
+        let space = TangentSpace::new(&blocks, names.beyond.are_holonomic);
+        Ok(LinearModel::on(&blocks, &space, &names))
     }
 
-    fn on(
-        blocks: &Blocks,
-        space: &TangentSpace,
-        names: Vec<String>,
-        inputs: &'static [&'static str],
-        outputs: &'static [&'static str],
-    ) -> LinearModel {
+    fn on(blocks: &Blocks, space: &TangentSpace, names: &Names) -> LinearModel {
+        let MatrixLayout { inputs, outputs, .. } = names.beyond;
+        let names = names.tangent();
         let all = (0..blocks.tangent).collect::<Vec<_>>();
         let of_outputs = (blocks.tangent..blocks.tangent + blocks.outputs).collect::<Vec<_>>();
         let on_basis = |rows: &[usize]| blocks.matrix.part(rows, &all).times(&space.basis);

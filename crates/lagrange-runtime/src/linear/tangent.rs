@@ -2,7 +2,7 @@
 
 use std::vec::Vec;
 
-use super::names::freedoms;
+use super::names::Names;
 use crate::linalg::dense::DenseMatrix;
 use crate::system::LinearisedSystem;
 
@@ -29,13 +29,14 @@ impl Blocks {
         M: LinearisedSystem,
         M::Scalar: Into<f64>,
     {
-        let freedoms = freedoms::<M>();
-        let tangent = 2 * freedoms + M::FIRST_ORDER_STATES;
+        let names = Names::of(system);
+        let freedoms = names.freedoms();
+        let tangent = 2 * freedoms + names.state.first_order_states;
         let found = system.system_matrix(t, y);
         let rows = found.as_ref();
-        let columns = tangent + M::LAYOUT.inputs.len();
+        let columns = tangent + names.beyond.inputs.len();
         let matrix = DenseMatrix::from_fn(rows.len(), columns, |i, j| rows[i].as_ref()[j].into());
-        Blocks { matrix, freedoms, tangent, outputs: M::LAYOUT.outputs.len() }
+        Blocks { matrix, freedoms, tangent, outputs: names.beyond.outputs.len() }
     }
 
     /// The columns of the inputs.

@@ -45,6 +45,13 @@ pub trait LinearisedSystem: MechanicalSystem {
     /// Names of its rows and columns beyond those of the state.
     const LAYOUT: MatrixLayout;
 
+    /// Returns the names of its rows and columns beyond those of the state. They are
+    /// [`LAYOUT`](Self::LAYOUT) unless the system was read at run time.
+    #[inline]
+    fn layout(&self) -> MatrixLayout {
+        Self::LAYOUT
+    }
+
     /// Computes the system matrix at time `t` and state `y`. It is not finite where a derivative is
     /// undefined.
     fn system_matrix(&self, t: Self::Scalar, y: &Self::State) -> Self::SystemMatrix;

@@ -36,6 +36,7 @@ pub use self::lagrangian::LagrangianSystem;
 pub use self::lanes::{Equations, LanesSystem, LanesVisitor, SideBySide};
 pub use self::linearised::{LinearisedSystem, MatrixLayout};
 #[cfg(any(feature = "ensemble", feature = "linear"))]
+#[cfg(all(feature = "ensemble", any(feature = "parquet", feature = "plot")))]
 pub(crate) use self::mechanical::description_of_type;
 pub use self::mechanical::{Columns, EnergyFunction, MechanicalSystem, NamedSystem, Unnamed};
 #[cfg(feature = "std")]

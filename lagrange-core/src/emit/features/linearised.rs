@@ -13,13 +13,9 @@ use crate::model::{Model, Product};
 use lagrange_algebra::calculus::{jacobian, substitute_all};
 use lagrange_expr::expr::ExprId;
 
-/// The rows of [A B], [C D] and [G 0], where G differentiates the constraint velocities. They
-/// follow from those of the accelerations by the state and the inputs.
-pub(in crate::emit) fn system_matrix(
-    model: &mut Model,
-    equations: &Equations,
-    accelerations: &[ExprId],
-) -> Vec<ExprId> {
+/// The system matrix [A B; C D; G 0] in rows, where G differentiates the constraint velocities. It
+/// follows from the derivatives of the accelerations by the state and the inputs.
+pub fn system_matrix(model: &mut Model, equations: &Equations, accelerations: &[ExprId]) -> Vec<ExprId> {
     let inputs = model.inputs.iter().map(|input| input.symbol).collect::<Vec<_>>();
     let arguments = [model.positions(), model.velocities(), inputs.clone()].concat();
     let mut entries = linearised(model, accelerations, &inputs);

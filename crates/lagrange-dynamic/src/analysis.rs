@@ -1,0 +1,125 @@
+//! Equilibria and linear models of systems that were read at run time.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use lagrange_runtime::linear::{Equilibrium, EquilibriumError, LinearModel, Linearise};
+
+use crate::declared::{DeclaredSystem, Visitor};
+use crate::system::DynamicSystem;
+
+/// A search for an equilibrium, or for a steady motion if velocities are not zero.
+#[derive(Clone, Debug)]
+pub struct SearchSettings {
+    /// Time, which stands still.
+    pub time: f64,
+    /// The state near which to search, of which velocities are kept.
+    pub near: Vec<f64>,
+    /// Coordinates and first-order states that keep their values.
+    pub hold: Vec<String>,
+    /// Inputs that are unknowns, too.
+    pub trim: Vec<String>,
+}
+
+/// A state at which nothing changes but positions by constant velocities.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FoundEquilibrium {
+    /// The state.
+    pub state: Vec<f64>,
+    /// Values of all inputs; empty if none were trimmed.
+    pub inputs: Vec<f64>,
+    /// Number of steps of Newton's method.
+    pub iterations: u32,
+    /// Number of independent directions in which other equilibria adjoin this one.
+    pub freedom: usize,
+}
+
+/// The reason why there is no equilibrium or no linear model.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum AnalysisError {
+    /// The declaration has no `emit { system_matrix }`.
+    WithoutDerivatives,
+    /// The search came to no end.
+    Search {
+        /// The equation that is left, by name, and the place where the search stopped.
+        message: String,
+        /// The state at which it stopped.
+        state: Vec<f64>,
+    },
+    /// The equations have no derivatives there, or motions do not pass through the state.
+    Linearisation(String),
+}
+
+impl Display for AnalysisError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            AnalysisError::WithoutDerivatives => f.write_str("`emit { system_matrix }` is missing"),
+            AnalysisError::Search { message, .. } | AnalysisError::Linearisation(message) => {
+                f.write_str(message)
+            }
+        }
+    }
+}
+
+impl Error for AnalysisError {}
+
+impl DeclaredSystem {
+    /// Searches for an equilibrium.
+    ///
+    /// # Errors
+    /// If there are no derivatives, a name is unknown, or Newton's method finds no equilibrium.
+    pub fn equilibrium(&self, settings: SearchSettings) -> Result<FoundEquilibrium, AnalysisError> {
+        self.check_derivatives()?;
+        self.visit(settings)
+    }
+
+    /// Linearises the equations of motion and the outputs at a time and a state.
+    ///
+    /// # Errors
+    /// If there are no derivatives, by the declaration or at the state, or the state violates
+    /// constraints.
+    pub fn linearise(&self, time: f64, state: &[f64]) -> Result<LinearModel, AnalysisError> {
+        self.check_derivatives()?;
+        self.visit(Point { time, state })
+    }
+
+    fn check_derivatives(&self) -> Result<(), AnalysisError> {
+        match self.programs().system_matrix {
+            Some(_) => Ok(()),
+            None => Err(AnalysisError::WithoutDerivatives),
+        }
+    }
+}
+
+impl Visitor for SearchSettings {
+    type Output = Result<FoundEquilibrium, AnalysisError>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        let [hold, trim] = [&self.hold, &self.trim].map(|names| names.iter().map(String::as_str));
+        let (hold, trim) = (hold.collect::<Vec<_>>(), trim.collect::<Vec<_>>());
+        let search = system.equilibrium(system.state(&self.near)).at(self.time).hold(&hold);
+        let search = if trim.is_empty() { search } else { search.trim(&trim) };
+        let Equilibrium { state, inputs, iterations, freedom } = search.solve().map_err(stopped)?;
+        Ok(FoundEquilibrium { state: state.as_ref().to_vec(), inputs, iterations, freedom })
+    }
+}
+
+fn stopped<const CAPACITY: usize>(error: EquilibriumError<DynamicSystem<CAPACITY>>) -> AnalysisError {
+    AnalysisError::Search { message: error.to_string(), state: error.state.as_ref().to_vec() }
+}
+
+/// A time and a state at which to linearise.
+struct Point<'a> {
+    time: f64,
+    state: &'a [f64],
+}
+
+impl Visitor for Point<'_> {
+    type Output = Result<LinearModel, AnalysisError>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        let model = system.linearise(self.time, system.state(self.state));
+        model.map_err(|error| AnalysisError::Linearisation(error.to_string()))
+    }
+}

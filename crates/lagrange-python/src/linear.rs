@@ -1,0 +1,210 @@
+//! Equilibria, linear models, modes and regulators.
+
+use lagrange_dynamic::{AnalysisError, DeclaredSystem, FoundEquilibrium, SearchSettings};
+use lagrange_runtime::linear::{DenseMatrix, Eigenmode, LinearModel, Stability};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::types::{PyAnyMethods, PyComplex, PyDict, PyDictMethods};
+use pyo3::{Bound, PyErr, PyResult, Python, pyclass, pymethods};
+
+use crate::error::EquilibriumError;
+
+/// An equilibrium or a steady motion.
+#[pyclass(name = "Equilibrium", module = "lagrange", frozen)]
+pub(crate) struct PyEquilibrium {
+    found: FoundEquilibrium,
+    /// Names of the inputs.
+    inputs: Vec<String>,
+}
+
+impl PyEquilibrium {
+    pub(crate) fn search(
+        py: Python<'_>,
+        system: &DeclaredSystem,
+        settings: SearchSettings,
+    ) -> PyResult<Self> {
+        let inputs = system.variables().fields[system.programs().layout.parameters..].to_vec();
+        let found = py.detach(|| system.equilibrium(settings));
+        found.map(|found| PyEquilibrium { found, inputs }).map_err(|error| exception(py, &error))
+    }
+}
+
+#[pymethods]
+impl PyEquilibrium {
+    #[getter]
+    fn state<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.found.state.to_pyarray(py)
+    }
+
+    /// Inputs by name, if some were trimmed.
+    #[getter]
+    fn inputs<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let inputs = PyDict::new(py);
+        for (name, value) in self.inputs.iter().zip(&self.found.inputs) {
+            inputs.set_item(name, value)?;
+        }
+        Ok(inputs)
+    }
+
+    #[getter]
+    fn iterations(&self) -> u32 {
+        self.found.iterations
+    }
+
+    #[getter]
+    fn freedom(&self) -> usize {
+        self.found.freedom
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Equilibrium at {:?}>", self.found.state)
+    }
+}
+
+/// A linear model ẋ = A x + B u, y = C x + D u.
+#[pyclass(name = "LinearModel", module = "lagrange", frozen)]
+pub(crate) struct PyLinearModel(LinearModel);
+
+impl PyLinearModel {
+    pub(crate) fn new(py: Python<'_>, system: &DeclaredSystem, time: f64, state: &[f64]) -> PyResult<Self> {
+        py.detach(|| system.linearise(time, state)).map(PyLinearModel).map_err(|error| exception(py, &error))
+    }
+}
+
+#[pymethods]
+impl PyLinearModel {
+    #[getter]
+    fn a<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array(py, self.0.a())
+    }
+
+    #[getter]
+    fn b<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array(py, self.0.b())
+    }
+
+    #[getter]
+    fn c<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array(py, self.0.c())
+    }
+
+    #[getter]
+    fn d<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        array(py, self.0.d())
+    }
+
+    #[getter]
+    fn states(&self) -> Vec<String> {
+        self.0.states().to_vec()
+    }
+
+    #[getter]
+    fn inputs(&self) -> Vec<&'static str> {
+        self.0.inputs().to_vec()
+    }
+
+    #[getter]
+    fn outputs(&self) -> Vec<&'static str> {
+        self.0.outputs().to_vec()
+    }
+
+    fn modes(&self) -> PyResult<Vec<PyMode>> {
+        let modes = self.0.modes().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        let names = modes.components();
+        Ok(modes.modes().iter().map(|mode| PyMode { mode: mode.clone(), names: names.to_vec() }).collect())
+    }
+
+    /// True or false, or none where nonlinear terms decide.
+    #[getter]
+    fn is_stable(&self) -> PyResult<Option<bool>> {
+        let modes = self.0.modes().map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
+        Ok(match modes.stability() {
+            Stability::AsymptoticallyStable => Some(true),
+            Stability::Unstable => Some(false),
+            _ => None,
+        })
+    }
+
+    /// The gain K of u = −K x.
+    fn lqr<'py>(
+        &self,
+        py: Python<'py>,
+        q: Vec<Vec<f64>>,
+        r: Vec<Vec<f64>>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let regulator = self.0.lqr(&dense("q", &q)?, &dense("r", &r)?);
+        array(py, &regulator.map_err(|error| PyValueError::new_err(error.to_string()))?.gain)
+    }
+
+    fn __repr__(&self) -> String {
+        let (states, inputs) = (self.0.states().join(", "), self.0.inputs().join(", "));
+        format!("<LinearModel of {states} by {inputs}>")
+    }
+}
+
+/// A mode of a linear model.
+#[pyclass(name = "Mode", module = "lagrange", frozen)]
+pub(crate) struct PyMode {
+    mode: Eigenmode,
+    names: Vec<String>,
+}
+
+#[pymethods]
+impl PyMode {
+    #[getter]
+    fn eigenvalue<'py>(&self, py: Python<'py>) -> Bound<'py, PyComplex> {
+        PyComplex::from_doubles(py, self.mode.real, self.mode.imaginary)
+    }
+
+    #[getter]
+    fn natural_frequency(&self) -> f64 {
+        self.mode.natural_frequency()
+    }
+
+    #[getter]
+    fn frequency(&self) -> f64 {
+        self.mode.frequency()
+    }
+
+    #[getter]
+    fn damping_ratio(&self) -> f64 {
+        self.mode.damping_ratio()
+    }
+
+    /// Complex amplitudes by the names of displacements, states and velocities.
+    #[getter]
+    fn shape<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let shape = PyDict::new(py);
+        for (name, (real, imaginary)) in self.names.iter().zip(&self.mode.shape) {
+            shape.set_item(name, PyComplex::from_doubles(py, *real, *imaginary))?;
+        }
+        Ok(shape)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Mode {} ± {}i>", self.mode.real, self.mode.imaginary)
+    }
+}
+
+fn array<'py>(py: Python<'py>, matrix: &DenseMatrix) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let entries = (0..matrix.rows()).flat_map(|row| matrix.row(row)).copied().collect::<Vec<_>>();
+    entries.to_pyarray(py).reshape([matrix.rows(), matrix.columns()])
+}
+
+fn dense(name: &str, rows: &[Vec<f64>]) -> PyResult<DenseMatrix> {
+    let columns = rows.first().map_or(0, Vec::len);
+    match rows.iter().all(|row| row.len() == columns) {
+        true => Ok(DenseMatrix::from_fn(rows.len(), columns, |i, j| rows[i][j])),
+        false => Err(PyValueError::new_err(format!("the rows of `{name}` differ in length"))),
+    }
+}
+
+/// `ValueError` for states without a linear model, else with the state at which a search stopped.
+fn exception(py: Python<'_>, error: &AnalysisError) -> PyErr {
+    let AnalysisError::Search { message, state } = error else {
+        return PyValueError::new_err(error.to_string());
+    };
+    let exception = EquilibriumError::new_err(message.clone());
+    let set = exception.value(py).setattr("state", state.to_pyarray(py));
+    set.err().unwrap_or(exception)
+}
