@@ -24,7 +24,7 @@ use crate::simulation::{DrivenRun, FreeRun};
 pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
-    /// The same with its system matrix, from the first search or linearisation on.
+    /// The system with its system matrix; empty until an analysis needs it.
     linearised: Arc<OnceLock<DeclaredSystem>>,
 }
 
