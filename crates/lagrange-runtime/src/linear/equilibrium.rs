@@ -19,6 +19,7 @@
 //! −0.557, then to 0.0659, −9.6·10⁻⁵ and 2.9·10⁻¹³, each of which shortens the residual.
 
 use std::borrow::ToOwned;
+use std::boxed::Box;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
@@ -163,7 +164,9 @@ where
         let EquilibriumGuess { y: state, inputs } = point;
         match found {
             Ok(freedom) => Ok(Equilibrium { state, inputs, iterations, freedom }),
-            Err(cause) => Err(EquilibriumError { cause, state, inputs, iterations, names: self.names }),
+            Err(cause) => {
+                Err(EquilibriumError { cause, state, inputs, iterations, names: Box::new(self.names) })
+            }
         }
     }
 

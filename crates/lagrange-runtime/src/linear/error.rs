@@ -1,5 +1,6 @@
 //! Causes of a search or a linearisation without a result.
 
+use std::boxed::Box;
 use std::error::Error;
 use std::fmt::{Debug, Display, Formatter, Result};
 use std::string::{String, ToString};
@@ -40,7 +41,7 @@ pub struct EquilibriumError<M: MechanicalSystem> {
     pub inputs: Vec<M::Scalar>,
     /// Number of steps that were taken.
     pub iterations: u32,
-    pub(super) names: Names,
+    pub(super) names: Box<Names>,
 }
 
 /// The cause of a search without a result.
