@@ -100,12 +100,13 @@ impl Visitor for SearchSettings {
         let (hold, trim) = (hold.collect::<Vec<_>>(), trim.collect::<Vec<_>>());
         let search = system.equilibrium(system.state(&self.near)).at(self.time).hold(&hold);
         let search = if trim.is_empty() { search } else { search.trim(&trim) };
-        let Equilibrium { state, inputs, iterations, freedom } = search.solve().map_err(stopped)?;
+        let Equilibrium { state, inputs, iterations, freedom } =
+            search.solve().map_err(|error| stopped(&error))?;
         Ok(FoundEquilibrium { state: state.as_ref().to_vec(), inputs, iterations, freedom })
     }
 }
 
-fn stopped<const CAPACITY: usize>(error: EquilibriumError<DynamicSystem<CAPACITY>>) -> AnalysisError {
+fn stopped<const CAPACITY: usize>(error: &EquilibriumError<DynamicSystem<CAPACITY>>) -> AnalysisError {
     AnalysisError::Search { message: error.to_string(), state: error.state.as_ref().to_vec() }
 }
 
