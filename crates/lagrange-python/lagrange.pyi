@@ -113,7 +113,8 @@ class System:
     def linearise(self, state: State | dict[str, float] | None = None, *, time: float = 0.0) -> LinearModel:
         """Linearises the equations of motion and the outputs at a state, by exact derivatives.
 
-        Raises `ValueError` where they have a corner, or the state violates constraints.
+        Raises `ValueError` where they have a corner, or the state violates constraints, and
+        `DeclarationError` for declarations with clocks or discrete states.
         """
     def equations(self) -> str:
         """Returns the equations as text."""

@@ -17,7 +17,7 @@ const PREFIX: &str = "system";
 /// `system_drawing` if a drawing is requested.
 ///
 /// `p` holds parameters, inputs, then the sides of the switches: 1 or −1, fixed by the caller.
-/// Where residuals of constraints are taken, they stand behind the sides.
+/// Functions that take residuals of constraints find them behind the sides.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Script {
     /// The text, which needs nothing else.

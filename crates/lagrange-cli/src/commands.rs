@@ -99,9 +99,10 @@ impl Command {
     /// Writes a page in which the system moves.
     fn page(&self, values: &Values) -> Ended {
         let system = self.source().and_then(|source| {
-            let derived = reported(&source, source.system_with("drawing"), |system| {
-                system.derive(StrategyChoice::Cheapest)
-            })?;
+            let derived =
+                reported(&source, source.system_with("drawing").or_else(|_| source.system()), |system| {
+                    system.derive(StrategyChoice::Cheapest)
+                })?;
             Ok((dynamic(&source, Programs::new(&derived))?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };

@@ -105,7 +105,7 @@ fn page(name: &str, declaration: &str) -> String {
     fs::read_to_string(page).expect("a page")
 }
 
-/// What a page reaches, or nothing where there is no Node.js.
+/// Runs a page to its end: time, state and message; `None` where there is no Node.js.
 fn run(name: &str, page: &str, end: f64) -> Option<(f64, Vec<f64>, Option<String>)> {
     let (_, script) = page.rsplit_once("<script>").expect("a script");
     let (motion, _) = script.split_once("// The page:").expect("the motion stands before the page");

@@ -40,14 +40,13 @@ impl Source {
         self.parsed(&without_macro(&self.text))
     }
 
-    /// Parses and checks the declaration, and requests one more product of it, such as `drawing`,
-    /// if it can have that.
+    /// Parses and checks the declaration, and requests one more product of it, such as `drawing`.
     ///
     /// # Errors
-    /// All mistakes in it and in its tables.
+    /// All mistakes in it and in its tables, and the reason why it has no such product.
     pub fn system_with(&self, product: &str) -> Result<System, Report> {
         let longer = format!("{}\nemit {{ {product} }}", without_macro(&self.text));
-        self.parsed(&longer).or_else(|_| self.system())
+        self.parsed(&longer)
     }
 
     fn parsed(&self, text: &str) -> Result<System, Report> {

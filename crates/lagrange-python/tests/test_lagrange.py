@@ -259,5 +259,7 @@ def test_equilibria_follow_parameters_and_trim_inputs():
     with pytest.raises(lagrange.EquilibriumError, match="`b` is not among") as raised:
         arm.equilibrium({"a": 0.3}, hold=["b"])
     assert raised.value.state[0] == 0.3
+    with pytest.raises(lagrange.DeclarationError, match="clock|discrete"):
+        lagrange.System(text + "discrete n = 0; every 0.1 => { n = n + 1; }").linearise([0.0, 0.0, 0.0])
     with pytest.raises(lagrange.EquilibriumError, match="remains"):
         lagrange.System("coord x = 0; kinetic = dot(x)^2; potential = -x;").equilibrium()

@@ -408,8 +408,10 @@ impl<'a> Lowering<'a> {
 
     fn products(&mut self) -> Vec<(Product, Program)> {
         let is_constrained = !self.model.constraints.is_empty();
-        let wanted =
-            Product::ALL.into_iter().filter(|product| is_constrained || !product.is_of_constraints());
+        let wanted = Product::ALL.into_iter().filter(|product| {
+            // All rows of the system matrix have programs of their own.
+            *product != Product::SystemMatrix && (is_constrained || !product.is_of_constraints())
+        });
         let roots =
             wanted.filter_map(|product| Some((product, self.equations.product(product, &self.model)?)));
         let roots = roots.collect::<Vec<_>>();

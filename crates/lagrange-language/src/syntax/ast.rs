@@ -8,6 +8,7 @@ pub mod bodies;
 mod callables;
 mod conditions;
 mod definitions;
+mod enclosures;
 mod events;
 mod expressions;
 mod id;
@@ -30,6 +31,7 @@ pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{
     AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
 };
+pub use enclosures::{Enclosed, Enclosure};
 pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
 pub use expressions::{
     ArrayExpression, BinaryOperator, Condition, Expression, Expressions, Fold, IN_AXES, Range,
@@ -46,8 +48,8 @@ pub use mobilizers::Mobilizer;
 pub use mobilizers::MobilizerKind;
 pub use quaternion::Quaternion;
 pub use statements::{
-    Block, Enclosed, Enclosure, Nested, PartArgument, PartDefinition, Placement, Repetition, Selection,
-    Statement, StatementKind, nested,
+    Block, Nested, PartArgument, PartDefinition, Placement, Repetition, Selection, Statement, StatementKind,
+    nested,
 };
 pub use surfaces::{Contact, Surface, SurfaceKind};
 

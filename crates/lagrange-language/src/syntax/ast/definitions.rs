@@ -1,6 +1,6 @@
 //! Parts of statements that declare names, reduced types or products.
 
-use super::statements::{Enclosed, Enclosure};
+use super::enclosures::{Enclosed, Enclosure};
 use super::{AstId, Name};
 
 /// The kind of a state.

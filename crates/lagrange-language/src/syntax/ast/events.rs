@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::statements::{Enclosed, Enclosure};
+use super::enclosures::{Enclosed, Enclosure};
 use super::{AstId, Name};
 
 /// A zero to be found during a motion, and what happens there.

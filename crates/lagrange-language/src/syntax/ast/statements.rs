@@ -14,12 +14,13 @@ use super::callables::{
     ExternalFunction, FunctionDefinition, TableDefinition, TableSource, UnknownDefinition,
 };
 use super::definitions::{Definition, EmitItem, Mode, Reduction, ReductionItem, StateKind};
+use super::enclosures::{Enclosed, Enclosure};
 use super::events::{Action, Assignment, Clock, Event, Friction};
 use super::keywords::{Keyword, Soft};
 use super::quaternion::Quaternion;
 use super::{AstId, Name, Reach};
 use lagrange_expr::diagnostics::Origin;
-pub use loops::{Block, Enclosed, Enclosure, Nested, Repetition, Selection, nested};
+pub use loops::{Block, Nested, Repetition, Selection, nested};
 pub use parts::{PartArgument, PartDefinition, Placement};
 
 /// A statement and the stretch of source it covers.
