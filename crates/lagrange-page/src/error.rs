@@ -14,6 +14,9 @@ pub enum PageError {
     Script(Refusal),
     /// Its drawing at the start is not possible.
     Drawing(DrawError),
+    /// The parameter, the input or the entry of the start of this name is not finite, or belongs to
+    /// a quaternion of zeros.
+    NotFinite(String),
 }
 
 impl Display for PageError {
@@ -21,6 +24,9 @@ impl Display for PageError {
         match self {
             PageError::Script(refusal) => refusal.fmt(f),
             PageError::Drawing(error) => write!(f, "the drawing at the start: {error}"),
+            PageError::NotFinite(name) => {
+                write!(f, "`{name}` is not finite at the start, or belongs to a quaternion of zeros")
+            }
         }
     }
 }

@@ -114,3 +114,52 @@ fn joint(form: SpatialJointForm) -> SpatialJointKind {
         },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use lagrange_core::derive::StrategyChoice;
+    use lagrange_core::pipeline::{NumericSystem, Programs, parse};
+    use lagrange_runtime::scene::{Item, Solid};
+
+    use super::Numbers;
+
+    /// Every shape in space, with the solid that draws it.
+    const SHAPES: [(&str, Solid<f64>); 11] = [
+        ("point_mass()", Solid::PointMass),
+        ("slender_rod(2)", Solid::SlenderRod(2.0)),
+        ("solid_sphere(2)", Solid::Sphere(2.0)),
+        ("thin_sphere(2)", Solid::Sphere(2.0)),
+        ("ellipsoid(2, 3, 4)", Solid::Ellipsoid(2.0, 3.0, 4.0)),
+        ("cuboid(2, 3, 4)", Solid::Cuboid(2.0, 3.0, 4.0)),
+        ("disk(2)", Solid::Disk(2.0)),
+        ("thin_ring(2)", Solid::Ring(2.0)),
+        ("solid_cylinder(2, 3)", Solid::Cylinder(2.0, 3.0)),
+        ("hollow_cylinder(2, 3, 4)", Solid::HollowCylinder(2.0, 3.0, 4.0)),
+        ("cone(2, 3)", Solid::Cone(2.0, 3.0)),
+    ];
+
+    #[test]
+    fn every_solid_takes_its_own_numbers() {
+        for (shape, wanted) in SHAPES {
+            let text = format!(
+                "gravity = (0, 0, -1); body b {{ mass: 1; shape: {shape}; }} prismatic s = ground to b; emit {{ drawing }}"
+            );
+            let derived = parse(&text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+            let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{shape}: {report}")));
+            let drawing = programs.drawing.clone().expect("a body is drawn");
+            let system = NumericSystem::of(Arc::new(programs));
+            let at = system.evaluate(&drawing.program, 0.0, &[0.5], &[0.0]);
+            let (mut numbers, mut found) = (Numbers(&at), Vec::new());
+            for item in &drawing.items {
+                numbers.item(item, &mut |item| {
+                    if let Item::Body { parts, .. } = item {
+                        found.extend(parts.iter().map(|part| part.shape));
+                    }
+                });
+            }
+            assert!(numbers.0.is_empty() && found == [wanted], "{shape}: {found:?} and {:?}", numbers.0);
+        }
+    }
+}

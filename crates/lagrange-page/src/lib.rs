@@ -60,10 +60,11 @@ fn is_used(name: &str) -> bool {
 /// and whose state starts from `start`.
 ///
 /// # Errors
-/// If the system holds what only compiled Rust can run, or a number of its drawing is not finite.
+/// If the system holds what only compiled Rust can run, or a number at the start is not finite.
 pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> {
     let programs = system.programs();
     let start = normalised(programs, start);
+    check(system, &start)?;
     let script = Script::new(programs, is_used)?;
     let Shown { elements, scene, viewer, style, keys } = shown(system, &start)?;
     let mut model = model(system, &start);
@@ -82,6 +83,17 @@ pub fn page(system: &NumericSystem, start: &[f64]) -> Result<String, PageError> 
     ))
 }
 
+/// Numbers that are none would turn into zeros on their way to the page.
+fn check(system: &NumericSystem, start: &[f64]) -> Result<(), PageError> {
+    let variables = &system.programs().variables;
+    let names = variables.fields.iter().cloned().chain(variables.state_names());
+    let mut values = names.zip(system.fields().iter().chain(start));
+    match values.find(|(_, value)| !value.is_finite()) {
+        Some((name, _)) => Err(PageError::NotFinite(name)),
+        None => Ok(()),
+    }
+}
+
 /// Brings the quaternions of a state to length one.
 fn normalised(programs: &Programs, start: &[f64]) -> Vec<f64> {
     let mut start = start.to_vec();
@@ -91,4 +103,34 @@ fn normalised(programs: &Programs, start: &[f64]) -> Vec<f64> {
         parts.iter_mut().for_each(|part| *part /= length);
     }
     start
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use lagrange_core::derive::StrategyChoice;
+    use lagrange_core::pipeline::{NumericSystem, Programs, parse};
+
+    use super::{PageError, page};
+
+    #[test]
+    fn numbers_that_are_none_are_refused_by_name() {
+        let text = "param m; body b { mass: m; inertia: (1, 2, 3); } free b;";
+        let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+        let mut system = NumericSystem::of(Arc::new(programs));
+        let refused = |system: &NumericSystem, start: [f64; 13]| match page(system, &start) {
+            Err(PageError::NotFinite(name)) => name,
+            other => panic!("{other:?}"),
+        };
+        let mut start = [0.0; 13];
+        assert_eq!(refused(&system, start), "m");
+        assert!(system.set("m", 1.0));
+        assert_eq!(refused(&system, start), "b_qw");
+        start[3] = 1.0;
+        assert!(page(&system, &start).is_ok());
+        start[12] = f64::INFINITY;
+        assert_eq!(refused(&system, start), "b_wz");
+    }
 }
