@@ -32,6 +32,7 @@ LANGUAGE = "src/language.md"
 LANGUAGE_PAGES = "language/"
 SOURCES = "sources/"
 LINK = re.compile(r"\]\(([^()\s]+)\)")
+CODE_SPAN = re.compile(r"(`[^`]+`)")
 ITEM_OF_RUST = re.compile(r"\[([^\[\]]+)\]\((?:mod@)?crate::[^()]*\)")
 FENCE = re.compile(r"^\s*```")
 # mdBook makes these the indices of their folders, and leaves links to them alone.
@@ -161,7 +162,13 @@ class Sources:
 
     def with_links(self, text, file, path):
         """Returns the text of a file of the repository with its links as the page at a path needs them."""
-        return outside_code(text, lambda line: LINK.sub(lambda match: f"]({self.link(match[1], file, path)})", ITEM_OF_RUST.sub(r"\1", line)))
+
+        def changed(line):
+            # Calls of elements, `f[1](x)`, look like links.
+            parts = CODE_SPAN.split(ITEM_OF_RUST.sub(r"\1", line))
+            return "".join(part if CODE_SPAN.match(part) else LINK.sub(lambda match: f"]({self.link(match[1], file, path)})", part) for part in parts)
+
+        return outside_code(text, changed)
 
     def link(self, link, file, path):
         parts = urlsplit(link)
