@@ -3,7 +3,7 @@
 
     tools/portable.py              all targets, as far as this machine can build and run for them
     tools/portable.py --install    first installs targets of Rust, and with apt a linker and an emulator for aarch64, and node
-    tools/portable.py --native     only x86-64, with the instruction sets that this processor has
+    tools/portable.py --native     only x86-64, optimised, with the instruction sets that this processor has; tests run unoptimised
 
 A target that cannot be run here is compiled only, and so printed. Fails if a hash differs from the constant in the sources.
 """
@@ -63,7 +63,7 @@ def run(name, target, level, flags="", arguments=(), command=()):
     return done.returncode == 0
 
 
-def native():
+def native(levels):
     avx512 = ["avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"]
     processors = [
         ("x86-64", "", []),
@@ -71,12 +71,13 @@ def native():
         ("x86-64-v4", "-C target-cpu=x86-64-v4", avx512),
     ]
     for name, flags, _ in (processor for processor in processors if processor_has(*processor[2])):
-        for level in [3, 0]:
+        for level in levels:
             yield run(name, X86, level, flags, command=[""])
+
+
+def all_targets():
+    yield from native([3, 0])
     yield run("x86-64 with std", X86, 3, arguments=["--features", "std"], command=[""])
-
-
-def foreign():
     for level in [3, 0]:
         yield run("wasm32 by node", WASM, level, command=["node", "-e", NODE, ".wasm"])
         yield run("aarch64 by qemu", ARM, level, command=["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu", ""])
@@ -86,12 +87,12 @@ def foreign():
 def main():
     match sys.argv[1:]:
         case ["--native"]:
-            results = native()
+            results = native([3])
         case ["--install"]:
             install()
-            results = [*native(), *foreign()]
+            results = all_targets()
         case []:
-            results = [*native(), *foreign()]
+            results = all_targets()
         case _:
             sys.exit(__doc__)
     sys.exit(0 if all([*results]) else 1)

@@ -88,6 +88,11 @@ fn declared_events_record_replace_and_stop() {
 fn a_declared_block_stops_and_starts_again() {
     let block = Block { pull: 1.0, ..Block::default() };
     let trajectory = block.simulate([-3.0, 0.0, 1.0, 0.0]).until(7.0).tolerance(1e-12).run().expect("runs");
+    // At rest, rounding of the velocity is no change of its sign.
+    assert_eq!(
+        trajectory.events().iter().map(|event| event.name.as_str()).collect::<Vec<_>>(),
+        ["turn", "rub", "rub"]
+    );
     let rubbing: Vec<_> = trajectory.events().iter().filter(|event| event.name == "rub").collect();
     assert_eq!(rubbing[0].kind, EventKind::Stuck);
     assert_eq!(rubbing[1].kind, EventKind::Slipped);

@@ -1,11 +1,13 @@
-//! `cargo xtask check`: everything that must hold of this workspace, in one command that needs only
-//! Rust. `cargo xtask performance`: measures how fast emitted code is and rewrites the tables of
-//! docs/performance.md; `cargo xtask performance spatial` does so for bodies in space alone.
-//! `cargo xtask size [REVISION]`: counts lines of library code by crate. `cargo xtask wrap`: wraps
-//! comments and pages at 100 columns. `cargo xtask sentences`: lists sentences of more than 25
-//! words.
+//! `cargo xtask check`: everything that must hold of each change to this workspace, in one command
+//! that needs only Rust. `cargo xtask sweeps`: what takes longest, before a release or after a
+//! change to methods or contacts. `cargo xtask performance`: measures how fast emitted code is and
+//! rewrites the tables of docs/performance.md; `cargo xtask performance spatial` does so for bodies
+//! in space alone. `cargo xtask size [REVISION]`: counts lines of library code by crate.
+//! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
+//! sentences of more than 25 words.
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "performance")]
 mod performance;
 // The rule is one of those of the house, which test it.
 #[path = "../../tests/house/prose.rs"]
@@ -13,6 +15,8 @@ mod prose;
 mod size;
 mod wrap;
 
+#[cfg(feature = "performance")]
+use performance::performance;
 use std::env;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -55,20 +59,28 @@ fn main() -> ExitCode {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap_or(Path::new("."));
     let arguments = env::args().skip(1).collect::<Vec<_>>();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["check"] => check(root),
-        ["performance"] => code(performance::performance(root)),
-        ["performance", "spatial"] => code(performance::spatial(root)),
+        ["check"] => run(root, checks()),
+        ["sweeps"] => run(root, sweeps()),
+        ["performance", ref sections @ ..] => code(performance(root, sections)),
         ["size"] => code(size::size(root, None)),
         ["size", revision] => code(size::size(root, Some(revision))),
         ["wrap"] => code(wrap::wrap(root)),
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | performance [spatial] | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [spatial] | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }
     }
+}
+
+/// Measures by a program of its own, since the checks would wait until what derives is compiled.
+#[cfg(not(feature = "performance"))]
+fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
+    let command = "run --quiet --package xtask --features performance --target-dir target/performance";
+    let step = Step::new("performance", &format!("{command} -- performance {}", sections.join(" ")));
+    if step.run(root) { Ok(()) } else { Err("nothing is measured".to_owned()) }
 }
 
 fn code(result: Result<(), String>) -> ExitCode {
@@ -82,11 +94,11 @@ fn code(result: Result<(), String>) -> ExitCode {
 }
 
 /// Runs all steps, also after one that fails, so that one run reports every failure.
-fn check(root: &Path) -> ExitCode {
+fn run(root: &Path, steps: Vec<Step>) -> ExitCode {
     let start = Instant::now();
     let mut all_passed = true;
     let mut results = Vec::new();
-    for step in steps() {
+    for step in steps {
         let begin = Instant::now();
         let passed = step.run(root);
         all_passed &= passed;
@@ -98,7 +110,7 @@ fn check(root: &Path) -> ExitCode {
     if all_passed { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
-fn steps() -> Vec<Step> {
+fn checks() -> Vec<Step> {
     let mut steps = vec![
         Step::new("formatting", "fmt --all --check"),
         // All targets: benchmarks, too, are compiled as far as lints go. What adapters adapt to
@@ -110,17 +122,11 @@ fn steps() -> Vec<Step> {
         // The same random cases every time; `cargo verify` by itself draws new ones.
         // Among them every example, which asserts its own reference values.
         Step::new("tests and doctests", "verify --no-fail-fast").with("PROPTEST_RNG_SEED", "20"),
-        // The macro is named so that its features are those of the steps before, which compiled it.
-        Step::new(
-            "adapters",
-            "test --package lagrange-adapters-tests --package lagrange-macro \
-             --test diffsol --example differential_equations",
-        ),
+        // The macro is named so that its features are those of the step before, which compiled it.
         Step::new(
             "messages about missing features",
             "test --package lagrange-tests --package lagrange-macro --test ui missing_features",
         ),
-        Step::new("long motions", "motions"),
         // An example among it: with what examples depend on, features are those of the lints.
         Step::new(
             "documentation",
@@ -138,6 +144,19 @@ fn steps() -> Vec<Step> {
         steps.push(step.with("RUSTFLAGS", "-C target-feature=+fma"));
     }
     steps
+}
+
+/// Twelve minutes on two cores, most of them to compile optimised code.
+fn sweeps() -> Vec<Step> {
+    vec![
+        Step::new("long motions", "motions --no-fail-fast"),
+        Step::new(
+            "adapters",
+            "test --package lagrange-adapters-tests --package lagrange-macro \
+             --test diffsol --example differential_equations",
+        ),
+        Step::new("adapters' lints", "clippy --package lagrange-adapters-tests --all-targets -- -D warnings"),
+    ]
 }
 
 /// True if this processor can run what is compiled for the target feature `fma`.

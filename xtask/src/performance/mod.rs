@@ -31,8 +31,20 @@ const GROWING: [(&str, usize); 7] = [
 /// Chains that show what ideas are worth.
 const VARIED: [(&str, usize); 4] = [("absolute", 5), ("absolute", 10), ("absolute", 20), ("relative", 8)];
 
+/// Measures the sections named by these words, or all without one.
+///
+/// # Errors
+/// With the usage for other words, and if something cannot be compiled or run.
+pub(crate) fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
+    match sections {
+        [] => everything(root),
+        ["spatial"] => spatial(root),
+        _ => Err("usage: cargo xtask performance [spatial]".to_owned()),
+    }
+}
+
 /// Measures everything and writes it down.
-pub(crate) fn performance(root: &Path) -> Result<(), String> {
+fn everything(root: &Path) -> Result<(), String> {
     let growth = tables::growth(&counted(root)?);
     let ideas = ideas();
     let variants = variants(root, &ideas)?;
@@ -55,7 +67,7 @@ pub(crate) fn performance(root: &Path) -> Result<(), String> {
 }
 
 /// Measures bodies in space and writes that down.
-pub(crate) fn spatial(root: &Path) -> Result<(), String> {
+fn spatial(root: &Path) -> Result<(), String> {
     document::rewrite(&root.join(DOCUMENT), &[("spatial", measured_spatial(root)?)])
 }
 

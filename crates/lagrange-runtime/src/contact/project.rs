@@ -11,7 +11,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{
     StateVector, StepFailure, Violation, displaced, join, normalise_described, reach, split,
 };
-use crate::tolerance::{CLOSED_GAP, SLIT};
+use crate::tolerance::{BALANCED, CLOSED_GAP, SLIT};
 
 /// Gaps are brought to zero in so many rounds or not at all. Errors are squared in each.
 const MOST_ROUNDS: u32 = 12;
@@ -114,13 +114,23 @@ fn widest<S: Scalar, const N: usize, const K: usize>(
     widest
 }
 
-/// Brings these rates to zero.
+/// Brings these rates to zero. What rounding leaves of a velocity becomes zero, too, since events
+/// of it would otherwise happen at every change of its sign.
 pub(super) fn halt<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     v: &mut [S; N],
     is_held: [bool; K],
 ) {
-    *v = terms.added(v, &shares(terms, terms.rates, is_held));
+    let shares = shares(terms, terms.rates, is_held);
+    let (before, rounding) = (*v, BALANCED.part::<S>());
+    *v = terms.added(v, &shares);
+    for (i, v) in v.iter_mut().enumerate() {
+        let parts = terms.responses.iter().zip(&shares).map(|(response, share)| (response[i] * *share).abs());
+        let size = parts.fold(before[i].abs(), |sum, part| sum + part);
+        if v.abs() <= rounding * size {
+            *v = S::ZERO;
+        }
+    }
 }
 
 /// The energy that it takes at least to give these contacts the rates that they have.
