@@ -119,9 +119,11 @@ fn checks() -> Vec<Step> {
             "lints",
             "clippy --workspace --exclude lagrange-adapters-tests --all-targets --all-features -- -D warnings",
         ),
-        // The same random cases every time; `cargo verify` by itself draws new ones.
-        // Among them every example, which asserts its own reference values.
-        Step::new("tests and doctests", "verify --no-fail-fast").with("PROPTEST_RNG_SEED", "20"),
+        // The same random cases every time, and fewer changed texts; `cargo verify` by itself draws
+        // new ones. Among them every example, which asserts its own reference values.
+        Step::new("tests and doctests", "verify --no-fail-fast")
+            .with("PROPTEST_RNG_SEED", "20")
+            .with("LAGRANGE_MUTANTS", "5000"),
         // The macro is named so that its features are those of the step before, which compiled it.
         Step::new(
             "messages about missing features",
@@ -146,10 +148,12 @@ fn checks() -> Vec<Step> {
     steps
 }
 
-/// Twelve minutes on two cores, most of them to compile optimised code.
+/// Fifteen minutes on two cores, most of them to compile optimised code.
 fn sweeps() -> Vec<Step> {
     vec![
         Step::new("long motions", "motions --no-fail-fast"),
+        // As `cargo verify` compiled them.
+        Step::new("random texts and trees", "verify --test mutants --test spatial -- --include-ignored"),
         Step::new(
             "adapters",
             "test --package lagrange-adapters-tests --package lagrange-macro \
