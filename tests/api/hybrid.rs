@@ -117,6 +117,27 @@ fn an_impact_within_a_mechanism_keeps_its_constraints() {
     assert!(trajectory.iter().all(|(_, [x, ..])| x > -0.5 - 1e-9));
 }
 
+/// The wire and its rate are zero but for rounding, whose sign changes at random. The bead passes
+/// the lowest point, which counts, once in half a period.
+#[test]
+fn what_a_constraint_holds_at_zero_has_no_events() {
+    for tolerance in [1e-6, 1e-9, 1e-12] {
+        let bead = Bead::default();
+        let run = bead.simulate([0.4, 0.16, 0.0, 0.0]).until(5.0).tolerance(tolerance);
+        let trajectory = run
+            .event("wire", Direction::Crossing, |_, _, [x, y, ..]| y - x * x)
+            .event("rate", Direction::Crossing, |_, _, [x, _, u, v]| v - 2.0 * x * u)
+            .event("lowest", Direction::Crossing, |_, _, [x, ..]| *x)
+            .run()
+            .expect("runs");
+        let sides: Vec<f64> = trajectory.iter().map(|(_, [x, ..])| x.signum()).collect();
+        let passes = sides.windows(2).filter(|pair| pair[0] != pair[1]).count();
+        let names: Vec<&str> = trajectory.events().iter().map(|event| event.name.as_str()).collect();
+        assert!(passes >= 6, "{passes}");
+        assert_eq!(names, vec!["lowest"; passes], "{tolerance}");
+    }
+}
+
 #[test]
 fn given_events_see_the_system_as_it_is_then() {
     let mut modes = Vec::new();

@@ -6,11 +6,12 @@ use super::function::EventFunction;
 use super::instant::{accuracy, is_at_once, unresolved};
 use super::piece::Piece;
 use super::polynomial::{POINTS, points};
+use super::rounding::{is_rounding, rounded};
 use super::search::Search;
 use crate::integrate::EventSource::Given;
 use crate::integrate::Stepper;
 use crate::scalar::Scalar;
-use crate::system::{DeclaredEvent, Direction, OdeSystem, StateVector, StepFailure};
+use crate::system::{DeclaredEvent, Direction, OdeSystem, StepFailure};
 use crate::tolerance::{SAME_EVENT, SAME_INSTANT};
 use earliest::First;
 
@@ -123,12 +124,15 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             self.check_repetitions()?;
         }
         let (last, is_first) = (self.last, self.repetitions > 0 && self.started == from);
-        let found = self.search_step((from, to), |t| values(t, &stepper.interpolate(system, t)))?;
+        let found = self.search_step((from, to), &mut |t, is_rounded| {
+            let state = stepper.interpolate(system, t);
+            values(t, &if is_rounded { rounded(&state) } else { state })
+        })?;
         if let Some((event, time)) = found {
             let middle = from + S::from_f64(0.5) * (time - from);
             let state = stepper.interpolate(system, middle);
             let mut value = |state: &M::State| values(middle, state)[event];
-            self.is_noise = is_first && event == last && is_rounding::<S, M::State>(&state, &mut value);
+            self.is_noise = is_first && event == last && is_rounding(&state, &mut value);
         }
         Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
@@ -141,11 +145,12 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Some(Occurrence { event, time, state: *state })
     }
 
-    /// Searches this step for the next event; returns its function and time.
+    /// Searches this step for the next event; returns its function and time. `at` gives the
+    /// functions at a time and, if that is true, at a state that is changed by rounding.
     fn search_step(
         &mut self,
         (from, to): (S, S),
-        mut values: impl FnMut(S) -> [S; K],
+        at: &mut impl FnMut(S, bool) -> [S; K],
     ) -> Result<Option<Suspect<S>>, StepFailure<S>> {
         if !self.search.is_of(from, to) {
             self.search = Search::new(from, to);
@@ -153,34 +158,36 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
         while !is_past(to, self.reached) {
             let (start, end) = (self.reached, self.search.end(self.reached));
-            let piece = self.sample((start, end), &mut values);
+            let piece = self.sample((start, end), |t| at(t, false));
             let is_shortest = self.search.is_shortest();
             if let Some(bad) = piece.values.iter().find(|values| check(**values).is_err())
                 && is_shortest
             {
                 check(*bad)?;
             }
-            let first = self.earliest(&piece, accuracy(from, to), &mut values)?;
+            let (first, is_noise) = self.earliest(&piece, accuracy(from, to), at)?;
             match first {
                 First::Unclear => self.search.shorten(),
                 First::Passing(event) => self.functions[event].go_on(),
                 First::At(event, time) => {
                     self.measure(&piece, |t| is_past(t, time));
                     let range = self.functions[event].range;
-                    if let Some(spacing) = unresolved((from, to), time, range, |t| values(t)[event]) {
+                    if let Some(spacing) = unresolved((from, to), time, range, |t| at(t, false)[event]) {
                         return Err(StepFailure::EventUnresolved { event: Given(event), time, spacing });
                     }
                     // What was found at once was known: another look at noise would find something
                     // else.
-                    let there = if time == start { piece.values[0] } else { values(time) };
+                    let there = if time == start { piece.values[0] } else { at(time, false) };
                     self.search.pause();
                     self.fire(event, time, there)?;
                     return Ok(Some((event, time)));
                 }
                 First::None => {
                     self.measure(&piece, |_| true);
-                    let last = piece.values[POINTS - 1];
-                    self.functions.iter_mut().zip(last).for_each(|(function, value)| function.learn(value));
+                    for (k, function) in self.functions.iter_mut().enumerate() {
+                        let value = piece.values[POINTS - 1][k];
+                        if is_noise[k] { function.ignore(value) } else { function.learn(value) }
+                    }
                     self.reached = end;
                     self.search.go_on();
                 }
@@ -190,7 +197,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 
     /// The functions between two times, at the first of which they are known.
-    fn sample(&self, (start, end): (S, S), values: &mut impl FnMut(S) -> [S; K]) -> Piece<S, K> {
+    fn sample(&self, (start, end): (S, S), mut values: impl FnMut(S) -> [S; K]) -> Piece<S, K> {
         let mut times = points::<S>().map(|part| start + part * (end - start));
         times[POINTS - 1] = end;
         let here = self.functions.map(|function| function.here);
@@ -304,20 +311,6 @@ fn shortly<S: Scalar>(from: S, to: S) -> S {
     let (way, rounding) = (to - from, SAME_INSTANT.part::<S>() * from.abs());
     let part = (S::from_f64(SHORTLY) * way.abs()).max(rounding);
     if part < way.abs() { from + way.sign() * part } else { to }
-}
-
-/// True if a function is as small at this state as it changes by when entries are rounded. Hops end
-/// there where places are rounded more coarsely than times: 3.7 m below the origin those that are
-/// lower than 10⁻¹³ m.
-fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y) -> S) -> bool {
-    let here = value(state);
-    let change = |entry: usize| {
-        let mut rounded = *state;
-        let size = state.as_ref()[entry].abs();
-        rounded.as_mut()[entry] = state.as_ref()[entry] + SAME_EVENT.part::<S>() * size;
-        (value(&rounded) - here).abs()
-    };
-    here.abs() <= (0..state.as_ref().len()).map(change).fold(S::ZERO, |sum, change| sum + change)
 }
 
 fn check<S: Scalar, const K: usize>(values: [S; K]) -> Result<(), StepFailure<S>> {

@@ -24,6 +24,8 @@ pub(super) struct EventFunction<S> {
     pub(super) start: S,
     /// The largest magnitude that it was found to have.
     pub(super) range: S,
+    /// True if its values were noise up to here.
+    is_noise: bool,
     /// Its last two events, the later one first: what lies behind an event is looked at before the
     /// state is replaced there.
     fired: [Option<Fired<S>>; 2],
@@ -61,6 +63,7 @@ impl<S: Scalar> EventFunction<S> {
             claim: Claim::Found,
             start: value,
             range: value.abs(),
+            is_noise: false,
             fired: [None; 2],
         }
     }
@@ -68,6 +71,12 @@ impl<S: Scalar> EventFunction<S> {
     /// True if the sign that counts was not found since the last start.
     pub(super) fn is_armed(&self) -> bool {
         self.claim != Claim::Found
+    }
+
+    /// True if values within rounding have no sign. Those of contacts and friction have theirs by
+    /// their modes, and hops begin there.
+    pub(super) fn may_be_noise(&self) -> bool {
+        !self.is_switch && !self.is_armed()
     }
 
     /// True if its zero was an event at this time.
@@ -84,7 +93,7 @@ impl<S: Scalar> EventFunction<S> {
             Some(fired) => (fired.sign, Claim::Turned),
             None => (value, Claim::Found),
         };
-        (self.here, self.start, self.fired) = (value, value, [None; 2]);
+        (self.here, self.start, self.fired, self.is_noise) = (value, value, [None; 2], false);
         self.measure(value);
     }
 
@@ -101,11 +110,16 @@ impl<S: Scalar> EventFunction<S> {
     /// Goes on to a place where the function has this value, with no event on the way. Zero has no
     /// sign.
     pub(super) fn learn(&mut self, value: S) {
-        self.here = value;
+        (self.here, self.is_noise) = (value, false);
         let is_rounding = self.is_armed() && value * self.sign < S::ZERO;
         if value != S::ZERO && !is_rounding {
             (self.sign, self.claim) = (value, Claim::Found);
         }
+    }
+
+    /// Goes on to a place where the function has this value, with nothing but noise on the way.
+    pub(super) fn ignore(&mut self, value: S) {
+        (self.here, self.is_noise) = (value, true);
     }
 
     /// Continues to an event of another function at which this one has this value. A sign that
@@ -127,7 +141,7 @@ impl<S: Scalar> EventFunction<S> {
     /// reached from the right side. It counts once.
     pub(super) fn ends_on_zero(&mut self) -> bool {
         let is_reached = self.here == S::ZERO && self.direction.counts(self.sign, -self.sign);
-        if is_reached && !self.is_armed() {
+        if is_reached && !self.is_armed() && !self.is_noise {
             self.sign = S::ZERO;
             return true;
         }

@@ -12,6 +12,7 @@ mod instant;
 mod locate;
 mod piece;
 mod polynomial;
+mod rounding;
 mod search;
 mod switches;
 
@@ -19,6 +20,7 @@ pub use self::clocks::{earlier, next_tick, shortest_period, ticks};
 pub use self::detector::{Detector, Occurrence};
 pub(crate) use self::instant::{end_of_instant, is_at_once};
 pub(crate) use self::locate::locate;
+pub(crate) use self::rounding::rounded;
 pub use self::switches::{
     SwitchedSystem, Switches, beyond, change_side, choose_sides, free_sides, next_switch_time, side_values,
 };

@@ -77,6 +77,15 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         }
     }
 
+    /// Returns the largest change of each function where the state is rounded, at three times: it may
+    /// turn round at one of them.
+    pub(super) fn roundings(&self, at: &mut impl FnMut(S, bool) -> [S; K]) -> [S; K] {
+        [0, POINTS / 2, POINTS - 1].into_iter().fold([S::ZERO; K], |largest, j| {
+            let (rounded, values) = (at(self.times[j], true), self.values[j]);
+            core::array::from_fn(|k| largest[k].max((rounded[k] - values[k]).abs()))
+        })
+    }
+
     /// True if a function that was at zero at its start continues in the direction in which it
     /// passed zero, and was not turned round. It must do so at once, and then have gained no more
     /// than a part of its rate since.

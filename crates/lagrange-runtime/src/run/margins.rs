@@ -5,13 +5,10 @@
 //! each entry of the state is rounded. Other entries of the state have no effect on it, unless
 //! constraints hold them together.
 
+use crate::event::rounded;
 use crate::scalar::{Number, Scalar};
 use crate::system::{MOST_LOCATED, OdeSystem};
 use crate::tolerance::SURFACE;
-
-/// Entries of a state are changed by these steps through the range from one half to one, so that
-/// equal changes do not cancel.
-const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
 #[derive(Clone, Copy, Debug)]
@@ -32,7 +29,7 @@ impl<S: Scalar> Margins<S> {
         let mut margins = [S::ZERO; MOST_LOCATED];
         if system.events().iter().any(|event| event.is_side) {
             let here = exact_values(system, time, y);
-            let rounded = exact_values(system, time, &rounded::<S, M>(y));
+            let rounded = exact_values(system, time, &rounded(y));
             let shared = if system.is_constrained() { largest(y.as_ref()) } else { S::ZERO };
             for (k, _) in system.events().iter().enumerate().filter(|(_, event)| event.is_side) {
                 let own = ranges[k].max(here[k].abs()).max(shared);
@@ -82,16 +79,6 @@ pub(super) fn exact_values<M: OdeSystem>(
     let count = system.events().len().min(MOST_LOCATED);
     system.event_values(t, y, &mut values[..count]);
     values
-}
-
-/// The state with each entry changed by some roundings, all by different ones.
-fn rounded<S: Scalar, M: OdeSystem<Scalar = S>>(y: &M::State) -> M::State {
-    let (mut rounded, mut part) = (*y, 0.5);
-    for entry in rounded.as_mut() {
-        part = (part + GOLDEN) % 1.0;
-        *entry = *entry + S::from_f64(0.5 + 0.5 * part) * SURFACE.part::<S>() * entry.abs();
-    }
-    rounded
 }
 
 fn largest<S: Scalar>(y: &[S]) -> S {

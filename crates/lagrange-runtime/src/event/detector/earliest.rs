@@ -5,6 +5,7 @@ use crate::event::candidate::Candidate;
 use crate::event::function::EventFunction;
 use crate::event::locate::{MOST_ROUNDS, Sample, locate};
 use crate::event::piece::{Piece, Sight};
+use crate::event::polynomial::POINTS;
 use crate::integrate::EventSource::Given;
 use crate::scalar::Scalar;
 use crate::system::StepFailure;
@@ -26,23 +27,33 @@ pub(super) enum First<S> {
 }
 
 impl<S: Scalar, const K: usize> Detector<S, K> {
-    /// The first event in a piece.
+    /// The first event in a piece, and true for each function that might have one but is noise in all
+    /// of the piece.
     pub(super) fn earliest(
         &self,
         piece: &Piece<S, K>,
         accuracy: S,
-        values: &mut impl FnMut(S) -> [S; K],
-    ) -> Result<First<S>, StepFailure<S>> {
-        let is_shortest = self.search.is_shortest();
+        at: &mut impl FnMut(S, bool) -> [S; K],
+    ) -> Result<(First<S>, [bool; K]), StepFailure<S>> {
+        let (is_shortest, mut is_noise) = (self.search.is_shortest(), [false; K]);
         if piece.values.iter().any(|values| check(*values).is_err()) {
-            return Ok(First::Unclear);
+            return Ok((First::Unclear, is_noise));
         }
+        let mut roundings = None;
         // What had no time to leave zero since the last event was not meant to go on through it.
         let passable = (self.repetitions <= 1).then_some(self.started);
         let mut first: Option<Candidate<S, K>> = None;
         for (event, function) in self.functions.iter().enumerate() {
-            let time = match piece.sight(event, function, passable, is_shortest) {
+            let sight = piece.sight(event, function, passable, is_shortest);
+            // At its end a run may end on a zero.
+            let is_suspect = sight != Sight::Nothing || piece.values[POINTS - 1][event] == S::ZERO;
+            if is_suspect && function.may_be_noise() {
+                let roundings = roundings.get_or_insert_with(|| piece.roundings(&mut *at));
+                is_noise[event] = piece.values.iter().all(|values| values[event].abs() <= roundings[event]);
+            }
+            let time = match sight {
                 Sight::Nothing => continue,
+                _ if is_noise[event] => continue,
                 Sight::AtOnce => self.reached,
                 Sight::Between { from, to, sign }
                     if first
@@ -52,25 +63,25 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                     continue;
                 }
                 Sight::Between { from, to, sign } => {
-                    match self.bracket((from, to), (function, sign.sign()), |t| values(t)[event]) {
+                    match self.bracket((from, to), (function, sign.sign()), |t| at(t, false)[event]) {
                         Some((before, after)) => {
-                            locate(before, after, accuracy, |t| values(t)[event]).ok_or(
+                            locate(before, after, accuracy, |t| at(t, false)[event]).ok_or(
                                 StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
                             )?
                         }
                         None if is_shortest => continue,
-                        None => return Ok(First::Unclear),
+                        None => return Ok((First::Unclear, is_noise)),
                     }
                 }
-                Sight::Unclear => return Ok(First::Unclear),
-                Sight::Passing => return Ok(First::Passing(event)),
+                Sight::Unclear => return Ok((First::Unclear, is_noise)),
+                Sight::Passing => return Ok((First::Passing(event), is_noise)),
             };
             let distance = |time: S| (time - self.reached).abs();
             if first.as_ref().is_none_or(|first| distance(time) < distance(first.time)) {
-                first = Some(Candidate::new((event, time), self.reached, accuracy, &mut *values));
+                first = Some(Candidate::new((event, time), self.reached, accuracy, |t| at(t, false)));
             }
         }
-        Ok(first.map_or(First::None, |first| First::At(first.event, first.time)))
+        Ok((first.map_or(First::None, |first| First::At(first.event, first.time)), is_noise))
     }
 
     /// Returns places at which the function has this sign and the other one, between these times.
