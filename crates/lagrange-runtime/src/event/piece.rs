@@ -77,8 +77,8 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
         }
     }
 
-    /// Returns the largest change of each function where the state is rounded, at three times: it may
-    /// turn round at one of them.
+    /// Returns the largest change of each function where the state is rounded, at three times: it
+    /// may turn round at one of them.
     pub(super) fn roundings(&self, at: &mut impl FnMut(S, bool) -> [S; K]) -> [S; K] {
         [0, POINTS / 2, POINTS - 1].into_iter().fold([S::ZERO; K], |largest, j| {
             let (rounded, values) = (at(self.times[j], true), self.values[j]);

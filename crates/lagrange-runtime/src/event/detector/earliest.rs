@@ -27,8 +27,8 @@ pub(super) enum First<S> {
 }
 
 impl<S: Scalar, const K: usize> Detector<S, K> {
-    /// The first event in a piece, and true for each function that might have one but is noise in all
-    /// of the piece.
+    /// The first event in a piece, and true for each function that might have one but is noise in
+    /// all of the piece.
     pub(super) fn earliest(
         &self,
         piece: &Piece<S, K>,
