@@ -207,6 +207,7 @@ const CLI: &[Layer] = &[
         purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
     },
     Layer { modules: &["motions"], purpose: "motions, from settings as they are written to files" },
+    Layer { modules: &["analyses"], purpose: "linear models at states or equilibria, as text and as JSON" },
     Layer { modules: &["commands"], purpose: "the commands" },
 ];
 
