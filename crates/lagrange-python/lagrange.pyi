@@ -74,6 +74,9 @@ class System:
         """Computes the mass matrix, of shape (velocities, velocities)."""
     def energy(self, t: float, y: State) -> float:
         """Computes the energy, in J if units are declared."""
+    def jacobian(self, t: float, y: State) -> Array:
+        """Computes the derivatives of `rhs` by the state, of shape (entries, entries), as the `jac`
+        of `scipy.integrate.solve_ivp`. They are exact, and derived the first time."""
     def outputs(self, t: float, y: State) -> dict[str, float]:
         """Computes the declared outputs, by column."""
     def simulate(
@@ -96,6 +99,30 @@ class System:
         `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `inputs`
         returns the inputs at a time and a state. What it raises is raised here. Without it, other
         threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        """
+    def ensemble(
+        self,
+        starts: Array | Sequence[State] | dict[str, float | Array | Sequence[float]] | None = None,
+        *,
+        until: float,
+        parameters: dict[str, float | Array | Sequence[float]] | None = None,
+        begin: float = 0.0,
+        method: str | None = None,
+        tolerance: float | None = None,
+        step: float | None = None,
+        threads: int | None = None,
+    ) -> Ensemble:
+        """Computes many motions over threads, and keeps their ends.
+
+        Starts are an array of shape (runs, entries), or numbers and arrays by entry beside the
+        declared start. Parameters and inputs are numbers, or arrays with a number for each run.
+        Methods are those of `simulate`, and each end has the bits of that of a single run, on any
+        number of threads. Other threads of Python run meanwhile. A run that fails is in `failures`,
+        and does not end the others.
+
+        >>> ends = pendulum.ensemble({"theta": [0.1, 0.2, 0.3]}, until=10, parameters={"l": 2.0})
+        >>> ends.y.shape
+        (3, 2)
         """
     def equilibrium(
         self,
@@ -122,6 +149,30 @@ class System:
         """Returns the equations of motion as LaTeX, which Jupyter shows for the system."""
     def c(self) -> tuple[str, str]:
         """Returns a module of C: header and source."""
+
+class Ensemble:
+    """The ends of many motions: columns by name, a row for each run."""
+
+    @property
+    def t(self) -> Array:
+        """Times of the ends: `until`, or earlier where an event stopped a motion."""
+    @property
+    def y(self) -> Array:
+        """Final states, of shape (runs, entries of a state); NaN for runs that failed."""
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns: `t`, the state, outputs, and all parameters if some were given."""
+    @property
+    def failures(self) -> list[tuple[int, float, Array, str]]:
+        """Runs that failed: index, time and last good state, and why."""
+    def columns(self) -> dict[str, Array]:
+        """All columns by name."""
+    def to_pandas(self) -> object:
+        """Returns a `pandas.DataFrame`."""
+    def to_polars(self) -> object:
+        """Returns a `polars.DataFrame`."""
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Array: ...
 
 class Equilibrium:
     """An equilibrium or a steady motion."""

@@ -148,14 +148,18 @@ const DYNAMIC: &[Layer] = &[
         modules: &["analysis", "method"],
         purpose: "equilibria and linear models; methods of integration by name",
     },
-    Layer { modules: &["run"], purpose: "settings of runs" },
+    Layer { modules: &["ensemble", "run"], purpose: "motions over threads; settings of runs" },
 ];
 
 const PYTHON: &[Layer] = &[
-    Layer { modules: &["error", "motion"], purpose: "exceptions; motions by column" },
     Layer {
-        modules: &["linear", "simulation"],
-        purpose: "equilibria and linear models; runs, with inputs by functions of Python",
+        modules: &["columns", "error", "values"],
+        purpose: "columns by name; exceptions; values by name",
+    },
+    Layer { modules: &["motion"], purpose: "motions by column" },
+    Layer {
+        modules: &["ensemble", "linear", "simulation"],
+        purpose: "ends of many motions; equilibria and linear models; runs, with inputs by functions of Python",
     },
     Layer { modules: &["system"], purpose: "declared systems" },
 ];

@@ -44,6 +44,8 @@
 mod analysis;
 mod constraints;
 mod declared;
+#[cfg(feature = "ensemble")]
+mod ensemble;
 mod inline;
 mod linearised;
 mod mechanics;
@@ -57,6 +59,8 @@ mod system;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
+#[cfg(feature = "ensemble")]
+pub use ensemble::{EnsembleEnds, EnsembleError, EnsembleSettings, FailedMotion};
 pub use inline::{Inline, Rows};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};

@@ -4,11 +4,14 @@
 //! the bits of compiled code. `lagrange.pyi` documents it for those who use it.
 #![forbid(unsafe_code)]
 
+mod columns;
+mod ensemble;
 mod error;
 mod linear;
 mod motion;
 mod simulation;
 mod system;
+mod values;
 
 use pyo3::types::{PyModule, PyModuleMethods};
 use pyo3::{Bound, PyResult, pymodule};
@@ -18,6 +21,7 @@ use pyo3::{Bound, PyResult, pymodule};
 fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
     module.add_class::<motion::PyTrajectory>()?;
+    module.add_class::<ensemble::PyEnsemble>()?;
     module.add_class::<linear::PyEquilibrium>()?;
     module.add_class::<linear::PyLinearModel>()?;
     module.add_class::<linear::PyMode>()?;

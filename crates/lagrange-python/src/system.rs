@@ -8,24 +8,34 @@ use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::{Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, MethodChoice, RunSettings, SearchSettings, Source};
+use lagrange_dynamic::{DeclaredSystem, EnsembleSettings, MethodChoice, RunSettings, SearchSettings, Source};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
 
+use crate::ensemble::{PyEnsemble, motions};
 use crate::error::declaration_error;
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::simulation::{DrivenRun, FreeRun};
+use crate::values::{check_values, pairs, start_of};
 
 /// A declared system with values for its parameters.
 #[pyclass(name = "System", module = "lagrange", frozen)]
 pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
-    /// The system with its system matrix; empty until an analysis needs it.
-    linearised: Arc<OnceLock<DeclaredSystem>>,
+    derivatives: Arc<Derivatives>,
+}
+
+/// The system with further products; empty until one is needed.
+#[derive(Default)]
+struct Derivatives {
+    /// With its system matrix.
+    linearised: OnceLock<DeclaredSystem>,
+    /// With the derivatives of its rates.
+    differentiated: OnceLock<DeclaredSystem>,
 }
 
 #[pymethods]
@@ -57,7 +67,7 @@ impl PySystem {
         for (name, value) in pairs(values)? {
             declared.set(&name, value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
         }
-        Ok(PySystem { declared, source: self.source.clone(), linearised: self.linearised.clone() })
+        Ok(PySystem { declared, source: self.source.clone(), derivatives: self.derivatives.clone() })
     }
 
     #[getter]
@@ -86,7 +96,7 @@ impl PySystem {
         py: Python<'py>,
         values: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(self.start_of(&pairs(values)?)?.to_pyarray(py))
+        Ok(start_of(&self.declared, &pairs(values)?)?.to_pyarray(py))
     }
 
     fn rhs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
@@ -113,6 +123,14 @@ impl PySystem {
         let size = self.parts(&y)?.1.len();
         let entries = self.product(Product::MassMatrix, "mass matrix", t, &y)?;
         entries.to_pyarray(py).reshape([size, size])
+    }
+
+    fn jacobian<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (q, v) = self.parts(&y)?;
+        let system = self.with_product(py, &self.derivatives.differentiated, "jacobian")?;
+        let program = system.programs().jacobian.as_ref();
+        let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
+        system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
     }
 
     fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
@@ -162,6 +180,27 @@ impl PySystem {
                 "`inputs` must be a function of time and state; set constants by `with_parameters`",
             )),
         }
+    }
+
+    #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, threads=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn ensemble(
+        &self,
+        py: Python<'_>,
+        starts: Option<&Bound<'_, PyAny>>,
+        until: f64,
+        parameters: Option<&Bound<'_, PyDict>>,
+        begin: f64,
+        method: Option<&str>,
+        tolerance: Option<f64>,
+        step: Option<f64>,
+        threads: Option<usize>,
+    ) -> PyResult<PyEnsemble> {
+        let method = MethodChoice::new(method, tolerance, step);
+        let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let (starts, varied) = motions(&self.declared, starts, parameters)?;
+        let settings = EnsembleSettings { starts, varied, from: begin, until, method, threads };
+        PyEnsemble::compute(py, &self.declared, &settings)
     }
 
     #[pyo3(signature = (near=None, *, hold=Vec::new(), trim=Vec::new(), time=0.0))]
@@ -215,17 +254,27 @@ impl PySystem {
 impl PySystem {
     fn of(py: Python<'_>, source: Source) -> PyResult<Self> {
         let declared = runnable(&derive(py, source.system())?)?;
-        Ok(PySystem { source, declared, linearised: Arc::default() })
+        Ok(PySystem { source, declared, derivatives: Arc::default() })
     }
 
     /// The system with its system matrix, which is derived the first time.
     fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
         self.check_values()?;
-        let mut system = match self.linearised.get() {
+        self.with_product(py, &self.derivatives.linearised, "system_matrix")
+    }
+
+    /// The system with a product, which is derived the first time.
+    fn with_product(
+        &self,
+        py: Python<'_>,
+        known: &OnceLock<DeclaredSystem>,
+        product: &str,
+    ) -> PyResult<DeclaredSystem> {
+        let mut system = match known.get() {
             Some(known) => known.clone(),
             None => {
-                let found = runnable(&derive(py, self.source.system_with("system_matrix"))?)?;
-                self.linearised.get_or_init(|| found).clone()
+                let found = runnable(&derive(py, self.source.system_with(product))?)?;
+                known.get_or_init(|| found).clone()
             }
         };
         for (name, value) in self.declared.variables().fields.iter().zip(self.declared.numeric().fields()) {
@@ -238,15 +287,11 @@ impl PySystem {
         derive(py, self.source.system())
     }
 
-    fn start_of(&self, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
-        self.declared.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
-    }
-
     /// The state of an array, of a dictionary of entries, or as it is declared.
     fn state(&self, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
-        let Some(start) = start else { return self.start_of(&[]) };
+        let Some(start) = start else { return start_of(&self.declared, &[]) };
         if let Ok(values) = start.cast::<PyDict>() {
-            return self.start_of(&pairs(Some(values))?);
+            return start_of(&self.declared, &pairs(Some(values))?);
         }
         let state = start.extract::<Vec<f64>>()?;
         self.check(&state)?;
@@ -267,12 +312,7 @@ impl PySystem {
     }
 
     fn check_values(&self) -> PyResult<()> {
-        match self.declared.missing() {
-            Some(name) => Err(PyValueError::new_err(format!(
-                "`{name}` has no value: set it by `with_parameters({name}=1)`"
-            ))),
-            None => Ok(()),
-        }
+        check_values(&self.declared)
     }
 
     /// Positions and velocities.
@@ -296,9 +336,4 @@ fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
 fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
     let declared = DeclaredSystem::new(Programs::new(derived));
     declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
-}
-
-fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
-    let Some(values) = values else { return Ok(Vec::new()) };
-    values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?))).collect()
 }
