@@ -36,6 +36,11 @@ class EquilibriumError(RuntimeError):
 
     state: Array
 
+class FitError(RuntimeError):
+    """A fit without a result. `fit` has the best values, if motions were compared with the data."""
+
+    fit: Fit
+
 class SimulationError(RuntimeError):
     """A motion that failed, with what it reached."""
 
@@ -124,6 +129,32 @@ class System:
         >>> ends.y.shape
         (3, 2)
         """
+    def fit(
+        self,
+        data: dict[str, Array | Sequence[float | None]],
+        *,
+        vary: Sequence[str] | dict[str, tuple[float | None, float | None] | None],
+        start: State | dict[str, float] | None = None,
+        noise: dict[str, float] | None = None,
+        begin: float | None = None,
+        tolerance: float = 1e-9,
+        starts: int = 1,
+        max_iterations: int = 200,
+    ) -> Fit:
+        """Fits parameters, inputs of constant value and entries of the start to measured columns, by
+        nonlinear least squares along motions.
+
+        Data are times `t`, and columns of the state or of outputs, in which `None` is a missing
+        value. What varies starts at its present value, and stays between its bounds. `noise` has
+        standard deviations by column; several columns need it. Motions start at the first time, or
+        at `begin`. Of several `starts` the best end is taken. Other threads run meanwhile.
+
+        Raises `ValueError` for data and settings that make no sense. Raises `FitError` if no motion
+        reaches the end of the data, the search does not end, or data do not tell all variables.
+
+        >>> fit = pendulum.fit({"t": t, "theta": theta}, vary={"l": (0.1, 10)})
+        >>> fit.values["l"], fit.standard_errors["l"]
+        """
     def equilibrium(
         self,
         near: State | dict[str, float] | None = None,
@@ -173,6 +204,44 @@ class Ensemble:
         """Returns a `polars.DataFrame`."""
     def __len__(self) -> int: ...
     def __getitem__(self, name: str) -> Array: ...
+
+class Fit:
+    """Fitted values with what data tell of them; as text, a report."""
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Values by name."""
+    @property
+    def standard_errors(self) -> dict[str, float | None]:
+        """Standard errors by name; `None` at a bound, or where data do not tell the value."""
+    @property
+    def covariance(self) -> Array | None:
+        """Covariance matrix in the order of `values`, with zeros for values at a bound. `None` if
+        data do not tell all of them, or there is neither noise nor a value to spare."""
+    @property
+    def correlations(self) -> Array | None:
+        """Covariances over both standard errors; NaN for values at a bound."""
+    @property
+    def weakest(self) -> dict[str, float]:
+        """The combination that data tell least: relative changes by name, of length one."""
+    @property
+    def weakest_error(self) -> float:
+        """Standard error of that combination."""
+    @property
+    def chi_square(self) -> float:
+        """Sum of squares of residuals, each over its noise level."""
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Number of measured values minus that of the variables that no bound holds."""
+    @property
+    def iterations(self) -> int:
+        """Number of iterations of the best search."""
+    @property
+    def system(self) -> System:
+        """The system with the fitted parameters."""
+    @property
+    def start(self) -> Array:
+        """The start with its fitted entries."""
 
 class Equilibrium:
     """An equilibrium or a steady motion."""

@@ -148,7 +148,11 @@ const DYNAMIC: &[Layer] = &[
         modules: &["analysis", "method"],
         purpose: "equilibria and linear models; methods of integration by name",
     },
-    Layer { modules: &["ensemble", "run"], purpose: "motions over threads; settings of runs" },
+    Layer {
+        modules: &["ensemble", "fixed", "run"],
+        purpose: "motions over threads; systems with arrays as states; settings of runs",
+    },
+    Layer { modules: &["fit"], purpose: "parameters from data" },
 ];
 
 const PYTHON: &[Layer] = &[
@@ -156,10 +160,13 @@ const PYTHON: &[Layer] = &[
         modules: &["columns", "error", "values"],
         purpose: "columns by name; exceptions; values by name",
     },
-    Layer { modules: &["motion"], purpose: "motions by column" },
     Layer {
-        modules: &["ensemble", "linear", "simulation"],
-        purpose: "ends of many motions; equilibria and linear models; runs, with inputs by functions of Python",
+        modules: &["derivation", "motion"],
+        purpose: "systems from declarations, with derivatives; motions by column",
+    },
+    Layer {
+        modules: &["ensemble", "fit", "linear", "simulation"],
+        purpose: "ends of many motions; parameters from data; equilibria and linear models; runs, with inputs by functions of Python",
     },
     Layer { modules: &["system"], purpose: "declared systems" },
 ];

@@ -46,6 +46,10 @@ mod constraints;
 mod declared;
 #[cfg(feature = "ensemble")]
 mod ensemble;
+#[cfg(feature = "fit")]
+mod fit;
+#[cfg(feature = "fit")]
+mod fixed;
 mod inline;
 mod linearised;
 mod mechanics;
@@ -61,6 +65,8 @@ pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
 #[cfg(feature = "ensemble")]
 pub use ensemble::{EnsembleEnds, EnsembleError, EnsembleSettings, FailedMotion};
+#[cfg(feature = "fit")]
+pub use fit::{FitFailure, FitSettings, FoundFit};
 pub use inline::{Inline, Rows};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};

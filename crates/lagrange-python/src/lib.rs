@@ -5,8 +5,10 @@
 #![forbid(unsafe_code)]
 
 mod columns;
+mod derivation;
 mod ensemble;
 mod error;
+mod fit;
 mod linear;
 mod motion;
 mod simulation;
@@ -22,10 +24,12 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
     module.add_class::<motion::PyTrajectory>()?;
     module.add_class::<ensemble::PyEnsemble>()?;
+    module.add_class::<fit::PyFit>()?;
     module.add_class::<linear::PyEquilibrium>()?;
     module.add_class::<linear::PyLinearModel>()?;
     module.add_class::<linear::PyMode>()?;
     module.add("DeclarationError", module.py().get_type::<error::DeclarationError>())?;
     module.add("EquilibriumError", module.py().get_type::<error::EquilibriumError>())?;
+    module.add("FitError", module.py().get_type::<error::FitError>())?;
     module.add("SimulationError", module.py().get_type::<error::SimulationError>())
 }

@@ -1,21 +1,22 @@
 //! Declared systems.
 
 use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use lagrange_c::Module;
-use lagrange_core::derive::StrategyChoice;
-use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
-use lagrange_core::pipeline::{Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, EnsembleSettings, MethodChoice, RunSettings, SearchSettings, Source};
+use lagrange_core::pipeline::Derived;
+use lagrange_dynamic::{
+    DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings, Source,
+};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
 
+use crate::derivation::{Derivatives, copy_values, derive, runnable};
 use crate::ensemble::{PyEnsemble, motions};
-use crate::error::declaration_error;
+use crate::fit::{self, PyFit};
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::simulation::{DrivenRun, FreeRun};
@@ -27,15 +28,6 @@ pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
     derivatives: Arc<Derivatives>,
-}
-
-/// The system with further products; empty until one is needed.
-#[derive(Default)]
-struct Derivatives {
-    /// With its system matrix.
-    linearised: OnceLock<DeclaredSystem>,
-    /// With the derivatives of its rates.
-    differentiated: OnceLock<DeclaredSystem>,
 }
 
 #[pymethods]
@@ -67,7 +59,7 @@ impl PySystem {
         for (name, value) in pairs(values)? {
             declared.set(&name, value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
         }
-        Ok(PySystem { declared, source: self.source.clone(), derivatives: self.derivatives.clone() })
+        Ok(self.around(declared))
     }
 
     #[getter]
@@ -127,7 +119,7 @@ impl PySystem {
 
     fn jacobian<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let (q, v) = self.parts(&y)?;
-        let system = self.with_product(py, &self.derivatives.differentiated, "jacobian")?;
+        let system = self.derivatives.differentiated(py, &self.source, &self.declared)?;
         let program = system.programs().jacobian.as_ref();
         let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
         system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
@@ -203,6 +195,38 @@ impl PySystem {
         PyEnsemble::compute(py, &self.declared, &settings)
     }
 
+    #[pyo3(signature = (data, *, vary, start=None, noise=None, begin=None, tolerance=1e-9, starts=1, max_iterations=200))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn fit(
+        &self,
+        py: Python<'_>,
+        data: &Bound<'_, PyDict>,
+        vary: &Bound<'_, PyAny>,
+        start: Option<&Bound<'_, PyAny>>,
+        noise: Option<&Bound<'_, PyDict>>,
+        begin: Option<f64>,
+        tolerance: f64,
+        starts: usize,
+        max_iterations: usize,
+    ) -> PyResult<PyFit> {
+        self.check_values()?;
+        let settings = FitSettings {
+            start: self.state(start)?,
+            data: fit::data(data)?,
+            varied: fit::varied(vary)?,
+            noise: pairs(noise)?,
+            from: begin,
+            tolerance,
+            starts,
+            max_iterations,
+        };
+        PyFit::search(py, &self.declared, &settings, &|fields| {
+            let mut declared = self.declared.clone();
+            copy_values(&mut declared, fields)?;
+            Ok(Py::new(py, self.around(declared))?.into_any())
+        })
+    }
+
     #[pyo3(signature = (near=None, *, hold=Vec::new(), trim=Vec::new(), time=0.0))]
     fn equilibrium(
         &self,
@@ -257,30 +281,15 @@ impl PySystem {
         Ok(PySystem { source, declared, derivatives: Arc::default() })
     }
 
-    /// The system with its system matrix, which is derived the first time.
-    fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
-        self.check_values()?;
-        self.with_product(py, &self.derivatives.linearised, "system_matrix")
+    /// The system with other values.
+    fn around(&self, declared: DeclaredSystem) -> PySystem {
+        PySystem { declared, source: self.source.clone(), derivatives: self.derivatives.clone() }
     }
 
-    /// The system with a product, which is derived the first time.
-    fn with_product(
-        &self,
-        py: Python<'_>,
-        known: &OnceLock<DeclaredSystem>,
-        product: &str,
-    ) -> PyResult<DeclaredSystem> {
-        let mut system = match known.get() {
-            Some(known) => known.clone(),
-            None => {
-                let found = runnable(&derive(py, self.source.system_with(product))?)?;
-                known.get_or_init(|| found).clone()
-            }
-        };
-        for (name, value) in self.declared.variables().fields.iter().zip(self.declared.numeric().fields()) {
-            system.set(name, *value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
-        }
-        Ok(system)
+    /// The system with its system matrix.
+    fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
+        self.check_values()?;
+        self.derivatives.linearised(py, &self.source, &self.declared)
     }
 
     fn derived(&self, py: Python<'_>) -> PyResult<Derived> {
@@ -326,14 +335,4 @@ impl PySystem {
         let found = self.declared.numeric().product(product, t, q, v);
         found.ok_or_else(|| PyValueError::new_err(format!("the declaration excludes the {name}")))
     }
-}
-
-fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
-    let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
-    derived.map_err(|report| declaration_error(py, &report))
-}
-
-fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
-    let declared = DeclaredSystem::new(Programs::new(derived));
-    declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
 }
