@@ -36,6 +36,11 @@ class EquilibriumError(RuntimeError):
 
     state: Array
 
+class FitError(RuntimeError):
+    """A fit without a result. `fit` has the best values, if motions were compared with the data."""
+
+    fit: Fit
+
 class SimulationError(RuntimeError):
     """A motion that failed, with what it reached."""
 
@@ -74,6 +79,9 @@ class System:
         """Computes the mass matrix, of shape (velocities, velocities)."""
     def energy(self, t: float, y: State) -> float:
         """Computes the energy, in J if units are declared."""
+    def jacobian(self, t: float, y: State) -> Array:
+        """Computes the derivatives of `rhs` by the state, of shape (entries, entries), as the `jac`
+        of `scipy.integrate.solve_ivp`. They are exact, and derived the first time."""
     def outputs(self, t: float, y: State) -> dict[str, float]:
         """Computes the declared outputs, by column."""
     def simulate(
@@ -96,6 +104,56 @@ class System:
         `radau` with a `tolerance`, 1e-9 by default, and `rk4` and `gauss` with a `step`. `inputs`
         returns the inputs at a time and a state. What it raises is raised here. Without it, other
         threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
+        """
+    def ensemble(
+        self,
+        starts: Array | Sequence[State] | dict[str, float | Array | Sequence[float]] | None = None,
+        *,
+        until: float,
+        parameters: dict[str, float | Array | Sequence[float]] | None = None,
+        begin: float = 0.0,
+        method: str | None = None,
+        tolerance: float | None = None,
+        step: float | None = None,
+        threads: int | None = None,
+    ) -> Ensemble:
+        """Computes many motions over threads, and keeps their ends.
+
+        Starts are an array of shape (runs, entries), or numbers and arrays by entry beside the
+        declared start. Parameters and inputs are numbers, or arrays with a number for each run.
+        Methods are those of `simulate`, and each end has the bits of that of a single run, on any
+        number of threads. Other threads of Python run meanwhile. A run that fails is in `failures`,
+        and does not end the others.
+
+        >>> ends = pendulum.ensemble({"theta": [0.1, 0.2, 0.3]}, until=10, parameters={"l": 2.0})
+        >>> ends.y.shape
+        (3, 2)
+        """
+    def fit(
+        self,
+        data: dict[str, Array | Sequence[float | None]],
+        *,
+        vary: Sequence[str] | dict[str, tuple[float | None, float | None] | None],
+        start: State | dict[str, float] | None = None,
+        noise: dict[str, float] | None = None,
+        begin: float | None = None,
+        tolerance: float = 1e-9,
+        starts: int = 1,
+        max_iterations: int = 200,
+    ) -> Fit:
+        """Fits parameters, inputs of constant value and entries of the start to measured columns, by
+        nonlinear least squares along motions.
+
+        Data are times `t`, and columns of the state or of outputs, in which `None` is a missing
+        value. What varies starts at its present value, and stays between its bounds. `noise` has
+        standard deviations by column; several columns need it. Motions start at the first time, or
+        at `begin`. Of several `starts` the best end is taken. Other threads run meanwhile.
+
+        Raises `ValueError` for data and settings that make no sense. Raises `FitError` if no motion
+        reaches the end of the data, the search does not end, or data do not tell all variables.
+
+        >>> fit = pendulum.fit({"t": t, "theta": theta}, vary={"l": (0.1, 10)})
+        >>> fit.values["l"], fit.standard_errors["l"]
         """
     def equilibrium(
         self,
@@ -122,6 +180,68 @@ class System:
         """Returns the equations of motion as LaTeX, which Jupyter shows for the system."""
     def c(self) -> tuple[str, str]:
         """Returns a module of C: header and source."""
+
+class Ensemble:
+    """The ends of many motions: columns by name, a row for each run."""
+
+    @property
+    def t(self) -> Array:
+        """Times of the ends: `until`, or earlier where an event stopped a motion."""
+    @property
+    def y(self) -> Array:
+        """Final states, of shape (runs, entries of a state); NaN for runs that failed."""
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns: `t`, the state, outputs, and all parameters if some were given."""
+    @property
+    def failures(self) -> list[tuple[int, float, Array, str]]:
+        """Runs that failed: index, time and last good state, and why."""
+    def columns(self) -> dict[str, Array]:
+        """All columns by name."""
+    def to_pandas(self) -> object:
+        """Returns a `pandas.DataFrame`."""
+    def to_polars(self) -> object:
+        """Returns a `polars.DataFrame`."""
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Array: ...
+
+class Fit:
+    """Fitted values with what data tell of them; as text, a report."""
+
+    @property
+    def values(self) -> dict[str, float]:
+        """Values by name."""
+    @property
+    def standard_errors(self) -> dict[str, float | None]:
+        """Standard errors by name; `None` at a bound, or where data do not tell the value."""
+    @property
+    def covariance(self) -> Array | None:
+        """Covariance matrix in the order of `values`, with zeros for values at a bound. `None` if
+        data do not tell all of them, or there is neither noise nor a value to spare."""
+    @property
+    def correlations(self) -> Array | None:
+        """Covariances over both standard errors; NaN for values at a bound."""
+    @property
+    def weakest(self) -> dict[str, float]:
+        """The combination that data tell least: relative changes by name, of length one."""
+    @property
+    def weakest_error(self) -> float:
+        """Standard error of that combination."""
+    @property
+    def chi_square(self) -> float:
+        """Sum of squares of residuals, each over its noise level."""
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Number of measured values minus that of the variables that no bound holds."""
+    @property
+    def iterations(self) -> int:
+        """Number of iterations of the best search."""
+    @property
+    def system(self) -> System:
+        """The system with the fitted parameters."""
+    @property
+    def start(self) -> Array:
+        """The start with its fitted entries."""
 
 class Equilibrium:
     """An equilibrium or a steady motion."""

@@ -148,14 +148,25 @@ const DYNAMIC: &[Layer] = &[
         modules: &["analysis", "method"],
         purpose: "equilibria and linear models; methods of integration by name",
     },
-    Layer { modules: &["run"], purpose: "settings of runs" },
+    Layer {
+        modules: &["ensemble", "fixed", "run"],
+        purpose: "motions over threads; systems with arrays as states; settings of runs",
+    },
+    Layer { modules: &["fit"], purpose: "parameters from data" },
 ];
 
 const PYTHON: &[Layer] = &[
-    Layer { modules: &["error", "motion"], purpose: "exceptions; motions by column" },
     Layer {
-        modules: &["linear", "simulation"],
-        purpose: "equilibria and linear models; runs, with inputs by functions of Python",
+        modules: &["columns", "error", "values"],
+        purpose: "columns by name; exceptions; values by name",
+    },
+    Layer {
+        modules: &["derivation", "motion"],
+        purpose: "systems from declarations, with derivatives; motions by column",
+    },
+    Layer {
+        modules: &["ensemble", "fit", "linear", "simulation"],
+        purpose: "ends of many motions; parameters from data; equilibria and linear models; runs, with inputs by functions of Python",
     },
     Layer { modules: &["system"], purpose: "declared systems" },
 ];
@@ -207,6 +218,7 @@ const CLI: &[Layer] = &[
         purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
     },
     Layer { modules: &["motions"], purpose: "motions, from settings as they are written to files" },
+    Layer { modules: &["analyses"], purpose: "linear models at states or equilibria, as text and as JSON" },
     Layer { modules: &["commands"], purpose: "the commands" },
 ];
 

@@ -23,6 +23,7 @@ Commands:
   page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
+  linearise FILE    write a linear model at a state or an equilibrium, with its modes
   urdf FILE         write the declaration of a robot that a URDF file describes
 
 A file holds one declaration, alone or in `lagrange::system! { … }`.
@@ -33,13 +34,21 @@ Options:
                       extension selects the format: csv, parquet, svg or png; for modules of
                       C, a folder, or the path of both files without their extensions; for
                       units, a folder or a path
-      --json          list mistakes as JSON: an array of objects on the standard output (check)
+      --json          list mistakes as JSON: an array of objects on the standard output (check);
+                      write an object (linearise)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (kernel)
       --until TIME    end of the motion, which starts at 0 (simulate)
       --every TIME    sample so often, instead of at every step (simulate)
-      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate, fmu, page)
+      --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate,
+                      linearise, fmu, page)
       --start A=VALUE start a coordinate, velocity or state here; once for each (simulate, fmu, page)
+      --at A=VALUE    linearise, or search, where an entry of the state has this value instead of
+                      that at the start; once for each (linearise)
+      --equilibrium   search for an equilibrium there first (linearise)
+      --hold A        keep a coordinate or a state in the search; once for each (linearise)
+      --trim U        search for the value of an input, too; once for each (linearise)
+      --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
                       `rk4` or `gauss` in equal steps (simulate)
       --tolerance E   tolerated error of a step, 1e-9 by default (simulate)
@@ -62,7 +71,8 @@ Options:
 Values are written as defaults in a declaration: `2`, `30 deg`, `pi / 3`, `9.81 [m/s^2]`.
 
 Exit codes: 0, no errors; 1, a file has errors or cannot be read or written; 2, wrong usage;
-3, a motion failed before its end, and what it reached is written.
+3, a motion failed before its end, and what it reached is written, or there is no equilibrium or
+no linear model.
 ";
 
 /// A request of a command line.
@@ -110,6 +120,8 @@ pub(crate) enum Action {
     Page(Values),
     /// Computes a motion.
     Simulate(Settings),
+    /// Computes a linear model.
+    Linearise(Point),
     /// Imports a robot.
     Urdf(Options),
 }
@@ -129,6 +141,38 @@ impl Values {
         match option {
             "set" => self.fields.push(assignment(option, parser)?),
             "start" => self.start.push(assignment(option, parser)?),
+            _ => return Ok(false),
+        }
+        Ok(true)
+    }
+}
+
+/// The place of a linear model, as it is written.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct Point {
+    /// Values at the place.
+    pub(crate) values: Values,
+    /// Time.
+    pub(crate) time: Option<String>,
+    /// True to search for an equilibrium near it.
+    pub(crate) is_equilibrium: bool,
+    /// Coordinates and states that the search keeps.
+    pub(crate) hold: Vec<String>,
+    /// Inputs that the search sets.
+    pub(crate) trim: Vec<String>,
+    /// True for JSON.
+    pub(crate) is_json: bool,
+}
+
+impl Point {
+    /// Reads the value of an option; false if there is none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match option {
+            "at" => self.values.start.push(assignment(option, parser)?),
+            "set" => return self.values.read(option, parser),
+            "time" => self.time = Some(parser.value()?.string()?),
+            "hold" => self.hold.push(parser.value()?.string()?),
+            "trim" => self.trim.push(parser.value()?.string()?),
             _ => return Ok(false),
         }
         Ok(true)
@@ -206,6 +250,7 @@ impl Action {
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
+            "linearise" => Action::Linearise(Point::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
         })
@@ -219,6 +264,8 @@ impl Action {
             (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
             (Action::Unit { is_source, .. }, "sources") => *is_source = true,
             (Action::Simulate(settings), "energy") => settings.has_energy = true,
+            (Action::Linearise(point), "equilibrium") => point.is_equilibrium = true,
+            (Action::Linearise(point), "json") => point.is_json = true,
             (Action::Urdf(options), "free") => options.is_free = true,
             (Action::Urdf(options), "inputs") => options.has_inputs = true,
             (Action::Urdf(options), "limits") => options.has_limits = true,
@@ -237,6 +284,7 @@ impl Action {
         match (self, option) {
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
             (Action::Simulate(settings), _) => return settings.read(option, parser),
+            (Action::Linearise(point), _) => return point.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),
             _ => return Ok(false),

@@ -19,7 +19,8 @@ use proc_macro2::TokenStream;
 use quote::quote;
 use serde_json::Value;
 
-use crate::arguments::{Action, Command, Settings, Text, Values};
+use crate::analyses::Linearised;
+use crate::arguments::{Action, Command, Point, Settings, Text, Values};
 use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
 use crate::source;
@@ -51,6 +52,7 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
+            Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
             Action::Unit { values, is_source } => return self.unit(values, *is_source),
@@ -69,6 +71,20 @@ impl Command {
         motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
     }
 
+    /// Computes a linear model and writes it.
+    fn linearise(&self, point: &Point) -> Ended {
+        let system = self.source().and_then(|source| {
+            declared(&source)?;
+            let derived = source.linearised().map_err(|report| print_plainly(&source, &report))?;
+            dynamic(&source, Programs::new(&derived))
+        });
+        let Ok(mut system) = system else { return Ended::WithMistakes };
+        match Linearised::new(point, &mut system) {
+            Ok(linearised) => ended(write(self.output.as_deref(), &linearised.text(point.is_json)).is_ok()),
+            Err(failure) => failed(failure),
+        }
+    }
+
     /// Writes a unit of the Functional Mock-up Interface.
     fn unit(&self, values: &Values, is_source: bool) -> Ended {
         let system = self.source().and_then(|source| {
@@ -78,7 +94,7 @@ impl Command {
             Ok((dynamic(&source, programs)?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };
-        let start = match set(values, &mut system).and_then(|()| start(values, &system)) {
+        let start = match set(values, &mut system).and_then(|()| start("start", values, &system)) {
             Ok(state) => started(&system, state, values),
             Err(failure) => return failed(failure),
         };
@@ -106,7 +122,7 @@ impl Command {
             Ok((dynamic(&source, Programs::new(&derived))?, source.name))
         });
         let Ok((mut system, name)) = system else { return Ended::WithMistakes };
-        let start = match set(values, &mut system).and_then(|()| start(values, &system)) {
+        let start = match set(values, &mut system).and_then(|()| start("start", values, &system)) {
             Ok(state) => state,
             Err(failure) => return failed(failure),
         };
@@ -160,7 +176,7 @@ impl Command {
     }
 }
 
-/// Prints why a motion is not written.
+/// Prints why a motion or a linear model is not written.
 fn failed(failure: Failure) -> Ended {
     let (message, end) = match failure {
         Failure::Usage(message) => (message, Ended::Misused),
@@ -288,6 +304,15 @@ fn write(output: Option<&Path>, text: impl AsRef<[u8]>) -> Outcome<()> {
         None => io::stdout().lock().write_all(text.as_ref()).map_err(|error| error.to_string()),
     };
     result.map_err(|message| print_error(&message))
+}
+
+/// Prints mistakes without their places, which are not in the file.
+fn print_plainly(source: &Source, report: &Report) -> Printed {
+    for mistake in report.diagnostics() {
+        let help = mistake.help.as_ref().map_or(String::new(), |help| format!(" (help: {help})"));
+        print_error(&format!("{}: {}{help}", source.name, mistake.message));
+    }
+    Printed
 }
 
 fn print_error(message: &str) -> Printed {

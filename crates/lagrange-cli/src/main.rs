@@ -2,10 +2,12 @@
 //!
 //! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
 //! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
-//! the macro. `lagrange simulate` computes a motion without a compiler. `lagrange urdf` writes the
-//! declaration of a robot. `lagrange --help` has everything.
+//! the macro. `lagrange simulate` computes a motion without a compiler, and `lagrange linearise`
+//! a linear model. `lagrange urdf` writes the declaration of a robot. `lagrange --help` has
+//! everything.
 #![forbid(unsafe_code)]
 
+mod analyses;
 mod arguments;
 mod commands;
 mod mistakes;
@@ -22,7 +24,7 @@ use commands::Ended;
 const MISTAKES: u8 = 1;
 /// Exit code of a command that has no meaning.
 const USAGE: u8 = 2;
-/// Exit code of a motion that failed before its end.
+/// Exit code of a motion that failed before its end, or of a state without a linear model.
 const EARLY: u8 = 3;
 
 fn main() -> ExitCode {

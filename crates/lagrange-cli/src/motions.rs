@@ -17,12 +17,12 @@ use crate::values::value;
 /// Formats of files, by extension.
 const FORMATS: [&str; 4] = ["csv", "parquet", "svg", "png"];
 
-/// A motion that is not written, or not to its end.
+/// A motion or a linear model that is not written, or not to its end.
 #[derive(Debug)]
 pub(crate) enum Failure {
     /// The settings make no sense.
     Usage(String),
-    /// The motion failed; what it reached is written.
+    /// The motion failed, and what it reached is written; or there is no linear model.
     Ended(String),
     /// A file cannot be written.
     File(String),
@@ -54,7 +54,7 @@ impl<'a> Motion<'a> {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
         let run = RunSettings {
-            start: start(&settings.values, system)?,
+            start: start("start", &settings.values, system)?,
             from: 0.0,
             until,
             every: settings.every.as_deref().map(|text| time("every", text)).transpose()?,
@@ -99,19 +99,19 @@ pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Fa
     }
 }
 
-/// Returns the state at the start.
+/// Returns the state at the start, of which an option of this name sets entries.
 ///
 /// # Errors
 /// The first value that makes no sense, or is missing.
-pub(crate) fn start(values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
+pub(crate) fn start(option: &str, values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
     let named =
-        |(name, text): &(String, String)| Ok((name.clone(), named_value("start", (name, text), system)?));
+        |(name, text): &(String, String)| Ok((name.clone(), named_value(option, (name, text), system)?));
     let values = values.start.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
     system.start_with(&values).map_err(|error| match error {
         StartError::Missing(name) => Failure::Usage(format!(
-            "the start of `{name}` is missing: write `--start {name}=0`, or declare it"
+            "the start of `{name}` is missing: write `--{option} {name}=0`, or declare it"
         )),
-        error => Failure::Usage(format!("--start: {error}")),
+        error => Failure::Usage(format!("--{option}: {error}")),
     })
 }
 
@@ -121,8 +121,11 @@ fn named_value(option: &str, (name, text): (&str, &str), system: &DeclaredSystem
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }
 
-/// A time, in seconds where no unit is written.
-fn time(option: &str, text: &str) -> Result<f64, Failure> {
+/// Reads a time, in seconds where no unit is written.
+///
+/// # Errors
+/// If it makes no sense.
+pub(crate) fn time(option: &str, text: &str) -> Result<f64, Failure> {
     value(&format!("--{option}"), text, Some("s"))
         .map_err(|error| Failure::Usage(format!("--{option} {text}: {error}")))
 }

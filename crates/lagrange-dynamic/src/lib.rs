@@ -44,6 +44,12 @@
 mod analysis;
 mod constraints;
 mod declared;
+#[cfg(feature = "ensemble")]
+mod ensemble;
+#[cfg(feature = "fit")]
+mod fit;
+#[cfg(feature = "fit")]
+mod fixed;
 mod inline;
 mod linearised;
 mod mechanics;
@@ -57,6 +63,10 @@ mod system;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
+#[cfg(feature = "ensemble")]
+pub use ensemble::{EnsembleEnds, EnsembleError, EnsembleSettings, FailedMotion};
+#[cfg(feature = "fit")]
+pub use fit::{FitFailure, FitSettings, FoundFit};
 pub use inline::{Inline, Rows};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};

@@ -4,6 +4,8 @@
 //! therefore kept for good, once for all systems with the same ones.
 
 use std::collections::HashMap;
+#[cfg(feature = "fit")]
+use std::sync::OnceLock;
 use std::sync::{Mutex, PoisonError};
 
 use lagrange_core::pipeline::Programs;
@@ -26,6 +28,29 @@ pub(crate) struct Names {
     pub(crate) events: &'static [DeclaredEvent],
     /// Algebraic unknowns.
     pub(crate) unknowns: Texts,
+    /// Entries of the state.
+    #[cfg(feature = "fit")]
+    state: Texts,
+    #[cfg(feature = "fit")]
+    filled: OnceLock<Description>,
+}
+
+#[cfg(feature = "fit")]
+impl Names {
+    /// Returns the description of states with this number of entries. Those behind the declared
+    /// ones have names that no declaration has. The number is always the same for the same names.
+    pub(crate) fn filled(&'static self, entries: usize) -> &'static Description {
+        self.filled.get_or_init(|| {
+            let velocities = self.state[self.description.coordinates.len()..].iter().copied();
+            let others = (self.state.len()..entries).map(|index| text(&format!("entry {index}")));
+            Description { velocities: Vec::leak(velocities.chain(others).collect()), ..self.description }
+        })
+    }
+
+    /// Returns the name of a parameter, an input or an entry of the state that is kept for good.
+    pub(crate) fn known(&self, name: &str) -> Option<&'static str> {
+        self.fields.iter().chain(self.state).copied().find(|known| *known == name)
+    }
 }
 
 /// Returns the names of a system.
@@ -67,6 +92,10 @@ fn kept(programs: &Programs) -> &'static Names {
         layout,
         events: Vec::leak(declared.chain(sides).collect()),
         unknowns: texts(&programs.unknowns),
+        #[cfg(feature = "fit")]
+        state: texts(&variables.state_names()),
+        #[cfg(feature = "fit")]
+        filled: OnceLock::new(),
     }))
 }
 

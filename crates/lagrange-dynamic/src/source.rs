@@ -3,9 +3,10 @@
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
+use lagrange_core::derive::StrategyChoice;
 use lagrange_core::diagnostics::Report;
 use lagrange_core::files;
-use lagrange_core::pipeline::{System, parse_with};
+use lagrange_core::pipeline::{Derived, System, parse_with};
 use lagrange_core::tables::FileText;
 
 /// A text with the place that it was read from.
@@ -47,6 +48,14 @@ impl Source {
     pub fn system_with(&self, product: &str) -> Result<System, Report> {
         let longer = format!("{}\nemit {{ {product} }}", without_macro(&self.text));
         self.parsed(&longer)
+    }
+
+    /// Derives the equations with the derivatives of rates and outputs by state and inputs.
+    ///
+    /// # Errors
+    /// All mistakes, and the reason why there are no derivatives, as with clocks.
+    pub fn linearised(&self) -> Result<Derived, Report> {
+        self.system_with("system_matrix")?.derive(StrategyChoice::Cheapest)
     }
 
     fn parsed(&self, text: &str) -> Result<System, Report> {

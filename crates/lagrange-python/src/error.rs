@@ -8,6 +8,7 @@ use pyo3::{PyErr, Python};
 
 create_exception!(lagrange, DeclarationError, PyValueError, "A mistake in a declaration.");
 create_exception!(lagrange, EquilibriumError, PyRuntimeError, "A search that found no equilibrium.");
+create_exception!(lagrange, FitError, PyRuntimeError, "A fit without a result.");
 create_exception!(lagrange, SimulationError, PyRuntimeError, "A motion that failed.");
 
 /// Returns the exception of a report: the text of all mistakes, and the place of the first one.

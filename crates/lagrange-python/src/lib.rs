@@ -4,11 +4,16 @@
 //! the bits of compiled code. `lagrange.pyi` documents it for those who use it.
 #![forbid(unsafe_code)]
 
+mod columns;
+mod derivation;
+mod ensemble;
 mod error;
+mod fit;
 mod linear;
 mod motion;
 mod simulation;
 mod system;
+mod values;
 
 use pyo3::types::{PyModule, PyModuleMethods};
 use pyo3::{Bound, PyResult, pymodule};
@@ -18,10 +23,13 @@ use pyo3::{Bound, PyResult, pymodule};
 fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
     module.add_class::<motion::PyTrajectory>()?;
+    module.add_class::<ensemble::PyEnsemble>()?;
+    module.add_class::<fit::PyFit>()?;
     module.add_class::<linear::PyEquilibrium>()?;
     module.add_class::<linear::PyLinearModel>()?;
     module.add_class::<linear::PyMode>()?;
     module.add("DeclarationError", module.py().get_type::<error::DeclarationError>())?;
     module.add("EquilibriumError", module.py().get_type::<error::EquilibriumError>())?;
+    module.add("FitError", module.py().get_type::<error::FitError>())?;
     module.add("SimulationError", module.py().get_type::<error::SimulationError>())
 }

@@ -2,20 +2,17 @@
 
 use lagrange_dynamic::DynamicSystem;
 use lagrange_runtime::simulate::{Ending, Trajectory};
-use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
-use pyo3::exceptions::PyKeyError;
-use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
+use numpy::{PyArray1, PyArray2, ToPyArray};
+use pyo3::types::{PyDict, PyDictMethods};
 use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+
+use crate::columns::NamedColumns;
 
 /// A motion: columns by name, and events.
 #[pyclass(name = "Trajectory", module = "lagrange", frozen)]
 pub(crate) struct PyTrajectory {
-    /// Times, then the other columns.
-    names: Vec<String>,
+    columns: NamedColumns,
     units: Vec<Option<&'static str>>,
-    columns: Vec<Vec<f64>>,
-    /// Number of entries of the state, the columns behind the time.
-    entries: usize,
     events: Vec<(String, f64, Vec<f64>)>,
     ending: &'static str,
     steps: u64,
@@ -44,10 +41,8 @@ impl PyTrajectory {
             _ => "failed",
         };
         PyTrajectory {
-            names,
+            columns: NamedColumns { names, columns, entries: motion.first().as_ref().len() },
             units,
-            columns,
-            entries: motion.first().as_ref().len(),
             events: motion.events().iter().map(event).collect(),
             ending,
             steps: motion.work().steps,
@@ -59,18 +54,18 @@ impl PyTrajectory {
 impl PyTrajectory {
     #[getter]
     fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.columns[0].to_pyarray(py)
+        self.columns.times().to_pyarray(py)
     }
 
     #[getter]
     fn names(&self) -> Vec<String> {
-        self.names.clone()
+        self.columns.names.clone()
     }
 
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let units = PyDict::new(py);
-        for (name, unit) in self.names.iter().zip(&self.units) {
+        for (name, unit) in self.columns.names.iter().zip(&self.units) {
             units.set_item(name, unit)?;
         }
         Ok(units)
@@ -89,10 +84,7 @@ impl PyTrajectory {
     /// States, a row for each sample.
     #[getter]
     fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let rows = self.columns[0].len();
-        let entries =
-            (0..rows).flat_map(|row| self.columns[1..=self.entries].iter().map(move |column| column[row]));
-        PyArray1::from_iter(py, entries).reshape([rows, self.entries])
+        self.columns.states(py)
     }
 
     /// Events as tuples of name, time and state.
@@ -104,42 +96,33 @@ impl PyTrajectory {
     }
 
     fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let columns = PyDict::new(py);
-        for (name, column) in self.names.iter().zip(&self.columns) {
-            columns.set_item(name, column.to_pyarray(py))?;
-        }
-        Ok(columns)
+        self.columns.dictionary(py)
     }
 
     fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("pandas")?.getattr("DataFrame")?.call1((self.columns(py)?,))
+        self.columns.frame(py, "pandas")
     }
 
     fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        py.import("polars")?.getattr("DataFrame")?.call1((self.columns(py)?,))
+        self.columns.frame(py, "polars")
     }
 
     fn __len__(&self) -> usize {
-        self.columns[0].len()
+        self.columns.times().len()
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        match self.names.iter().position(|known| known == name) {
-            Some(index) => Ok(self.columns[index].to_pyarray(py)),
-            None => Err(PyKeyError::new_err(format!(
-                "there is no column `{name}`; there are {}",
-                self.names.join(", ")
-            ))),
-        }
+        self.columns.column(py, name)
     }
 
     fn __repr__(&self) -> String {
-        let end = self.columns[0].last().copied().unwrap_or_default();
+        let times = self.columns.times();
+        let end = times.last().copied().unwrap_or_default();
         format!(
             "<Trajectory of {} samples until t = {end}, {}: {}>",
-            self.columns[0].len(),
+            times.len(),
             self.ending,
-            self.names.join(", ")
+            self.columns.names.join(", ")
         )
     }
 }

@@ -1,31 +1,33 @@
 //! Declared systems.
 
 use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use lagrange_c::Module;
-use lagrange_core::derive::StrategyChoice;
-use lagrange_core::diagnostics::Report;
 use lagrange_core::model::Product;
-use lagrange_core::pipeline::{Derived, Programs, System};
-use lagrange_dynamic::{DeclaredSystem, MethodChoice, RunSettings, SearchSettings, Source};
+use lagrange_core::pipeline::Derived;
+use lagrange_dynamic::{
+    DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings, Source,
+};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
 
-use crate::error::declaration_error;
+use crate::derivation::{Derivatives, copy_values, derive, runnable};
+use crate::ensemble::{PyEnsemble, motions};
+use crate::fit::{self, PyFit};
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
 use crate::simulation::{DrivenRun, FreeRun};
+use crate::values::{check_values, pairs, start_of};
 
 /// A declared system with values for its parameters.
 #[pyclass(name = "System", module = "lagrange", frozen)]
 pub(crate) struct PySystem {
     source: Source,
     declared: DeclaredSystem,
-    /// The system with its system matrix; empty until an analysis needs it.
-    linearised: Arc<OnceLock<DeclaredSystem>>,
+    derivatives: Arc<Derivatives>,
 }
 
 #[pymethods]
@@ -57,7 +59,7 @@ impl PySystem {
         for (name, value) in pairs(values)? {
             declared.set(&name, value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
         }
-        Ok(PySystem { declared, source: self.source.clone(), linearised: self.linearised.clone() })
+        Ok(self.around(declared))
     }
 
     #[getter]
@@ -86,7 +88,7 @@ impl PySystem {
         py: Python<'py>,
         values: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        Ok(self.start_of(&pairs(values)?)?.to_pyarray(py))
+        Ok(start_of(&self.declared, &pairs(values)?)?.to_pyarray(py))
     }
 
     fn rhs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray1<f64>>> {
@@ -113,6 +115,14 @@ impl PySystem {
         let size = self.parts(&y)?.1.len();
         let entries = self.product(Product::MassMatrix, "mass matrix", t, &y)?;
         entries.to_pyarray(py).reshape([size, size])
+    }
+
+    fn jacobian<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (q, v) = self.parts(&y)?;
+        let system = self.derivatives.differentiated(py, &self.source, &self.declared)?;
+        let program = system.programs().jacobian.as_ref();
+        let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
+        system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
     }
 
     fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
@@ -162,6 +172,59 @@ impl PySystem {
                 "`inputs` must be a function of time and state; set constants by `with_parameters`",
             )),
         }
+    }
+
+    #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, threads=None))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn ensemble(
+        &self,
+        py: Python<'_>,
+        starts: Option<&Bound<'_, PyAny>>,
+        until: f64,
+        parameters: Option<&Bound<'_, PyDict>>,
+        begin: f64,
+        method: Option<&str>,
+        tolerance: Option<f64>,
+        step: Option<f64>,
+        threads: Option<usize>,
+    ) -> PyResult<PyEnsemble> {
+        let method = MethodChoice::new(method, tolerance, step);
+        let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let (starts, varied) = motions(&self.declared, starts, parameters)?;
+        let settings = EnsembleSettings { starts, varied, from: begin, until, method, threads };
+        PyEnsemble::compute(py, &self.declared, &settings)
+    }
+
+    #[pyo3(signature = (data, *, vary, start=None, noise=None, begin=None, tolerance=1e-9, starts=1, max_iterations=200))]
+    #[expect(clippy::too_many_arguments, reason = "they are keywords of Python")]
+    fn fit(
+        &self,
+        py: Python<'_>,
+        data: &Bound<'_, PyDict>,
+        vary: &Bound<'_, PyAny>,
+        start: Option<&Bound<'_, PyAny>>,
+        noise: Option<&Bound<'_, PyDict>>,
+        begin: Option<f64>,
+        tolerance: f64,
+        starts: usize,
+        max_iterations: usize,
+    ) -> PyResult<PyFit> {
+        self.check_values()?;
+        let settings = FitSettings {
+            start: self.state(start)?,
+            data: fit::data(data)?,
+            varied: fit::varied(vary)?,
+            noise: pairs(noise)?,
+            from: begin,
+            tolerance,
+            starts,
+            max_iterations,
+        };
+        PyFit::search(py, &self.declared, &settings, &|fields| {
+            let mut declared = self.declared.clone();
+            copy_values(&mut declared, fields)?;
+            Ok(Py::new(py, self.around(declared))?.into_any())
+        })
     }
 
     #[pyo3(signature = (near=None, *, hold=Vec::new(), trim=Vec::new(), time=0.0))]
@@ -215,38 +278,29 @@ impl PySystem {
 impl PySystem {
     fn of(py: Python<'_>, source: Source) -> PyResult<Self> {
         let declared = runnable(&derive(py, source.system())?)?;
-        Ok(PySystem { source, declared, linearised: Arc::default() })
+        Ok(PySystem { source, declared, derivatives: Arc::default() })
     }
 
-    /// The system with its system matrix, which is derived the first time.
+    /// The system with other values.
+    fn around(&self, declared: DeclaredSystem) -> PySystem {
+        PySystem { declared, source: self.source.clone(), derivatives: self.derivatives.clone() }
+    }
+
+    /// The system with its system matrix.
     fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
         self.check_values()?;
-        let mut system = match self.linearised.get() {
-            Some(known) => known.clone(),
-            None => {
-                let found = runnable(&derive(py, self.source.system_with("system_matrix"))?)?;
-                self.linearised.get_or_init(|| found).clone()
-            }
-        };
-        for (name, value) in self.declared.variables().fields.iter().zip(self.declared.numeric().fields()) {
-            system.set(name, *value).map_err(|error| PyKeyError::new_err(error.to_string()))?;
-        }
-        Ok(system)
+        self.derivatives.linearised(py, &self.source, &self.declared)
     }
 
     fn derived(&self, py: Python<'_>) -> PyResult<Derived> {
         derive(py, self.source.system())
     }
 
-    fn start_of(&self, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
-        self.declared.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
-    }
-
     /// The state of an array, of a dictionary of entries, or as it is declared.
     fn state(&self, start: Option<&Bound<'_, PyAny>>) -> PyResult<Vec<f64>> {
-        let Some(start) = start else { return self.start_of(&[]) };
+        let Some(start) = start else { return start_of(&self.declared, &[]) };
         if let Ok(values) = start.cast::<PyDict>() {
-            return self.start_of(&pairs(Some(values))?);
+            return start_of(&self.declared, &pairs(Some(values))?);
         }
         let state = start.extract::<Vec<f64>>()?;
         self.check(&state)?;
@@ -267,12 +321,7 @@ impl PySystem {
     }
 
     fn check_values(&self) -> PyResult<()> {
-        match self.declared.missing() {
-            Some(name) => Err(PyValueError::new_err(format!(
-                "`{name}` has no value: set it by `with_parameters({name}=1)`"
-            ))),
-            None => Ok(()),
-        }
+        check_values(&self.declared)
     }
 
     /// Positions and velocities.
@@ -286,19 +335,4 @@ impl PySystem {
         let found = self.declared.numeric().product(product, t, q, v);
         found.ok_or_else(|| PyValueError::new_err(format!("the declaration excludes the {name}")))
     }
-}
-
-fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
-    let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
-    derived.map_err(|report| declaration_error(py, &report))
-}
-
-fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
-    let declared = DeclaredSystem::new(Programs::new(derived));
-    declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
-}
-
-fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
-    let Some(values) = values else { return Ok(Vec::new()) };
-    values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?))).collect()
 }

@@ -263,3 +263,106 @@ def test_equilibria_follow_parameters_and_trim_inputs():
         lagrange.System(text + "discrete n = 0; every 0.1 => { n = n + 1; }").linearise([0.0, 0.0, 0.0])
     with pytest.raises(lagrange.EquilibriumError, match="remains"):
         lagrange.System("coord x = 0; kinetic = dot(x)^2; potential = -x;").equilibrium()
+
+
+def test_jacobians_are_those_of_differences():
+    system = lagrange.System(DOUBLE)
+    random = np.random.default_rng(2)
+    for y in [np.zeros(4), *random.uniform(-3, 3, (20, 4))]:
+        steps = 1e-6 * np.eye(4)
+        differences = np.array([(by_hand(0, y + step) - by_hand(0, y - step)) / 2e-6 for step in steps]).T
+        np.testing.assert_allclose(system.jacobian(0.0, y), differences, rtol=1e-6, atol=1e-6)
+    cart = lagrange.System(CART)
+    np.testing.assert_array_equal(cart.jacobian(0, [3, 5]), [[0, 1], [-4, 0]])
+    heavy = lagrange.System("param k = 1; coord x = 1; kinetic = 1/2 * dot(x)^2; potential = 1/2 * k * x^2;")
+    heavy.jacobian(0, [0, 0])
+    np.testing.assert_array_equal(heavy.with_parameters(k=9).jacobian(0, [0, 0]), [[0, 1], [-9, 0]])
+    with pytest.raises(ValueError, match="4 entries"):
+        system.jacobian(0, [1, 2])
+    stiff = solve_ivp(system.rhs, (0, 1), [2, 1.5, 0, 0], "Radau", jac=system.jacobian, rtol=1e-8, atol=1e-8)
+    np.testing.assert_allclose(stiff.y[:, -1], system.simulate(until=1, tolerance=1e-12).y[-1], atol=1e-5)
+
+
+@pytest.mark.parametrize("settings", [{}, {"method": "radau", "tolerance": 1e-8}, {"method": "rk4", "step": 0.01}])
+def test_motions_of_ensembles_have_the_bits_of_single_runs(settings):
+    system = lagrange.System(DOUBLE)
+    random = np.random.default_rng(3)
+    starts, lengths = random.uniform(-2, 2, (9, 4)), random.uniform(0.5, 2, 9)
+    ends = system.ensemble(starts, until=2, parameters={"l1": lengths, "g": 5}, **settings)
+    assert len(ends) == 9 and ends.failures == [] and ends.y.shape == (9, 4)
+    for start, length, end, height in zip(starts, lengths, ends.y, ends["height"]):
+        single = system.with_parameters(l1=length, g=5).simulate(start, until=2, **settings)
+        np.testing.assert_array_equal(end, single.y[-1])
+        assert height == single["height"][-1]
+    np.testing.assert_array_equal(ends["l1"], lengths)
+    np.testing.assert_array_equal(ends.t, np.full(9, 2.0))
+    for threads in [1, 3]:
+        again = system.ensemble(starts, until=2, parameters={"l1": lengths, "g": 5}, threads=threads, **settings)
+        np.testing.assert_array_equal(again.y, ends.y)
+
+
+def test_ensembles_are_the_closed_form():
+    system = lagrange.System("param k; coord x = 1; input u; kinetic = 1/2 * dot(x)^2; potential = 1/2 * k * x^2; force x = u;")
+    k, u = np.linspace(1, 5, 40), np.linspace(-1, 1, 40)
+    ends = system.ensemble({"x": 2.0}, until=3, parameters={"k": k, "u": u}, tolerance=1e-12)
+    np.testing.assert_allclose(ends["x"], u / k + (2 - u / k) * np.cos(3 * np.sqrt(k)), atol=1e-10)
+    starts = system.with_parameters(k=4).ensemble({"x": k, "x_dot": 1}, until=1, tolerance=1e-12)
+    np.testing.assert_allclose(starts["x"], k * np.cos(2) + np.sin(2) / 2, atol=1e-10)
+    declared = system.ensemble(until=0.5, parameters={"k": [4]}, tolerance=1e-12)
+    assert declared["x"] == pytest.approx([np.cos(1)], abs=1e-11) and len(declared) == 1
+    assert list(ends.to_pandas().columns) == ends.names == ["t", "x", "x_dot", "k"]
+
+
+def test_failures_of_ensembles_leave_the_other_runs():
+    system = lagrange.System("coord x = 1; start dot(x) = -1; kinetic = 1/2 * dot(x)^2; force x = -sqrt(x);")
+    ends = system.ensemble([[1, -1], [1, 9], [np.nan, 0]], until=2)
+    assert [index for index, _, _, _ in ends.failures] == [0, 2]
+    _, time, state, message = ends.failures[0]
+    assert 0.5 < time < 1 and abs(state[0]) < 1e-6 and "x_ddot" in message and "motion 0" in message
+    assert np.isnan(ends.y[[0, 2]]).all() and np.isfinite(ends.y[1]).all()
+    np.testing.assert_array_equal(ends.y[1], system.simulate([1, 9], until=2).y[-1])
+    stopped = lagrange.System(BALL).ensemble({"h": [2, 2000]}, until=50, parameters={"e": [2.0, 0.5]})
+    assert [index for index, _, _, _ in stopped.failures] == [0] and "e" in stopped.failures[0][3]
+    assert stopped.t[1] == pytest.approx(10, abs=1e-9)
+
+
+def test_ensembles_that_make_no_sense_are_refused():
+    system = lagrange.System(DOUBLE)
+    cases = [
+        ((), {}, ValueError, "number of runs"),
+        (([],), {}, ValueError, "at least one"),
+        ((np.zeros((0, 4)),), {}, ValueError, "at least one"),
+        (([1, 2, 3, 4],), {}, ValueError, r"shape \(runs, 4\)"),
+        ((np.zeros((2, 3)),), {}, ValueError, "4 entries, theta1"),
+        ((np.zeros((2, 2, 4)),), {}, ValueError, r"shape \(runs, 4\)"),
+        (("many",), {}, ValueError, r"shape \(runs, 4\)"),
+        (({"theta3": [1]},), {}, ValueError, "theta3"),
+        (({"theta1": "far"},), {}, ValueError, "theta1"),
+        ((np.zeros((2, 4)),), {"parameters": {"m1": [1, 2, 3]}}, ValueError, "`m1` is for 3 runs, and `starts` for 2"),
+        ((np.zeros((2, 4)),), {"parameters": {"m3": [1, 2]}}, KeyError, "m3"),
+        ((np.zeros((2, 4)),), {"method": "euler"}, ValueError, "euler"),
+        ((np.zeros((2, 4)),), {"threads": 0}, ValueError, "thread"),
+        ((np.zeros((2, 4)),), {"until": float("nan")}, ValueError, "end|time"),
+        ((np.zeros((2, 4)),), {"tolerance": -1}, ValueError, "tolerance"),
+    ]
+    for arguments, settings, kind, message in cases:
+        with pytest.raises(kind, match=message):
+            system.ensemble(*arguments, **{"until": 1, **settings})
+    with pytest.raises(ValueError, match="`k` has no value"):
+        lagrange.System("param k; coord x = 1; kinetic = k * dot(x)^2;").ensemble([[1, 0]], until=1)
+
+
+def test_ensembles_let_other_threads_run():
+    system = lagrange.System(DOUBLE)
+    done, steps = threading.Event(), []
+
+    def compute():
+        system.ensemble(np.full((8, 4), 1.0), until=40)
+        done.set()
+
+    thread = threading.Thread(target=compute)
+    thread.start()
+    while not done.wait(0.001):
+        steps.append(None)
+    thread.join()
+    assert len(steps) > 5

@@ -250,11 +250,11 @@ impl<'a, M: ParametricSystem<Scalar = f64>, K, D> FitSearch<'a, M, K, D> {
 
     /// The variables with their bounds.
     fn variables(&self, states: &[String]) -> Result<Vec<Bounded>, FitError<M>> {
-        let mut variables: Vec<Bounded> = Vec::new();
+        let (numbers, mut variables) = (self.system.numbers(), Vec::<Bounded>::new());
         for &(name, (low, high)) in &self.varied {
             let wrong = |reason: String| FitError::Variable { name, reason };
-            let of = find::<M>(name, states).ok_or_else(|| {
-                let known = M::NUMBERS.iter().map(ToString::to_string).chain(states.iter().cloned());
+            let of = find(name, numbers, states).ok_or_else(|| {
+                let known = numbers.iter().map(ToString::to_string).chain(states.iter().cloned());
                 wrong(format!(
                     "it is no parameter, input or state; these are {}",
                     known.collect::<Vec<_>>().join(", ")

@@ -48,6 +48,11 @@ impl Data {
         &self.times
     }
 
+    /// Returns the names of the columns, without times.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|column| column.name.as_str())
+    }
+
     /// Returns the values of a column.
     pub fn column(&self, name: &str) -> Option<&[Option<f64>]> {
         let found = self.columns.iter().find(|column| column.name == name)?;

@@ -188,8 +188,8 @@ where
     }
 }
 
-/// A name for what is at a place.
-pub(super) fn find<M: ParametricSystem<Scalar = f64>>(name: &str, states: &[String]) -> Option<VariableOf> {
-    let number = M::NUMBERS.iter().position(|number| *number == name).map(VariableOf::Number);
+/// The place that a name stands for.
+pub(super) fn find(name: &str, numbers: &[&str], states: &[String]) -> Option<VariableOf> {
+    let number = numbers.iter().position(|number| *number == name).map(VariableOf::Number);
     number.or_else(|| states.iter().position(|state| state == name).map(VariableOf::Start))
 }

@@ -35,6 +35,13 @@ pub trait ParametricSystem: MechanicalSystem + Sized {
     /// Names of the parameters, followed by those of the inputs.
     const NUMBERS: &'static [&'static str];
 
+    /// Returns the names of the parameters and inputs of this system. They are
+    /// [`NUMBERS`](Self::NUMBERS) unless the system was read at run time.
+    #[inline]
+    fn numbers(&self) -> &'static [&'static str] {
+        Self::NUMBERS
+    }
+
     /// Returns the value of the parameter or input at this place.
     fn number(&self, index: usize) -> Option<Self::Scalar>;
 

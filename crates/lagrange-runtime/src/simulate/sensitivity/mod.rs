@@ -135,11 +135,11 @@ pub(crate) fn varied<M: ParametricSystem>(
     weight: M::Scalar,
 ) -> Result<Varied<M::Scalar>, SettingError<M::Scalar>> {
     let description = system.description();
-    let number = M::NUMBERS.iter().position(|number| *number == name).map(VariedPlace::Number);
+    let numbers = system.numbers();
+    let number = numbers.iter().position(|number| *number == name).map(VariedPlace::Number);
     let initial = || state_names(description).position(|state| state == name).map(VariedPlace::Initial);
     let place = number.or_else(initial);
-    let place =
-        place.ok_or(SettingError::UnknownVariable { name, numbers: M::NUMBERS, state: description })?;
+    let place = place.ok_or(SettingError::UnknownVariable { name, numbers, state: description })?;
     Ok(of_place(name, place, system, start, weight))
 }
 

@@ -1,0 +1,180 @@
+//! Linear models of declared systems: from a place as it is written to text or JSON.
+
+use lagrange_dynamic::{DeclaredSystem, FoundEquilibrium, SearchSettings};
+use lagrange_runtime::linear::{DenseMatrix, Eigenmode, LinearModel, Modes, Stability};
+use serde_json::{Map, Value, json};
+
+use crate::arguments::Point;
+use crate::motions::{Failure, set, start, time};
+
+/// A linear model with its modes and the place where it holds.
+pub(crate) struct Linearised {
+    time: f64,
+    /// Names and values of the state.
+    state: Vec<(String, f64)>,
+    /// Names and values of the inputs.
+    inputs: Vec<(String, f64)>,
+    /// Present if it was searched for.
+    equilibrium: Option<FoundEquilibrium>,
+    model: LinearModel,
+    modes: Modes,
+}
+
+impl Linearised {
+    /// Understands a place, sets the parameters of the system, and linearises it there.
+    ///
+    /// # Errors
+    /// The first setting that makes no sense, or why there is no equilibrium or no linear model.
+    pub(crate) fn new(point: &Point, system: &mut DeclaredSystem) -> Result<Self, Failure> {
+        set(&point.values, system)?;
+        let near = start("at", &point.values, system)?;
+        let time = point.time.as_deref().map_or(Ok(0.0), |text| time("time", text))?;
+        let equilibrium = equilibrium(point, time, &near, system)?;
+        let state = equilibrium.as_ref().map_or(near, |found| found.state.clone());
+        let nowhere = |message: String| Failure::Ended(message);
+        let model = system.linearise(time, &state).map_err(|error| nowhere(error.to_string()))?;
+        let modes = model.modes().map_err(|error| nowhere(error.to_string()))?;
+        let state = system.state_names().into_iter().zip(state).collect();
+        Ok(Linearised { time, state, inputs: inputs(system), equilibrium, model, modes })
+    }
+
+    /// Returns all of it as text, or as JSON.
+    pub(crate) fn text(&self, is_json: bool) -> String {
+        if is_json { format!("{:#}\n", self.json()) } else { self.table() }
+    }
+
+    fn json(&self) -> Value {
+        let model = &self.model;
+        let equilibrium = self
+            .equilibrium
+            .as_ref()
+            .map(|found| json!({ "iterations": found.iterations, "freedom": found.freedom }));
+        json!({
+            "time": self.time,
+            "state": object(&self.state),
+            "inputs": object(&self.inputs),
+            "equilibrium": equilibrium,
+            "states": model.states(),
+            "input_names": model.inputs(),
+            "output_names": model.outputs(),
+            "a": rows(model.a()),
+            "b": rows(model.b()),
+            "c": rows(model.c()),
+            "d": rows(model.d()),
+            "modes": self.modes.modes().iter().map(|mode| self.mode(mode)).collect::<Vec<_>>(),
+            "stability": match self.modes.stability() {
+                Stability::AsymptoticallyStable => "asymptotically stable",
+                Stability::Undecided => "undecided",
+                Stability::Unstable => "unstable",
+            },
+        })
+    }
+
+    fn mode(&self, mode: &Eigenmode) -> Value {
+        let parts = mode.shape.iter().map(|(real, imaginary)| json!([real, imaginary]));
+        let shape = self.modes.components().iter().cloned().zip(parts).collect::<Map<_, _>>();
+        json!({
+            "real": mode.real,
+            "imaginary": mode.imaginary,
+            "natural_frequency": mode.natural_frequency(),
+            "frequency": mode.frequency(),
+            "damping_ratio": mode.damping_ratio(),
+            "shape": shape,
+        })
+    }
+
+    fn table(&self) -> String {
+        let place = if self.equilibrium.is_some() { "equilibrium" } else { "state" };
+        let mut text = format!("{place} at time {:?}:\n{}", self.time, lines(&self.state));
+        if let Some(found) = self.equilibrium.as_ref().filter(|found| found.freedom > 0) {
+            text += &format!("  directions to other equilibria: {}\n", found.freedom);
+        }
+        if !self.inputs.is_empty() {
+            text += &format!("inputs:\n{}", lines(&self.inputs));
+        }
+        let (model, states) = (&self.model, self.model.states());
+        let (inputs, outputs) = (owned(model.inputs()), owned(model.outputs()));
+        text += &matrix("A", model.a(), states, states);
+        text += &matrix("B", model.b(), states, &inputs);
+        text += &matrix("C", model.c(), &outputs, states);
+        text += &matrix("D", model.d(), &outputs, &inputs);
+        text + &format!("modes:\n{}\n", self.modes)
+    }
+}
+
+/// The equilibrium, if one is wanted; trimmed inputs of the system then have the values there.
+fn equilibrium(
+    point: &Point,
+    time: f64,
+    near: &[f64],
+    system: &mut DeclaredSystem,
+) -> Result<Option<FoundEquilibrium>, Failure> {
+    if !point.is_equilibrium {
+        return match (&point.hold[..], &point.trim[..]) {
+            ([], []) => Ok(None),
+            _ => Err(Failure::Usage("--hold and --trim belong to a search: add `--equilibrium`".to_owned())),
+        };
+    }
+    check_unknowns(point, system)?;
+    let (near, hold, trim) = (near.to_vec(), point.hold.clone(), point.trim.clone());
+    let found = system.equilibrium(SearchSettings { time, near, hold, trim });
+    let found = found.map_err(|error| Failure::Ended(error.to_string()))?;
+    for ((name, _), value) in inputs(system).iter().zip(&found.inputs) {
+        system.set(name, *value).map_err(|error| Failure::Ended(error.to_string()))?;
+    }
+    Ok(Some(found))
+}
+
+/// Checks the names that a search keeps or sets.
+fn check_unknowns(point: &Point, system: &DeclaredSystem) -> Result<(), Failure> {
+    let states = system.state_names();
+    let inputs = inputs(system).into_iter().map(|(name, _)| name).collect::<Vec<_>>();
+    for (option, given, known) in [("hold", &point.hold, &states), ("trim", &point.trim, &inputs)] {
+        if let Some(name) = given.iter().find(|name| !known.contains(name)) {
+            let known = known.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+            return Err(Failure::Usage(format!("--{option}: there is no `{name}`; known are {known}")));
+        }
+    }
+    Ok(())
+}
+
+/// Names and values of the inputs.
+fn inputs(system: &DeclaredSystem) -> Vec<(String, f64)> {
+    let values = system.numeric().fields().iter().copied();
+    let all = system.variables().fields.iter().cloned().zip(values);
+    all.skip(system.programs().layout.parameters).collect()
+}
+
+fn owned(names: &[&str]) -> Vec<String> {
+    names.iter().map(ToString::to_string).collect()
+}
+
+fn object(values: &[(String, f64)]) -> Value {
+    values.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>().into()
+}
+
+fn rows(matrix: &DenseMatrix) -> Vec<&[f64]> {
+    (0..matrix.rows()).map(|row| matrix.row(row)).collect()
+}
+
+fn lines(values: &[(String, f64)]) -> String {
+    values.iter().map(|(name, value)| format!("  {name} = {value:?}\n")).collect()
+}
+
+/// A matrix with names of rows and columns; nothing if it has no entries.
+fn matrix(name: &str, matrix: &DenseMatrix, rows: &[String], columns: &[String]) -> String {
+    if rows.is_empty() || columns.is_empty() {
+        return String::new();
+    }
+    let entries = |row: usize| matrix.row(row).iter().map(|entry| format!("{entry:.9e}"));
+    let cells = |row: usize| std::iter::once(rows[row].clone()).chain(entries(row)).collect();
+    let head: Vec<String> = std::iter::once(name.to_owned()).chain(columns.iter().cloned()).collect();
+    let table = std::iter::once(head).chain((0..rows.len()).map(cells)).collect::<Vec<Vec<String>>>();
+    let width = |column: usize| table.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths = (0..=columns.len()).map(width).collect::<Vec<_>>();
+    let line = |row: &Vec<String>| {
+        let cells = row.iter().zip(&widths).skip(1).map(|(cell, width)| format!("  {cell:>width$}"));
+        format!("{:<width$}{}\n", row[0], cells.collect::<String>(), width = widths[0])
+    };
+    table.iter().map(line).collect()
+}

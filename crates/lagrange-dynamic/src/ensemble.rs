@@ -1,0 +1,213 @@
+//! Many motions of a system that was read at run time, over threads.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use lagrange_runtime::ensemble::{self, Ends, Ensemble, Ensembles, Failure};
+use lagrange_runtime::integrate::{PlainGaussLegendre, Radau5, RungeKutta4, Verner98};
+
+use crate::declared::{DeclaredSystem, Visitor};
+use crate::method::MethodChoice;
+use crate::refusal::NoSuchName;
+use crate::system::DynamicSystem;
+
+/// The motions of an ensemble. Each is a run of its own, with the bits of a single one.
+#[derive(Clone, PartialEq, Debug)]
+pub struct EnsembleSettings {
+    /// States at the start, one for each motion.
+    pub starts: Vec<Vec<f64>>,
+    /// Parameters and inputs of constant value that differ between motions, by name. Each has a
+    /// value for each motion.
+    pub varied: Vec<(String, Vec<f64>)>,
+    /// Time of the start.
+    pub from: f64,
+    /// Time of the end.
+    pub until: f64,
+    /// The method.
+    pub method: MethodChoice,
+    /// Number of threads; one for each processor if it is `None`. Results do not depend on it.
+    pub threads: Option<usize>,
+}
+
+/// The ends of motions, a row for each. Rows of motions that failed are NaN, but for parameters.
+#[derive(Clone, PartialEq, Debug)]
+pub struct EnsembleEnds {
+    /// Times of the ends: those wanted, or earlier ones where events stopped motions.
+    pub times: Vec<f64>,
+    /// Names of the columns: the state, outputs, and parameters if something varies.
+    pub names: Vec<String>,
+    /// Columns, in the order of their names.
+    pub columns: Vec<Vec<f64>>,
+    /// Motions that failed, in their order.
+    pub failures: Vec<FailedMotion>,
+}
+
+/// A motion that failed.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FailedMotion {
+    /// Its index, from zero.
+    pub index: usize,
+    /// The time of the last good state.
+    pub time: f64,
+    /// The last good state.
+    pub state: Vec<f64>,
+    /// Why and where it failed.
+    pub message: String,
+}
+
+/// The reason why no ensemble was computed.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum EnsembleError {
+    /// The system has no parameter or input of this name.
+    Unknown(NoSuchName),
+    /// A name varies twice.
+    Repeated(String),
+    /// A list has another length than that of the starts.
+    Length {
+        /// The parameter or input.
+        name: String,
+        /// Number of its values.
+        values: usize,
+        /// Number of motions.
+        motions: usize,
+    },
+    /// A start has another number of entries than the state.
+    Start {
+        /// The motion, from zero.
+        motion: usize,
+        /// Number of its entries.
+        entries: usize,
+        /// Names of those of a state.
+        state: Vec<String>,
+    },
+    /// Another setting makes no sense, in words.
+    Setting(String),
+}
+
+impl Display for EnsembleError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            EnsembleError::Unknown(name) => name.fmt(f),
+            EnsembleError::Repeated(name) => write!(f, "`{name}` varies twice"),
+            EnsembleError::Length { name, values, motions } => {
+                write!(f, "`{name}` has {values} values for {motions} motions")
+            }
+            EnsembleError::Start { motion, entries, state } => write!(
+                f,
+                "a state has {} entries, {}, but the start of motion {motion} has {entries}",
+                state.len(),
+                state.join(", ")
+            ),
+            EnsembleError::Setting(message) => f.write_str(message),
+        }
+    }
+}
+
+impl Error for EnsembleError {}
+
+impl DeclaredSystem {
+    /// Computes motions over threads, and keeps their ends.
+    ///
+    /// # Errors
+    /// If settings make no sense. A motion that fails is among the
+    /// [`failures`](EnsembleEnds::failures), and the others continue.
+    pub fn ensemble(&self, settings: &EnsembleSettings) -> Result<EnsembleEnds, EnsembleError> {
+        let names = self.state_names();
+        let wrong = settings.starts.iter().position(|start| start.len() != names.len());
+        if let Some(motion) = wrong {
+            let entries = settings.starts[motion].len();
+            return Err(EnsembleError::Start { motion, entries, state: names });
+        }
+        self.visit(Motions { settings, varied: self.places(settings)? })
+    }
+
+    /// The places of what varies among parameters and inputs, with the values.
+    fn places<'a>(&self, settings: &'a EnsembleSettings) -> Result<Vec<(usize, &'a [f64])>, EnsembleError> {
+        let (known, motions) = (&self.variables().fields, settings.starts.len());
+        let mut places: Vec<(usize, &[f64])> = Vec::new();
+        for (name, values) in &settings.varied {
+            let unknown = || NoSuchName { name: name.clone(), known: known.clone() };
+            let place = known.iter().position(|known| known == name);
+            let place = place.ok_or_else(|| EnsembleError::Unknown(unknown()))?;
+            if values.len() != motions {
+                let (name, values) = (name.clone(), values.len());
+                return Err(EnsembleError::Length { name, values, motions });
+            }
+            if places.iter().any(|(other, _)| *other == place) {
+                return Err(EnsembleError::Repeated(name.clone()));
+            }
+            places.push((place, values));
+        }
+        Ok(places)
+    }
+}
+
+/// Settings whose names are understood.
+struct Motions<'a> {
+    settings: &'a EnsembleSettings,
+    /// Places among parameters and inputs, with a value for each motion.
+    varied: Vec<(usize, &'a [f64])>,
+}
+
+impl Visitor for Motions<'_> {
+    type Output = Result<EnsembleEnds, EnsembleError>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        let EnsembleSettings { starts, from, until, method, threads, .. } = self.settings;
+        let states = starts.iter().map(|start| system.state(start)).collect::<Vec<_>>();
+        let mut motions = system.ensemble(states).from(*from);
+        if !self.varied.is_empty() {
+            motions = motions.parameters(|index, system: &mut DynamicSystem<CAPACITY>| {
+                for (place, values) in &self.varied {
+                    system.numeric.set_field(*place, values[index]);
+                }
+            });
+        }
+        let mut ensemble = motions.until(*until).one_by_one();
+        if system.has_outputs() {
+            ensemble = ensemble.outputs();
+        }
+        if let Some(threads) = threads {
+            ensemble = ensemble.threads(*threads);
+        }
+        let ends = ends_by(*method, ensemble);
+        ends.map(EnsembleEnds::of).map_err(|error| EnsembleError::Setting(error.to_string()))
+    }
+}
+
+type Found<const CAPACITY: usize> = Result<Ends<DynamicSystem<CAPACITY>>, ensemble::EnsembleError>;
+
+fn ends_by<const CAPACITY: usize>(
+    method: MethodChoice,
+    ensemble: Ensemble<'_, DynamicSystem<CAPACITY>, Verner98<f64>>,
+) -> Found<CAPACITY> {
+    match method {
+        MethodChoice::Verner { tolerance } => ensemble.tolerance(tolerance).run(),
+        MethodChoice::Radau { tolerance } => ensemble.method(Radau5::tolerance(tolerance)).run(),
+        MethodChoice::RungeKutta4 { step } => ensemble.method(RungeKutta4 { step }).run(),
+        MethodChoice::GaussLegendre { step } => ensemble.method(PlainGaussLegendre::<f64, 3> { step }).run(),
+    }
+}
+
+impl EnsembleEnds {
+    fn of<const CAPACITY: usize>(ends: Ends<DynamicSystem<CAPACITY>>) -> Self {
+        EnsembleEnds {
+            times: ends.times().to_vec(),
+            names: ends.names().to_vec(),
+            columns: ends.table().columns().map(<[f64]>::to_vec).collect(),
+            failures: ends.failures().iter().map(FailedMotion::of).collect(),
+        }
+    }
+}
+
+impl FailedMotion {
+    fn of<const CAPACITY: usize>(failure: &Failure<DynamicSystem<CAPACITY>>) -> Self {
+        FailedMotion {
+            index: failure.index,
+            time: failure.time,
+            state: failure.state.as_ref().to_vec(),
+            message: failure.to_string(),
+        }
+    }
+}

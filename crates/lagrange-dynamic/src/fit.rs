@@ -1,0 +1,177 @@
+//! Parameters of a system that was read at run time, from data.
+
+use std::error::Error;
+use std::fmt::{self, Display, Formatter};
+
+use lagrange_runtime::fit::{Data, DenseMatrix, FitError, Fits, Fitted, FittedValue};
+use lagrange_runtime::system::{OutputSystem, ParametricSystem, StateVector};
+
+use crate::declared::{DeclaredSystem, Visitor};
+use crate::fixed::{FixedSystem, filled};
+use crate::inline::Inline;
+use crate::refusal::NoSuchName;
+use crate::system::DynamicSystem;
+
+/// A fit of motions to data, by the method `verner`.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FitSettings {
+    /// State at the start.
+    pub start: Vec<f64>,
+    /// Times and measured columns: entries of the state or outputs.
+    pub data: Data,
+    /// Parameters, inputs of constant value and entries of the start that vary, by name, with lower
+    /// and upper bounds, which may be infinite.
+    pub varied: Vec<(String, [f64; 2])>,
+    /// Standard deviations of the noise, by column.
+    pub noise: Vec<(String, f64)>,
+    /// Time of the start; the first time of the data if it is `None`.
+    pub from: Option<f64>,
+    /// Tolerated error of a step.
+    pub tolerance: f64,
+    /// Number of points from which to search.
+    pub starts: usize,
+    /// Number of iterations from each of them.
+    pub max_iterations: usize,
+}
+
+/// The values of a fit.
+#[derive(Clone, PartialEq, Debug)]
+pub struct FoundFit {
+    /// Values with standard errors, in the order in which they vary.
+    pub values: Vec<FittedValue>,
+    /// Covariance matrix of the values, in rows, with zeros for those at a bound. `None` if data do
+    /// not tell all of them, or there are no more values than variables and no noise levels.
+    pub covariance: Option<Vec<Vec<f64>>>,
+    /// The combination of relative changes that data tell least.
+    pub weakest: Vec<(&'static str, f64)>,
+    /// The standard error of that combination.
+    pub weakest_error: f64,
+    /// Sum of squares of the residuals, each over its noise level.
+    pub chi_square: f64,
+    /// Number of values in the data minus that of the variables that no bound holds.
+    pub degrees_of_freedom: usize,
+    /// Number of iterations of the best search.
+    pub iterations: usize,
+    /// Parameters and inputs of the system, with those that were fitted.
+    pub fields: Vec<f64>,
+    /// State at the start, with the entries that were fitted.
+    pub start: Vec<f64>,
+    /// All of it in words.
+    pub report: String,
+}
+
+/// The reason why a fit has no result.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum FitFailure {
+    /// The system has nothing of this name to vary or to measure.
+    Unknown(NoSuchName),
+    /// Data or settings make no sense.
+    Setting(String),
+    /// No motion reaches the end of the data.
+    Motion(String),
+    /// The data do not tell all variables, or the search did not come to an end.
+    Unfinished {
+        /// The combination that is not known, or the number of iterations.
+        message: String,
+        /// The best values.
+        best: Box<FoundFit>,
+    },
+}
+
+impl Display for FitFailure {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            FitFailure::Unknown(name) => name.fmt(f),
+            FitFailure::Setting(message)
+            | FitFailure::Motion(message)
+            | FitFailure::Unfinished { message, .. } => f.write_str(message),
+        }
+    }
+}
+
+impl Error for FitFailure {}
+
+impl DeclaredSystem {
+    /// Fits parameters, inputs and entries of the start to data.
+    ///
+    /// # Errors
+    /// If data or settings make no sense, no motion reaches the end of the data, the search does
+    /// not end, or data do not tell all variables.
+    pub fn fit(&self, settings: &FitSettings) -> Result<FoundFit, FitFailure> {
+        let measurable = [self.state_names(), self.variables().outputs.concat()].concat();
+        let variable = [&self.variables().fields[..], &self.state_names()].concat();
+        let columns = settings.data.names().chain(settings.noise.iter().map(|(name, _)| name.as_str()));
+        let varied = settings.varied.iter().map(|(name, _)| name.as_str());
+        let pairs = columns.map(|name| (name, &measurable)).chain(varied.map(|name| (name, &variable)));
+        for (name, known) in pairs {
+            if !known.iter().any(|known| known == name) {
+                let unknown = NoSuchName { name: name.to_owned(), known: known.clone() };
+                return Err(FitFailure::Unknown(unknown));
+            }
+        }
+        match settings.starts {
+            0 => Err(FitFailure::Setting("a fit searches from at least one point".to_owned())),
+            _ => self.visit(settings),
+        }
+    }
+}
+
+impl Visitor for &FitSettings {
+    type Output = Result<FoundFit, FitFailure>;
+
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        let start = filled(&system.state(&self.start));
+        let fixed = FixedSystem(system.clone());
+        let mut search = fixed.fit(start, self.data.clone()).tolerance(self.tolerance);
+        for (name, [low, high]) in &self.varied {
+            let name = system.names.known(name).unwrap_or_default();
+            search = search.vary(name, *low..=*high);
+        }
+        for (column, level) in &self.noise {
+            search = search.noise(column, *level);
+        }
+        for (index, name) in system.names.layout.outputs.iter().enumerate() {
+            let output = move |system: &FixedSystem<CAPACITY>, t, y: &[f64; CAPACITY]| {
+                let own = system.own(y);
+                let (q, v) = own.parts(0);
+                system.0.outputs(t, &Inline::of(q), &Inline::of(v)).get(index).copied().unwrap_or(f64::NAN)
+            };
+            search = search.measure(name, output);
+        }
+        if let Some(time) = self.from {
+            search = search.from(time);
+        }
+        let fitted = search.starts(self.starts).max_iterations(self.max_iterations).run();
+        fitted.map_or_else(failed, |fitted| Ok(found(&fitted)))
+    }
+}
+
+fn failed<const N: usize>(error: FitError<FixedSystem<N>>) -> Result<FoundFit, FitFailure> {
+    let message = error.to_string();
+    Err(match error {
+        FitError::Motion { .. } => FitFailure::Motion(message),
+        FitError::Undetermined(fitted) | FitError::NotConverged(fitted) => {
+            FitFailure::Unfinished { message, best: Box::new(found(&fitted)) }
+        }
+        _ => FitFailure::Setting(message),
+    })
+}
+
+fn found<const N: usize>(fitted: &Fitted<FixedSystem<N>>) -> FoundFit {
+    let system = fitted.system();
+    let fields = (0..system.numbers().len()).filter_map(|index| system.number(index));
+    let rows = |matrix: &DenseMatrix| (0..matrix.rows()).map(|row| matrix.row(row).to_vec()).collect();
+    FoundFit {
+        values: fitted.values().to_vec(),
+        covariance: fitted.covariance().map(rows),
+        weakest: fitted.weakest().to_vec(),
+        weakest_error: fitted.weakest_error(),
+        chi_square: fitted.chi_square(),
+        degrees_of_freedom: fitted.degrees_of_freedom(),
+        iterations: fitted.iterations(),
+        fields: fields.collect(),
+        start: system.own(&fitted.start()).as_ref().to_vec(),
+        report: fitted.to_string(),
+    }
+}

@@ -1,0 +1,88 @@
+//! Systems from declarations, and with derivatives that are derived when they are needed.
+
+use std::sync::OnceLock;
+
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::diagnostics::Report;
+use lagrange_core::pipeline::{Derived, Programs, System};
+use lagrange_dynamic::{DeclaredSystem, Source};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::{PyResult, Python};
+
+use crate::error::declaration_error;
+
+/// A system with further products; empty until one is needed.
+#[derive(Default)]
+pub(crate) struct Derivatives {
+    linearised: OnceLock<DeclaredSystem>,
+    differentiated: OnceLock<DeclaredSystem>,
+}
+
+impl Derivatives {
+    /// Returns the system with its system matrix.
+    pub(crate) fn linearised(
+        &self,
+        py: Python<'_>,
+        source: &Source,
+        system: &DeclaredSystem,
+    ) -> PyResult<DeclaredSystem> {
+        with_product(py, &self.linearised, (source, "system_matrix"), system)
+    }
+
+    /// Returns the system with the derivatives of its rates by the state.
+    pub(crate) fn differentiated(
+        &self,
+        py: Python<'_>,
+        source: &Source,
+        system: &DeclaredSystem,
+    ) -> PyResult<DeclaredSystem> {
+        with_product(py, &self.differentiated, (source, "jacobian"), system)
+    }
+}
+
+/// The system with a product, and with the values of another.
+fn with_product(
+    py: Python<'_>,
+    known: &OnceLock<DeclaredSystem>,
+    (source, product): (&Source, &str),
+    values: &DeclaredSystem,
+) -> PyResult<DeclaredSystem> {
+    let mut system = match known.get() {
+        Some(known) => known.clone(),
+        None => {
+            let found = runnable(&derive(py, source.system_with(product))?)?;
+            known.get_or_init(|| found).clone()
+        }
+    };
+    copy_values(&mut system, values.numeric().fields())?;
+    Ok(system)
+}
+
+/// Sets all parameters and inputs.
+///
+/// # Errors
+/// `KeyError` if the system has fewer.
+pub(crate) fn copy_values(system: &mut DeclaredSystem, values: &[f64]) -> PyResult<()> {
+    let names = system.variables().fields.clone();
+    let mut pairs = names.iter().zip(values);
+    let set = pairs.try_for_each(|(name, value)| system.set(name, *value));
+    set.map_err(|error| PyKeyError::new_err(error.to_string()))
+}
+
+/// Derives equations.
+///
+/// # Errors
+/// `DeclarationError` with the mistakes.
+pub(crate) fn derive(py: Python<'_>, system: Result<System, Report>) -> PyResult<Derived> {
+    let derived = system.and_then(|system| system.derive(StrategyChoice::Cheapest));
+    derived.map_err(|report| declaration_error(py, &report))
+}
+
+/// Returns a system that can be run.
+///
+/// # Errors
+/// `ValueError` for what only compiled code can run.
+pub(crate) fn runnable(derived: &Derived) -> PyResult<DeclaredSystem> {
+    let declared = DeclaredSystem::new(Programs::new(derived));
+    declared.map_err(|refusal| PyValueError::new_err(refusal.to_string()))
+}

@@ -1,0 +1,153 @@
+//! Ensembles of motions, with starts and parameters of Python.
+
+use lagrange_dynamic::{DeclaredSystem, EnsembleSettings, FailedMotion};
+use numpy::{PyArray1, PyArray2, ToPyArray};
+use pyo3::exceptions::{PyKeyError, PyValueError};
+use pyo3::types::{PyAnyMethods, PyDict};
+use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+
+use crate::columns::NamedColumns;
+use crate::values::{PerMotion, check_values, per_motion, start_of};
+
+/// The ends of motions, a row for each.
+#[pyclass(name = "Ensemble", module = "lagrange", frozen)]
+pub(crate) struct PyEnsemble {
+    columns: NamedColumns,
+    failures: Vec<FailedMotion>,
+}
+
+impl PyEnsemble {
+    /// Computes motions while other threads of Python run.
+    pub(crate) fn compute(
+        py: Python<'_>,
+        system: &DeclaredSystem,
+        settings: &EnsembleSettings,
+    ) -> PyResult<Self> {
+        let ends = py.detach(|| system.ensemble(settings));
+        let ends = ends.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        let names = std::iter::once("t".to_owned()).chain(ends.names).collect();
+        let columns = std::iter::once(ends.times).chain(ends.columns).collect();
+        let entries = system.state_names().len();
+        Ok(PyEnsemble { columns: NamedColumns { names, columns, entries }, failures: ends.failures })
+    }
+}
+
+#[pymethods]
+impl PyEnsemble {
+    #[getter]
+    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.columns.times().to_pyarray(py)
+    }
+
+    /// Final states, a row for each motion.
+    #[getter]
+    fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.columns.states(py)
+    }
+
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.columns.names.clone()
+    }
+
+    /// Motions that failed as tuples of index, time, last good state and message.
+    #[getter]
+    fn failures<'py>(&self, py: Python<'py>) -> Vec<(usize, f64, Bound<'py, PyArray1<f64>>, String)> {
+        let failure = |failed: &FailedMotion| {
+            (failed.index, failed.time, failed.state.to_pyarray(py), failed.message.clone())
+        };
+        self.failures.iter().map(failure).collect()
+    }
+
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.columns.dictionary(py)
+    }
+
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.columns.frame(py, "pandas")
+    }
+
+    fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.columns.frame(py, "polars")
+    }
+
+    fn __len__(&self) -> usize {
+        self.columns.times().len()
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        self.columns.column(py, name)
+    }
+
+    fn __repr__(&self) -> String {
+        let (motions, failed) = (self.columns.times().len(), self.failures.len());
+        format!("<Ensemble of {motions} motions, {failed} failed: {}>", self.columns.names.join(", "))
+    }
+}
+
+/// The starts of motions, and what varies between them by name.
+type Motions = (Vec<Vec<f64>>, Vec<(String, Vec<f64>)>);
+
+/// Returns the motions from starts, which are rows of an array, or numbers and arrays by entry, and
+/// from parameters.
+///
+/// # Errors
+/// `ValueError` for wrong shapes, numbers of runs that differ, and values that are missing;
+/// `KeyError` for parameters that are unknown.
+pub(crate) fn motions(
+    system: &DeclaredSystem,
+    starts: Option<&Bound<'_, PyAny>>,
+    parameters: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Motions> {
+    let parameters = per_motion(parameters)?;
+    check_all(system, &parameters)?;
+    let (entries, rows) = match starts.map(|starts| (starts, starts.cast::<PyDict>())) {
+        None => (Vec::new(), None),
+        Some((_, Ok(entries))) => (per_motion(Some(entries))?, None),
+        Some((rows, Err(_))) => (Vec::new(), Some(states(system, rows)?)),
+    };
+    let named = entries.iter().chain(&parameters);
+    let named = named.filter_map(|(name, value)| Some((name.as_str(), value.motions()?)));
+    let motions = number(named.chain(rows.as_ref().map(|rows| ("starts", rows.len()))))?;
+    let start = |motion| {
+        let values = entries.iter().map(|(name, value)| (name.clone(), value.at(motion)));
+        start_of(system, &values.collect::<Vec<_>>())
+    };
+    let starts = rows.map_or_else(|| (0..motions).map(start).collect(), Ok)?;
+    let each = |value: &PerMotion| (0..motions).map(|motion| value.at(motion)).collect();
+    Ok((starts, parameters.iter().map(|(name, value)| (name.clone(), each(value))).collect()))
+}
+
+/// The rows of an array.
+fn states(system: &DeclaredSystem, rows: &Bound<'_, PyAny>) -> PyResult<Vec<Vec<f64>>> {
+    let names = system.state_names();
+    let wrong = |_| {
+        PyValueError::new_err(format!(
+            "`starts` must be an array of shape (runs, {}), with {} in each row",
+            names.len(),
+            names.join(", ")
+        ))
+    };
+    rows.extract().map_err(wrong)
+}
+
+/// The number of motions that all of these have values for.
+fn number<'a>(mut lengths: impl Iterator<Item = (&'a str, usize)>) -> PyResult<usize> {
+    let unknown = "nothing tells the number of runs: pass an array of starts or of parameters";
+    let (first, motions) = lengths.next().ok_or_else(|| PyValueError::new_err(unknown))?;
+    match lengths.find(|(_, count)| *count != motions) {
+        Some((name, count)) => {
+            Err(PyValueError::new_err(format!("`{first}` is for {motions} runs, and `{name}` for {count}")))
+        }
+        None => Ok(motions),
+    }
+}
+
+/// Checks that all parameters and inputs have values beside those that motions give.
+fn check_all(system: &DeclaredSystem, given: &[(String, PerMotion)]) -> PyResult<()> {
+    let mut complete = system.clone();
+    for (name, _) in given {
+        complete.set(name, 1.0).map_err(|error| PyKeyError::new_err(error.to_string()))?;
+    }
+    check_values(&complete)
+}

@@ -1,0 +1,212 @@
+//! Fits of parameters to data of Python.
+
+use lagrange_dynamic::{DeclaredSystem, FitFailure, FitSettings, FoundFit};
+use lagrange_runtime::fit::Data;
+use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
+use pyo3::exceptions::PyValueError;
+use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
+use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python, pyclass, pymethods};
+
+use crate::error::FitError;
+
+/// Fitted values with what data tell of them.
+#[pyclass(name = "Fit", module = "lagrange", frozen)]
+pub(crate) struct PyFit {
+    found: FoundFit,
+    /// The system with the fitted parameters.
+    system: Py<PyAny>,
+}
+
+/// Makes a system of parameters and inputs.
+type MakeSystem<'a> = &'a dyn Fn(&[f64]) -> PyResult<Py<PyAny>>;
+
+impl PyFit {
+    /// Fits a system while other threads of Python run. Systems are made with the parameters found.
+    pub(crate) fn search(
+        py: Python<'_>,
+        system: &DeclaredSystem,
+        settings: &FitSettings,
+        make: MakeSystem<'_>,
+    ) -> PyResult<Self> {
+        check(settings)?;
+        let with_system = |found: FoundFit| Ok(PyFit { system: make(&found.fields)?, found });
+        match py.detach(|| system.fit(settings)) {
+            Ok(found) => with_system(found),
+            Err(FitFailure::Unfinished { message, best }) => {
+                Err(unfinished(py, message, with_system(*best)?))
+            }
+            Err(FitFailure::Motion(message)) => Err(FitError::new_err(message)),
+            Err(error) => Err(PyValueError::new_err(error.to_string())),
+        }
+    }
+
+    /// A dictionary of the values, by name.
+    fn named<'py, T: pyo3::IntoPyObject<'py>>(
+        &self,
+        py: Python<'py>,
+        entries: impl Iterator<Item = T>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let dictionary = PyDict::new(py);
+        for (value, entry) in self.found.values.iter().zip(entries) {
+            dictionary.set_item(value.name, entry)?;
+        }
+        Ok(dictionary)
+    }
+}
+
+/// The exception of a fit without a result, with the best values.
+fn unfinished(py: Python<'_>, message: String, best: PyFit) -> PyErr {
+    let error = FitError::new_err(message);
+    let set = Py::new(py, best).and_then(|best| error.value(py).setattr("fit", best));
+    set.err().unwrap_or(error)
+}
+
+/// Checks what is named otherwise in Rust.
+fn check(settings: &FitSettings) -> PyResult<()> {
+    if settings.varied.is_empty() {
+        return Err(PyValueError::new_err(
+            "nothing varies: name a parameter, as in `vary={\"k\": (0.1, 10)}`",
+        ));
+    }
+    let has_level = |column: &&str| settings.noise.iter().any(|(name, _)| name == column);
+    let columns = settings.data.names().count();
+    let mut without = settings.data.names().filter(|column| !has_level(column));
+    match without.next().filter(|_| columns > 1 || !settings.noise.is_empty()) {
+        Some(column) => Err(PyValueError::new_err(format!(
+            "column `{column}` needs a noise level, `noise={{\"{column}\": …}}`, by which its residuals count \
+             beside those of other columns"
+        ))),
+        None => Ok(()),
+    }
+}
+
+#[pymethods]
+impl PyFit {
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.named(py, self.found.values.iter().map(|value| value.value))
+    }
+
+    #[getter]
+    fn standard_errors<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.named(py, self.found.values.iter().map(|value| value.standard_error))
+    }
+
+    #[getter]
+    fn covariance<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        self.matrix(py, |covariance, i, j| covariance[i][j])
+    }
+
+    /// Covariances over standard errors; NaN for values at a bound.
+    #[getter]
+    fn correlations<'py>(&self, py: Python<'py>) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        self.matrix(py, |covariance, i, j| {
+            if i == j { 1.0 } else { covariance[i][j] / (covariance[i][i] * covariance[j][j]).sqrt() }
+        })
+    }
+
+    /// The combination of relative changes that data tell least, by name.
+    #[getter]
+    fn weakest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let weakest = PyDict::new(py);
+        for (name, part) in &self.found.weakest {
+            weakest.set_item(name, part)?;
+        }
+        Ok(weakest)
+    }
+
+    #[getter]
+    fn weakest_error(&self) -> f64 {
+        self.found.weakest_error
+    }
+
+    #[getter]
+    fn chi_square(&self) -> f64 {
+        self.found.chi_square
+    }
+
+    #[getter]
+    fn degrees_of_freedom(&self) -> usize {
+        self.found.degrees_of_freedom
+    }
+
+    #[getter]
+    fn iterations(&self) -> usize {
+        self.found.iterations
+    }
+
+    #[getter]
+    fn system(&self, py: Python<'_>) -> Py<PyAny> {
+        self.system.clone_ref(py)
+    }
+
+    #[getter]
+    fn start<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.found.start.to_pyarray(py)
+    }
+
+    fn __str__(&self) -> String {
+        self.found.report.clone()
+    }
+
+    fn __repr__(&self) -> String {
+        let values = self.found.values.iter().map(|value| format!("{} = {}", value.name, value.value));
+        format!("<Fit of {}>", values.collect::<Vec<_>>().join(", "))
+    }
+}
+
+impl PyFit {
+    /// A square matrix of entries that follow from the covariance matrix.
+    fn matrix<'py>(
+        &self,
+        py: Python<'py>,
+        entry: impl Fn(&[Vec<f64>], usize, usize) -> f64,
+    ) -> PyResult<Option<Bound<'py, PyArray2<f64>>>> {
+        let Some(covariance) = &self.found.covariance else { return Ok(None) };
+        let size = covariance.len();
+        let entries = (0..size * size).map(|place| entry(covariance, place / size, place % size));
+        entries.collect::<Vec<_>>().to_pyarray(py).reshape([size, size]).map(Some)
+    }
+}
+
+/// Reads times, `t`, and measured columns, in which `None` is a missing value.
+///
+/// # Errors
+/// `ValueError` if there are no times, or a column is no list of numbers.
+pub(crate) fn data(columns: &Bound<'_, PyDict>) -> PyResult<Data> {
+    let wrong = |name: &str| {
+        PyValueError::new_err(format!("the column `{name}` of the data must be an array of numbers"))
+    };
+    let times = columns.get_item("t")?.ok_or_else(|| PyValueError::new_err("the data have no times, `t`"))?;
+    let mut data = Data::new(times.extract::<Vec<f64>>().map_err(|_| wrong("t"))?);
+    for (name, values) in columns {
+        let name = name.extract::<String>()?;
+        if name != "t" {
+            data = data.with(&name, values.extract::<Vec<Option<f64>>>().map_err(|_| wrong(&name))?);
+        }
+    }
+    Ok(data)
+}
+
+/// Reads what varies: names, or a dictionary of bounds, in which `None` is no bound.
+///
+/// # Errors
+/// `ValueError` for anything else.
+pub(crate) fn varied(vary: &Bound<'_, PyAny>) -> PyResult<Vec<(String, [f64; 2])>> {
+    const FREE: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
+    let wrong = |_| {
+        PyValueError::new_err(
+            "`vary` must be names, or a dictionary of bounds, as in `{\"k\": (0.1, 10), \"c\": None}`",
+        )
+    };
+    let Ok(bounds) = vary.cast::<PyDict>() else {
+        let names = vary.extract::<Vec<String>>().map_err(wrong)?;
+        return Ok(names.into_iter().map(|name| (name, FREE)).collect());
+    };
+    let bound = |(name, bounds): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let ends = bounds.extract::<Option<(Option<f64>, Option<f64>)>>().map_err(wrong)?;
+        let (low, high) = ends.unwrap_or_default();
+        Ok((name.extract::<String>()?, [low.unwrap_or(FREE[0]), high.unwrap_or(FREE[1])]))
+    };
+    bounds.iter().map(bound).collect()
+}

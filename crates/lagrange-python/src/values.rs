@@ -1,0 +1,73 @@
+//! Values by name, from dictionaries of Python.
+
+use lagrange_dynamic::DeclaredSystem;
+use pyo3::exceptions::PyValueError;
+use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
+use pyo3::{Bound, PyAny, PyResult};
+
+/// A value for all motions, or a value for each of them.
+pub(crate) enum PerMotion {
+    Same(f64),
+    Each(Vec<f64>),
+}
+
+impl PerMotion {
+    /// Returns the value of a motion.
+    pub(crate) fn at(&self, motion: usize) -> f64 {
+        match self {
+            PerMotion::Same(value) => *value,
+            PerMotion::Each(values) => values[motion],
+        }
+    }
+
+    /// Returns the number of motions, if it tells.
+    pub(crate) fn motions(&self) -> Option<usize> {
+        match self {
+            PerMotion::Same(_) => None,
+            PerMotion::Each(values) => Some(values.len()),
+        }
+    }
+}
+
+/// Returns the numbers of a dictionary.
+pub(crate) fn pairs(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, f64)>> {
+    let Some(values) = values else { return Ok(Vec::new()) };
+    values.iter().map(|(name, value)| Ok((name.extract()?, value.extract()?))).collect()
+}
+
+/// Returns the values of a dictionary: numbers, or arrays with a number for each motion.
+///
+/// # Errors
+/// `ValueError` for anything else.
+pub(crate) fn per_motion(values: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<(String, PerMotion)>> {
+    let Some(values) = values else { return Ok(Vec::new()) };
+    let value = |(name, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let name = name.extract::<String>()?;
+        let each = || value.extract::<Vec<f64>>().map(PerMotion::Each);
+        let found = value.extract::<f64>().map(PerMotion::Same).or_else(|_| each());
+        let wrong = format!("`{name}` must be a number, or an array with a number for each run");
+        Ok((name, found.map_err(|_| PyValueError::new_err(wrong))?))
+    };
+    values.iter().map(value).collect()
+}
+
+/// Returns the declared start with other values for some of its entries.
+///
+/// # Errors
+/// `ValueError` for names that the state does not have, and entries without a value.
+pub(crate) fn start_of(system: &DeclaredSystem, values: &[(String, f64)]) -> PyResult<Vec<f64>> {
+    system.start_with(values).map_err(|error| PyValueError::new_err(error.to_string()))
+}
+
+/// Checks that all parameters and inputs have values.
+///
+/// # Errors
+/// `ValueError` with the first that has none.
+pub(crate) fn check_values(system: &DeclaredSystem) -> PyResult<()> {
+    match system.missing() {
+        Some(name) => Err(PyValueError::new_err(format!(
+            "`{name}` has no value: set it by `with_parameters({name}=1)`"
+        ))),
+        None => Ok(()),
+    }
+}
