@@ -36,6 +36,7 @@ mod orientations;
 mod overdetermined;
 mod parts;
 mod pivots;
+mod power;
 mod prepared;
 mod product_rows;
 mod products;

@@ -12,6 +12,7 @@ fn member(product: Product) -> Option<&'static str> {
         Product::Latex => Some("EQUATIONS_LATEX"),
         Product::Statements => Some("STATEMENTS"),
         Product::Conserved
+        | Product::Power
         | Product::Tests
         | Product::Motion
         | Product::Frames

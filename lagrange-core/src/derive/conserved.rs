@@ -5,7 +5,7 @@ use super::energy_function::energy_function;
 use super::structure::{Conserved, Structure};
 use super::symmetries::{Symmetry, symmetries};
 use crate::model::{Model, Output, Product};
-use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::number::Number;
 use lagrange_expr::units::momentum_name;
 
@@ -28,17 +28,18 @@ pub(super) fn add_conserved(model: &mut Model, structure: &Structure) {
     }
 }
 
-/// Adds an output under a name that no other has.
-fn add(model: &mut Model, name: String, value: ExprId, description: String) {
+/// Adds a derived output under a name that no other has.
+pub(super) fn add(model: &mut Model, name: String, value: ExprId, description: String) {
     let is_taken = |name: &str| model.outputs.iter().any(|output| output.name == name);
     let numbered = (2..).map(|number| format!("{name}_{number}"));
     let name = std::iter::once(name.clone()).chain(numbered).find(|name| !is_taken(name)).unwrap_or(name);
+    let dependencies = model.graph.dependencies(value);
     model.outputs.push(Output {
         name,
         components: vec![value],
-        uses_accelerations: false,
-        uses_multipliers: false,
-        uses_reactions: false,
+        uses_accelerations: dependencies.intersects(Dependencies::ACCELERATION),
+        uses_multipliers: dependencies.intersects(Dependencies::MULTIPLIER),
+        uses_reactions: dependencies.intersects(Dependencies::REACTION),
         description: Some(description),
     });
 }

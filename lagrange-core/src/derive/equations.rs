@@ -13,6 +13,7 @@ use super::indefinite::{largest, pivot_growth};
 use super::inverse_dynamics::residual;
 use super::jacobian::Derivatives;
 use super::least_constraint::{SplitLagrangian, Terms};
+use super::power::add_power;
 use super::quadratic_form::QuadraticForm;
 use super::responses::{ReactionEquations, reaction_forces};
 use super::series::SeriesEquations;
@@ -108,6 +109,7 @@ impl Equations {
         let mass = mass_structure(model, &split, &mut forms);
         let structure = Structure::find(model, mass);
         add_conserved(model, &structure);
+        add_power(model);
         let labels = labels(model, forms.mass_matrix(), &solution);
         let mut products = jacobians(model, &split, &mut forms, (&solution, strategy));
         let wants = |product| model.products.contains(&product);

@@ -113,6 +113,7 @@ mod least_constraint;
 mod messages;
 mod null_space;
 mod plane_rotation;
+mod power;
 mod quadratic_form;
 mod quasi_velocities;
 mod responses;

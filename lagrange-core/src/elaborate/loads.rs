@@ -12,7 +12,7 @@ use super::operand::Operand;
 use crate::model::Load;
 use lagrange_algebra::calculus::{Degree, Degrees};
 use lagrange_expr::expr::{Dependencies, ExprId};
-use lagrange_language::syntax::ast::{AstId, Name};
+use lagrange_language::syntax::ast::{AstId, Expression, Name};
 
 pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax: AstId) {
     elaborator.evaluator.scope.resolve(&name.text);
@@ -23,7 +23,28 @@ pub(super) fn add_force_on(elaborator: &mut Elaborator<'_>, name: &Name, syntax:
     };
     let velocity = elaborator.speeds[index].0.velocity;
     let force = elaborator.term(syntax, name.span, "a force");
-    elaborator.loads.extend(force.map(|force| Load { velocity, force: force.value }));
+    push_loads(elaborator, &name.text, force.map(|force| (velocity, force.value)));
+}
+
+/// Adds the loads of one statement under a name that no other has.
+fn push_loads(
+    elaborator: &mut Elaborator<'_>,
+    name: &str,
+    loads: impl IntoIterator<Item = (ExprId, ExprId)>,
+) {
+    let is_free = |name: &String| elaborator.loads.iter().all(|load| load.name != *name);
+    let numbered = (2..).map(|number| format!("{name}_{number}"));
+    let name = std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_default();
+    let load = |(velocity, force)| Load { name: name.clone(), velocity, force };
+    elaborator.loads.extend(loads.into_iter().map(load));
+}
+
+/// Returns the user's name for what a load acts on, or else that of its kind.
+fn name_of(elaborator: &Elaborator<'_>, acted_on: AstId, kind: &str) -> String {
+    match elaborator.evaluator.syntax(acted_on) {
+        Expression::Name(name) if elaborator.declaration.expressions.is_written(acted_on) => name.clone(),
+        _ => kind.to_owned(),
+    }
 }
 
 pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point: AstId) {
@@ -40,8 +61,8 @@ pub(super) fn add_force_at(elaborator: &mut Elaborator<'_>, force: AstId, point:
     let sound = components.iter().all(|&c| elaborator.forbid_accelerations(force, c, "a force").is_some());
     let velocity = velocity_of(elaborator, point, &point_value, "the point of a force");
     if let (true, Some(velocity)) = (sound, velocity) {
-        let pairs = velocity.components().iter().zip(components);
-        elaborator.loads.extend(pairs.map(|(&velocity, force)| Load { velocity, force }));
+        let name = name_of(elaborator, point, "force");
+        push_loads(elaborator, &name, velocity.components().iter().copied().zip(components));
     }
 }
 
@@ -54,12 +75,15 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
         elaborator.evaluator.refuse::<()>(velocity, message, messages::KINDS_HELP);
         return;
     }
+    let mut loads = Vec::new();
     for (&force_value, &along) in forces.components().iter().zip(velocities.components()) {
         let is_sound = elaborator.forbid_accelerations(force, force_value, "a force").is_some();
         if is_sound && is_affine_in_velocities(elaborator, velocity, along) {
-            elaborator.loads.push(Load { velocity: along, force: force_value });
+            loads.push((along, force_value));
         }
     }
+    let name = name_of(elaborator, velocity, "force");
+    push_loads(elaborator, &name, loads);
 }
 
 /// Reports a place or a velocity that depends on states, which nothing displaces.
@@ -95,7 +119,8 @@ pub(super) fn add_torque(elaborator: &mut Elaborator<'_>, moment: AstId, angle: 
     let Some(value) = elaborator.evaluator.scalar(angle, "the angle of a torque") else { return };
     let velocity = velocity_of(elaborator, angle, &Operand::Scalar(value), "the angle of a torque");
     if let (Some(moment), Some(Operand::Scalar(velocity))) = (moment, velocity) {
-        elaborator.loads.push(Load { velocity, force: moment.value });
+        let name = name_of(elaborator, angle, "torque");
+        push_loads(elaborator, &name, [(velocity, moment.value)]);
     }
 }
 

@@ -85,7 +85,7 @@ impl<'a> Reducer<'a> {
         let dissipation = self.of(model.dissipation, "the dissipation function")?.closed;
         let mut loads = Vec::new();
         for load in &model.loads {
-            loads.extend(self.load(*load)?);
+            loads.extend(self.load(load)?);
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
         let (start, rates, labels) = (self.start(model), self.rates(model), self.labels(model));
@@ -162,18 +162,21 @@ impl<'a> Reducer<'a> {
 
     /// The power of a load up to second order, as loads: F₀₁₂ along ṗ₀, F₀₁ along ṗ₁ and F₀ along
     /// ṗ₂.
-    fn load(&mut self, load: Load) -> Result<Vec<Load>, Undefined> {
+    fn load(&mut self, load: &Load) -> Result<Vec<Load>, Undefined> {
         let velocity = self.of(load.velocity, "the point of a force")?;
         // Along the velocity of something small, a force of first order does.
         let order = ORDER.saturating_sub(velocity.valuation(&self.graph));
         let force = self.expanded.of(&mut self.graph, load.force, order).ok_or("a force")?;
         let graph = &mut self.graph;
         let mut loads = match velocity.degree(graph) + force.degree(graph) <= ORDER {
-            true => vec![Load { velocity: velocity.closed, force: force.closed }],
+            true => vec![Load { name: load.name.clone(), velocity: velocity.closed, force: force.closed }],
             false => {
                 let parts = velocity.parts.iter().enumerate();
-                let along =
-                    |(degree, &velocity)| Load { velocity, force: force.up_to(graph, ORDER - degree) };
+                let along = |(degree, &velocity)| Load {
+                    name: load.name.clone(),
+                    velocity,
+                    force: force.up_to(graph, ORDER - degree),
+                };
                 parts.map(along).collect()
             }
         };

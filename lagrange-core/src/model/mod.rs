@@ -190,8 +190,10 @@ pub struct GibbsFunction {
 }
 
 /// A force along a velocity: it does work at the rate `force · velocity`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Load {
+    /// Names the statement, whose other components share the name.
+    pub name: String,
     /// The velocity, affine in v.
     pub velocity: ExprId,
     /// The force component.

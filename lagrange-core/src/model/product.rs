@@ -30,6 +30,7 @@ pub enum Product {
     Taylor,
     Latex,
     Conserved,
+    Power,
     Lagrangian,
     GeneralisedForces,
     Tests,
@@ -127,7 +128,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 31] = [
+const ROWS: [ProductRow; 32] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -331,6 +332,7 @@ const ROWS: [ProductRow; 31] = [
     ProductRow { product: Product::Taylor, name: "taylor", when: Availability::Demand, method: None },
     ProductRow { product: Product::Latex, name: "latex", when: Availability::Demand, method: None },
     ProductRow { product: Product::Conserved, name: "conserved", when: Availability::Demand, method: None },
+    ProductRow { product: Product::Power, name: "power", when: Availability::Demand, method: None },
     ProductRow {
         product: Product::Lagrangian,
         name: "lagrangian",

@@ -19,6 +19,7 @@ mod mechanisms;
 mod parts;
 mod pivots;
 mod polynomials;
+mod power;
 mod printing;
 mod products;
 mod quasi_velocities;

@@ -113,6 +113,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         Product::Tests => Vec::new(),
         Product::Statements => vec!["STATEMENTS"],
         Product::Conserved => vec!["conserved_energy"],
+        Product::Power => vec!["power_x", "power_dissipation", "power_balance"],
         _ => vec![product.name()],
     }
 }
