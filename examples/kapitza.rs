@@ -11,8 +11,8 @@
 //! §30). Here l = 1 m and a = 0.1 m, so that the bound is ω = 44.3 rad/s. The reference states at t =
 //! 5 s were computed in 200-bit arithmetic with two step counts that agree in all printed digits.
 //!
-//! The vibration does work at the power −∂L/∂t. Its integral, by Simpson's rule, is the change of the
-//! energy.
+//! The vibration does work at the power −∂L/∂t. Its integral, by Simpson's rule, is the change of
+//! the energy.
 //!
 //! Look for the largest deviation from upright, θ = π: small for ω = 60 rad/s, several turns for 30
 //! rad/s.

@@ -96,8 +96,10 @@ impl DeclaredSystem {
     /// Fits parameters, inputs and entries of the start to data.
     ///
     /// # Errors
-    /// If data or settings make no sense, no motion reaches the end of the data, the search does
-    /// not end, or data do not tell all variables.
+    /// If any of these holds:
+    /// - data or settings make no sense;
+    /// - no motion reaches the end of the data;
+    /// - the search does not end, or data do not tell all variables.
     pub fn fit(&self, settings: &FitSettings) -> Result<FoundFit, FitFailure> {
         let measurable = [self.state_names(), self.variables().outputs.concat()].concat();
         let variable = [&self.variables().fields[..], &self.state_names()].concat();

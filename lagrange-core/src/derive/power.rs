@@ -4,8 +4,8 @@
 //!
 //! > ḣ = v·Q + λ·A v + r·D v − v·∂R/∂v − ∂L/∂t − ∂L/∂s·ṡ
 //!
-//! with the generalised forces Q of loads, the forces λ of constraints and r of contacts and
-//! friction, the Rayleigh function R, and first-order states s. Without forces and states this is
+//! with the generalised forces Q of loads, the Rayleigh function R and first-order states s. The
+//! forces of constraints are λ, those of contacts and friction r. Without forces and states this is
 //! in Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed., §2.7. Only the part of a velocity
 //! that is linear in v counts: a force at a point that only time moves leaves h alone.
 
