@@ -54,20 +54,31 @@ impl Power {
     }
 }
 
+/// What does work, with its name and meaning: forces along velocities, `(u, force)`.
+struct Acting<'a> {
+    name: &'a str,
+    description: String,
+    pairs: Vec<(ExprId, ExprId)>,
+}
+
 /// The powers of loads, of contacts and friction, and of constraints. Constraints that do not move
 /// have one in common, since it is zero where they hold.
 fn of_forces(model: &mut Model) -> Vec<Power> {
-    let mut acting: Vec<(&str, String, Vec<(ExprId, ExprId)>)> = Vec::new();
+    let mut acting: Vec<Acting<'_>> = Vec::new();
     for load in &model.loads {
         let pair = (load.velocity, load.force);
-        match acting.last_mut().filter(|(name, ..)| *name == load.name) {
-            Some((_, _, pairs)) => pairs.push(pair),
-            None => acting.push((&load.name, format!("Power of the load `{}`", load.name), vec![pair])),
+        match acting.last_mut().filter(|acting| acting.name == load.name) {
+            Some(acting) => acting.pairs.push(pair),
+            None => {
+                let description = format!("Power of the load `{}`", load.name);
+                acting.push(Acting { name: &load.name, description, pairs: vec![pair] });
+            }
         }
     }
     for reaction in &model.reactions {
         let description = format!("Power of the force of `{}`", reaction.name);
-        acting.push((&reaction.name, description, vec![(reaction.velocity, reaction.symbol)]));
+        let pairs = vec![(reaction.velocity, reaction.symbol)];
+        acting.push(Acting { name: &reaction.name, description, pairs });
     }
     let mut resting = Vec::new();
     for constraint in &model.constraints {
@@ -77,16 +88,16 @@ fn of_forces(model: &mut Model) -> Vec<Power> {
             continue;
         }
         let description = format!("Power of the force of the constraint `{}`", constraint.name);
-        acting.push((&constraint.name, description, vec![pair]));
+        acting.push(Acting { name: &constraint.name, description, pairs: vec![pair] });
     }
     if !resting.is_empty() {
         let description = "Power of the constraints at rest, zero where they hold".to_owned();
-        acting.push(("constraints", description, resting));
+        acting.push(Acting { name: "constraints", description, pairs: resting });
     }
     let velocities = model.velocities();
     let graph = &mut model.graph;
-    let power = |(name, description, pairs): (&str, String, Vec<_>)| {
-        Power::new(name, description, along(graph, &pairs, &velocities))
+    let power = |acting: Acting<'_>| {
+        Power::new(acting.name, acting.description, along(graph, &acting.pairs, &velocities))
     };
     acting.into_iter().map(power).collect()
 }
