@@ -61,18 +61,16 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Compares a run with its reference; the largest deviation from the upright position.
 fn largest_deviation(run: &Run) -> Result<f64, Box<dyn Error>> {
     let pendulum = Kapitza { omega: run.omega, ..Kapitza::default() };
-    let trajectory = pendulum.simulate(START).until(5.0).tolerance(1e-13).every(0.001).outputs().run()?;
+    let simulation = pendulum.simulate(START).until(5.0).tolerance(1e-13).every(0.001);
+    let trajectory = simulation.energy().outputs().run()?;
     let largest = trajectory.theta().iter().map(|theta| (theta - PI).abs()).fold(0.0, f64::max);
     let [theta, theta_dot] = trajectory.last();
     let rows = [("theta", theta, run.end[0]), ("theta_dot", theta_dot, run.end[1])];
     compare(run.title, 1e-10, &rows);
     let power = trajectory.column("power_time").ok_or("no power")?;
     let supplied = simpson(power, 0.001);
-    let energy = |index: usize| {
-        let [theta, theta_dot] = trajectory.states()[index];
-        pendulum.energy(trajectory.t()[index], &[theta], &[theta_dot])
-    };
-    let stored = energy(trajectory.len() - 1) - energy(0);
+    let energy = trajectory.column("energy").ok_or("no energy")?;
+    let stored = energy[energy.len() - 1] - energy[0];
     compare("energy, J", 1e-6, &[("stored", stored, supplied)]);
     let bound = 2.0 * pendulum.g * pendulum.l;
     println!("a^2 omega^2 = {:.1}, 2 g l = {bound:.1}", (pendulum.a * pendulum.omega).powi(2));

@@ -29,7 +29,7 @@ fn powers_of_a_block_on_a_belt_balance_while_it_sticks_and_slips() {
     let run = block.simulate(block.start()).until(3.0).every(1e-3).tolerance(1e-11).energy().outputs();
     let run = run.run().unwrap();
     let [push, rub, lost, balance] = names.map(|name| run.column(name).unwrap());
-    let (times, speed, energy) = (run.t(), run.x_dot(), run.column("energy").unwrap());
+    let (times, speed, energy) = (run.times(), run.x_dot(), run.column("energy").unwrap());
     assert!(balance.iter().all(|balance| balance.abs() < 1e-12));
     let mut sticking = 0;
     for (index, &speed) in speed.iter().enumerate() {

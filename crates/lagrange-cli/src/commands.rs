@@ -80,7 +80,7 @@ impl Command {
         });
         let Ok(mut system) = system else { return Ended::WithMistakes };
         match Linearised::new(point, &mut system) {
-            Ok(linearised) => ended(write(self.output.as_deref(), &linearised.text(point.is_json)).is_ok()),
+            Ok(linearised) => ended(write(self.output.as_deref(), linearised.text(point.is_json)).is_ok()),
             Err(failure) => failed(failure),
         }
     }

@@ -172,7 +172,7 @@ impl Visitor for Motions<'_> {
             ensemble = ensemble.threads(*threads);
         }
         let ends = ends_by(*method, ensemble);
-        ends.map(EnsembleEnds::of).map_err(|error| EnsembleError::Setting(error.to_string()))
+        ends.map(|ends| EnsembleEnds::of(&ends)).map_err(|error| EnsembleError::Setting(error.to_string()))
     }
 }
 
@@ -191,7 +191,7 @@ fn ends_by<const CAPACITY: usize>(
 }
 
 impl EnsembleEnds {
-    fn of<const CAPACITY: usize>(ends: Ends<DynamicSystem<CAPACITY>>) -> Self {
+    fn of<const CAPACITY: usize>(ends: &Ends<DynamicSystem<CAPACITY>>) -> Self {
         EnsembleEnds {
             times: ends.times().to_vec(),
             names: ends.names().to_vec(),
