@@ -11,7 +11,7 @@
 
 use super::conserved::add;
 use super::energy_function::energy_function;
-use crate::model::{Model, Product};
+use crate::model::{Constraint, Model, Product};
 use lagrange_algebra::calculus::{AccelerationTerms, Rates, adjoint, gradient, homogeneity, partial};
 use lagrange_algebra::simplify::vanishing;
 use lagrange_expr::expr::{ExprId, Graph};
@@ -31,14 +31,19 @@ pub(super) fn add_power(model: &mut Model) {
     let sum = graph.total(powers.iter().map(|power| power.value).collect::<Vec<_>>());
     let value = graph.subtract(rate, sum);
     powers.push(Power::new("balance", "Rate of the energy minus the sum of all powers".to_owned(), value));
-    let momenta = model.coordinates.iter().map(|coordinate| momentum_name(&coordinate.name));
-    let has_units = momenta.into_iter().any(|momentum| model.units.get(&momentum).is_some());
+    let has_units = has_units(model);
     for Power { name, description, value } in powers {
         add(model, name, value, description);
         if let (true, Some(output)) = (has_units, model.outputs.last()) {
             model.units.insert(&output.name, NamedUnit { unit: "W".to_owned(), default: None });
         }
     }
+}
+
+/// True if momenta have known units: energies are in joules then.
+fn has_units(model: &Model) -> bool {
+    let mut momenta = model.coordinates.iter().map(|coordinate| momentum_name(&coordinate.name));
+    momenta.any(|momentum| model.units.get(&momentum).is_some())
 }
 
 /// A power, with its meaning.
@@ -54,52 +59,60 @@ impl Power {
     }
 }
 
-/// What does work, with its name and meaning: forces along velocities, `(u, force)`.
-struct Acting<'a> {
-    name: &'a str,
+/// Forces of one source, as pairs of a velocity u and the force along it.
+struct Acting {
+    name: String,
     description: String,
     pairs: Vec<(ExprId, ExprId)>,
 }
 
-/// The powers of loads, of contacts and friction, and of constraints. Constraints that do not move
-/// have one in common, since it is zero where they hold.
+/// The powers of loads, of contacts and friction, and of constraints.
 fn of_forces(model: &mut Model) -> Vec<Power> {
-    let mut acting: Vec<Acting<'_>> = Vec::new();
-    for load in &model.loads {
-        let pair = (load.velocity, load.force);
-        match acting.last_mut().filter(|acting| acting.name == load.name) {
-            Some(acting) => acting.pairs.push(pair),
-            None => {
-                let description = format!("Power of the load `{}`", load.name);
-                acting.push(Acting { name: &load.name, description, pairs: vec![pair] });
-            }
-        }
-    }
-    for reaction in &model.reactions {
-        let description = format!("Power of the force of `{}`", reaction.name);
-        let pairs = vec![(reaction.velocity, reaction.symbol)];
-        acting.push(Acting { name: &reaction.name, description, pairs });
-    }
-    let mut resting = Vec::new();
-    for constraint in &model.constraints {
-        let pair = (constraint.velocity, constraint.multiplier);
-        if homogeneity(&model.graph, constraint.velocity) == Some(1) {
-            resting.push(pair);
-            continue;
-        }
-        let description = format!("Power of the force of the constraint `{}`", constraint.name);
-        acting.push(Acting { name: &constraint.name, description, pairs: vec![pair] });
-    }
-    if !resting.is_empty() {
-        let description = "Power of the constraints at rest, zero where they hold".to_owned();
-        acting.push(Acting { name: "constraints", description, pairs: resting });
-    }
+    let mut acting = loads(model);
+    acting.extend(model.reactions.iter().map(|reaction| Acting {
+        name: reaction.name.clone(),
+        description: format!("Power of the force of `{}`", reaction.name),
+        pairs: vec![(reaction.velocity, reaction.symbol)],
+    }));
+    acting.extend(constraints(model));
     let velocities = model.velocities();
     let graph = &mut model.graph;
-    let power = |acting: Acting<'_>| {
-        Power::new(acting.name, acting.description, along(graph, &acting.pairs, &velocities))
+    let power = |Acting { name, description, pairs }| {
+        Power::new(&name, description, along(graph, &pairs, &velocities))
     };
     acting.into_iter().map(power).collect()
+}
+
+/// Loads by statement. Parts of an expanded load follow each other, as components do.
+fn loads(model: &Model) -> Vec<Acting> {
+    let statements = model.loads.chunk_by(|load, next| load.name == next.name);
+    let acting = statements.map(|loads| Acting {
+        name: loads[0].name.clone(),
+        description: format!("Power of the load `{}`", loads[0].name),
+        pairs: loads.iter().map(|load| (load.velocity, load.force)).collect(),
+    });
+    acting.collect()
+}
+
+/// The forces of constraints. Those that do not move have one power in common, which is zero where
+/// they hold.
+fn constraints(model: &Model) -> Vec<Acting> {
+    let (resting, moving): (Vec<_>, Vec<_>) = model
+        .constraints
+        .iter()
+        .partition(|constraint| homogeneity(&model.graph, constraint.velocity) == Some(1));
+    let pair = |constraint: &&Constraint| (constraint.velocity, constraint.multiplier);
+    let moving = moving.iter().map(|constraint| Acting {
+        name: constraint.name.clone(),
+        description: format!("Power of the force of the constraint `{}`", constraint.name),
+        pairs: vec![pair(constraint)],
+    });
+    let at_rest = (!resting.is_empty()).then(|| Acting {
+        name: "constraints".to_owned(),
+        description: "Power of the constraints that do not move, zero where they hold".to_owned(),
+        pairs: resting.iter().map(pair).collect(),
+    });
+    moving.chain(at_rest).collect()
 }
 
 /// The power of forces along the parts of their velocities, `(u, force)`, that are linear in v.
