@@ -40,6 +40,8 @@ pub struct FoundEquilibrium {
 pub enum AnalysisError {
     /// The declaration has no `emit { system_matrix }`.
     WithoutDerivatives,
+    /// A parameter is out of its declared range, with its name, value and range.
+    Parameter(String),
     /// The search came to no end.
     Search {
         /// The equation that is left, by name, and the place where the search stopped.
@@ -55,9 +57,9 @@ impl Display for AnalysisError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             AnalysisError::WithoutDerivatives => f.write_str("`emit { system_matrix }` is missing"),
-            AnalysisError::Search { message, .. } | AnalysisError::Linearisation(message) => {
-                f.write_str(message)
-            }
+            AnalysisError::Parameter(message)
+            | AnalysisError::Search { message, .. }
+            | AnalysisError::Linearisation(message) => f.write_str(message),
         }
     }
 }
@@ -68,7 +70,8 @@ impl DeclaredSystem {
     /// Searches for an equilibrium.
     ///
     /// # Errors
-    /// If there are no derivatives, a name is unknown, or Newton's method finds no equilibrium.
+    /// If there are no derivatives, a parameter is out of its range, a name is unknown, or Newton's
+    /// method finds no equilibrium.
     pub fn equilibrium(&self, settings: SearchSettings) -> Result<FoundEquilibrium, AnalysisError> {
         self.check_derivatives()?;
         self.visit(settings)
@@ -77,8 +80,8 @@ impl DeclaredSystem {
     /// Linearises the equations of motion and the outputs at a time and a state.
     ///
     /// # Errors
-    /// If there are no derivatives, by the declaration or at the state, or the state violates
-    /// constraints.
+    /// If there are no derivatives, by the declaration or at the state, a parameter is out of its
+    /// range, or the state violates constraints.
     pub fn linearise(&self, time: f64, state: &[f64]) -> Result<LinearModel, AnalysisError> {
         self.check_derivatives()?;
         self.visit(Point { time, state })
@@ -96,6 +99,7 @@ impl Visitor for SearchSettings {
     type Output = Result<FoundEquilibrium, AnalysisError>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        check_parameters(system)?;
         let [hold, trim] = [&self.hold, &self.trim].map(|names| names.iter().map(String::as_str));
         let (hold, trim) = (hold.collect::<Vec<_>>(), trim.collect::<Vec<_>>());
         let search = system.equilibrium(system.state(&self.near)).at(self.time).hold(&hold);
@@ -104,6 +108,10 @@ impl Visitor for SearchSettings {
             search.solve().map_err(|error| stopped(&error))?;
         Ok(FoundEquilibrium { state: state.as_ref().to_vec(), inputs, iterations, freedom })
     }
+}
+
+fn check_parameters<const CAPACITY: usize>(system: &DynamicSystem<CAPACITY>) -> Result<(), AnalysisError> {
+    system.check_parameters().map_err(|error| AnalysisError::Parameter(error.to_string()))
 }
 
 fn stopped<const CAPACITY: usize>(error: &EquilibriumError<DynamicSystem<CAPACITY>>) -> AnalysisError {
@@ -120,6 +128,7 @@ impl Visitor for Point<'_> {
     type Output = Result<LinearModel, AnalysisError>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
+        check_parameters(system)?;
         let model = system.linearise(self.time, system.state(self.state));
         model.map_err(|error| AnalysisError::Linearisation(error.to_string()))
     }

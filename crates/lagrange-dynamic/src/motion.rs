@@ -19,7 +19,7 @@ const LARGEST_MASS_MATRIX: usize = 64;
 
 impl<const CAPACITY: usize> DynamicSystem<CAPACITY> {
     /// Checks that parameters are in their declared ranges.
-    fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
+    pub(crate) fn check_parameters(&self) -> Result<(), OutOfRange<f64>> {
         let programs = self.programs();
         programs.ranges.iter().try_for_each(|Range { parameter, bounds }| {
             let name = self.names.fields[*parameter];

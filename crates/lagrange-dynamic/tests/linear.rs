@@ -122,3 +122,20 @@ fn what_cannot_be_found_is_said() {
     let bare = declared("coord x; kinetic = dot(x)^2;");
     assert_eq!(bare.linearise(0.0, &[0.0, 0.0]).expect_err("underived"), AnalysisError::WithoutDerivatives);
 }
+
+#[test]
+fn parameters_out_of_their_ranges_are_said() {
+    let mut spring = declared(
+        "param k: N/m > 0 = 4; param m: kg = 1; coord x: m; kinetic = 1/2 * m * dot(x)^2; \
+         potential = 1/2 * k * x^2; emit { system_matrix }",
+    );
+    spring.linearise(0.0, &[0.0, 0.0]).expect("in its range");
+    spring.set("k", -4.0).expect("known");
+    let errors = [
+        spring.linearise(0.0, &[0.0, 0.0]).expect_err("out of its range"),
+        spring.equilibrium(near(&[0.0, 0.0])).expect_err("out of its range"),
+    ];
+    for error in errors {
+        assert!(matches!(&error, AnalysisError::Parameter(message) if message.contains("`k`")), "{error}");
+    }
+}
