@@ -181,7 +181,28 @@ class System:
     def c(self) -> tuple[str, str]:
         """Returns a module of C: header and source."""
 
-class Ensemble:
+class Columns:
+    """Columns by name: times, entries of states, and others."""
+
+    @property
+    def t(self) -> Array:
+        """Times in s."""
+    @property
+    def y(self) -> Array:
+        """States, of shape (times, entries of a state)."""
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns, `t` first."""
+    def columns(self) -> dict[str, Array]:
+        """All columns by name."""
+    def to_pandas(self) -> object:
+        """Returns a `pandas.DataFrame`."""
+    def to_polars(self) -> object:
+        """Returns a `polars.DataFrame`."""
+    def __len__(self) -> int: ...
+    def __getitem__(self, name: str) -> Array: ...
+
+class Ensemble(Columns):
     """The ends of many motions: columns by name, a row for each run."""
 
     @property
@@ -196,14 +217,6 @@ class Ensemble:
     @property
     def failures(self) -> list[tuple[int, float, Array, str]]:
         """Runs that failed: index, time and last good state, and why."""
-    def columns(self) -> dict[str, Array]:
-        """All columns by name."""
-    def to_pandas(self) -> object:
-        """Returns a `pandas.DataFrame`."""
-    def to_polars(self) -> object:
-        """Returns a `polars.DataFrame`."""
-    def __len__(self) -> int: ...
-    def __getitem__(self, name: str) -> Array: ...
 
 class Fit:
     """Fitted values with what data tell of them; as text, a report."""
@@ -315,18 +328,9 @@ class Mode:
     def shape(self) -> dict[str, complex]:
         """Complex amplitudes of displacements, states and velocities."""
 
-class Trajectory:
+class Trajectory(Columns):
     """A motion: columns by name, and events."""
 
-    @property
-    def t(self) -> Array:
-        """Times in s."""
-    @property
-    def y(self) -> Array:
-        """States, of shape (samples, entries of a state)."""
-    @property
-    def names(self) -> list[str]:
-        """Names of the columns, `t` first."""
     @property
     def units(self) -> dict[str, str | None]:
         """Units of the columns; `None` for unknown ones."""
@@ -339,11 +343,3 @@ class Trajectory:
     @property
     def steps(self) -> int:
         """Number of steps of the integration."""
-    def columns(self) -> dict[str, Array]:
-        """All columns by name."""
-    def to_pandas(self) -> object:
-        """Returns a `pandas.DataFrame`."""
-    def to_polars(self) -> object:
-        """Returns a `polars.DataFrame`."""
-    def __len__(self) -> int: ...
-    def __getitem__(self, name: str) -> Array: ...

@@ -3,10 +3,12 @@
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::PyKeyError;
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult, Python};
+use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
 
-/// Columns of equal length: times, the entries of states, then the others.
-pub(crate) struct NamedColumns {
+/// Columns of equal length: times, the entries of states, then the others. Trajectories and
+/// ensembles are such columns with more about them.
+#[pyclass(name = "Columns", module = "lagrange", subclass, frozen)]
+pub(crate) struct PyColumns {
     /// Times, then the other columns.
     pub(crate) names: Vec<String>,
     pub(crate) columns: Vec<Vec<f64>>,
@@ -14,21 +16,39 @@ pub(crate) struct NamedColumns {
     pub(crate) entries: usize,
 }
 
-impl NamedColumns {
+impl PyColumns {
     /// Returns the times.
     pub(crate) fn times(&self) -> &[f64] {
         &self.columns[0]
     }
 
-    /// Returns the states, a row for each time.
-    pub(crate) fn states<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    /// Returns all columns as the `DataFrame` of a module.
+    fn frame<'py>(&self, py: Python<'py>, module: &str) -> PyResult<Bound<'py, PyAny>> {
+        py.import(module)?.getattr("DataFrame")?.call1((self.columns(py)?,))
+    }
+}
+
+#[pymethods]
+impl PyColumns {
+    #[getter]
+    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        self.times().to_pyarray(py)
+    }
+
+    /// States, a row for each time.
+    #[getter]
+    fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let rows = self.times().len();
         let row = |row: usize| self.columns[1..=self.entries].iter().map(move |column| column[row]);
         PyArray1::from_iter(py, (0..rows).flat_map(row)).reshape([rows, self.entries])
     }
 
-    /// Returns all columns by name.
-    pub(crate) fn dictionary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let columns = PyDict::new(py);
         for (name, column) in self.names.iter().zip(&self.columns) {
             columns.set_item(name, column.to_pyarray(py))?;
@@ -36,16 +56,19 @@ impl NamedColumns {
         Ok(columns)
     }
 
-    /// Returns all columns as the `DataFrame` of a module.
-    pub(crate) fn frame<'py>(&self, py: Python<'py>, module: &str) -> PyResult<Bound<'py, PyAny>> {
-        py.import(module)?.getattr("DataFrame")?.call1((self.dictionary(py)?,))
+    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.frame(py, "pandas")
     }
 
-    /// Returns the column of a name.
-    ///
-    /// # Errors
-    /// `KeyError` if there is none.
-    pub(crate) fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
+    fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.frame(py, "polars")
+    }
+
+    fn __len__(&self) -> usize {
+        self.times().len()
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
         match self.names.iter().position(|known| known == name) {
             Some(index) => Ok(self.columns[index].to_pyarray(py)),
             None => Err(PyKeyError::new_err(format!(

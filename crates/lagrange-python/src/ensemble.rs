@@ -1,18 +1,17 @@
 //! Ensembles of motions, with starts and parameters of Python.
 
 use lagrange_dynamic::{DeclaredSystem, EnsembleSettings, FailedMotion};
-use numpy::{PyArray1, PyArray2, ToPyArray};
+use numpy::{PyArray1, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict};
-use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
 
-use crate::columns::NamedColumns;
+use crate::columns::PyColumns;
 use crate::values::{PerMotion, check_values, per_motion, start_of};
 
 /// The ends of motions, a row for each.
-#[pyclass(name = "Ensemble", module = "lagrange", frozen)]
+#[pyclass(name = "Ensemble", module = "lagrange", extends = PyColumns, frozen)]
 pub(crate) struct PyEnsemble {
-    columns: NamedColumns,
     failures: Vec<FailedMotion>,
 }
 
@@ -22,34 +21,18 @@ impl PyEnsemble {
         py: Python<'_>,
         system: &DeclaredSystem,
         settings: &EnsembleSettings,
-    ) -> PyResult<Self> {
+    ) -> PyResult<Py<Self>> {
         let ends = py.detach(|| system.ensemble(settings));
         let ends = ends.map_err(|error| PyValueError::new_err(error.to_string()))?;
         let names = std::iter::once("t".to_owned()).chain(ends.names).collect();
         let columns = std::iter::once(ends.times).chain(ends.columns).collect();
         let entries = system.state_names().len();
-        Ok(PyEnsemble { columns: NamedColumns { names, columns, entries }, failures: ends.failures })
+        Py::new(py, (PyEnsemble { failures: ends.failures }, PyColumns { names, columns, entries }))
     }
 }
 
 #[pymethods]
 impl PyEnsemble {
-    #[getter]
-    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.columns.times().to_pyarray(py)
-    }
-
-    /// Final states, a row for each motion.
-    #[getter]
-    fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.columns.states(py)
-    }
-
-    #[getter]
-    fn names(&self) -> Vec<String> {
-        self.columns.names.clone()
-    }
-
     /// Motions that failed as tuples of index, time, last good state and message.
     #[getter]
     fn failures<'py>(&self, py: Python<'py>) -> Vec<(usize, f64, Bound<'py, PyArray1<f64>>, String)> {
@@ -59,29 +42,10 @@ impl PyEnsemble {
         self.failures.iter().map(failure).collect()
     }
 
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.columns.dictionary(py)
-    }
-
-    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.columns.frame(py, "pandas")
-    }
-
-    fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.columns.frame(py, "polars")
-    }
-
-    fn __len__(&self) -> usize {
-        self.columns.times().len()
-    }
-
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        self.columns.column(py, name)
-    }
-
-    fn __repr__(&self) -> String {
-        let (motions, failed) = (self.columns.times().len(), self.failures.len());
-        format!("<Ensemble of {motions} motions, {failed} failed: {}>", self.columns.names.join(", "))
+    fn __repr__(slf: PyRef<'_, Self>) -> String {
+        let (columns, failed) = (slf.as_super(), slf.failures.len());
+        let motions = columns.times().len();
+        format!("<Ensemble of {motions} motions, {failed} failed: {}>", columns.names.join(", "))
     }
 }
 

@@ -22,6 +22,7 @@ use pyo3::{Bound, PyResult, pymodule};
 #[pymodule(name = "lagrange")]
 fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
+    module.add_class::<columns::PyColumns>()?;
     module.add_class::<motion::PyTrajectory>()?;
     module.add_class::<ensemble::PyEnsemble>()?;
     module.add_class::<fit::PyFit>()?;

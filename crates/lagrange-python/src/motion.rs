@@ -2,24 +2,27 @@
 
 use lagrange_dynamic::DynamicSystem;
 use lagrange_runtime::simulate::{Ending, Trajectory};
-use numpy::{PyArray1, PyArray2, ToPyArray};
+use numpy::{PyArray1, ToPyArray};
 use pyo3::types::{PyDict, PyDictMethods};
-use pyo3::{Bound, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, PyRef, PyResult, Python, pyclass, pymethods};
 
-use crate::columns::NamedColumns;
+use crate::columns::PyColumns;
 
 /// A motion: columns by name, and events.
-#[pyclass(name = "Trajectory", module = "lagrange", frozen)]
+#[pyclass(name = "Trajectory", module = "lagrange", extends = PyColumns, frozen)]
 pub(crate) struct PyTrajectory {
-    columns: NamedColumns,
     units: Vec<Option<&'static str>>,
     events: Vec<(String, f64, Vec<f64>)>,
     ending: &'static str,
     steps: u64,
 }
 
+/// A motion and its columns.
+pub(crate) type NewTrajectory = (PyTrajectory, PyColumns);
+
 impl PyTrajectory {
-    pub(crate) fn new<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> Self {
+    /// Returns a motion and its columns, which Python joins.
+    pub(crate) fn new<const CAPACITY: usize>(motion: &Trajectory<DynamicSystem<CAPACITY>>) -> NewTrajectory {
         let names = motion.names().iter().map(String::as_str);
         let column = |name: &str| motion.column(name).unwrap_or_default().to_vec();
         let time = [(String::from("t"), Some("s"), motion.times().to_vec())];
@@ -40,32 +43,18 @@ impl PyTrajectory {
             Ending::Cancelled => "cancelled",
             _ => "failed",
         };
-        PyTrajectory {
-            columns: NamedColumns { names, columns, entries: motion.first().as_ref().len() },
-            units,
-            events: motion.events().iter().map(event).collect(),
-            ending,
-            steps: motion.work().steps,
-        }
+        let events = motion.events().iter().map(event).collect();
+        let own = PyTrajectory { units, events, ending, steps: motion.work().steps };
+        (own, PyColumns { names, columns, entries: motion.first().as_ref().len() })
     }
 }
 
 #[pymethods]
 impl PyTrajectory {
     #[getter]
-    fn t<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
-        self.columns.times().to_pyarray(py)
-    }
-
-    #[getter]
-    fn names(&self) -> Vec<String> {
-        self.columns.names.clone()
-    }
-
-    #[getter]
-    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let units = PyDict::new(py);
-        for (name, unit) in self.columns.names.iter().zip(&self.units) {
+    fn units<'py>(slf: PyRef<'py, Self>) -> PyResult<Bound<'py, PyDict>> {
+        let units = PyDict::new(slf.py());
+        for (name, unit) in slf.as_super().names.iter().zip(&slf.units) {
             units.set_item(name, unit)?;
         }
         Ok(units)
@@ -81,12 +70,6 @@ impl PyTrajectory {
         self.steps
     }
 
-    /// States, a row for each sample.
-    #[getter]
-    fn y<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        self.columns.states(py)
-    }
-
     /// Events as tuples of name, time and state.
     #[getter]
     fn events<'py>(&self, py: Python<'py>) -> Vec<(String, f64, Bound<'py, PyArray1<f64>>)> {
@@ -95,34 +78,14 @@ impl PyTrajectory {
         self.events.iter().map(event).collect()
     }
 
-    fn columns<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        self.columns.dictionary(py)
-    }
-
-    fn to_pandas<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.columns.frame(py, "pandas")
-    }
-
-    fn to_polars<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        self.columns.frame(py, "polars")
-    }
-
-    fn __len__(&self) -> usize {
-        self.columns.times().len()
-    }
-
-    fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        self.columns.column(py, name)
-    }
-
-    fn __repr__(&self) -> String {
-        let times = self.columns.times();
+    fn __repr__(slf: PyRef<'_, Self>) -> String {
+        let (columns, ending) = (slf.as_super(), slf.ending);
+        let times = columns.times();
         let end = times.last().copied().unwrap_or_default();
         format!(
-            "<Trajectory of {} samples until t = {end}, {}: {}>",
+            "<Trajectory of {} samples until t = {end}, {ending}: {}>",
             times.len(),
-            self.ending,
-            self.columns.names.join(", ")
+            columns.names.join(", ")
         )
     }
 }

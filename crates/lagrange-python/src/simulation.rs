@@ -11,7 +11,7 @@ use pyo3::types::PyAnyMethods;
 use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python};
 
 use crate::error::SimulationError;
-use crate::motion::PyTrajectory;
+use crate::motion::{NewTrajectory, PyTrajectory};
 
 /// A run whose inputs are constant.
 pub(crate) struct FreeRun(pub(crate) RunSettings);
@@ -27,7 +27,7 @@ pub(crate) struct DrivenRun<'py> {
 pub(crate) struct FailedRun {
     message: String,
     is_setting: bool,
-    motion: PyTrajectory,
+    motion: NewTrajectory,
 }
 
 impl FailedRun {
@@ -51,7 +51,7 @@ impl FailedRun {
 }
 
 impl Visitor for FreeRun {
-    type Output = Result<PyTrajectory, Box<FailedRun>>;
+    type Output = Result<NewTrajectory, Box<FailedRun>>;
 
     fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> Self::Output {
         let FreeRun(settings) = self;
@@ -60,9 +60,9 @@ impl Visitor for FreeRun {
 }
 
 impl Visitor for DrivenRun<'_> {
-    type Output = PyResult<PyTrajectory>;
+    type Output = PyResult<NewTrajectory>;
 
-    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> PyResult<PyTrajectory> {
+    fn visit<const CAPACITY: usize>(self, system: &DynamicSystem<CAPACITY>) -> PyResult<NewTrajectory> {
         let raised = RefCell::new(None);
         let law = |_: &DynamicSystem<CAPACITY>, t: f64, y: Inline<CAPACITY>| {
             self.inputs(t, y.as_ref()).map(|inputs| Inline::of(&inputs)).unwrap_or_else(|error| {
@@ -88,6 +88,6 @@ impl DrivenRun<'_> {
 
 fn ended<const CAPACITY: usize>(
     result: Result<Trajectory<DynamicSystem<CAPACITY>>, RunError<DynamicSystem<CAPACITY>>>,
-) -> Result<PyTrajectory, Box<FailedRun>> {
+) -> Result<NewTrajectory, Box<FailedRun>> {
     result.map(|motion| PyTrajectory::new(&motion)).map_err(|failure| Box::new(FailedRun::new(&failure)))
 }

@@ -152,7 +152,7 @@ impl PySystem {
         step: Option<f64>,
         inputs: Option<Bound<'_, PyAny>>,
         energy: bool,
-    ) -> PyResult<PyTrajectory> {
+    ) -> PyResult<Py<PyTrajectory>> {
         let method = MethodChoice::new(method, tolerance, step);
         let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
         if energy && self.declared.programs().product(Product::Energy).is_none() {
@@ -162,12 +162,11 @@ impl PySystem {
             RunSettings { start: self.state(start)?, from: begin, until, every, method, has_energy: energy };
         let Some(law) = inputs else {
             self.check_values()?;
-            return py
-                .detach(|| self.declared.visit(FreeRun(settings)))
-                .map_err(|failure| failure.exception(py));
+            let motion = py.detach(|| self.declared.visit(FreeRun(settings)));
+            return motion.map_err(|failure| failure.exception(py)).and_then(|motion| Py::new(py, motion));
         };
         match law.is_callable() {
-            true => self.declared.visit(DrivenRun { settings, law }),
+            true => Py::new(py, self.declared.visit(DrivenRun { settings, law })?),
             false => Err(PyTypeError::new_err(
                 "`inputs` must be a function of time and state; set constants by `with_parameters`",
             )),
@@ -187,7 +186,7 @@ impl PySystem {
         tolerance: Option<f64>,
         step: Option<f64>,
         threads: Option<usize>,
-    ) -> PyResult<PyEnsemble> {
+    ) -> PyResult<Py<PyEnsemble>> {
         let method = MethodChoice::new(method, tolerance, step);
         let method = method.map_err(|error| PyValueError::new_err(error.to_string()))?;
         let (starts, varied) = motions(&self.declared, starts, parameters)?;
