@@ -1,9 +1,13 @@
-//! Methods that advance a system ẏ = f(t, y) in time. There is one file per family of methods, each
-//! citing its source. Methods need no heap, run forwards or backwards in time, and stop with a
-//! [`StepFailure`] instead of propagating NaN or infinity. States and times use compensated
-//! summation. Rounding errors therefore do not grow with the number of steps, unless the method
-//! itself amplifies them. Pass a [`Method`] to [`integrate`] or to `simulate`, which also takes
-//! samples, detects events and stores trajectories. Your own loops can drive a [`Stepper`].
+//! Methods that advance a system ẏ = f(t, y) in time.
+//!
+//! There is one file per family of methods, each citing its source. Methods need no heap, run
+//! forwards or backwards in time, and stop with a [`StepFailure`] instead of propagating NaN or
+//! infinity. States and times use compensated summation. Rounding errors therefore do not grow with
+//! the number of steps, unless the method itself amplifies them.
+//!
+//! Pass a [`Method`] to [`integrate`] or to `simulate`, which also takes samples, detects events
+//! and stores trajectories. Your own loops can drive a [`Stepper`].
+//!
 //! | method | for systems | order | symplectic | cost of a step | use it for |
 //! |---|---|---|---|---|---|
 //! | [`Verner98`], the default of `simulate` | any that is not stiff | 9, adaptive | no | 16 evaluations, 9 more if sampled within | accuracy, from 1e-4 to rounding |
@@ -17,6 +21,7 @@
 //! | [`Variational`] | with momenta | 4 | yes | iterations of 3 evaluations | momenta conserved to rounding, also with forces; constraints enforced |
 //! | [`Stepped`](crate::contact::Stepped) | with contacts or friction | 1 | no | 1 evaluation, one complementarity problem for all impulses | many contacts, real time |
 //! | [`PlainGaussLegendre`] | any | 2, 4, 6 | for a constant mass matrix and velocity-independent forces | as above | as above, without momenta |
+//!
 //! A system is separable if its [declaration](crate::system!) has a constant mass matrix and
 //! velocity-independent accelerations. Its type then implements
 //! [`SeparableSystem`](crate::system::SeparableSystem); the compiler rejects other systems. A
@@ -25,11 +30,12 @@
 //! enforce its constraints themselves, as [`Variational`] does for all systems. The implicit
 //! methods for any mass matrix require momenta and their rates, `emit { momentum_rates }`. All
 //! implicit methods use Newton's method with `emit { jacobian }`. Without it, difference quotients
-//! replace the Jacobian; fixed-step methods first try fixed-point iteration. If a system has
-//! [constraints](mod@crate::constraint), the initial state must nearly satisfy them and is
-//! projected onto them. The end of every step is also projected, unless the method enforces the
-//! constraints itself, and so are states within a step. A step that cannot be corrected is an error
-//! with the last valid state; an adaptive method tries shorter steps first.
+//! replace the Jacobian; fixed-step methods first try fixed-point iteration.
+//!
+//! If a system has [constraints](mod@crate::constraint), the initial state must nearly satisfy them
+//! and is projected onto them. The end of every step is also projected, unless the method enforces
+//! the constraints itself, and so are states within a step. A step that cannot be corrected is an
+//! error with the last valid state; an adaptive method tries shorter steps first.
 
 #[doc(inline)]
 pub use lagrange_runtime::integrate::{

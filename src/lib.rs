@@ -27,6 +27,7 @@
 //! assert!(energy.iter().all(|now| (now - energy[0]).abs() < 1e-10));
 //! # Ok::<(), lagrange::simulate::SimulationError<Pendulum>>(())
 //! ```
+//!
 //! | module or item | contents |
 //! |---|---|
 //! | [`system!`] | the language of declarations, and the code emitted for them |
@@ -49,6 +50,7 @@
 //! | [`Scalar`] | number types for emitted code |
 //! | [`Portable`] | numbers with bit-identical results on every platform |
 //! | `Double` (feature `double`) | numbers of 106 bits |
+//!
 //! The folder `docs` of the repository is a book. It covers everything from a first film to
 //! control, robots and ensembles, and its gallery shows the pictures of the examples.
 //!

@@ -9,8 +9,10 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 use lagrange_expr::symbol::Symbols;
 
-/// Allocates unique local names. All identifiers have mixed-site spans, so they cannot clash with
-/// names outside the macro's output.
+/// Allocates unique local names.
+///
+/// All identifiers have mixed-site spans, so they cannot clash with names outside the macro's
+/// output.
 #[derive(Clone, Default, Debug)]
 pub struct Names {
     taken: HashSet<String>,

@@ -32,10 +32,11 @@ pub(super) fn has_event(mode: Mode) -> bool {
 /// - the gap of an open contact;
 /// - the force of a closed contact;
 /// - the slip velocity of slipping friction, in the direction of slipping;
-/// - the margin of sticking friction to the static limit. Slipping in a plane also ends where its
-///   direction has turned by 60°, and restarts in its current direction. It also ends if it remains
-///   slow: the slower it is, the faster its direction would turn. Functions of forces fall through
-///   zero a few rounding errors later than the forces do.
+/// - the margin of sticking friction to the static limit.
+///
+/// Slipping in a plane also ends where its direction has turned by 60°, and restarts in its current
+/// direction. It also ends if it remains slow: the slower it is, the faster its direction would
+/// turn. Functions of forces fall through zero a few rounding errors later than the forces do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -64,9 +65,11 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
 }
 
 /// Writes [`switch_values`] of the state to the entries of the declared events that belong to
-/// reactions. Slip velocities count as positive down to their rounding error. Friction may be at
-/// its limit while other contacts keep its slip velocity at zero, as for a block pushed against a
-/// wall. It would otherwise end in every step.
+/// reactions.
+///
+/// Slip velocities count as positive down to their rounding error. Friction may be at its limit
+/// while other contacts keep its slip velocity at zero, as for a block pushed against a wall. It
+/// would otherwise end in every step.
 ///
 /// # Panics
 /// If `values` has no position for one of them.

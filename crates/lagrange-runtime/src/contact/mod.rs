@@ -16,12 +16,15 @@
 //! | friction in a plane sticks | both slip velocities stay zero; the length of r ≤ static limit |
 //! | friction in a plane gives way | r = −kinetic limit · a/\|a\|, where a is the rate of s |
 //! | friction in a plane slips | r = −kinetic limit · s/\|s\| (Coulomb's cone) |
+//!
 //! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (with
 //! all constraints satisfied), so a = a₀ + Σ w_k r_k. Velocity rows d_k give the rates d_k·a +
 //! drift_k of gap velocities and slip velocities. Limits may depend on reactions and multipliers,
 //! and are therefore affine in r. Emitted code computes these [`Terms`]; the small system for r is
 //! solved at run time.
+//!
 //! # Assumptions
+//!
 //! - **Modes are determined together.** When a mode ends, all touching contacts and all friction at
 //!   rest are determined anew. Contacts stay closed or separate, and friction sticks or slips in
 //!   the direction of the load. If friction is so strong that no forces are consistent (Painlevé's
