@@ -28,42 +28,42 @@
 //! # Ok::<(), lagrange::simulate::SimulationError<Pendulum>>(())
 //! ```
 //!
-//! | where | what |
+//! | module or item | contents |
 //! |---|---|
-//! | [`system!`] | the language of declarations and what is emitted for one |
-//! | [`mod@system`] | traits that the emitted types implement, for code that takes any system |
-//! | [`mod@simulate`] | the front door: runs with samples, events, trajectories, files and plots |
-//! | `ensemble` (feature) | many motions: over threads and processes, reduced or saved |
-//! | [`mod@laws`] | laws of mechanics that a system must obey, checked |
+//! | [`system!`] | the language of declarations, and the code emitted for them |
+//! | [`mod@system`] | traits that the emitted types implement, for code that is generic over systems |
+//! | [`mod@simulate`] | the main entry point: simulations with samples, events, trajectories, files and plots |
+//! | `ensemble` (feature) | many motions on threads and processes, reduced or saved |
+//! | [`mod@laws`] | checks of the laws of mechanics |
 //! | `linear` (feature) | equilibria, linear models, modes, responses |
 //! | `orbits` (feature `linear`) | periodic orbits, their stability, Lyapunov exponents |
-//! | `fit` (feature) | parameters from data |
-//! | [`mod@integrate`] | methods that advance a system in time, without heap |
+//! | `fit` (feature) | parameter estimation from data |
+//! | [`mod@integrate`] | integration methods, without heap allocation |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
-//! | [`mod@table`], [`mod@root`] | tables and algebraic unknowns of declarations, as they are evaluated |
-//! | [`mod@scene`], `draw` (feature) | what there is to draw of a system; pictures and films of it |
+//! | [`mod@table`], [`mod@root`] | evaluation of tables and algebraic unknowns |
+//! | [`mod@scene`], `draw` (feature) | descriptions of scenes; pictures and films of systems |
 //! | [`mod@constraint`] | residuals of constraints, and projection onto them |
-//! | [`mod@kinematics`] | postures in which frames stand at given places, and velocities that move them |
+//! | [`mod@kinematics`] | inverse kinematics: joint positions and rates for given poses and velocities of frames |
 //! | [`mod@contact`] | contacts that open and close, impacts, dry friction |
-//! | `trade` (feature) | methods measured against each other |
-//! | [`Scalar`] | numbers that emitted code can compute with |
-//! | [`Portable`] | numbers with the same bits on every platform |
+//! | `trade` (feature) | comparison of methods by error and time |
+//! | [`Scalar`] | number types for emitted code |
+//! | [`Portable`] | numbers with bit-identical results on every platform |
 //! | `Double` (feature `double`) | numbers of 106 bits |
 //!
-//! The folder `docs` of the repository is a book. It leads from an empty crate to films, control,
-//! robots and ensembles, and its gallery shows what the examples draw.
+//! The folder `docs` of the repository is a book. It covers everything from a first film to
+//! control, robots and ensembles, and its gallery shows the pictures of the examples.
 //!
 //! # Features
 //!
 //! `std` (default) takes elementary functions from the platform. Without it they come from `libm`,
-//! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` let
-//! trajectories save to Parquet and plot to SVG and PNG. `ensemble` computes many motions over
-//! threads and processes. `linear` finds equilibria, linear models and modes, and `fit`
-//! parameters from data. `draw` makes pictures
-//! and films of rigid bodies, in the plane and in space. `trade` measures what every digit costs on
-//! a system. `double` adds numbers of 106 bits. `symbolic` re-exports the computer algebra as
-//! `lagrange::symbolic`, for tools that derive at run time.
+//! and the crate is `no_std`, has no simulations and never allocates. `parquet` and `plot` save
+//! trajectories as Parquet files and as plots in SVG and PNG. `ensemble` computes many motions on
+//! threads and processes. `linear` finds equilibria, linear models and modes, and `fit` estimates
+//! parameters from data. `draw` makes pictures and films of rigid bodies, in the plane and in
+//! space. `trade` measures the cost of accuracy for a system. `double` adds numbers of 106 bits.
+//! `symbolic` re-exports the computer algebra as `lagrange::symbolic`, for tools that derive
+//! equations at run time.
 #![no_std]
 #![forbid(unsafe_code)]
 
@@ -105,7 +105,7 @@ pub use lagrange_runtime::{
 #[doc(inline)]
 pub use lagrange_runtime::{linear, orbits};
 
-/// Keeps the example of the README true.
+/// Compiles and runs the example of the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
@@ -116,6 +116,7 @@ pub use lagrange_core as symbolic;
 #[doc = include_str!("language.md")]
 #[macro_export]
 macro_rules! system {
-    // Emitted paths start at the first group: `$crate` holds however a user renames the dependency.
+    // Emitted paths start with the first group: `$crate` is correct even if a user renames the
+    // dependency.
     ($($declaration:tt)*) => { $crate::private::system! { ($crate) $($declaration)* } };
 }

@@ -171,7 +171,7 @@ def measure_chains(crate, repetitions):
     runs |= {("release", *key): (declared(chain(*key), "acceleration"), RELEASE) for key in MARKS}
     runs |= {("hand", kind, n): (written(function, n), RELEASE) for kind, n, function in BY_HAND}
     results = crate.measure(runs, repetitions)
-    print("| chain | `cargo check` | mark | `cargo build --release` | written by hand |")
+    print("| chain | `cargo check` | goal | `cargo build --release` | written by hand |")
     print("|---|---|---|---|---|")
     for (kind, n), mark in MARKS.items():
         seconds = lambda mode: f"{results[mode, kind, n][0]:.2f} s" if (mode, kind, n) in results else ""

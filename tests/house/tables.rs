@@ -117,7 +117,7 @@ const LANGUAGE: &[Layer] = &[
 const CORE: &[Layer] = &[
     Layer {
         modules: &["files", "model"],
-        purpose: "reading of table files; the model of a system, as expressions",
+        purpose: "reading of table files; models of systems, as expressions",
     },
     Layer {
         modules: &["derive", "elaborate"],
@@ -131,7 +131,7 @@ const CORE: &[Layer] = &[
 const DYNAMIC: &[Layer] = &[
     Layer {
         modules: &["inline", "names", "refusal", "source"],
-        purpose: "vectors of a length known at run time; names that are kept for good; systems that are not run; \
+        purpose: "vectors of a length known at run time; interned names; unsupported systems; \
                   texts with declarations",
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
@@ -142,7 +142,7 @@ const DYNAMIC: &[Layer] = &[
     },
     Layer {
         modules: &["declared"],
-        purpose: "systems with values for their parameters, visited in some room",
+        purpose: "systems with values for their parameters, dispatched to arrays of sufficient capacity",
     },
     Layer {
         modules: &["analysis", "method"],
@@ -166,7 +166,7 @@ const PYTHON: &[Layer] = &[
     },
     Layer {
         modules: &["ensemble", "fit", "linear", "simulation"],
-        purpose: "ends of many motions; parameters from data; equilibria and linear models; runs, with inputs by functions of Python",
+        purpose: "final states of many motions; parameters from data; equilibria and linear models; runs, with Python functions as inputs",
     },
     Layer { modules: &["system"], purpose: "declared systems" },
 ];
@@ -174,9 +174,9 @@ const PYTHON: &[Layer] = &[
 const C: &[Layer] = &[
     Layer {
         modules: &["names", "refusal"],
-        purpose: "names and numbers as C; systems that C and JavaScript cannot compute",
+        purpose: "names and numbers as C; systems that C and JavaScript do not support",
     },
-    Layer { modules: &["syntax"], purpose: "the text of both languages where it differs beyond statements" },
+    Layer { modules: &["syntax"], purpose: "syntax that differs between the two languages" },
     Layer { modules: &["functions"], purpose: "the functions of a module, with programs and shapes" },
     Layer { modules: &["callables"], purpose: "tables and solutions of equations" },
     Layer { modules: &["bodies"], purpose: "bodies of functions of the state" },
@@ -188,22 +188,22 @@ const C: &[Layer] = &[
 const PAGE: &[Layer] = &[
     Layer {
         modules: &["error", "items", "model"],
-        purpose: "systems that no page can show; items in space from their numbers; names, units and ranges \
+        purpose: "systems that pages do not support; items in space from their numbers; names, units and ranges \
                   for the page",
     },
-    Layer { modules: &["scene"], purpose: "the picture of a page, and the script that moves it" },
+    Layer { modules: &["scene"], purpose: "the picture of a page, and the script that animates it" },
 ];
 
 const FMI: &[Layer] = &[
     Layer {
         modules: &["archive", "dependencies", "error", "quantities"],
-        purpose: "archives; variables that rates and outputs depend on; reasons why a unit is not made; units of \
-                  measurement as the standard defines them",
+        purpose: "archives; variables that rates and outputs depend on; reasons why a unit cannot be built; \
+                  units of measurement as defined by the standard",
     },
     Layer { modules: &["compile", "variables"], purpose: "compiled libraries; the variables of a unit" },
     Layer {
         modules: &["binding", "description"],
-        purpose: "what the C of all units knows of one system; the description in XML",
+        purpose: "constants of one system for the common C code; the description in XML",
     },
     Layer { modules: &["unit"], purpose: "units: description, sources and archive" },
 ];
@@ -217,7 +217,7 @@ const CLI: &[Layer] = &[
         modules: &["mistakes", "values"],
         purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
     },
-    Layer { modules: &["motions"], purpose: "motions, from settings as they are written to files" },
+    Layer { modules: &["motions"], purpose: "simulations, from settings to output files" },
     Layer { modules: &["analyses"], purpose: "linear models at states or equilibria, as text and as JSON" },
     Layer { modules: &["commands"], purpose: "the commands" },
 ];
@@ -239,9 +239,9 @@ const MATH: &[Layer] = &[
         modules: &["logarithm", "precise", "tangent"],
         purpose: "the logarithm, sine and cosine to 0.54 ulp and the tangent, built from those",
     },
-    Layer { modules: &["beyond"], purpose: "functions beyond the domains of the formulas" },
+    Layer { modules: &["beyond"], purpose: "functions outside the domains of the formulas" },
     Layer { modules: &["batch"], purpose: "sine and cosine of several angles at once" },
-    Layer { modules: &["elementary"], purpose: "the other functions of several numbers at once" },
+    Layer { modules: &["elementary"], purpose: "all other functions of several numbers at once" },
 ];
 
 const DOUBLE: &[Layer] = &[
@@ -260,7 +260,7 @@ const RUNTIME: &[Layer] = &[
     Layer { modules: &["scalar"], purpose: "the number types that emitted code computes with" },
     Layer {
         modules: &["spread", "tolerance"],
-        purpose: "points that look random; rounding tolerances: one table, with reasons and the tests that \
+        purpose: "quasi-random points; rounding tolerances: one table, with reasons and the tests that \
                   depend on them",
     },
     Layer {
@@ -274,12 +274,12 @@ const RUNTIME: &[Layer] = &[
     },
     Layer {
         modules: &["constraint", "scene"],
-        purpose: "constraint residuals, projection onto constraints, dependent constraints; a \
+        purpose: "constraint residuals, projection onto constraints, redundant constraints; a \
                   description of what to draw: names and numbers, no graphics",
     },
     Layer {
         modules: &["kinematics"],
-        purpose: "inverse kinematics: postures in which frames are at their goals",
+        purpose: "inverse kinematics: joint positions at which frames reach their goals",
     },
     Layer {
         modules: &["integrate"],
@@ -292,7 +292,7 @@ const RUNTIME: &[Layer] = &[
                   zeros of functions of time and state within a step, in the order of time",
     },
     Layer { modules: &["run"], purpose: "one loop over any `Stepper`: steps, events, restarts" },
-    Layer { modules: &["laws"], purpose: "laws that motions must obey, checked by differences (`std`)" },
+    Layer { modules: &["laws"], purpose: "laws of mechanics, checked by finite differences (`std`)" },
     Layer {
         modules: &["simulate"],
         purpose: "the simulation builder (`std`); recorded columns, CSV and Parquet",
@@ -303,7 +303,7 @@ const RUNTIME: &[Layer] = &[
     },
     Layer {
         modules: &["fit"],
-        purpose: "parameters from data: least squares with bounds, errors, what data do not tell",
+        purpose: "parameters from data: least squares with bounds, standard errors, identifiability",
     },
     Layer { modules: &["orbits"], purpose: "periodic orbits by shooting, Lyapunov exponents" },
     Layer {

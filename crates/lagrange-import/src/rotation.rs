@@ -5,18 +5,17 @@
 
 use crate::decimal::Decimal;
 
-/// Distance within which an entry is 0, 1 or −1, and an angle a number of quarter turns.
+/// Tolerance within which an entry is rounded to 0, 1 or −1, and an angle to quarter turns.
 pub(crate) const SNAPPED: f64 = 1e-9;
-/// More quarter turns are no angle that anyone writes.
+/// Larger angles are not written as fractions of π, since a match is more likely a coincidence.
 const MAX_QUARTERS: f64 = 8.0;
-/// Fraction of the largest entry of a tensor below which an entry is what is left of numbers that
-/// cancel.
+/// Fraction of the largest entry of a tensor below which an entry is attributed to cancellation.
 const NEGLIGIBLE: f64 = 1e-15;
 
-/// A rotation in rows.
+/// A rotation matrix, by rows.
 pub(crate) type Rotation = [[f64; 3]; 3];
 
-/// Rz(yaw) Ry(pitch) Rx(roll).
+/// Computes Rz(yaw) Ry(pitch) Rx(roll).
 pub(crate) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
     let ((sr, cr), (sp, cp), (sy, cy)) = (roll.sin_cos(), pitch.sin_cos(), yaw.sin_cos());
     snapped([
@@ -26,7 +25,7 @@ pub(crate) fn roll_pitch_yaw([roll, pitch, yaw]: [f64; 3]) -> Rotation {
     ])
 }
 
-/// The rotation of a quaternion x, y, z, w of any length; `None` if that is zero.
+/// Computes the rotation of a quaternion x, y, z, w of any length; `None` if the length is zero.
 pub(crate) fn from_quaternion(components: [f64; 4]) -> Option<Rotation> {
     if components == [0.0; 4] {
         return None;
@@ -58,13 +57,14 @@ pub(crate) fn applied(rotation: Rotation, vector: [f64; 3]) -> [f64; 3] {
     rotation.map(|row| (0..3).map(|column| row[column] * vector[column]).sum())
 }
 
-/// Turns about an axis of length one.
+/// Computes the rotation by an angle about a unit vector.
 pub(crate) fn about(axis: [f64; 3], angle: f64) -> Rotation {
     let to_axis = from_z_to(axis);
     product(product(to_axis, roll_pitch_yaw([0.0, 0.0, angle])), transposed(to_axis))
 }
 
-/// The roll, pitch and yaw of a rotation; where pitch is a quarter turn, the roll is zero.
+/// Returns the roll, pitch and yaw of a rotation; at gimbal lock, where pitch is a quarter turn,
+/// roll is zero.
 pub(crate) fn angles_of(rotation: Rotation) -> [f64; 3] {
     let [[xx, xy, _], [yx, yy, _], [zx, zy, zz]] = rotation;
     let cosine = xx.hypot(yx);
@@ -74,7 +74,7 @@ pub(crate) fn angles_of(rotation: Rotation) -> [f64; 3] {
     [zy.atan2(zz), (-zx).atan2(cosine), yx.atan2(xx)]
 }
 
-/// The smallest turn that takes the z-axis to a direction of length one.
+/// Computes the smallest rotation that takes the z-axis to a unit vector.
 pub(crate) fn from_z_to([x, y, z]: [f64; 3]) -> Rotation {
     if z < SNAPPED - 1.0 {
         return [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
@@ -83,7 +83,7 @@ pub(crate) fn from_z_to([x, y, z]: [f64; 3]) -> Rotation {
     snapped([[1.0 - k * x * x, -k * x * y, x], [-k * x * y, 1.0 - k * y * y, y], [-x, -y, z]])
 }
 
-/// The direction of a vector that is not zero.
+/// Returns the unit vector along a nonzero vector.
 pub(crate) fn direction<const N: usize>(vector: [f64; N]) -> [f64; N] {
     let largest = vector.iter().fold(0.0_f64, |largest, component| largest.max(component.abs()));
     let scaled = vector.map(|component| component / largest);
@@ -91,14 +91,15 @@ pub(crate) fn direction<const N: usize>(vector: [f64; N]) -> [f64; N] {
     scaled.map(|component| component / length)
 }
 
-/// The coordinate axis, and whether against it, that a direction of length one is along.
+/// Returns the index of the coordinate axis parallel to a unit vector, and true if the two are
+/// opposite.
 pub(crate) fn coordinate_axis(direction: [f64; 3]) -> Option<(usize, bool)> {
     let is_along = |axis: usize| (0..3).all(|other| other == axis || direction[other].abs() < SNAPPED);
     let axis = (0..3).find(|&axis| is_along(axis))?;
     Some((axis, direction[axis] < 0.0))
 }
 
-/// An angle as people write it: quarter turns as fractions of π.
+/// Formats an angle as a person would write it: quarter turns as fractions of π.
 pub(crate) fn angle(angle: &Decimal) -> String {
     let quarters = angle.value() / std::f64::consts::FRAC_PI_2;
     let whole = quarters.round();
@@ -117,8 +118,8 @@ pub(crate) fn angle(angle: &Decimal) -> String {
     }
 }
 
-/// R J Rᵀ of a tensor xx, yy, zz, xy, xz, yz; the numbers that were written, where R is made of
-/// quarter turns.
+/// Computes R J Rᵀ for a tensor xx, yy, zz, xy, xz, yz. If R consists of quarter turns, entries
+/// keep their digits as written.
 pub(crate) fn turned_tensor(rotation: Rotation, tensor: &[Decimal; 6]) -> [Decimal; 6] {
     const ENTRIES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
     const INDEX: [[usize; 3]; 3] = [[0, 3, 4], [3, 1, 5], [4, 5, 2]];

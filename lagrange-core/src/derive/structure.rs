@@ -1,5 +1,5 @@
-//! Structure of a system as its equations show it: the shape of the mass matrix, cyclic
-//! coordinates, conserved quantities.
+//! Structure of a system, found in its equations: the shape of the mass matrix, cyclic coordinates,
+//! conserved quantities.
 
 use crate::model::{Action, Model};
 use lagrange_algebra::calculus::{adjoint, gradient};
@@ -21,7 +21,7 @@ pub struct MassStructure {
 }
 
 impl MassStructure {
-    /// Structure of a matrix that is written down in rows.
+    /// Determines the structure of a matrix that is given by its rows.
     pub(super) fn of_matrix(graph: &Graph, matrix: &[Vec<ExprId>]) -> MassStructure {
         let mut dependencies = Dependencies::NONE;
         for entry in matrix.iter().flatten() {
@@ -34,28 +34,30 @@ impl MassStructure {
         }
     }
 
-    /// Returns the structure of the matrix M, free of velocities, in the residual M a − f. Numbers
-    /// must show that it couples all coordinates and depends on them. `None` leaves it open:
-    /// entries that do not change between points may be constant or not.
+    /// Determines the structure of the velocity-independent matrix M in the residual M a − f from
+    /// its values at two points. Returns `None` unless the values prove that M couples all
+    /// coordinates and depends on them. Entries that are equal at both points need not be constant.
     pub(super) fn seen_at_points(graph: &Graph, residual: &[ExprId]) -> Option<MassStructure> {
         let everything = vec![true; residual.len()];
-        // Not the same shift for all: many systems look the same from every side.
-        let [here, there] = [1.0, 1.25].map(|stretch| Inertia::at(graph, residual, &everything, stretch));
+        // The points differ by a factor, since many systems are invariant under a common shift.
+        let [here, there] =
+            [1.0, 1.25].map(|stretch| InertialForces::at(graph, residual, &everything, stretch));
         let mut reached = vec![false; residual.len()];
         *reached.first_mut()? = true;
-        // What the coordinates reached so far are coupled with, until that is all or no more.
+        // Adds the coordinates coupled to those reached so far, until all are reached or none is
+        // new.
         while reached != everything {
-            let inertia = Inertia::at(graph, residual, &reached, 1.0);
+            let inertial = InertialForces::at(graph, residual, &reached, 1.0);
             let before = reached.clone();
             reached
                 .iter_mut()
-                .zip(&inertia.forces)
-                .for_each(|(known, force)| *known |= inertia.shows(*force));
+                .zip(&inertial.forces)
+                .for_each(|(known, force)| *known |= inertial.exceeds_rounding(*force));
             if reached == before {
                 return None;
             }
         }
-        let is_moving = here.forces.iter().zip(&there.forces).any(|(a, b)| here.shows(a - b));
+        let is_moving = here.forces.iter().zip(&there.forces).any(|(a, b)| here.exceeds_rounding(a - b));
         let blocks = vec![(0..residual.len()).collect()];
         is_moving.then_some(MassStructure { is_constant: false, depends_on_velocities: false, blocks })
     }
@@ -75,7 +77,7 @@ pub enum Conserved {
     Energy,
 }
 
-/// Structure of a system, as far as its equations show it.
+/// Structure of a system, as far as it can be found in its equations.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Structure {
     /// The shape of the mass matrix.
@@ -94,20 +96,20 @@ impl Structure {
     }
 }
 
-/// M a in numbers.
-struct Inertia {
+/// Values of the inertial forces M a.
+struct InertialForces {
     forces: Vec<f64>,
-    /// Magnitude of what rounding may leave of a zero.
+    /// Largest magnitude that a zero may have after rounding.
     rounding: f64,
 }
 
-impl Inertia {
-    /// M a for some accelerations of the coordinates that `moves` marks, where every coordinate is
-    /// `stretch` times one of a fixed point.
-    fn at(graph: &Graph, residual: &[ExprId], moves: &[bool], stretch: f64) -> Inertia {
+impl InertialForces {
+    /// Evaluates M a with nonzero accelerations of the coordinates marked in `is_accelerated`,
+    /// where every coordinate is `stretch` times that of a fixed point.
+    fn at(graph: &Graph, residual: &[ExprId], is_accelerated: &[bool], stretch: f64) -> InertialForces {
         let [moving, resting] = [1.0, 0.0].map(|scale| {
             evaluate(graph, residual, |role| match role {
-                Role::Acceleration(i) if moves[i as usize] => scale * somewhere(role),
+                Role::Acceleration(i) if is_accelerated[i as usize] => scale * somewhere(role),
                 Role::Acceleration(_) => 0.0,
                 Role::Coordinate(_) => stretch * somewhere(role),
                 role => somewhere(role),
@@ -115,20 +117,21 @@ impl Inertia {
         });
         let largest = moving.iter().chain(&resting).fold(0.0, |a: f64, b| a.max(b.abs()));
         let forces = moving.iter().zip(&resting).map(|(moving, resting)| moving - resting).collect();
-        Inertia { forces, rounding: ROUNDING * largest }
+        InertialForces { forces, rounding: ROUNDING * largest }
     }
 
-    /// True if a force is more than rounding.
-    fn shows(&self, force: f64) -> bool {
+    /// True if a force exceeds the rounding error.
+    fn exceeds_rounding(&self, force: f64) -> bool {
         force.abs() > self.rounding
     }
 }
 
-/// Connected components of the coupling, each in ascending order.
+/// Finds the connected components of the coupling, each in ascending order.
 fn blocks(graph: &Graph, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
     let is_coupled = |entry: &ExprId| !graph.is_zero(*entry);
-    let near = matrix.iter().map(|row| (0..row.len()).filter(|&j| is_coupled(&row[j])).collect::<Vec<_>>());
-    let near = near.collect::<Vec<_>>();
+    let neighbours =
+        matrix.iter().map(|row| (0..row.len()).filter(|&j| is_coupled(&row[j])).collect::<Vec<_>>());
+    let neighbours = neighbours.collect::<Vec<_>>();
     let mut block_of = vec![None; matrix.len()];
     let mut blocks = Vec::new();
     for start in 0..matrix.len() {
@@ -140,7 +143,7 @@ fn blocks(graph: &Graph, matrix: &[Vec<ExprId>]) -> Vec<Vec<usize>> {
         while let Some(i) = pending.pop() {
             if block_of[i].replace(blocks.len()).is_none() {
                 members.push(i);
-                pending.extend(&near[i]);
+                pending.extend(&neighbours[i]);
             }
         }
         members.sort_unstable();
@@ -153,7 +156,7 @@ fn cyclic_coordinates(model: &mut Model) -> Vec<usize> {
     let positions = model.positions();
     let slopes = gradient(&mut model.graph, model.lagrangian, &positions);
     let vanishing = vanishing(&mut model.graph, &slopes);
-    // Of a quaternion no component has a momentum.
+    // Components of a quaternion have no generalised momentum.
     let has_momentum = |i: usize| model.speeds.iter().any(|speed| speed.coordinate == Some(i));
     (0..slopes.len()).filter(|&i| vanishing[i] && has_momentum(i)).collect()
 }
@@ -186,7 +189,7 @@ fn conserved_quantities(model: &mut Model, cyclic: &[usize]) -> Vec<Conserved> {
     conserved
 }
 
-/// The velocities that forces of constraints, contacts and friction change.
+/// Collects the velocities that forces of constraints, contacts and friction can change.
 fn constrained_velocities(model: &Model) -> HashSet<ExprId> {
     let constrained = model.constraints.iter().map(|constraint| constraint.velocity);
     let touched = model.reactions.iter().map(|reaction| reaction.velocity);
@@ -194,22 +197,22 @@ fn constrained_velocities(model: &Model) -> HashSet<ExprId> {
     reached.into_iter().collect()
 }
 
-/// True if the power of multipliers, λᵀA v, is zero: whether what constraints demand of velocities
-/// is linear in them, A v = 0.
+/// True if the power of the multipliers, λᵀA v, is zero, which holds if all velocity constraints
+/// are homogeneous, A v = 0.
 fn constraints_do_no_work(model: &mut Model) -> bool {
     let velocities = model.velocities();
     let is_velocity = velocities.into_iter().collect::<HashSet<_>>();
-    let demands = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
-    let drifts = demands.into_iter().map(|demand| {
-        // A constraint usually holds few of all velocities.
-        let mut constrained = model.graph.reachable_until(&[demand], |id| is_velocity.contains(&id));
+    let residuals = model.constraints.iter().map(|constraint| constraint.velocity).collect::<Vec<_>>();
+    let drifts = residuals.into_iter().map(|residual| {
+        // Most constraints contain only few of the velocities.
+        let mut constrained = model.graph.reachable_until(&[residual], |id| is_velocity.contains(&id));
         constrained.retain(|id| is_velocity.contains(id));
-        let row = gradient(&mut model.graph, demand, &constrained);
+        let row = gradient(&mut model.graph, residual, &constrained);
         let products = row.iter().zip(&constrained).map(|(&a, &v)| model.graph.multiply(a, v));
         let products = products.collect::<Vec<_>>();
         let linear = model.graph.total(products);
         let opposite = model.graph.negate(linear);
-        model.graph.add(demand, opposite)
+        model.graph.add(residual, opposite)
     });
     let drifts = drifts.collect::<Vec<_>>();
     vanishing(&mut model.graph, &drifts).into_iter().all(|vanishes| vanishes)

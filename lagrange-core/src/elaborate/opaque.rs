@@ -1,4 +1,4 @@
-//! Functions without a formula in a declaration: their names, and their calls.
+//! Functions without a formula in a declaration: their registration and their calls.
 
 use proc_macro2::Span;
 
@@ -10,7 +10,7 @@ use lagrange_expr::diagnostics::Report;
 use lagrange_expr::opaque::{Opaque, OpaqueFunction, Source};
 use lagrange_language::syntax::ast::{AstId, ExternalFunction, Name};
 
-/// Makes a function of the user's crate known.
+/// Registers a function of the user's crate.
 pub(super) fn define_external(evaluator: &mut Evaluator<'_>, declared: &ExternalFunction) {
     let derivatives = declared.derivatives.as_ref();
     let named = derivatives.map(|derivatives| {
@@ -27,17 +27,17 @@ pub(super) fn define_external(evaluator: &mut Evaluator<'_>, declared: &External
     define(evaluator, &declared.name, Some(Opaque::value_of(function)));
 }
 
-/// Makes a function known.
+/// Registers a function under its name.
 pub(super) fn define(evaluator: &mut Evaluator<'_>, name: &Name, function: Option<Opaque>) {
-    // One that is declared twice has been reported.
+    // A repeated declaration has already been reported.
     if !evaluator.callables.contains(&name.text) {
         let callable = Callable { function, span: name.span, is_called: false };
         evaluator.callables.insert(name.text.clone(), callable);
     }
 }
 
-/// Returns the value of a call of such a function. `None` if there is none of that name,
-/// `Some(None)` if the call has a mistake, which is reported.
+/// Returns the value of a call of such a function. The result is `None` if no function has that
+/// name, and `Some(None)` if the call has a mistake, which is reported.
 pub(super) fn evaluate_callable(
     evaluator: &mut Evaluator<'_>,
     name: &Name,
@@ -61,7 +61,7 @@ pub(super) fn evaluate_callable(
     Some(scalars.map(|scalars| Operand::Scalar(evaluator.graph.opaque(function, &scalars))))
 }
 
-/// Warns of functions that nothing calls.
+/// Warns about functions that are never called.
 pub(super) fn report_uncalled(evaluator: &mut Evaluator<'_>) {
     let uncalled =
         evaluator.callables.iter().filter(|(name, callable)| !callable.is_called && !name.starts_with('_'));

@@ -61,19 +61,19 @@ pub fn parse_with(text: &str, read: Reader<'_>) -> Result<System, Report> {
 }
 
 impl System {
-    /// Writes the statements, one on each line, with those about rigid bodies as plain statements.
+    /// Writes the statements, one per line, with rigid bodies translated to plain statements.
     pub fn statements(&self) -> String {
         emit::statements(&self.declaration)
     }
 
-    /// Returns the number by which emitted types distinguish declarations, `FINGERPRINT`. Layout,
+    /// Returns the hash of the declaration that emitted types contain as `FINGERPRINT`. Layout,
     /// comments and pictures do not change it.
     pub fn fingerprint(&self) -> u64 {
         emit::fingerprint(&self.declaration)
     }
 
-    /// Adds a product to those that the declaration emits. Systems with contacts or friction have
-    /// no derivatives.
+    /// Adds a product to those that the declaration emits. Derivatives are not added to systems
+    /// with contacts or friction, which have none.
     pub fn with(mut self, product: Product) -> System {
         let Model { products, reactions, .. } = &mut self.model;
         let is_undefined = product.is_derivative() && !reactions.is_empty();
@@ -87,8 +87,7 @@ impl System {
     /// Derives the equations of motion.
     ///
     /// # Errors
-    /// If the mass matrix is singular whatever the parameters are, or more would follow than can be
-    /// emitted.
+    /// If the mass matrix is singular for all parameters, or the result would exceed the limits.
     pub fn derive(self, choice: StrategyChoice) -> Result<Derived, Report> {
         let System { declaration, mut model, mut report } = self;
         match equations_of(&declaration, &mut model, choice, &mut report) {
@@ -99,7 +98,8 @@ impl System {
 }
 
 impl Derived {
-    /// Writes the emitted items. `krate` is the path of the crate `lagrange` where they will stand.
+    /// Writes the emitted items. `krate` is the path of the crate `lagrange` in the code that will
+    /// contain them.
     ///
     /// # Errors
     /// If a constant is too large for the scalar.
@@ -108,25 +108,25 @@ impl Derived {
         items_of((&declaration, &mut model, &equations), reduced, krate, &mut report).ok_or(report)
     }
 
-    /// Writes the equations of motion as C, as `emit { kernel }` keeps them.
+    /// Writes the equations of motion as C, as in `emit { kernel }`.
     ///
     /// # Errors
-    /// If the system has what a kernel does not go with, or a constant is too large for the
-    /// numbers.
+    /// If kernels do not support the system, or a constant is too large for the precision.
     pub fn kernel(&self, precision: Precision) -> Result<String, Report> {
         let mut report = Report::default();
         let text = emit::kernel((&self.declaration, &self.model, &self.equations), precision, &mut report);
         text.ok_or(report)
     }
 
-    /// Writes the equations, the structure and the cost of the system in lines of Markdown, as they
-    /// stand in the documentation of the emitted struct.
+    /// Writes the equations, the structure and the cost of the system in lines of Markdown, as in
+    /// the documentation of the emitted struct.
     pub fn documentation(&mut self) -> Vec<String> {
         emit::documentation(&mut self.model, &self.equations)
     }
 
-    /// Returns M q̈ = f in LaTeX, one line for each coordinate. Definitions of abbreviations that
-    /// keep the lines short come first. The result is empty if M is large and was not requested.
+    /// Returns M q̈ = f in LaTeX, one line for each coordinate, preceded by definitions of
+    /// abbreviations that keep the lines short. The result is empty if M is large and was not
+    /// requested.
     pub fn equations_latex(&mut self) -> String {
         emit::equations_latex(&mut self.model, &self.equations)
     }

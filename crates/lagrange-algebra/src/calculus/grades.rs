@@ -1,21 +1,21 @@
-//! Grades: the power of a unit in which expressions are measured.
+//! Grades: exponents that state how expressions scale with a unit.
 //!
 //! If all parameters of grade d are multiplied by sᵈ, an expression of grade e becomes sᵉ times
-//! itself. With the unit of mass as s, masses, stiffnesses and forces have the grade one, lengths
-//! and times none. So much is found from the energies (`derive::grading`); here grades of
-//! expressions follow from those of their symbols.
+//! itself. If s changes the unit of mass, masses, stiffnesses and forces have the grade one, and
+//! lengths and times have the grade zero. `derive::grading` finds the grades of symbols from the
+//! energies; this module computes the grades of expressions from those.
 
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
 
-/// Grades of expressions, each found once.
+/// Grades of expressions, each computed once.
 #[derive(Clone, Default, Debug)]
 pub struct Grades(HashMap<ExprId, Number>);
 
 impl Grades {
-    /// Computes the grades of all parts of `roots`; there are none if all symbols have the grade
-    /// zero.
+    /// Computes the grades of all parts of `roots`. The result is empty if all symbols have the
+    /// grade zero.
     pub fn of(graph: &Graph, roots: &[ExprId]) -> Grades {
         let mut grades = Grades::default();
         if graph.is_graded() {
@@ -43,7 +43,8 @@ impl Grades {
         match graph.node(id) {
             Node::Number(_) | Node::Pi | Node::Opaque(..) => Number::ZERO,
             Node::Symbol(_) => graph.grade_of_symbol(id),
-            // Terms have the same grade; where that is not so, no unit is behind it.
+            // In a sum that respects the unit, all terms have the same grade; others have no
+            // meaningful grade.
             Node::Sum { terms, .. } => self.grade(terms[0].0),
             Node::Product(factors) => factors
                 .iter()
@@ -58,7 +59,7 @@ impl Grades {
     }
 }
 
-/// True if a function of numbers in some unit is a number in that unit.
+/// True if the value of a function has the same unit as its arguments.
 pub fn keeps_units(function: Function) -> bool {
     matches!(function, Function::Abs | Function::Min | Function::Max | Function::Hypot)
 }

@@ -9,27 +9,27 @@ use lagrange_expr::opaque::Opaque;
 use lagrange_expr::symbol::Role;
 use lagrange_expr::symbol::Symbols;
 
-/// Gives out local names, each once.
+/// Allocates unique local names.
 ///
-/// All identifiers have mixed-site spans: they see, and are seen by, only what the same macro
-/// emits.
+/// All identifiers have mixed-site spans, so they cannot clash with names outside the macro's
+/// output.
 #[derive(Clone, Default, Debug)]
 pub struct Names {
     taken: HashSet<String>,
     roles: HashMap<Role, Ident>,
     next: HashMap<String, usize>,
-    /// Places where the user names functions of the user's crate.
+    /// Spans at which the declaration names functions of the user's crate.
     callees: HashMap<String, Span>,
 }
 
 impl Names {
-    /// Creates names of which none is used yet; `reserved` ones never will be.
+    /// Creates an allocator that never returns one of the `reserved` names.
     pub fn new<'a>(reserved: impl IntoIterator<Item = &'a str>) -> Names {
         let taken = reserved.into_iter().map(ToOwned::to_owned).collect();
         Names { taken, ..Names::default() }
     }
 
-    /// Keeps a name from being given out.
+    /// Reserves a name, so that no variable gets it.
     pub fn reserve(&mut self, name: &str) {
         self.taken.insert(name.to_owned());
     }
@@ -39,8 +39,8 @@ impl Names {
         self.callees.insert(name.to_owned(), span);
     }
 
-    /// Returns the name of a function of the user's crate. Unlike variables it is looked up where
-    /// the user names it, or the function that it is a derivative of.
+    /// Returns the name of a function of the user's crate. Unlike a variable, it is resolved at the
+    /// place where the declaration names it or the function whose derivative it is.
     pub fn callee(&self, function: &Opaque) -> Ident {
         let name = function.rust_name();
         let place = self.callees.get(&name).or_else(|| self.callees.get(&function.function().name));
@@ -48,7 +48,7 @@ impl Names {
     }
 
     /// Returns the variable that holds the symbol in `role`: its own name, `x_dot` and `x_ddot` for
-    /// the rates of `x`, `t` for time. Where that is taken, underscores are appended.
+    /// the rates of `x`, `t` for time. If the name is taken, underscores are appended.
     pub fn role(&mut self, symbols: &Symbols, role: Role) -> Ident {
         if let Some(known) = self.roles.get(&role) {
             return known.clone();
@@ -66,20 +66,20 @@ impl Names {
         ident
     }
 
-    /// Gives a symbol without a separate name a variable called `wish`, or like it if that is
+    /// Assigns a variable to a symbol without its own name: called `wish`, or similarly if that is
     /// taken.
     pub fn assign(&mut self, role: Role, wish: &str) {
         let ident = self.fresh(wish);
         self.roles.insert(role, ident);
     }
 
-    /// Makes a new variable called `wish`, or `wish_2`, `wish_3` … if that is taken.
+    /// Allocates a variable called `wish`, or `wish_2`, `wish_3` … if that is taken.
     pub fn fresh(&mut self, wish: &str) -> Ident {
         let wish = sanitise(wish);
         if self.taken.contains(&wish) { self.count_up(&wish, 2) } else { self.take(wish) }
     }
 
-    /// Makes a new variable called `stem_0`, `stem_1` …
+    /// Allocates a variable called `stem_0`, `stem_1` …
     pub fn numbered(&mut self, stem: &str) -> Ident {
         self.count_up(stem, 0)
     }
@@ -102,8 +102,8 @@ impl Names {
     }
 }
 
-/// The identifier most like `name`, which is made of identifiers of the user and of what is added
-/// to them.
+/// Converts `name`, which consists of the user's identifiers and suffixes, to the most similar
+/// valid identifier.
 fn sanitise(name: &str) -> String {
     let mut name = name.replace(|c: char| c != '_' && !c.is_alphabetic() && !c.is_ascii_digit(), "_");
     if name.starts_with(|c: char| c.is_ascii_digit()) {

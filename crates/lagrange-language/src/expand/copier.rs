@@ -1,4 +1,4 @@
-//! The state of a copy of expressions with arrays written out, and what every step of it needs.
+//! State and common operations of the pass that copies expressions with arrays written out.
 
 use super::complaints::Complaints;
 use super::counting::Counting;
@@ -13,14 +13,14 @@ use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::limits::MAX_WRITTEN_OUT;
 use lagrange_expr::number::Number;
 
-/// Writes expressions and names out.
+/// Copies expressions, with arrays, loops and parts written out.
 pub(super) struct Copier<'a> {
     pub(super) expressions: &'a mut Expressions,
     pub(super) scopes: Scopes,
     pub(super) elements: &'a ElementNames,
     pub(super) complaints: Complaints<'a>,
     pub(super) constants: &'a HashMap<String, Number>,
-    /// For each expression in the text, if anything in it can change.
+    /// For each expression in the text, where it may have to be copied.
     pub(super) changes: HashMap<AstId, Change>,
     /// Functions of the user's crate that parts declare.
     external: HashSet<String>,
@@ -29,16 +29,16 @@ pub(super) struct Copier<'a> {
     is_too_long: bool,
 }
 
-/// The places in which an expression can change.
+/// The places where a copy of an expression can differ from the original.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Change {
     Nowhere,
-    /// In parts, which do not know the names in it.
+    /// In parts, where its names mean something else.
     InParts,
     Anywhere,
 }
 
-/// Something that is still to be done.
+/// A pending step of the copy.
 pub(super) enum Task {
     /// Copy an expression.
     Copy(AstId, ScopeId),
@@ -48,7 +48,7 @@ pub(super) enum Task {
     Call(AstId, String),
     /// Apply a function to that many copies.
     Fold(Fold, usize, Origin),
-    /// Take what stands behind these indices of a copy.
+    /// Take the entry of a copy at these indices.
     Entry(Vec<PlacedIndex>, Origin),
 }
 
@@ -60,33 +60,7 @@ impl<'a> Copier<'a> {
         elements: &'a ElementNames,
         complaints: Complaints<'a>,
     ) -> Copier<'a> {
-        let mut changes = HashMap::default();
-        for (id, expression) in expressions.iter() {
-            let of_operands = || expression.operands().iter().filter_map(|id| changes.get(id)).max().copied();
-            let change = match expression {
-                Expression::Name(name) => {
-                    // A variable, a parameter of a function, an array or something in a part.
-                    let is_known = complaints.names.contains(name) && !elements.is_array(name);
-                    match (is_known && !scopes.is_scoped(name), BUILT_IN.contains(&name.as_str())) {
-                        (true, true) => Change::Nowhere,
-                        (true, false) => Change::InParts,
-                        (false, _) => Change::Anywhere,
-                    }
-                }
-                Expression::Array(_) | Expression::Entry { .. } => Change::Anywhere,
-                Expression::Component(_, name) | Expression::Call(name, _) if !name.indices.is_empty() => {
-                    Change::Anywhere
-                }
-                Expression::Call(function, _)
-                    if scopes.is_scoped(&function.text) || elements.is_array(&function.text) =>
-                {
-                    Change::Anywhere
-                }
-                Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
-                _ => of_operands().unwrap_or(Change::Nowhere),
-            };
-            changes.insert(id, change);
-        }
+        let changes = changes(expressions, &scopes, elements, &complaints);
         let external = HashSet::default();
         Copier {
             expressions,
@@ -105,13 +79,13 @@ impl<'a> Copier<'a> {
         Counting { expressions: self.expressions, scopes: &self.scopes, constants: self.constants }
     }
 
-    /// True of a function of the user's crate that no part declared before.
+    /// True for a function of the user's crate that no part has declared before.
     pub(super) fn is_first_of(&mut self, function: &ExternalFunction) -> bool {
         let key = format!("{} {}", function.name.text, function.parameters.len());
         self.external.insert(key) || function.derivatives.is_some()
     }
 
-    /// Reports an expression, which has no meaning.
+    /// Reports an expression and replaces it by an invalid one.
     pub(super) fn invalid(&mut self, id: AstId, message: String, help: &str) -> AstId {
         let origin = self.expressions.origin(id);
         if let Some(error) = self.complaints.once(id, origin, message) {
@@ -120,7 +94,7 @@ impl<'a> Copier<'a> {
         self.expressions.add(Expression::Invalid, origin)
     }
 
-    /// The message for a part where a value is needed, and what to do.
+    /// Returns the message for a part where a value is needed, and the help.
     pub(super) fn part_as_value(&self, part: PlacedId) -> (String, String) {
         let part = self.scopes.placed(part);
         let name = part.written.trim_end_matches('.');
@@ -159,7 +133,7 @@ impl<'a> Copier<'a> {
         None
     }
 
-    /// The numbers of elements behind the name of an array that is declared as a whole.
+    /// Evaluates the sizes after the name of an array that is declared as a whole.
     pub(super) fn sizes(&mut self, name: &Name, scope: ScopeId) -> Option<Vec<i64>> {
         if !self.elements.is_indexed(&self.scopes.prefixed(scope, &name.text)) {
             return None;
@@ -169,8 +143,8 @@ impl<'a> Copier<'a> {
         indices_of(name, scope, counting, &mut self.complaints)
     }
 
-    /// Why a name without an index means nothing, and what to do. A name of an expanded declaration
-    /// is none in the text.
+    /// Explains why a name without an index is unknown, with the help. Names of the expanded
+    /// declaration do not exist in the text.
     pub(super) fn objection(&self, name: &str, is_as_written: bool) -> Option<(String, String)> {
         if self.elements.is_array(name) {
             return Some((messages::no_index(name), messages::written_help(self.elements.example(name))));
@@ -186,7 +160,7 @@ impl<'a> Copier<'a> {
         Some((messages::unknown_name(name), messages::write(written)))
     }
 
-    /// Once is enough.
+    /// Reports that the expansion is too long, once.
     pub(super) fn too_long(&mut self, origin: Origin) -> AstId {
         if !std::mem::replace(&mut self.is_too_long, true) {
             let error = self.complaints.report.error(origin, messages::too_many_terms(MAX_WRITTEN_OUT));
@@ -194,4 +168,41 @@ impl<'a> Copier<'a> {
         }
         self.expressions.add(Expression::Invalid, origin)
     }
+}
+
+/// Determines for each expression in the text where it may have to be copied.
+fn changes(
+    expressions: &Expressions,
+    scopes: &Scopes,
+    elements: &ElementNames,
+    complaints: &Complaints<'_>,
+) -> HashMap<AstId, Change> {
+    let mut changes = HashMap::default();
+    for (id, expression) in expressions.iter() {
+        let of_operands = || expression.operands().iter().filter_map(|id| changes.get(id)).max().copied();
+        let change = match expression {
+            Expression::Name(name) => {
+                // A variable, a parameter of a function, an array or something in a part.
+                let is_known = complaints.names.contains(name) && !elements.is_array(name);
+                match (is_known && !scopes.is_scoped(name), BUILT_IN.contains(&name.as_str())) {
+                    (true, true) => Change::Nowhere,
+                    (true, false) => Change::InParts,
+                    (false, _) => Change::Anywhere,
+                }
+            }
+            Expression::Array(_) | Expression::Entry { .. } => Change::Anywhere,
+            Expression::Component(_, name) | Expression::Call(name, _) if !name.indices.is_empty() => {
+                Change::Anywhere
+            }
+            Expression::Call(function, _)
+                if scopes.is_scoped(&function.text) || elements.is_array(&function.text) =>
+            {
+                Change::Anywhere
+            }
+            Expression::Call(..) => of_operands().max(Some(Change::InParts)).unwrap_or(Change::InParts),
+            _ => of_operands().unwrap_or(Change::Nowhere),
+        };
+        changes.insert(id, change);
+    }
+    changes
 }

@@ -1,4 +1,4 @@
-//! When modes switch.
+//! Functions whose zeros end the modes of contacts and friction.
 
 use core::array;
 
@@ -12,11 +12,12 @@ use crate::scalar::{Number, Scalar};
 use crate::system::split;
 use crate::tolerance::BOUND;
 
-/// Friction that gives way may go back by this part of the speed from which it has a direction. On
-/// redundant supports forces at their limits are known to less than rounding.
+/// Fraction of the pace (the speed from which slipping has a direction) by which friction that
+/// gives way may move backwards. On redundant supports, forces at their limits are less accurate
+/// than rounding.
 const SLACK: f64 = 1e-3;
 
-/// Friction whose limit is smaller than this does not act.
+/// Returns the limit below which friction is ignored.
 pub(super) fn nothing<S: Scalar>() -> S {
     S::epsilon() * S::epsilon()
 }
@@ -26,17 +27,16 @@ pub(super) fn has_event(mode: Mode) -> bool {
     !matches!(mode, Mode::Smooth | Mode::Across(_))
 }
 
-/// Computes a function for each reaction that is positive while its mode may last and falls through
+/// Computes a function for each reaction that is positive while its mode lasts and falls through
 /// zero where it ends:
 /// - the gap of an open contact;
 /// - the force of a closed contact;
 /// - the slip velocity of slipping friction, in the direction of slipping;
 /// - the margin of sticking friction to the static limit.
 ///
-/// Friction in a plane also ends where its direction has turned by 60°, to start anew in its
-/// present direction. It ends as well where it is slow and stays so: the slower it is, the faster
-/// its direction would turn. Functions of forces fall through zero a few roundings later than the
-/// forces do.
+/// Slipping in a plane also ends where its direction has turned by 60°, and restarts in its current
+/// direction. It also ends if it remains slow: the slower it is, the faster its direction would
+/// turn. Functions of forces fall through zero a few rounding errors later than the forces do.
 pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     terms: &Terms<S, N, K>,
     modes: &[Mode; K],
@@ -44,8 +44,8 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     let forces = Forces::under(terms, modes);
     let reactions = &forces.reactions;
     let value = |k: usize| match modes[k] {
-        // What parts does not touch: right after a contact has opened, a gap within a step may be
-        // negative by the error of the method.
+        // A separating contact does not close: right after it has opened, its gap within a step may
+        // be negative by the error of the method.
         Mode::Contact(Contact::Open) if terms.rates[k] > S::ZERO => terms.gaps[k].abs(),
         Mode::Contact(Contact::Open) => terms.gaps[k],
         Mode::Contact(Contact::Closed) | Mode::Friction(Friction::Sticks) => forces.margin(modes, k),
@@ -64,12 +64,12 @@ pub fn switch_values<S: Scalar, const N: usize, const K: usize>(
     array::from_fn(value)
 }
 
-/// Writes [`switch_values`] of the state to the places of the declared events that belong to
+/// Writes [`switch_values`] of the state to the entries of the declared events that belong to
 /// reactions.
 ///
 /// Slip velocities count as positive down to their rounding error. Friction may be at its limit
-/// where other contacts hold its slip velocity, as that of a block pushed against a wall. It would
-/// otherwise end in every step.
+/// while other contacts keep its slip velocity at zero, as for a block pushed against a wall. It
+/// would otherwise end in every step.
 ///
 /// # Panics
 /// If `values` has no position for one of them.
@@ -93,7 +93,7 @@ pub fn event_values<M, const N: usize, const K: usize>(
         values[system.event_of(k)] = match modes[k] {
             Mode::Friction(Friction::GivesWay(pace)) => {
                 let slack = M::Scalar::from_f64(SLACK) * pace.value::<M::Scalar>();
-                (value + slack).min(terms.left_of_start(k, pace))
+                (value + slack).min(terms.pace_margin(k, pace))
             }
             _ => value,
         };
@@ -101,30 +101,31 @@ pub fn event_values<M, const N: usize, const K: usize>(
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Bounds the rounding error of slip velocity k where it is held at zero.
+    /// Bounds the rounding error of slip velocity k while it is kept at zero.
     pub(super) fn slip_noise(&self, k: usize, t: S, v: &[S; N]) -> S {
         BOUND.part::<S>() * self.slip_terms(k, t, v)
     }
 
-    /// Returns the size of the terms of slip velocity k: from the velocities, and from
-    /// accelerations in this time.
+    /// Returns the size of the terms of slip velocity k: those of the velocities, and those of the
+    /// accelerations times `time`.
     fn slip_terms(&self, k: usize, time: S, v: &[S; N]) -> S {
         self.size_of(k, &sizes(v)) + self.acceleration_of(k) * time.abs()
     }
 
-    /// The speed from which friction k in a plane has a direction. It gives way at the time `t`,
-    /// and the time `elapsed` after the run started.
+    /// Returns the speed from which friction k in a plane has a direction. It gives way at time
+    /// `t`, which is `elapsed` after the start of the run.
     pub(super) fn pace(&self, k: usize, [t, elapsed]: [S; 2], v: &[S; N]) -> Pace {
         let of = |size: &dyn Fn(usize) -> S| length(&[size(k), size(k + 1)]);
         Pace::of_slip(of(&|row| self.slip_terms(row, elapsed, v)), of(&|row| self.slip_noise(row, t, v)))
     }
 
-    /// That speed less the present one.
-    fn left_of_start(&self, k: usize, pace: Pace) -> S {
+    /// Returns the pace minus the current slip speed.
+    fn pace_margin(&self, k: usize, pace: Pace) -> S {
         pace.value::<S>() - length(&self.slip(k, true))
     }
 
-    /// The slip velocity in the direction of slipping, less half of its size if it may turn.
+    /// Returns the slip velocity in the direction of slipping, minus half of its magnitude in a
+    /// plane, where it may turn.
     fn advance(&self, k: usize, is_planar: bool, friction: Friction) -> S {
         let [x, y] = self.slip(k, is_planar);
         let along = match friction {

@@ -17,49 +17,50 @@
 //! | friction in a plane gives way | r = −kinetic limit · a/\|a\|, where a is the rate of s |
 //! | friction in a plane slips | r = −kinetic limit · s/\|s\| (Coulomb's cone) |
 //!
-//! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (within
-//! the mechanism: its constraints hold), so that a = a₀ + Σ w_k r_k. Velocity rows d_k give the
-//! rates d_k·a + drift_k of gap velocities and slip velocities. Limits may depend on reactions and
-//! multipliers, and are therefore affine in r. Emitted code computes these [`Terms`]; the small
-//! system for r is solved at run time.
+//! With all reactions zero the accelerations are a₀. A unit of reaction k adds w_k to them (with
+//! all constraints satisfied), so a = a₀ + Σ w_k r_k. Velocity rows d_k give the rates d_k·a +
+//! drift_k of gap velocities and slip velocities. Limits may depend on reactions and multipliers,
+//! and are therefore affine in r. Emitted code computes these [`Terms`]; the small system for r is
+//! solved at run time.
 //!
-//! # What is assumed
+//! # Assumptions
 //!
-//! - **Modes are chosen together.** Where a mode ends, all contacts that touch and all friction at
-//!   rest are determined anew. Contacts press or part, and friction holds or slips the way it is
-//!   driven. If friction is so strong that no forces fit (the paradox of Painlevé), the contact
-//!   jams: an impact without approach stops its slip. A motion that would have to start there, or
-//!   that a jam does not free, ends with
+//! - **Modes are determined together.** When a mode ends, all touching contacts and all friction at
+//!   rest are determined anew. Contacts stay closed or separate, and friction sticks or slips in
+//!   the direction of the load. If friction is so strong that no forces are consistent (Painlevé's
+//!   paradox), the contact jams: an impact without approach stops its slip. A motion that would
+//!   have to start in this state, or that remains inconsistent after a jam, ends with
 //!   [`StepFailure::Stuck`].
-//! - **Contacts that touch are hit together**, at one instant. Two equal balls that touch and are
-//!   hit elastically by a third leave with 2/3 of its speed, and it returns with 1/3. A hair's
-//!   breadth apart, they are hit one after the other, and the last one leaves with all of it, as in
-//!   Newton's cradle. The event of the first contact reports an impact in several contacts, with
-//!   the impulse there and the total energy loss.
-//! - **Friction acts in an impact** as far as its limit grows with contact forces, by the same law
-//!   between impulses. Without restitution there always are impulses that obey it. In a plane the
-//!   search for them is bounded, and gives up one of a thousand random wedges. Restitution is
-//!   reduced where it would create energy or leave none.
-//! - **Infinitely many bounces** are taken together once the rest of them would last no longer than
-//!   10⁻⁹ of the time. This includes the bounces of several contacts that are hit in turn. The
-//!   contacts close, and [`EventKind::Closed`] gives the time of the last bounce.
-//! - **Forces that the motion does not determine**, as those of a table on four legs, are the
-//!   shortest that hold what is held. Where these pull or exceed a limit, forces next to them
-//!   within all limits are taken. What is held ends where there are none.
-//! - **Sliding on more points than carry** is not determined by the law, nor is the motion: the
-//!   shortest forces that fit are taken.
-//! - **Friction in a plane changes its direction** by any angle while it slips. It comes to its end
-//!   where its slip velocity reaches zero. Friction that would stop within 10⁻⁹ of the time stops
-//!   with it, and one problem decides for all of it.
+//! - **Impacts on touching bodies are simultaneous.** Two equal touching balls that are hit
+//!   elastically by a third leave with 2/3 of its speed, and it rebounds with 1/3. If they are
+//!   slightly apart, they are hit one after the other, and the last one leaves with the full speed,
+//!   as in Newton's cradle. The event of the first contact reports an impact in several contacts,
+//!   with the impulse there and the total energy loss.
+//! - **Friction acts in an impact** to the extent that its limit grows with contact forces, by the
+//!   same law for impulses. Without restitution, impulses that obey it always exist. In a plane the
+//!   search for them is bounded, and fails for one of a thousand random wedges. Restitution is
+//!   reduced where it would create energy or where no solution would remain.
+//! - **Infinitely many bounces** are summed once the remaining ones would take less than 10⁻⁹ of
+//!   the time. This includes the bounces of several contacts that are hit in turn. The contacts
+//!   close, and [`EventKind::Closed`] gives the time of the last bounce.
+//! - **Statically indeterminate forces**, such as those of a table on four legs, are those of
+//!   minimum norm. If these pull or exceed a limit, the nearest forces within all limits are used.
+//!   Sticking ends if there are none.
+//! - **Sliding on redundant points**: the laws determine neither the forces nor the motion. The
+//!   consistent forces of minimum norm are used.
+//! - **Friction in a plane changes its direction** by any angle while it slips. Slipping ends when
+//!   its slip velocity reaches zero. Other friction that would stop within 10⁻⁹ of the time stops
+//!   with it, and their modes are determined together.
 //! - **Slipping in a plane starts along its acceleration.** Friction turns a slip velocity s
 //!   towards its steady direction at the rate limit/(m |s|), which no explicit method follows near
-//!   rest. Up to 10⁻⁶ of the terms of s that direction is taken instead.
-//! - **Slipping in a plane that lingers below half of that speed stops**, unless friction is about
-//!   to stop it anyway. It starts anew, along its acceleration, if friction cannot hold.
-//! - **Friction without a limit**, as in a contact that is open, just [slips](Friction::Slips).
-//! - **Time runs forwards**: what was before an impact or before something came to rest does not
-//!   follow from what is after it.
-//! - Smooth friction has no modes. A steep one makes the motion stiff.
+//!   rest. Up to a speed of 10⁻⁶ of the terms of s, that direction is used instead.
+//! - **Slipping in a plane that remains below half of that speed stops**, unless friction is about
+//!   to stop it anyway. It restarts, along its acceleration, if friction cannot hold.
+//! - **Friction with a limit of zero**, as in an open contact, is in the mode
+//!   [`Slips`](Friction::Slips).
+//! - **Time runs forwards**: the state before an impact or before a stop does not follow from the
+//!   state after it.
+//! - Smooth friction has no modes. Steep smooth friction makes the motion stiff.
 //!
 //! Sources: Pfeiffer, Glocker, *Multibody Dynamics with Unilateral Contacts*, §5, §8; Brogliato, *Nonsmooth
 //! Mechanics*, 3rd ed., §5.
@@ -114,9 +115,9 @@ pub enum Contact {
 /// The state of dry friction.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Friction {
-    /// Slips in the direction that the present slip velocity has, without friction where it is
-    /// zero. Runs replace it by another mode at their start, unless there is no friction because
-    /// its limit is zero.
+    /// Slips in the direction of the current slip velocity, without a force where it is zero. Runs
+    /// replace it by another mode at their start, unless there is no friction because its limit is
+    /// zero.
     #[default]
     Slips,
     /// Slips with positive slip velocity: the force is negative. In a plane, about the direction of
@@ -125,12 +126,12 @@ pub enum Friction {
     /// Slips with negative slip velocity: the force is positive.
     SlipsBackwards,
     /// Slips in a plane, about this direction: the force is opposite to the slip velocity. Below
-    /// half of this speed the slip velocity has no direction any more, and stops.
+    /// half of this speed the slip velocity no longer has a direction, and slipping stops.
     SlipsTowards(Heading, Pace),
     /// Starts to slip in a plane. Below this speed the slip velocity has no direction yet: the
     /// force is opposite to the slip acceleration.
     GivesWay(Pace),
-    /// Holds.
+    /// Does not slip.
     Sticks,
 }
 
@@ -154,7 +155,7 @@ pub enum Mode {
 pub struct Terms<S, const N: usize, const K: usize> {
     /// Accelerations with all reactions zero.
     pub free: [S; N],
-    /// In row k the accelerations that a unit of reaction k adds.
+    /// In row k the accelerations added by a unit of reaction k.
     pub responses: [[S; N]; K],
     /// In row k the gradient d_k of the rate of gap k, or of slip velocity k, with respect to the
     /// velocities.
@@ -199,10 +200,10 @@ pub trait ContactSystem<const N: usize, const K: usize>:
     #[must_use]
     fn in_modes(&self, modes: [Mode; K]) -> Self;
 
-    /// Checks parameters that have a range.
+    /// Checks parameters with a declared range.
     ///
     /// # Errors
-    /// If one is out of it.
+    /// If a parameter is out of range.
     fn check(&self) -> Result<(), StepFailure<Self::Scalar>> {
         Ok(())
     }
@@ -215,10 +216,10 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         v: &[Self::Scalar; N],
     ) -> Terms<Self::Scalar, N, K>;
 
-    /// Returns the reaction terms for a step of the length `h` by which velocities change. Dampers,
-    /// which have a dissipation function, act by the velocities at its end. The free accelerations
-    /// and responses are those of the mean over the step then. The same as [`terms`](Self::terms)
-    /// by default, where dampers act by the velocities at its beginning.
+    /// Returns the reaction terms for a step of the length `h` by which velocities change. Forces
+    /// of the dissipation function are evaluated with the velocities at its end, so free
+    /// accelerations and responses are means over the step. The default is [`terms`](Self::terms),
+    /// which evaluates these forces with the velocities at the beginning.
     fn damped_terms(
         &self,
         t: Self::Scalar,
@@ -229,23 +230,23 @@ pub trait ContactSystem<const N: usize, const K: usize>:
         self.terms(t, q, v)
     }
 
-    /// The declared event by which reaction `k` changes its mode; not asked of smooth friction,
-    /// which has none, nor of second components.
+    /// Returns the declared event at which reaction `k` changes its mode. It is not called for
+    /// smooth friction, which has none, nor for second components.
     fn event_of(&self, k: usize) -> usize;
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Terms<S, N, K> {
-    /// Accelerations under these reactions.
+    /// Returns the accelerations with these reactions.
     pub fn acceleration(&self, reactions: &[S; K]) -> [S; N] {
         self.added(&self.free, reactions)
     }
 
-    /// Returns what these reactions add.
+    /// Returns the accelerations that these reactions add.
     fn change(&self, reactions: &[S; K]) -> [S; N] {
         self.added(&[S::ZERO; N], reactions)
     }
 
-    /// A vector and the responses to these reactions.
+    /// Adds the responses to these reactions to a vector.
     fn added(&self, to: &[S; N], reactions: &[S; K]) -> [S; N] {
         let mut sum = *to;
         for (response, &reaction) in self.responses.iter().zip(reactions) {

@@ -1,20 +1,19 @@
-//! Unit quaternions among the positions of a system: the scalar part at an index, the vector part
-//! behind it.
+//! Unit quaternions among the positions of a system: the scalar part at an index, followed by the
+//! vector part.
 //!
 //! Emitted types define [`MechanicalSystem::normalise`](super::MechanicalSystem::normalise) and
 //! [`MechanicalSystem::displacement`](super::MechanicalSystem::displacement) by these functions. A
-//! quaternion q turns the axes of a body into the world. Its rate is q̇ = ½ q ⊗ (0, ω) with the
-//! angular velocity ω along the axes of the body.
+//! quaternion q maps body axes to world axes. Its rate is q̇ = ½ q ⊗ (0, ω) with the angular
+//! velocity ω in body axes.
 //!
 //! Source: Featherstone, *Rigid Body Dynamics Algorithms*, §4.5.
 
 use crate::scalar::Scalar;
 
-/// Smaller squares of lengths are taken of scaled components.
+/// Below this squared length, components are scaled before they are squared, to avoid underflow.
 const SMALLEST: f64 = 1e-30;
 
-/// Brings the quaternion that begins at an index to length one; one of zeros becomes one of numbers
-/// that are not.
+/// Normalises the quaternion that begins at an index; a zero quaternion becomes NaN.
 ///
 /// ```
 /// let mut positions = [7.0, 3.0, 0.0, 4.0, 0.0];
@@ -28,7 +27,7 @@ pub fn normalise<S: Scalar>(positions: &mut [S], first: usize) {
         |entries: &[S]| entries.iter().fold(S::ZERO, |sum, entry| entry.multiply_add(*entry, sum));
     let square = sum_of_squares(quaternion);
     if !(square.is_finite() && square > S::from_f64(SMALLEST)) {
-        // Squares of what is very large or very small are not finite, or zero.
+        // Squares of very large or very small components overflow or underflow.
         let largest = quaternion.iter().fold(S::ZERO, |most, entry| most.max(entry.abs()));
         quaternion.iter_mut().for_each(|entry| *entry = *entry / largest);
     }
@@ -36,12 +35,12 @@ pub fn normalise<S: Scalar>(positions: &mut [S], first: usize) {
     quaternion.iter_mut().for_each(|entry| *entry = *entry / length);
 }
 
-/// Computes the small turn, as a vector along the axes of the body, that leads from one quaternion
-/// to another: 2 Im(q̄ ⊗ p). The sign of p is that for which the scalar part is not negative, since
-/// p and −p are the same orientation.
+/// Computes the small rotation from one quaternion to another, as a vector in body axes: 2 Im(q̄ ⊗
+/// p). The sign of p is chosen so that the scalar part is not negative, since p and −p are the same
+/// orientation.
 ///
 /// ```
-/// // A turn by 0.002 about z, seen from one that looks the other way.
+/// // A rotation by 0.002 about z, to a quaternion of opposite sign.
 /// let (from, to) = ([1.0, 0.0, 0.0, 0.0], [-1.0, 0.0, 0.0, -0.001]);
 /// assert_eq!(lagrange::system::quaternion::turn(&from, &to, 0), [0.0, 0.0, 0.002]);
 /// ```

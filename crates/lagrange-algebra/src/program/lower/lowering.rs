@@ -8,8 +8,8 @@ use crate::program::labels::Labels;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::expr::{ExprId, Graph};
 
-/// A value that stands for an expression or for its opposite: signs are carried along until
-/// something absorbs them.
+/// A value that represents an expression or its negative: signs are propagated until an operation
+/// absorbs them, which saves negations.
 #[derive(Clone, Copy)]
 pub(super) struct Signed {
     pub(super) value: ValueId,
@@ -34,12 +34,12 @@ pub(super) struct Lowering<'a> {
 }
 
 impl Lowering<'_> {
-    /// Value that an expression met before was lowered to.
+    /// Returns the value to which an expression was lowered before.
     pub(super) fn signed(&self, id: ExprId) -> Signed {
         *self.values.get(&id).expect("children come before parents and are merged only where expected")
     }
 
-    /// The value of an expression met before.
+    /// Returns the value of an expression that was lowered before, negated if necessary.
     pub(super) fn plain(&mut self, id: ExprId) -> ValueId {
         let signed = self.signed(id);
         self.with_sign(signed)

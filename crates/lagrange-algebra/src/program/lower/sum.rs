@@ -7,8 +7,8 @@ use lagrange_expr::collections::OrderedMap;
 use lagrange_expr::expr::ExprId;
 use lagrange_expr::number::Number;
 
-/// `constant + Σ coefficient · term`, or its opposite if that is wanted; terms whose coefficients
-/// have the same magnitude are added before they are multiplied by it.
+/// Lowers `constant + Σ coefficient · term`, or its negative if `opposite` is set. Terms whose
+/// coefficients have the same magnitude are added before they are multiplied by it.
 pub(super) fn lower_sum(
     lowering: &mut Lowering<'_>,
     constant: &Number,
@@ -34,7 +34,8 @@ pub(super) fn lower_sum(
         chain.iter_mut().for_each(|term| term.negative = !term.negative);
     }
     let total = chained(lowering, &chain);
-    // An opposite that has a name is computed even if no term is positive.
+    // A negative with a label is computed even if no term is positive, since the label needs a
+    // value.
     let total = if opposite { Signed::positive(lowering.with_sign(total)) } else { total };
     Signed { negative: total.negative != opposite, ..total }
 }
@@ -64,7 +65,7 @@ fn push_group(
     chain.push(Signed { value: lowering.builder.multiply(magnitude, value), negative });
 }
 
-/// `coefficient · term`
+/// Lowers `coefficient · term`.
 fn scaled(lowering: &mut Lowering<'_>, coefficient: &Number, term: ExprId) -> Signed {
     if lowering.sharing.is_merged(term) {
         return lower_product(lowering, coefficient, term);
@@ -77,8 +78,8 @@ fn scaled(lowering: &mut Lowering<'_>, coefficient: &Number, term: ExprId) -> Si
     Signed::positive(lowering.builder.multiply(coefficient, value))
 }
 
-/// The sum of the terms. Known numbers are added up and come last; if no term is positive, neither
-/// is the result.
+/// Adds the terms. Constants are folded and come last. If no term is positive, the result is marked
+/// as negative.
 fn chained(lowering: &mut Lowering<'_>, terms: &[Signed]) -> Signed {
     let (constants, mut chain): (Vec<Signed>, Vec<Signed>) =
         terms.iter().partition(|term| lowering.builder.op(term.value).is_constant());
@@ -91,7 +92,7 @@ fn chained(lowering: &mut Lowering<'_>, terms: &[Signed]) -> Signed {
     Signed::positive(total(lowering, chain, first))
 }
 
-/// The sum of known numbers as a term, unless it is zero.
+/// Folds constants to one term, unless their sum is zero.
 fn constant_term(lowering: &mut Lowering<'_>, constants: &[Signed]) -> Option<Signed> {
     let zero = lowering.builder.constant(Number::ZERO);
     let sum = constants.iter().fold(zero, |sum, term| append(lowering, sum, *term));
@@ -104,7 +105,7 @@ fn constant_term(lowering: &mut Lowering<'_>, constants: &[Signed]) -> Option<Si
     (sum != zero).then_some(Signed { value: if negative { opposite } else { sum }, negative })
 }
 
-/// The first term with the others added to it, or zero if there is none.
+/// Adds the other terms to the one at index `first`; zero if there are no terms.
 fn total(lowering: &mut Lowering<'_>, mut terms: Vec<Signed>, first: usize) -> ValueId {
     if terms.is_empty() {
         return lowering.builder.constant(Number::ZERO);

@@ -1,12 +1,13 @@
-//! Products that are used once, in a sum, are computed together with the sum.
+//! Fusion of products that are used once, in a sum, into multiply-adds.
 
 use super::rewrite::rewrite;
 use crate::program::{Op, Program, ValueId};
 
-/// Fuses `a * b + c` and its relatives. Products with a name stay: somebody wants to read them.
+/// Fuses `a * b + c` and similar sums. Products with a name are kept, so that the emitted code
+/// shows them.
 ///
 /// If both operands of a sum are such products, the right one is fused, since the left one is the
-/// sum so far.
+/// partial sum.
 pub fn fuse_multiply_adds(program: &Program) -> Program {
     let uses = program.uses();
     let fusible = |id: ValueId| uses[id] == 1 && program.hint(id).is_none();

@@ -29,7 +29,7 @@ fn described(keyword: &str) -> &'static str {
     }
 }
 
-/// Advice for a range of what is no parameter.
+/// Returns advice for a range of something that is not a parameter.
 pub(in crate::syntax) fn limit(keyword: &str, name: &str) -> String {
     let name = shortened(name);
     match keyword {
