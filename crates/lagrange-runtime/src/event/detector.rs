@@ -4,7 +4,7 @@ mod earliest;
 
 use super::function::EventFunction;
 use super::instant::{accuracy, is_at_once, unresolved};
-use super::piece::Piece;
+use super::piece::{Piece, Values};
 use super::polynomial::{POINTS, points};
 use super::rounding::{is_rounding, rounded};
 use super::search::Search;
@@ -116,7 +116,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         if K == 0 {
             return Ok(None);
         }
-        check(self.functions.map(|function| function.here))?;
+        self.check_known()?;
         let (from, to) = (stepper.last_time(), stepper.time());
         if core::mem::take(&mut self.is_replaced) {
             let shortly = shortly(from, to);
@@ -134,7 +134,8 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
             let mut value = |state: &M::State| values(middle, state)[event];
             self.is_noise = is_first && event == last && is_rounding(&state, &mut value);
         }
-        Ok(found.map(|(event, time)| Occurrence { event, time, state: stepper.interpolate(system, time) }))
+        let Some((event, time)) = found else { return Ok(None) };
+        Ok(Some(Occurrence { event, time, state: stepper.interpolate(system, time) }))
     }
 
     /// Returns the next function that is exactly zero at the end of a run, which has this state.
@@ -145,12 +146,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Some(Occurrence { event, time, state: *state })
     }
 
-    /// Searches this step for the next event; returns its function and time. `at` gives the
-    /// functions at a time and, if that is true, at a state that is changed by rounding.
+    /// Searches this step for the next event; returns its function and time.
     fn search_step(
         &mut self,
         (from, to): (S, S),
-        at: &mut impl FnMut(S, bool) -> [S; K],
+        at: &mut Values<'_, S, K>,
     ) -> Result<Option<Suspect<S>>, StepFailure<S>> {
         if !self.search.is_of(from, to) {
             self.search = Search::new(from, to);
@@ -158,7 +158,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         let is_past = |t: S, reached: S| if to < from { t >= reached } else { t <= reached };
         while !is_past(to, self.reached) {
             let (start, end) = (self.reached, self.search.end(self.reached));
-            let piece = self.sample((start, end), |t| at(t, false));
+            let piece = self.sample((start, end), at);
             let is_shortest = self.search.is_shortest();
             if let Some(bad) = piece.values.iter().find(|values| check(**values).is_err())
                 && is_shortest
@@ -172,7 +172,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
                 First::At(event, time) => {
                     self.measure(&piece, |t| is_past(t, time));
                     let range = self.functions[event].range;
-                    if let Some(spacing) = unresolved((from, to), time, range, |t| at(t, false)[event]) {
+                    if let Some(spacing) = unresolved((from, to), time, range, &mut |t| at(t, false)[event]) {
                         return Err(StepFailure::EventUnresolved { event: Given(event), time, spacing });
                     }
                     // What was found at once was known: another look at noise would find something
@@ -197,11 +197,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 
     /// The functions between two times, at the first of which they are known.
-    fn sample(&self, (start, end): (S, S), mut values: impl FnMut(S) -> [S; K]) -> Piece<S, K> {
+    fn sample(&self, (start, end): (S, S), at: &mut Values<'_, S, K>) -> Piece<S, K> {
         let mut times = points::<S>().map(|part| start + part * (end - start));
         times[POINTS - 1] = end;
         let here = self.functions.map(|function| function.here);
-        let values = core::array::from_fn(|j| if j == 0 { here } else { values(times[j]) });
+        let values = core::array::from_fn(|j| if j == 0 { here } else { at(times[j], false) });
         Piece { times, values }
     }
 
@@ -296,6 +296,11 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     /// that they passed in doing so are events there.
     pub(crate) fn jump(&mut self, values: [S; K]) {
         self.functions.iter_mut().zip(values).for_each(|(function, value)| function.pass(value));
+    }
+
+    /// Checks the values where the last step was left.
+    fn check_known(&self) -> Result<(), StepFailure<S>> {
+        check(self.functions.map(|function| function.here))
     }
 
     fn check_repetitions(&self) -> Result<(), StepFailure<S>> {

@@ -45,7 +45,7 @@ pub(super) fn unresolved<S: Scalar>(
     (from, to): (S, S),
     time: S,
     range: S,
-    mut value: impl FnMut(S) -> S,
+    value: &mut dyn FnMut(S) -> S,
 ) -> Option<S> {
     let rounding = (to - from).sign() * S::epsilon() * time.abs();
     if rounding.abs() <= S::from_f64(FINE) * (to - from).abs() || range == S::ZERO {

@@ -22,7 +22,7 @@ pub(crate) fn locate<S: Scalar>(
     mut before: Sample<S>,
     mut after: Sample<S>,
     accuracy: S,
-    mut value: impl FnMut(S) -> S,
+    value: &mut dyn FnMut(S) -> S,
 ) -> Option<S> {
     let half = S::from_f64(0.5);
     let mut width = (after.0 - before.0).abs();

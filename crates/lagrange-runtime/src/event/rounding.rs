@@ -21,7 +21,7 @@ pub(crate) fn rounded<S: Scalar, Y: StateVector<S>>(y: &Y) -> Y {
 /// True if a function is as small at this state as it changes by when entries are rounded. Hops end
 /// there where places are rounded more coarsely than times: 3.7 m below the origin those that are
 /// lower than 10⁻¹³ m.
-pub(super) fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, mut value: impl FnMut(&Y) -> S) -> bool {
+pub(super) fn is_rounding<S: Scalar, Y: StateVector<S>>(state: &Y, value: &mut dyn FnMut(&Y) -> S) -> bool {
     let here = value(state);
     let change = |entry: usize| {
         let mut rounded = *state;

@@ -2,7 +2,7 @@
 
 use crate::integrate::Stepper;
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure};
+use crate::system::{MOST_LOCATED, OdeSystem, SettingError, StepFailure, have_modes};
 
 /// The original system, or its present form after contacts, friction, switches or inputs changed
 /// it.
@@ -93,7 +93,7 @@ pub fn check_direction<M: OdeSystem>(
     if system.events().len() > MOST_LOCATED {
         return Err(SettingError::Invalid("the system declares too many events"));
     }
-    if end < t && system.events().iter().any(|event| event.is_switch && !event.is_side) {
+    if end < t && have_modes(system.events()) {
         return Err(SettingError::Invalid("contacts and dry friction run forwards in time only"));
     }
     Ok(())

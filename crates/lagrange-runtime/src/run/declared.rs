@@ -43,14 +43,10 @@ impl<M: OdeSystem> DeclaredEvents<M> {
     /// Starts to look at a time and state, if there are any events that steppers of the kind T
     /// leave to be found.
     pub fn new<T: Stepper<M>>(system: &M, t: M::Scalar, y: &M::State) -> Option<Self> {
-        let is_left = |event: &DeclaredEvent| !T::FINDS_MODES || event.is_side || !event.is_switch;
-        if !system.events().iter().any(is_left) {
+        if !are_left(system.events(), T::FINDS_MODES) {
             return None;
         }
-        let mut directions = [Direction::Crossing; MOST_LOCATED];
-        for (direction, event) in directions.iter_mut().zip(system.events()) {
-            *direction = event.direction;
-        }
+        let directions = directions(system.events());
         let margins =
             Margins::new(system, t, y, &[M::Scalar::ZERO; MOST_LOCATED]).without_modes(T::FINDS_MODES);
         let detector =
@@ -86,6 +82,20 @@ impl<M: OdeSystem> DeclaredEvents<M> {
         self.change = Some(Change { event, time, value: M::Scalar::ZERO, returns });
         Ok(())
     }
+}
+
+/// True if steps leave one of these events to be found, apart from those of modes if they find
+/// these.
+fn are_left(events: &[DeclaredEvent], finds_modes: bool) -> bool {
+    events.iter().any(|event| !finds_modes || !event.is_of_mode())
+}
+
+fn directions(events: &[DeclaredEvent]) -> [Direction; MOST_LOCATED] {
+    let mut directions = [Direction::Crossing; MOST_LOCATED];
+    for (direction, event) in directions.iter_mut().zip(events) {
+        *direction = event.direction;
+    }
+    directions
 }
 
 impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
@@ -127,7 +137,10 @@ impl<M: OdeSystem> Events<M> for DeclaredEvents<M> {
         let elapsed = (event.time - self.start).abs();
         let mut response = system.react(event.event, event.time, elapsed, &event.state)?;
         if system.events()[event.event].is_side {
-            for side in (0..system.events().len()).filter(|&side| self.together[side]) {
+            for (side, is_passed) in self.together.into_iter().enumerate() {
+                if !is_passed {
+                    continue;
+                }
                 let before = response.system.as_ref().unwrap_or(system);
                 let state = if let Action::Replace(state) = response.action { state } else { event.state };
                 let Response { action, system, .. } = before.react(side, event.time, elapsed, &state)?;
@@ -170,10 +183,25 @@ impl<S: Scalar> Passage<S> {
     {
         let end = end_of_instant(first.time, stepper.last_time(), stepper.time());
         let at_end = exact_values(system, end, &stepper.interpolate(system, end));
-        let is_side = |k: usize| system.events().get(k).is_some_and(|event| event.is_side);
-        let is_passed = core::array::from_fn(|k| k == first.event || is_side(k) && at_end[k] < S::ZERO);
+        Passage::of((first.event, first.time), system.events(), (end, &at_end))
+    }
+
+    /// The sides that are passed with this event, given the values at the end of its instant.
+    fn of(
+        (event, time): (usize, S),
+        events: &[DeclaredEvent],
+        (end, at_end): (S, &[S; MOST_LOCATED]),
+    ) -> Self {
+        let is_side = |k: usize| events.get(k).is_some_and(|event| event.is_side);
+        let is_passed = core::array::from_fn(|k| k == event || is_side(k) && at_end[k] < S::ZERO);
         let is_alone = is_passed.iter().filter(|is_passed| **is_passed).count() == 1;
-        Passage { is_passed, end: if is_alone { first.time } else { end } }
+        Passage { is_passed, end: if is_alone { time } else { end } }
+    }
+
+    /// The largest of these values among sides that are passed: negative once all of them are.
+    fn last(&self, values: &[S; MOST_LOCATED]) -> S {
+        let passed = values.iter().zip(self.is_passed).filter(|(_, is_passed)| *is_passed);
+        passed.fold(-S::ONE / S::ZERO, |last, (value, _)| last.max(*value))
     }
 
     /// Returns the sides but for that of this event.
@@ -194,14 +222,10 @@ impl<S: Scalar> Passage<S> {
         M: OdeSystem<Scalar = S>,
     {
         let from = stepper.last_time();
-        let mut value = |t: S| {
-            let values = exact_values(system, t, &stepper.interpolate(system, t));
-            let passed = values.into_iter().zip(self.is_passed).filter(|(_, is_passed)| *is_passed);
-            passed.fold(-S::ONE / S::ZERO, |last: S, (value, _)| last.max(value))
-        };
+        let mut value = |t: S| self.last(&exact_values(system, t, &stepper.interpolate(system, t)));
         let (before, after) = ((from, value(from)), (self.end, value(self.end)));
         let is_bracket = before.1 > S::ZERO && after.1 < S::ZERO;
-        let located = if is_bracket { locate(before, after, S::ZERO, value) } else { None };
+        let located = if is_bracket { locate(before, after, S::ZERO, &mut value) } else { None };
         let time = located.unwrap_or(self.end);
         Occurrence { time, state: stepper.interpolate(system, time), ..beyond }
     }

@@ -7,7 +7,7 @@
 
 use crate::event::rounded;
 use crate::scalar::{Number, Scalar};
-use crate::system::{MOST_LOCATED, OdeSystem};
+use crate::system::{DeclaredEvent, MOST_LOCATED, OdeSystem};
 use crate::tolerance::SURFACE;
 
 /// The distances beyond their surfaces at which switches change their sides; zero for other events.
@@ -27,16 +27,11 @@ impl<S: Scalar> Margins<S> {
         M: OdeSystem<Scalar = S>,
     {
         let mut margins = [S::ZERO; MOST_LOCATED];
-        if system.events().iter().any(|event| event.is_side) {
+        if have_sides(system.events()) {
             let here = exact_values(system, time, y);
             let rounded = exact_values(system, time, &rounded(y));
             let shared = if system.is_constrained() { largest(y.as_ref()) } else { S::ZERO };
-            for (k, _) in system.events().iter().enumerate().filter(|(_, event)| event.is_side) {
-                let own = ranges[k].max(here[k].abs()).max(shared);
-                let change = (rounded[k] - here[k]).abs();
-                let margin = SURFACE.part::<S>() * own + if change.is_finite() { change } else { S::ZERO };
-                margins[k] = margin;
-            }
+            margins = of_sides(system.events(), [&here, &rounded, ranges], shared);
         }
         Margins { time, margins, finds_modes: false }
     }
@@ -60,13 +55,38 @@ impl<S: Scalar> Margins<S> {
     where
         M: OdeSystem<Scalar = S>,
     {
-        let values = exact_values(system, t, y);
-        let is_left_out = |k: usize| match system.events().get(k) {
-            Some(event) => self.finds_modes && event.is_switch && !event.is_side,
-            None => false,
-        };
-        core::array::from_fn(|k| if is_left_out(k) { S::ONE } else { values[k] + self.margins[k] })
+        self.beyond(system.events(), exact_values(system, t, y))
     }
+
+    /// These values of the events, with those of switches a little beyond their surfaces.
+    fn beyond(&self, events: &[DeclaredEvent], mut values: [S; MOST_LOCATED]) -> [S; MOST_LOCATED] {
+        for (k, value) in values.iter_mut().enumerate() {
+            let is_left_out = self.finds_modes && events.get(k).is_some_and(DeclaredEvent::is_of_mode);
+            *value = if is_left_out { S::ONE } else { *value + self.margins[k] };
+        }
+        values
+    }
+}
+
+/// True if one of these events is a change of sides.
+fn have_sides(events: &[DeclaredEvent]) -> bool {
+    events.iter().any(|event| event.is_side)
+}
+
+/// The margins of sides with these values here and where the state is rounded, and with these
+/// ranges. Constraints share the rounding of the largest entry.
+fn of_sides<S: Scalar>(
+    events: &[DeclaredEvent],
+    [here, rounded, ranges]: [&[S; MOST_LOCATED]; 3],
+    shared: S,
+) -> [S; MOST_LOCATED] {
+    let mut margins = [S::ZERO; MOST_LOCATED];
+    for (k, _) in events.iter().enumerate().filter(|(_, event)| event.is_side) {
+        let own = ranges[k].max(here[k].abs()).max(shared);
+        let change = (rounded[k] - here[k]).abs();
+        margins[k] = SURFACE.part::<S>() * own + if change.is_finite() { change } else { S::ZERO };
+    }
+    margins
 }
 
 /// The values of all declared events, and of others that never happen.

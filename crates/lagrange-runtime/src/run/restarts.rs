@@ -115,12 +115,19 @@ impl<'a, S: Scalar> Restarts<'a, S> {
 
     /// The first restart after `t`.
     fn next<M: OdeSystem<Scalar = S>>(&self, system: &M, t: S, instant: Option<S>) -> Option<Restart<S>> {
+        let mut named = None;
+        if let Some(time) = system.next_restart(t, self.end) {
+            let is_exact = system.beyond(time, self.end).is_some() || system.is_tick(time);
+            named = Some((time, if is_exact { Roundings::NONE } else { RESTART }));
+        }
+        self.first(t, named, instant)
+    }
+
+    /// The first restart after `t`, of those given, that which the system names and an instant.
+    fn first(&self, t: S, named: Option<(S, Roundings)>, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));
-        let named = system.next_restart(t, self.end).and_then(|time| {
-            let is_exact = system.beyond(time, self.end).is_some() || system.is_tick(time);
-            self.between(t, time, if is_exact { Roundings::NONE } else { RESTART })
-        });
+        let named = named.and_then(|(time, roundings)| self.between(t, time, roundings));
         let instant = instant.and_then(|time| self.between(t, time, Roundings::NONE));
         let known = match (given, named) {
             (Some(given), Some(named)) if self.is_ahead(given.at, named.at) => Some(given),

@@ -315,19 +315,24 @@ impl<'a, M: MechanicalSystem> Controllers<'a, M> {
         periods: &[M::Scalar],
         acts: Vec<Act<'a, M>>,
     ) -> Result<Self, SettingError<M::Scalar>> {
-        let with_instants = |(period, act): (&M::Scalar, Act<'a, M>)| {
-            Ok(Controller { act, instants: Grid::new(span, *period)? })
-        };
-        let controllers = periods.iter().zip(acts).map(with_instants).collect::<Result<_, _>>()?;
+        let mut controllers = Vec::new();
+        for (period, act) in periods.iter().zip(acts) {
+            controllers.push(Controller { act, instants: Grid::new(span, *period)? });
+        }
         Ok(Controllers { controllers, end: span[1] })
     }
 
     /// The next instant at which one acts.
     pub(super) fn next(&self) -> Option<M::Scalar> {
-        let instants = self.controllers.iter().map(|controller| controller.instants);
-        let instants = instants.filter_map(|mut instants| instants.up_to(self.end));
-        let since = |time: M::Scalar| (self.end - time).abs();
-        instants.reduce(|one, other| if since(other) > since(one) { other } else { one })
+        let mut next = None;
+        for controller in &self.controllers {
+            if let Some(time) = { controller.instants }.up_to(self.end)
+                && next.is_none_or(|next: M::Scalar| (self.end - time).abs() > (self.end - next).abs())
+            {
+                next = Some(time);
+            }
+        }
+        next
     }
 
     /// All act at the start.

@@ -44,7 +44,7 @@ impl<S: Scalar, Y: StateVector<S>> Dense<S, Y> {
     }
 
     /// Keeps the step between these times, in which the state is known.
-    pub(super) fn push(&mut self, (from, to): (S, S), mut state: impl FnMut(S) -> Y) {
+    pub(super) fn push(&mut self, (from, to): (S, S), state: &mut dyn FnMut(S) -> Y) {
         if from == to {
             return;
         }

@@ -58,11 +58,12 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Watchers<'a, M, C> {
         system: &C,
         (t, y): (M::Scalar, &C::State),
     ) -> Self {
-        let start = |((name, direction), (mut value, react)): (&(String, _), Watch<'a, M>)| {
+        let mut watchers = Vec::new();
+        for ((name, direction), (mut value, react)) in events.iter().zip(watches) {
             let detector = Detector::new([*direction], t, [ask(&mut value, system, t, y)]);
-            Watcher { name: name.clone(), value, react, pending: Pending::new(detector) }
-        };
-        Watchers(events.iter().zip(watches).map(start).collect())
+            watchers.push(Watcher { name: name.clone(), value, react, pending: Pending::new(detector) });
+        }
+        Watchers(watchers)
     }
 }
 

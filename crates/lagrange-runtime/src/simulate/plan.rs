@@ -124,17 +124,23 @@ impl<S: Scalar> RunSettings<S> {
         self.fault.map_or(Ok(()), Err)?;
         check_direction(system, self.span)?;
         check_names(names)?;
+        self.check_times()?;
+        let method = match self.longest_step {
+            Some(longest) => method.with_longest_step(longest)?,
+            None => method,
+        };
+        method.check().map(|()| method)
+    }
+
+    /// Checks the times of samples, controllers and restarts.
+    fn check_times(&self) -> Result<(), SettingError<S>> {
         self.grid()?;
         check_times(&self.times, self.span)?;
         self.periods.iter().try_for_each(|period| Grid::new(self.span, *period).map(drop))?;
         if !self.restarts.iter().all(|time| time.is_finite()) {
             return Err(SettingError::Invalid("times of restart must be finite"));
         }
-        let method = match self.longest_step {
-            Some(longest) => method.with_longest_step(longest)?,
-            None => method,
-        };
-        method.check().map(|()| method)
+        Ok(())
     }
 
     /// Returns the reason for an error of [`check`](Self::check), with the name of a column that it
@@ -144,6 +150,11 @@ impl<S: Scalar> RunSettings<S> {
         let names = self.names(system);
         let name = repeated(&names).filter(|_| error == SettingError::RepeatedColumn);
         name.map_or_else(|| error.to_string(), |name| std::format!("two columns are called `{name}`"))
+    }
+
+    /// Returns the names of the events that were added.
+    pub(crate) fn event_names(&self) -> Vec<String> {
+        self.events.iter().map(|(name, _)| name.clone()).collect()
     }
 
     /// Keeps the first setting that makes no sense.

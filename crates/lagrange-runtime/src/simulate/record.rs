@@ -108,7 +108,7 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
             dense: None,
             samples,
             declared: current.system().events(),
-            given: settings.events.iter().map(|(name, _)| name.clone()).collect(),
+            given: settings.event_names(),
             events: Vec::new(),
             reporter,
             first: start,
@@ -177,7 +177,8 @@ impl<'a, M: MechanicalSystem, C: ClosedLoop<M>> Record<'a, M, C> {
         let variables = current.system().variables();
         let Record { table, dense, given, events, first, last, work, freed, .. } = self;
         let system = freed.or(current.into_switched()).map(|closed| Arc::new(closed.into_plant()));
-        let [first, last] = [first, last].map(|(time, state)| (time, C::state_of_plant(&state)));
+        let of_plant = |(time, state): (M::Scalar, C::State)| (time, C::state_of_plant(&state));
+        let (first, last) = (of_plant(first), of_plant(last));
         let (columns, inputs) = (table.into(), None);
         (
             given,
@@ -237,8 +238,7 @@ impl<M: MechanicalSystem, C: ClosedLoop<M>> Sink<C> for Record<'_, M, C> {
         }
         if let Some(dense) = &mut self.dense {
             let from = stepper.last_time();
-            let state = |t| C::state_of_plant(&stepper.interpolate(system, t));
-            dense.push((from, reached.0), state);
+            dense.push((from, reached.0), &mut |t| C::state_of_plant(&stepper.interpolate(system, t)));
         }
         self.last = reached;
         reached.0 == to

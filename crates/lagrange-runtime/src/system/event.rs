@@ -33,6 +33,16 @@ impl DeclaredEvent {
     pub const fn side(name: &'static str) -> Self {
         DeclaredEvent { is_side: true, ..DeclaredEvent::switch(name) }
     }
+
+    /// True if it changes the mode of a contact or of dry friction.
+    pub const fn is_of_mode(&self) -> bool {
+        self.is_switch && !self.is_side
+    }
+}
+
+/// True if one of these events changes the mode of a contact or of dry friction.
+pub(crate) fn have_modes(events: &[DeclaredEvent]) -> bool {
+    events.iter().any(DeclaredEvent::is_of_mode)
 }
 
 /// The largest number of events that a system can declare.

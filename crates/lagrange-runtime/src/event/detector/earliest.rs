@@ -4,7 +4,7 @@ use super::{Detector, check};
 use crate::event::candidate::Candidate;
 use crate::event::function::EventFunction;
 use crate::event::locate::{MOST_ROUNDS, Sample, locate};
-use crate::event::piece::{Piece, Sight};
+use crate::event::piece::{Piece, Sight, Values};
 use crate::event::polynomial::POINTS;
 use crate::integrate::EventSource::Given;
 use crate::scalar::Scalar;
@@ -26,6 +26,32 @@ pub(super) enum First<S> {
     Unclear,
 }
 
+/// The functions that are noise in all of a piece, as far as they have been looked at.
+struct Noise<S, const K: usize> {
+    are: [bool; K],
+    /// What rounding changes each function by, once it is needed.
+    roundings: Option<[S; K]>,
+}
+
+impl<S: Scalar, const K: usize> Noise<S, K> {
+    /// Looks at a function that was found to have this sight; true if it is noise.
+    fn holds(
+        &mut self,
+        (event, function): (usize, &EventFunction<S>),
+        sight: &Sight<S>,
+        piece: &Piece<S, K>,
+        at: &mut Values<'_, S, K>,
+    ) -> bool {
+        // At its end a run may end on a zero.
+        let is_suspect = *sight != Sight::Nothing || piece.values[POINTS - 1][event] == S::ZERO;
+        if is_suspect && function.may_be_noise() {
+            let roundings = self.roundings.get_or_insert_with(|| piece.roundings(at));
+            self.are[event] = piece.values.iter().all(|values| values[event].abs() <= roundings[event]);
+        }
+        self.are[event]
+    }
+}
+
 impl<S: Scalar, const K: usize> Detector<S, K> {
     /// The first event in a piece, and true for each function that might have one but is noise in
     /// all of the piece.
@@ -33,55 +59,62 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         &self,
         piece: &Piece<S, K>,
         accuracy: S,
-        at: &mut impl FnMut(S, bool) -> [S; K],
+        at: &mut Values<'_, S, K>,
     ) -> Result<(First<S>, [bool; K]), StepFailure<S>> {
-        let (is_shortest, mut is_noise) = (self.search.is_shortest(), [false; K]);
+        let mut noise = Noise { are: [false; K], roundings: None };
         if piece.values.iter().any(|values| check(*values).is_err()) {
-            return Ok((First::Unclear, is_noise));
+            return Ok((First::Unclear, noise.are));
         }
-        let mut roundings = None;
+        let is_shortest = self.search.is_shortest();
         // What had no time to leave zero since the last event was not meant to go on through it.
         let passable = (self.repetitions <= 1).then_some(self.started);
         let mut first: Option<Candidate<S, K>> = None;
         for (event, function) in self.functions.iter().enumerate() {
             let sight = piece.sight(event, function, passable, is_shortest);
-            // At its end a run may end on a zero.
-            let is_suspect = sight != Sight::Nothing || piece.values[POINTS - 1][event] == S::ZERO;
-            if is_suspect && function.may_be_noise() {
-                let roundings = roundings.get_or_insert_with(|| piece.roundings(&mut *at));
-                is_noise[event] = piece.values.iter().all(|values| values[event].abs() <= roundings[event]);
+            if noise.holds((event, function), &sight, piece, at) {
+                continue;
             }
             let time = match sight {
                 Sight::Nothing => continue,
-                _ if is_noise[event] => continue,
                 Sight::AtOnce => self.reached,
-                Sight::Between { from, to, sign }
-                    if first
-                        .as_ref()
-                        .is_some_and(|first| first.is_before(event, (from, to), sign.sign())) =>
-                {
-                    continue;
-                }
                 Sight::Between { from, to, sign } => {
-                    match self.bracket((from, to), (function, sign.sign()), |t| at(t, false)[event]) {
-                        Some((before, after)) => {
-                            locate(before, after, accuracy, |t| at(t, false)[event]).ok_or(
-                                StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS },
-                            )?
-                        }
+                    let (times, sign) = ((from, to), sign.sign());
+                    if first.as_ref().is_some_and(|first| first.is_before(event, times, sign)) {
+                        continue;
+                    }
+                    match self.crossing(times, (event, function, sign), accuracy, at)? {
+                        Some(time) => time,
                         None if is_shortest => continue,
-                        None => return Ok((First::Unclear, is_noise)),
+                        None => return Ok((First::Unclear, noise.are)),
                     }
                 }
-                Sight::Unclear => return Ok((First::Unclear, is_noise)),
-                Sight::Passing => return Ok((First::Passing(event), is_noise)),
+                Sight::Unclear => return Ok((First::Unclear, noise.are)),
+                Sight::Passing => return Ok((First::Passing(event), noise.are)),
             };
             let distance = |time: S| (time - self.reached).abs();
             if first.as_ref().is_none_or(|first| distance(time) < distance(first.time)) {
-                first = Some(Candidate::new((event, time), self.reached, accuracy, |t| at(t, false)));
+                first = Some(Candidate::new((event, time), self.reached, accuracy, at));
             }
         }
-        Ok((first.map_or(First::None, |first| First::At(first.event, first.time)), is_noise))
+        Ok((first.map_or(First::None, |first| First::At(first.event, first.time)), noise.are))
+    }
+
+    /// Locates where a function that has or is assumed to have this sign loses it between these
+    /// times; `None` if it does not have the other one at the end.
+    fn crossing(
+        &self,
+        times: (S, S),
+        (event, function, sign): (usize, &EventFunction<S>, S),
+        accuracy: S,
+        at: &mut Values<'_, S, K>,
+    ) -> Result<Option<S>, StepFailure<S>> {
+        let Some((before, after)) = self.bracket(times, (function, sign), &mut |t| at(t, false)[event])
+        else {
+            return Ok(None);
+        };
+        let located = locate(before, after, accuracy, &mut |t| at(t, false)[event]);
+        let lost = StepFailure::EventNotLocated { event: Given(event), bisections: MOST_ROUNDS };
+        located.map(Some).ok_or(lost)
     }
 
     /// Returns places at which the function has this sign and the other one, between these times.
@@ -91,7 +124,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         &self,
         (from, to): (S, S),
         (function, sign): (&EventFunction<S>, S),
-        mut value: impl FnMut(S) -> S,
+        value: &mut dyn FnMut(S) -> S,
     ) -> Option<(Sample<S>, Sample<S>)> {
         let after = (to, value(to));
         let is_change = after.1 * sign < S::ZERO;
@@ -115,7 +148,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     fn hop(
         &self,
         ((mut t, mut found), sign): (Sample<S>, S),
-        mut value: impl FnMut(S) -> S,
+        value: &mut dyn FnMut(S) -> S,
     ) -> Option<(Sample<S>, Sample<S>)> {
         for _ in 0..MOST_HALVINGS {
             let middle = self.started + S::from_f64(0.5) * (t - self.started);

@@ -17,7 +17,7 @@ use crate::integrate::method::{Stepper, Work};
 use crate::integrate::stability::{EVALUATIONS, largest_eigenvalue};
 use crate::linalg::vector::{combined, l1_distance, l1_norm};
 use crate::scalar::Number;
-use crate::system::{OdeSystem, StateVector, StepFailure};
+use crate::system::{OdeSystem, StateVector, StepFailure, have_modes};
 use crate::tolerance::DEFECT;
 
 /// Steps longer than this part of the longest stable one are limited by it.
@@ -155,9 +155,12 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
         let Span { y, h, .. } = &self.last;
         let norm = |error: &M::State| self.settings.norm(*h, error, y, self.state.value());
         let rounding = DEFECT.part::<M::Scalar>() * norm(&self.rates[0]);
-        let defects = CHECKED.map(|s| norm(&defect(system, &self.last, M::Scalar::from_f64(s), &self.rates)));
-        defects.into_iter().fold(M::Scalar::ZERO, M::Scalar::max)
-            / (M::Scalar::from_f64(LARGEST_DEFECT) + rounding)
+        let mut largest = M::Scalar::ZERO;
+        for s in CHECKED {
+            let defect = defect(system, &self.last, M::Scalar::from_f64(s), &self.rates);
+            largest = largest.max(norm(&defect));
+        }
+        largest / (M::Scalar::from_f64(LARGEST_DEFECT) + rounding)
     }
 
     /// Forgets the last step, whose rates are about to be lost.
@@ -235,8 +238,7 @@ impl<M: OdeSystem + ?Sized> VernerStepper<M> {
             return Ok(());
         }
         let tolerance = self.settings.relative.max(self.settings.absolute);
-        let has_contacts = system.events().iter().any(|event| event.is_switch && !event.is_side);
-        let wants_jacobian = !has_contacts && system.jacobian(t, self.state.value()).is_none();
+        let wants_jacobian = !have_modes(system.events()) && system.jacobian(t, self.state.value()).is_none();
         Err(StepFailure::Stiff { limit, tolerance, wants_jacobian })
     }
 

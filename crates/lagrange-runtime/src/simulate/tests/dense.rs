@@ -64,7 +64,7 @@ fn a_polynomial_of_the_degree_comes_back() {
         let degree = i32::try_from(order).expect("small").max(4) + 1;
         let power = |t: f64| [1.0 - t.powi(degree)];
         let mut dense = Dense::<f64, [f64; 1]>::new(order);
-        dense.push((0.0, 2.0), power);
+        dense.push((0.0, 2.0), &mut |t| power(t));
         for k in 0..100 {
             let t = 0.02 * f64::from(k);
             let [y] = dense.at(t).expect("within");
@@ -92,7 +92,7 @@ fn states_next_to_points_are_those_there() {
             for size in [1.0, 1e-300, 1e300] {
                 let line = |t: f64| [size * (3.0 + 2.0 * ((t - from) / (to - from)))];
                 let mut dense = Dense::<f64, [f64; 1]>::new(order);
-                dense.push((from, to), line);
+                dense.push((from, to), &mut |t| line(t));
                 let near = |t: f64| {
                     [t.next_down().next_down(), t.next_down(), t, t.next_up(), t.next_up().next_up()]
                 };
