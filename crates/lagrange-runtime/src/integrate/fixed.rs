@@ -9,7 +9,7 @@ use crate::integrate::method::{Stepper, Work};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure};
 
-pub(super) use self::lanes::FixedLanes;
+pub use self::lanes::{FixedLanes, FixedLastStep, FixedSteps, LanesFormula};
 
 /// A formula that advances the state by a step of given length.
 ///

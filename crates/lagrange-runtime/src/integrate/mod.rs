@@ -32,7 +32,7 @@ mod verner;
 
 pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
-pub use self::fixed::{FixedStepper, Formula};
+pub use self::fixed::{FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };
@@ -40,8 +40,8 @@ pub use self::method::{
     LanesMethod, LanesMethodVisitor, LanesStepper, MOST_LANES, Method, Stepper, SuspectStep, Work,
 };
 pub use self::radau::{Radau5, RadauStepper};
-pub use self::rk4::{RungeKutta4, RungeKuttaLanes, RungeKuttaLastStep, rk4_step};
-pub use self::splitting::{BlanesMoan4, SplittingLanes, SplittingLastStep, StormerVerlet, SymplecticEuler};
+pub use self::rk4::{ClassicalLanes, RungeKutta4, rk4_step};
+pub use self::splitting::{BlanesMoan4, SplittingLanes, StormerVerlet, SymplecticEuler};
 pub use self::taylor::{Taylor, TaylorStepper};
 pub use self::undefined::{explained, undefined};
 pub use self::variational::Variational;

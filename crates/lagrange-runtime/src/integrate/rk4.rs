@@ -14,7 +14,7 @@
 
 mod lanes;
 
-pub use self::lanes::{RungeKuttaLanes, RungeKuttaLastStep};
+pub use self::lanes::ClassicalLanes;
 
 use crate::integrate::fixed::{Formula, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
@@ -187,6 +187,7 @@ fn longest_stable<M: OdeSystem + ?Sized>(
 }
 
 /// The rates of the four stages.
+#[derive(Clone, Copy, Debug)]
 struct RungeKuttaStages<Y> {
     k1: Y,
     k2: Y,

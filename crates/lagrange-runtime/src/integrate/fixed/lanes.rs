@@ -2,15 +2,115 @@
 
 use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
-use crate::integrate::lane_wise::{Counts, are_finite, is_equal};
-use crate::integrate::method::{MOST_LANES, SuspectStep};
+use crate::integrate::lane_wise::{Counts, are_finite, chosen, is_equal, take};
+use crate::integrate::method::{LanesMethod, LanesStepper, MOST_LANES, SuspectStep, Work};
 use crate::integrate::stability::Watch;
 use crate::scalar::{Mask, Number, Scalar};
-use crate::system::{SideBySide, StateVector};
+use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
-/// The common parts of fixed-step methods in lanes; Y is the state.
+/// A formula that advances several motions in lanes, as [`Formula`](super::Formula) does one. Y is
+/// the state.
+pub trait LanesFormula<S: SideBySide, Y: StateVector<S>>: Copy {
+    /// What states within a step need of its end, besides the state.
+    type End: Copy;
+    /// Evaluations at the start of a motion, and in each step.
+    const EVALUATIONS: (u64, u64);
+    /// An end that is not known yet.
+    const NO_END: Self::End;
+
+    /// Starts motions at the states `y` at time `t`.
+    fn start<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y);
+
+    /// Returns what one step leaves to the next, as numbers. Each lane is a motion's own.
+    fn carried(&self) -> &[S];
+
+    /// Returns what one step leaves to the next, to be changed.
+    fn carried_mut(&mut self) -> &mut [S];
+
+    /// Returns the change of the states from time `t` to `t + h`.
+    fn increment<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y, h: S) -> Y;
+
+    /// True in each lane in which something may be too fast for the last step.
+    fn hints_at_instability(&self) -> S::Mask;
+
+    /// Returns the last step, from `y` at time `t`, as one under suspicion.
+    fn suspect(&self, t: S, y: &Y) -> SuspectStep<S, Y>;
+
+    /// Returns what states within the last step need of its end `y` at time `t`.
+    fn end<E: Equations<S, State = Y>>(&self, equations: &E, t: S, y: &Y) -> Self::End;
+
+    /// Returns the states between `from` and `to`, the ends of the last steps with their times.
+    fn interpolate(&self, from: (S, &Y), to: (S, &Y), end: &Self::End, t: S) -> Y;
+}
+
+/// A method in equal steps that has a formula for lanes. It takes motions in lanes by it.
+pub trait FixedSteps: Copy {
+    /// The number type.
+    type Scalar: Scalar;
+    /// The formula.
+    type Formula<S: SideBySide<Element = Self::Scalar>, Y: StateVector<S>>: LanesFormula<S, Y>;
+
+    /// Returns the length of a step.
+    fn length(&self) -> Self::Scalar;
+
+    /// Creates the formula.
+    fn formula<S: SideBySide<Element = Self::Scalar>, Y: StateVector<S>>() -> Self::Formula<S, Y>;
+
+    /// True if this step of a system is stable.
+    fn is_stable<M: OdeSystem<Scalar = Self::Scalar>>(
+        system: &M,
+        step: &SuspectStep<Self::Scalar, M::State>,
+    ) -> bool;
+}
+
+impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
+    type Stepper<S: SideBySide<Element = T>, E: Equations<S>> =
+        FixedLanes<S, E::State, K::Formula<S, E::State>>;
+
+    #[inline(always)]
+    fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+    {
+        FixedLanes::new(K::formula(), self.length(), t, end)
+    }
+
+    #[inline(always)]
+    fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
+    where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+    {
+        let mut lanes = self.empty_lanes::<S, E>(t, end);
+        lanes.formula.start(equations, lanes.clock.time(), y);
+        FixedLanes { state: Compensated::new(*y), ..lanes }
+    }
+
+    #[inline(always)]
+    fn take<S, E, O, F>(
+        stepper: &mut Self::Stepper<S, E>,
+        lane: usize,
+        other: &Self::Stepper<O, F>,
+        from: usize,
+    ) where
+        S: SideBySide<Element = T>,
+        E: Equations<S>,
+        O: SideBySide<Element = T>,
+        F: Equations<O>,
+    {
+        stepper.take(lane, other, from);
+    }
+
+    fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {
+        K::is_stable(system, step)
+    }
+}
+
+/// Integrations by a formula in equal steps, one in each lane; Y is the state.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::integrate) struct FixedLanes<S: Number, Y> {
+pub struct FixedLanes<S: Number, Y, F> {
+    formula: F,
     end: S,
     clock: Clock<S>,
     state: Compensated<Y>,
@@ -22,19 +122,31 @@ pub(in crate::integrate) struct FixedLanes<S: Number, Y> {
     counts: Counts,
 }
 
-impl<S, Y> FixedLanes<S, Y>
+/// The last steps by a formula in lanes; D is what the formula needs of their ends.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedLastStep<S, Y, D> {
+    /// The times at which they began.
+    t: S,
+    /// The states there.
+    y: Y,
+    end: D,
+}
+
+impl<S, Y, F> FixedLanes<S, Y, F>
 where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
+    F: LanesFormula<S, Y>,
 {
     /// Motions that start at time `t` in steps of this length towards `end`; their states are zero
     /// as yet. They are given up if such steps are lost in the rounding of time.
     #[inline(always)]
-    pub(in crate::integrate) fn new(step: S::Element, t: S::Element, end: S::Element) -> Self {
+    fn new(formula: F, step: S::Element, t: S::Element, end: S::Element) -> Self {
         let suspects =
             SuspectStep { t: S::ZERO, y: Y::ZERO, h: S::ZERO, direction: Y::ZERO, change: S::ZERO };
         let start = check_step(step, t, end).map_or(S::Element::NAN, |()| t);
         FixedLanes {
+            formula,
             end: S::splat(end),
             clock: Clock::new(S::splat(start), S::splat(step)),
             state: Compensated::new(Y::ZERO),
@@ -47,93 +159,37 @@ where
         }
     }
 
-    /// Continues the motions from this state.
-    #[inline(always)]
-    pub(in crate::integrate) fn at(self, y: &Y) -> Self {
-        FixedLanes { state: Compensated::new(*y), ..self }
-    }
-
-    /// The times that were reached.
-    #[inline(always)]
-    pub(in crate::integrate) fn time(&self) -> S {
-        self.clock.time()
-    }
-
-    /// The states that were reached.
-    #[inline(always)]
-    pub(in crate::integrate) fn state(&self) -> &Y {
-        self.state.value()
-    }
-
-    /// Returns the lanes whose last step hinted at instability strongly enough to follow up.
-    #[inline(always)]
-    pub(in crate::integrate) fn suspicion(&self) -> S::Mask {
-        self.suspicion
-    }
-
-    /// The steps under suspicion.
-    pub(in crate::integrate) fn suspects(&self) -> &SuspectStep<S, Y> {
-        &self.suspects
-    }
-
-    /// Returns the number of steps of the motion in a lane.
-    pub(in crate::integrate) fn steps(&self, lane: usize) -> u64 {
-        self.counts.taken(lane)
-    }
-
-    /// Lets no more steps than this be taken of a motion.
-    pub(in crate::integrate) fn limit_steps(&mut self, most: u64) {
-        self.most_steps = most;
-    }
-
-    /// The lengths of the next steps, and the clock after them.
-    #[inline(always)]
-    pub(in crate::integrate) fn next(&self) -> (S, Clock<S>) {
-        let mut clock = self.clock;
-        let h = clock.advance(self.end);
-        (h, clock)
-    }
-
-    /// Takes steps by these increments up to where the clock then is; they hint at instability
-    /// where the mask is true. What they were is asked for only there.
-    #[inline(always)]
-    pub(in crate::integrate) fn accept(
-        &mut self,
-        clock: Clock<S>,
-        increment: &Y,
-        hints: S::Mask,
-        step: impl FnOnce(S, Y) -> SuspectStep<S, Y>,
-    ) {
-        let (t, y) = (self.clock.time(), *self.state.value());
-        let are_stopped = self.clock.is_stopped(&clock) & !is_equal(t, self.end);
-        self.state.add(increment);
-        self.clock = clock;
-        let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);
-        let go_on = are_finite(self.state.value()) & !are_stopped;
-        if are_spent || !go_on.all() {
-            self.give_up(go_on);
-        }
-        self.suspicion = S::Mask::splat(false);
-        if self.are_watched || hints.any() {
-            self.watch(hints);
-            if self.suspicion.any() {
-                self.suspects = step(t, y);
-            }
-        }
-    }
-
     /// Puts what is in the lane `from` of other motions into a lane of these.
     #[inline(always)]
-    pub(in crate::integrate) fn take<O, Z>(&mut self, lane: usize, other: &FixedLanes<O, Z>, from: usize)
+    fn take<O, Z, G>(&mut self, lane: usize, other: &FixedLanes<O, Z, G>, from: usize)
     where
         O: SideBySide<Element = S::Element>,
         Z: StateVector<O>,
+        G: LanesFormula<O, Z>,
     {
+        take(self.formula.carried_mut(), lane, other.formula.carried(), from);
         self.clock.take(lane, &other.clock, from);
         self.state.take(lane, &other.state, from);
         self.watches[lane] = other.watches[from];
         self.are_watched |= other.are_watched;
         self.counts.take(lane, &other.counts, from);
+    }
+
+    /// Follows hints where they are worth it, of a step that began at `y` at time `t`.
+    #[cold]
+    fn watch(&mut self, hints: S::Mask, t: S, y: &Y) {
+        let mut followed = S::ZERO;
+        self.are_watched = false;
+        for lane in 0..S::LANES {
+            if self.watches[lane].follows(hints.lane(lane)) {
+                followed.set_lane(lane, S::Element::ONE);
+            }
+            self.are_watched |= self.watches[lane].is_awake();
+        }
+        self.suspicion = S::ZERO.less(followed);
+        if self.suspicion.any() {
+            self.suspects = self.formula.suspect(t, y);
+        }
     }
 
     /// Gives motions up that do not go on or took more steps than they may.
@@ -145,18 +201,84 @@ where
             }
         }
     }
+}
 
-    /// Follows hints where they are worth it.
-    #[cold]
-    fn watch(&mut self, hints: S::Mask) {
-        let mut followed = S::ZERO;
-        self.are_watched = false;
-        for lane in 0..S::LANES {
-            if self.watches[lane].follows(hints.lane(lane)) {
-                followed.set_lane(lane, S::Element::ONE);
-            }
-            self.are_watched |= self.watches[lane].is_awake();
+impl<S, E, F> LanesStepper<S, E> for FixedLanes<S, E::State, F>
+where
+    S: SideBySide<Element: Scalar>,
+    E: Equations<S>,
+    F: LanesFormula<S, E::State>,
+{
+    type LastStep = FixedLastStep<S, E::State, F::End>;
+
+    #[inline(always)]
+    fn last_step(&self) -> Self::LastStep {
+        FixedLastStep { t: self.clock.time(), y: *self.state.value(), end: F::NO_END }
+    }
+
+    #[inline(always)]
+    fn begin(&self, last: &mut Self::LastStep) {
+        (last.t, last.y) = (self.clock.time(), *self.state.value());
+    }
+
+    #[inline(always)]
+    fn step(&mut self, equations: &E) {
+        let (t, y, mut clock) = (self.clock.time(), *self.state.value(), self.clock);
+        let h = clock.advance(self.end);
+        let increment = self.formula.increment(equations, t, &y, h);
+        let hints = self.formula.hints_at_instability();
+        let are_stopped = self.clock.is_stopped(&clock) & !is_equal(t, self.end);
+        self.state.add(&increment);
+        self.clock = clock;
+        let are_spent = self.counts.count::<S>(S::Mask::splat(true), self.most_steps);
+        let go_on = are_finite(self.state.value()) & !are_stopped;
+        if are_spent || !go_on.all() {
+            self.give_up(go_on);
         }
-        self.suspicion = S::ZERO.less(followed);
+        self.suspicion = S::Mask::splat(false);
+        if self.are_watched || hints.any() {
+            self.watch(hints, t, &y);
+        }
+    }
+
+    #[inline(always)]
+    fn confirm(&mut self, equations: &E, last: &mut Self::LastStep, _asked: S::Mask) {
+        last.end = self.formula.end(equations, self.clock.time(), self.state.value());
+    }
+
+    #[inline(always)]
+    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
+        let (to, y) = (self.clock.time(), self.state.value());
+        let within = self.formula.interpolate((last.t, &last.y), (to, y), &last.end, t);
+        chosen(is_equal(t, to), y, &within)
+    }
+
+    #[inline(always)]
+    fn time(&self) -> S {
+        self.clock.time()
+    }
+
+    #[inline(always)]
+    fn state(&self) -> &E::State {
+        self.state.value()
+    }
+
+    #[inline(always)]
+    fn suspicion(&self) -> S::Mask {
+        self.suspicion
+    }
+
+    fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
+        Some(&self.suspects)
+    }
+
+    fn limit_steps(&mut self, most: u64) {
+        self.most_steps = most;
+    }
+
+    fn work(&self, lane: usize) -> Work {
+        let (first, each) = F::EVALUATIONS;
+        let steps = self.counts.taken(lane);
+        Work { steps, evaluations: first + each * steps, ..Work::default() }
     }
 }

@@ -8,19 +8,17 @@ use super::Composition;
 use super::blanes_moan::{self, BlanesMoan4};
 use super::symplectic_euler::{self, SymplecticEuler};
 use super::verlet::{self, StormerVerlet};
-use crate::integrate::fixed::FixedLanes;
+use crate::integrate::fixed::{FixedSteps, LanesFormula};
 use crate::integrate::interpolation::{Motion, Place, quintic};
-use crate::integrate::lane_wise::{chosen, is_equal, take};
-use crate::integrate::method::{LanesMethod, LanesStepper, SuspectStep, Work};
+use crate::integrate::method::SuspectStep;
 use crate::integrate::stability;
 use crate::linalg::vector::combined;
 use crate::scalar::{Number, Scalar};
 use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 
-/// Integrations by a composition in lanes; Y is the state.
+/// The formula of a composition in lanes; Y is the state.
 #[derive(Clone, Copy, Debug)]
-pub struct SplittingLanes<S: Number, Y, const DRIFTS: usize> {
-    motions: FixedLanes<S, Y>,
+pub struct SplittingLanes<S, Y, const DRIFTS: usize> {
     composition: Composition<DRIFTS>,
     /// The rates at both ends of the last steps.
     rates: [Y; 2],
@@ -29,35 +27,39 @@ pub struct SplittingLanes<S: Number, Y, const DRIFTS: usize> {
     h: S,
 }
 
-/// The starts of the last steps by a composition.
-#[derive(Clone, Copy, Debug)]
-pub struct SplittingLastStep<S, Y> {
-    t: S,
-    y: Y,
+impl<S: SideBySide, Y: StateVector<S>, const DRIFTS: usize> SplittingLanes<S, Y, DRIFTS> {
+    #[inline(always)]
+    fn new(composition: Composition<DRIFTS>) -> Self {
+        SplittingLanes { composition, rates: [Y::ZERO; 2], increment: Y::ZERO, h: S::ZERO }
+    }
 }
 
-impl<S, Y, const DRIFTS: usize> SplittingLanes<S, Y, DRIFTS>
+impl<S, Y, const DRIFTS: usize> LanesFormula<S, Y> for SplittingLanes<S, Y, DRIFTS>
 where
     S: SideBySide<Element: Scalar>,
     Y: StateVector<S>,
 {
-    /// Motions in equal steps; their states and rates are zero as yet.
+    type End = ();
+    const EVALUATIONS: (u64, u64) = (1, DRIFTS as u64);
+    const NO_END: () = ();
+
     #[inline(always)]
-    fn new(composition: Composition<DRIFTS>, motions: FixedLanes<S, Y>) -> Self {
-        SplittingLanes { motions, composition, rates: [Y::ZERO; 2], increment: Y::ZERO, h: S::ZERO }
+    fn start<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y) {
+        self.rates = [equations.rhs(t, y); 2];
     }
 
-    /// Continues the motions from this state.
     #[inline(always)]
-    fn at<E: Equations<S, State = Y>>(self, equations: &E, y: &Y) -> Self {
-        let rate = equations.rhs(self.motions.time(), y);
-        SplittingLanes { motions: self.motions.at(y), rates: [rate; 2], ..self }
+    fn carried(&self) -> &[S] {
+        self.rates[1].as_ref()
     }
 
-    /// Composes steps of these lengths from the rates where they begin.
     #[inline(always)]
-    fn compose<E: Equations<S, State = Y>>(&mut self, equations: &E, h: S) {
-        let (t, y) = (self.motions.time(), self.motions.state());
+    fn carried_mut(&mut self) -> &mut [S] {
+        self.rates[1].as_mut()
+    }
+
+    #[inline(always)]
+    fn increment<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y, h: S) -> Y {
         let (mut increment, mut rate, mut drifted) = (Y::ZERO, self.rates[1], 0.0);
         self.rates[0] = rate;
         kick(&mut increment, S::from_f64(self.composition.first) * h, &rate);
@@ -68,9 +70,9 @@ where
             kick(&mut increment, S::from_f64(strength) * h, &rate);
         }
         (self.rates[1], self.increment, self.h) = (rate, increment, h);
+        increment
     }
 
-    /// True in each lane with an oscillation that may be too fast for the last step.
     #[inline(always)]
     fn hints_at_instability(&self) -> S::Mask {
         let half = half(&self.increment);
@@ -79,6 +81,30 @@ where
         let bent = accelerations.fold(S::ZERO, |sum, (start, end)| sum + (*start - *end).abs());
         let stable = S::from_f64(self.composition.stable * self.composition.stable);
         (stable * change).less(bent * (self.h * self.h))
+    }
+
+    #[inline(always)]
+    fn suspect(&self, t: S, y: &Y) -> SuspectStep<S, Y> {
+        let [start, end] = self.rates.each_ref().map(second_half);
+        let direction = combined(&end, -S::ONE, &start);
+        SuspectStep { t, y: *y, h: self.h, direction, change: change(&self.increment) }
+    }
+
+    #[inline(always)]
+    fn end<E: Equations<S, State = Y>>(&self, _equations: &E, _t: S, _y: &Y) {}
+
+    #[inline(always)]
+    fn interpolate(&self, (from, y0): (S, &Y), (to, y1): (S, &Y), (): &(), t: S) -> Y {
+        let motion = Motion {
+            change: self.increment,
+            velocities: [second_half(y0), second_half(y1)],
+            accelerations: [second_half(&self.rates[0]), second_half(&self.rates[1])],
+        };
+        let (change, velocity) = quintic(Place { h: self.h, s: (t - from) / (to - from) }, &motion);
+        let mut within = combined(y0, S::ONE, &change);
+        let half = half(y1);
+        within.as_mut()[half..].copy_from_slice(&velocity.as_ref()[..half]);
+        within
     }
 }
 
@@ -124,7 +150,7 @@ fn second_half<S: Number, Y: StateVector<S>>(y: &Y) -> Y {
 
 /// True if this step by a composition is stable.
 #[cold]
-pub(super) fn bears<M: OdeSystem, const DRIFTS: usize>(
+fn is_stable<M: OdeSystem, const DRIFTS: usize>(
     composition: &Composition<DRIFTS>,
     system: &M,
     &SuspectStep { t, ref y, h, ref direction, change }: &SuspectStep<M::Scalar, M::State>,
@@ -140,125 +166,25 @@ pub(super) fn bears<M: OdeSystem, const DRIFTS: usize>(
     h.abs() <= M::Scalar::from_f64(composition.stable) / square.sqrt()
 }
 
-impl<S, E, const DRIFTS: usize> LanesStepper<S, E> for SplittingLanes<S, E::State, DRIFTS>
-where
-    S: SideBySide<Element: Scalar>,
-    E: Equations<S>,
-{
-    type LastStep = SplittingLastStep<S, E::State>;
-
-    #[inline(always)]
-    fn last_step(&self) -> Self::LastStep {
-        SplittingLastStep { t: self.motions.time(), y: *self.motions.state() }
-    }
-
-    #[inline(always)]
-    fn begin(&self, last: &mut Self::LastStep) {
-        *last = SplittingLastStep { t: self.motions.time(), y: *self.motions.state() };
-    }
-
-    #[inline(always)]
-    fn step(&mut self, equations: &E) {
-        let (h, clock) = self.motions.next();
-        self.compose(equations, h);
-        let hints = self.hints_at_instability();
-        self.motions.accept(clock, &self.increment, hints, |t, y| {
-            let [start, end] = self.rates.each_ref().map(second_half);
-            let direction = combined(&end, -S::ONE, &start);
-            SuspectStep { t, y, h, direction, change: change(&self.increment) }
-        });
-    }
-
-    #[inline(always)]
-    fn confirm(&mut self, _equations: &E, _last: &mut Self::LastStep, _asked: S::Mask) {}
-
-    #[inline(always)]
-    fn interpolate(&self, last: &Self::LastStep, t: S) -> E::State {
-        let (to, y) = (self.motions.time(), self.motions.state());
-        let motion = Motion {
-            change: self.increment,
-            velocities: [second_half(&last.y), second_half(y)],
-            accelerations: [second_half(&self.rates[0]), second_half(&self.rates[1])],
-        };
-        let (change, velocity) = quintic(Place { h: self.h, s: (t - last.t) / (to - last.t) }, &motion);
-        let mut within = combined(&last.y, S::ONE, &change);
-        let half = half(y);
-        within.as_mut()[half..].copy_from_slice(&velocity.as_ref()[..half]);
-        chosen(is_equal(t, to), y, &within)
-    }
-
-    #[inline(always)]
-    fn time(&self) -> S {
-        self.motions.time()
-    }
-
-    #[inline(always)]
-    fn state(&self) -> &E::State {
-        self.motions.state()
-    }
-
-    #[inline(always)]
-    fn suspicion(&self) -> S::Mask {
-        self.motions.suspicion()
-    }
-
-    fn suspects(&self) -> Option<&SuspectStep<S, E::State>> {
-        Some(self.motions.suspects())
-    }
-
-    fn limit_steps(&mut self, most: u64) {
-        self.motions.limit_steps(most);
-    }
-
-    fn work(&self, lane: usize) -> Work {
-        let steps = self.motions.steps(lane);
-        Work { steps, evaluations: 1 + DRIFTS as u64 * steps, ..Work::default() }
-    }
-}
-
 /// Lets methods with these compositions take several motions in lanes.
 macro_rules! side_by_side {
     ($($method:ident: $composition:expr, $drifts:literal;)*) => {
-        $(impl<T: Scalar> LanesMethod<T> for $method<T> {
-            type Stepper<S: SideBySide<Element = T>, E: Equations<S>> = SplittingLanes<S, E::State, $drifts>;
+        $(impl<T: Scalar> FixedSteps for $method<T> {
+            type Scalar = T;
+            type Formula<S: SideBySide<Element = T>, Y: StateVector<S>> = SplittingLanes<S, Y, $drifts>;
 
             #[inline(always)]
-            fn empty_lanes<S, E>(&self, t: T, end: T) -> Self::Stepper<S, E>
-            where
-                S: SideBySide<Element = T>,
-                E: Equations<S>,
-            {
-                SplittingLanes::new($composition, FixedLanes::new(self.step, t, end))
+            fn length(&self) -> T {
+                self.step
             }
 
             #[inline(always)]
-            fn start<S, E>(&self, equations: &E, t: T, y: &E::State, end: T) -> Self::Stepper<S, E>
-            where
-                S: SideBySide<Element = T>,
-                E: Equations<S>,
-            {
-                self.empty_lanes::<S, E>(t, end).at(equations, y)
+            fn formula<S: SideBySide<Element = T>, Y: StateVector<S>>() -> Self::Formula<S, Y> {
+                SplittingLanes::new($composition)
             }
 
-            #[inline(always)]
-            fn take<S, E, O, F>(
-                stepper: &mut Self::Stepper<S, E>,
-                lane: usize,
-                other: &Self::Stepper<O, F>,
-                from: usize,
-            ) where
-                S: SideBySide<Element = T>,
-                E: Equations<S>,
-                O: SideBySide<Element = T>,
-                F: Equations<O>,
-            {
-                stepper.motions.take(lane, &other.motions, from);
-                let [_, rate] = &mut stepper.rates;
-                take(rate.as_mut(), lane, other.rates[1].as_ref(), from);
-            }
-
-            fn bears<M: OdeSystem<Scalar = T>>(&self, system: &M, step: &SuspectStep<T, M::State>) -> bool {
-                bears(&$composition, system, step)
+            fn is_stable<M: OdeSystem<Scalar = T>>(system: &M, step: &SuspectStep<T, M::State>) -> bool {
+                is_stable(&$composition, system, step)
             }
         })*
     };

@@ -32,7 +32,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{LeapfrogSystem, StateVector, StepFailure, join, split};
 
 pub use self::blanes_moan::BlanesMoan4;
-pub use self::lanes::{SplittingLanes, SplittingLastStep};
+pub use self::lanes::SplittingLanes;
 pub use self::symplectic_euler::SymplecticEuler;
 pub use self::verlet::StormerVerlet;
 
