@@ -22,7 +22,7 @@ messages! {
     HOW_TO_GET_A_SCALAR = "use a component such as `.x` or `v[0]`, or `norm(v)`, or `inner(v, w)`";
     vector_needed(what, found) = "{what} must be a vector, but this is {found}";
     kinds_differ(operation, left, right) = "cannot {operation} {left} and {right}";
-    EQUALITY = "what moves cannot be compared for equality";
+    EQUALITY = "quantities that vary during the motion cannot be compared for equality";
     EQUALITY_HELP =
         "`==` and `!=` compare discrete states, parameters and numbers; compare this with `<`, `<=`, `>` or `>=`";
     KINDS_HELP =
@@ -133,11 +133,11 @@ messages! {
     derivative_of_jumps(name) =
         "`{name}` does not exist for a system with contacts or dry friction: its accelerations jump";
     DISCRETE_LINEAR_MODEL = "`system_matrix` cannot be combined with discrete states or clocks";
-    DISCRETE_IS_HERE = "this changes in jumps";
+    DISCRETE_IS_HERE = "this changes discontinuously";
     DISCRETE_LINEAR_MODEL_HELP =
         "declare a `param` for what stays, or an `input` for what a sampled controller sets";
     DERIVATIVE_OF_JUMPS_HELP = "remove it; implicit methods iterate without it";
-    acts_here(name) = "`{name}` acts or not, depending on its mode";
+    acts_here(name) = "`{name}` acts only in some modes";
     tuple_size(names, found) = "{names} names for {found}";
     DERIVED_DEFAULT = "`Default` is implemented by `system!` from the declared defaults";
     DERIVED_DEFAULT_HELP = "remove `Default` from the `derive`";

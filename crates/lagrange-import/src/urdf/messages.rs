@@ -9,7 +9,7 @@ messages! {
     pub(super):
 
     NOT_A_ROBOT = "this is not a <robot>";
-    XACRO = "this file is one for xacro, which makes URDF files";
+    XACRO = "this is a xacro file, from which URDF is generated";
     XACRO_HELP = "run `xacro robot.urdf.xacro > robot.urdf` and import what it writes";
     NO_LINKS = "the robot has no links";
     TWICE = "this is repeated";
@@ -47,17 +47,17 @@ messages! {
     MIMIC_LEFT_OUT = "it has no coordinate, so its <mimic> is ignored";
     MIMICS_NONE = "the joint that it mimics has no coordinate";
     CONTINUOUS_LIMITS = "a continuous joint turns without end, so `lower` and `upper` are ignored";
-    NO_RANGE = "its limits leave no range, so they do not become stops";
+    NO_RANGE = "its limits leave no range of motion, so no stops are added";
     NO_EFFORT = "its effort is not positive, so its input is not limited";
     NEGATIVE_FRICTION = "the dry friction is negative, so the motion would gain energy";
     FRICTION_LEFT_OUT = "the dry friction of a joint with several coordinates is ignored";
-    BOX_LEFT_OUT = "it collides as a box, which does not become a contact";
+    BOX_LEFT_OUT = "its collision shape is a box, for which no contact is added";
     BOX_LEFT_OUT_HELP = "`--corners LINK` makes contacts of the corners of its boxes";
     SHAPE_LEFT_OUT = "it collides as a cylinder or a mesh, which does not become a contact";
     SHAPE_LEFT_OUT_HELP = "declare points of it: `contact name = link.point(X, Y, Z) on ground { friction: mu; }`";
-    NOTHING_TOUCHES = "no link that moves collides as a sphere";
-    LEVEL = "what it collides as keeps its height, so it does not become a contact";
-    NO_CORNERS = "it has no box that moves and collides, so there are no corners to touch";
+    NOTHING_TOUCHES = "no moving link has a sphere as its collision shape";
+    LEVEL = "its collision shape stays at a constant height, so no contact is added";
+    NO_CORNERS = "it has no moving collision box, so there are no corners for contacts";
     FEWER_EVENTS_HELP = "import fewer limits, friction or contacts, or remove some from the file";
     MIMIC_HELP = "revolute, continuous and prismatic joints that move a mass have one";
     element(tag, name) = "{tag} {}", quoted(name);

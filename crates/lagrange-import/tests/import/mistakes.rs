@@ -210,7 +210,7 @@ const EDITS: &[(&str, &str, &[&str])] = &[
     (
         "<robot name=\"r\">",
         "<robot name=\"r\" xmlns:xacro=\"http://www.ros.org/wiki/xacro\"><xacro:arm/>",
-        &["1:61: error: <arm>: this file is one for xacro, which makes URDF files"],
+        &["1:61: error: <arm>: this is a xacro file, from which URDF is generated"],
     ),
     ("<robot name=\"r\">", "<robot>", &["1:1: error: <robot>: the attribute `name` is missing"]),
     ("</link>", "</lonk>", &["9:1: error: expected 'link' tag, not 'lonk' at 9:1"]),

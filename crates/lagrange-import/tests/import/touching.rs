@@ -72,7 +72,7 @@ fn messages(text: &str, options: &Options) -> Vec<String> {
 fn what_is_wanted_and_cannot_be_is_reported() {
     let cornered = |link: &str| Options { corners: vec![link.to_owned()], ..Options::default() };
     let free = Options { is_free: true, ..all() };
-    let nothing = "no link that moves collides as a sphere";
+    let nothing = "no moving link has a sphere as its collision shape";
     let no_effort = r#"<limit lower="-1" upper="1" effort="0"/>"#;
     let boxed = r#"<collision><geometry><box size="1 1 1"/></geometry></collision>"#;
     let base = r#"<link name="base"><inertial><mass value="1"/>
@@ -82,7 +82,7 @@ fn what_is_wanted_and_cannot_be_is_reported() {
         (
             robot("", r#"<limit lower="0" upper="0"/>"#),
             all(),
-            &[nothing, "its limits leave no range, so they do not become stops"],
+            &[nothing, "its limits leave no range of motion, so no stops are added"],
         ),
         (robot("", no_effort), all(), &[nothing, "its effort is not positive, so its input is not limited"]),
         (
@@ -90,13 +90,13 @@ fn what_is_wanted_and_cannot_be_is_reported() {
             all(),
             &[nothing, "the dry friction is negative, so the motion would gain energy"],
         ),
-        (massive, free, &[nothing, "it collides as a box, which does not become a contact"]),
+        (massive, free, &[nothing, "its collision shape is a box, for which no contact is added"]),
         (robot(boxed, ""), cornered("arm"), &[]),
         (robot(boxed, ""), cornered("arms"), &["unknown link \"arms\" of `--corners`"]),
         (
             robot("", ""),
             cornered("arm"),
-            &["it has no box that moves and collides, so there are no corners to touch"],
+            &["it has no moving collision box, so there are no corners for contacts"],
         ),
     ];
     for (text, options, expected) in cases {
@@ -110,7 +110,7 @@ fn what_keeps_its_height_is_no_contact_and_what_cannot_slip_has_no_friction() {
         r#"<collision><origin xyz="0 0.1 0"/><geometry><sphere radius="0.1"/></geometry></collision>"#;
     let about_the_vertical = robot(sphere, r#"<axis xyz="0 0 1"/>"#);
     let options = Options { has_contacts: true, ..Options::default() };
-    let level = "what it collides as keeps its height, so it does not become a contact";
+    let level = "its collision shape stays at a constant height, so no contact is added";
     assert_eq!(messages(&about_the_vertical, &options), [level]);
     // The axis is horizontal, by turns that are written with few digits.
     let turned = robot(sphere, r#"<origin rpy="1.5708 0 0.3"/><axis xyz="0 0 1"/>"#);

@@ -51,7 +51,7 @@ messages! {
 
     /// Describes the missing or superfluous factor, by its noun or else by its unit.
     factor_missing(noun) = "a factor of {noun} is missing";
-    factor_too_much(noun) = "a factor of {noun} is superfluous";
+    factor_too_much(noun) = "a factor of {noun} is one too many";
     factor_in_unit(unit) = "a factor in {unit} is missing";
     write_square(factor) = "`{factor}^2` would fit";
     write_unit(number, unit) = "the unit of a number follows it: write `{number} [{unit}]`";

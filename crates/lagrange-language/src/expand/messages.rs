@@ -30,7 +30,7 @@ messages! {
         "`{name}` is known only inside its loop: outside, use an element, `let {name}[i] = …; … {name}[0]`";
     values_called(name) = "`{name}` is an array of values, which cannot be called";
     VALUES_CALLED_HELP = "write `*` before the parentheses for a product";
-    NOTHING_LEFT = "nothing is left between the braces: no condition in them holds, or every range is empty";
+    NOTHING_LEFT = "the braces are empty after expansion: no condition in them holds, or every range is empty";
     NOTHING_LEFT_HELP = "put the statement into an `if` that holds where something is left";
     too_many_statements(most) = "loops up to this one expand to more than {most} statements";
     too_many_terms(most) = "loops and sums up to this one expand to more than {most} terms";
@@ -90,13 +90,13 @@ messages! {
     give(argument) = "give it between the braces, `{argument}: e;`, or a default where the part is declared";
     repeated_argument(name) = "the argument `{name}` is declared twice";
     argument_as_name(name, part) = "`{name}` is an argument of the part `{part}` and is declared again in it";
-    late_argument(name) = "the argument `{name}` is declared further right";
+    late_argument(name) = "the argument `{name}` is declared after this one";
     late_argument_help(name) = "move `{name}` before this argument";
     outside_statement(word) = "`{word}` is about the whole system and cannot be in a part";
     outside_statement_help(word) = "move `{word}` outside of the part";
     free_argument(name) = "`{name}` is an argument, and a joint `free` belongs where its body is declared";
     free_argument_help(name) = "write `free {name};` outside of the part, with the name that the body has there";
-    outside(name, part) = "`{name}` is declared outside of the part `{part}`, which knows only its own names and arguments";
+    outside(name, part) = "`{name}` is declared outside the part `{part}`, where only its own names and arguments are visible";
     outside_help(name, part) = "add it to the arguments, `part {part}({name})`, and give it where the part is placed: `{name}: {name};`";
     unknown_in_part(name, part) = "unknown name `{name}` in the part `{part}`";
     declare_in_part(name, part) = "declare it in the part, or add it to the arguments, `part {part}({name})`";

@@ -128,9 +128,9 @@ messages! {
     MISSING_ELSE_HELP = "add `else { … }`";
     COMPARISON = "`<`, `<=`, `>` or `>=`";
     one_value(name) = "the mode `{name}` needs at least two values";
-    EQUALITY = "a condition has `==` between what it compares";
+    EQUALITY = "conditions compare with `==`, not `=`";
     EQUALITY_HELP = "write `if clutch == open { … } else { … }`, and `<`, `<=`, `>` or `>=` for what moves";
-    LOGIC = "conditions are joined by signs, and stand behind `if` alone";
+    LOGIC = "conditions are combined with `&&` and `||`, and are allowed only after `if`";
     LOGIC_HELP = "write `if a < b && !(c < d) || e < f { … } else { … }`";
     LONG_CONDITION_HELP =
         "nest one `if` in another, or define a number by each part of the condition, `let near = if a < b { 1 } else { 0 };`";

@@ -31,13 +31,13 @@ messages! {
 
     /// Message for another name that is used too early.
     also_declared_here(name) = "`{name}`, also used too early, is declared here";
-    PLAIN_NAMES_HELP = "functions and constants go by their plain names, `sin(x)` and `pi`";
+    PLAIN_NAMES_HELP = "write functions and constants without a prefix: `sin(x)` and `pi`";
 
     /// Message for a word such as `omega` where a single coordinate moves.
     rate_of_single(coordinate) =
         "the rate of `{coordinate}` is `dot({coordinate})`; declare other quantities with `param`, `input` or `let`";
     RUST_CONSTANT_HELP =
-        "constants of Rust are not seen here: declare `param name;` and set that field when the program runs, or give the number, `const name = 9.81;`";
+        "Rust constants are not visible here: declare `param name;` and set that field when the program runs, or give the number, `const name = 9.81;`";
     DECLARED_HERE = "it is declared here";
     components_of_orientation(name) =
         "`{name}` is an orientation: its angular velocity is `{name}_wx`, `{name}_wy`, `{name}_wz`, its unit quaternion `{name}_qw`, `{name}_qx`, `{name}_qy`, `{name}_qz`";

@@ -36,7 +36,7 @@ messages! {
     discrete_rate(name) = "the discrete state `{name}` has no rate: only events change it";
     discrete_rate_help(name) =
         "declare `state {name};` for a rate, or assign to it in an event, `=> {{ {name} = e; }}`";
-    other_number(name) = "another mode has the value `{name}` in another place";
+    other_number(name) = "another mode lists the value `{name}` at a different position";
     FIRST_NUMBER = "here it has another place in the list";
     OTHER_NUMBER_HELP = "modes share a value if it has the same place in both lists; write another name here";
     never_assigned(name) = "nothing changes the discrete state `{name}`";

@@ -30,7 +30,7 @@ messages! {
     on_line(line, message) = "line {line} of the file: {message}";
     flat_grid(name, argument) = "all points of the table `{name}` have the same `{argument}`";
     rough(name) =
-        "accelerations or their slopes would jump at the points of the table `{name}`, whose slope bends sharply there";
+        "accelerations or their rates would be discontinuous at the points of the table `{name}`, where it is not smooth enough";
     name_of_derivative(name, table) = "`{name}` is the name of a derivative of the table `{table}`";
     bent_ends(name) =
         "accelerations would jump at both ends of the table `{name}`, beyond which it is constant";

@@ -32,13 +32,13 @@ pub(in crate::emit) const FEWER_HELP: &str =
 pub(in crate::emit) const FEWER_CONSTRAINTS_HELP: &str = "leave out constraints that follow from others";
 
 pub(in crate::emit) const FEWER_OUTPUTS_HELP: &str =
-    "compute what depends on an index in a function of your crate, from the state";
+    "compute indexed quantities from the state, in a function of your crate";
 
 pub(in crate::emit) fn too_many_events(most: usize) -> String {
     format!("a system can have at most {most} events")
 }
 
-pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "dry friction also counts as one event, unless it is `smooth`; events that do not belong to the system can be watched by a simulation";
+pub(in crate::emit) const FEWER_EVENTS_HELP: &str = "dry friction also counts as one event, unless it is `smooth`; events that do not affect the system can be passed to a simulation instead";
 
 pub(in crate::emit) fn unlocated_switches(all: usize, room: usize) -> String {
     format!(
@@ -115,7 +115,7 @@ pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or 
 pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
-pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, with which no test can run";
+pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, since tests need values";
 pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
 pub(in crate::emit) const REDUNDANT: &str =

@@ -83,8 +83,8 @@ pub(in crate::syntax) fn behind_name(keyword: &str) -> (&'static str, &'static s
         ),
         keyword => (
             match keyword {
-                "param" => "only a colon, a unit and a range can stand between a name and its value",
-                _ => "only a colon and a unit can stand between a name and its value",
+                "param" => "only a colon, a unit and a range are allowed between a name and its value",
+                _ => "only a colon and a unit are allowed between a name and its value",
             },
             match keyword {
                 "param" => "write `param m = 1.0;`, or `param m: kg > 0 = 1.0;` with a unit and a range",

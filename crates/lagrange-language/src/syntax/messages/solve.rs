@@ -7,7 +7,8 @@ pub(in crate::syntax) const NO_ZERO_ON_THE_LEFT: &str = "the left side of the eq
 
 pub(in crate::syntax) const UNEQUAL_HELP: &str =
     "write one equation for each unknown, `solve (y, z): 0 = e, 0 = f;`";
-pub(in crate::syntax) const TOO_MANY_HELP: &str = "write explicit values as `let` where an equation allows it, and equations that do not need the others apart";
+pub(in crate::syntax) const TOO_MANY_HELP: &str =
+    "define explicit values with `let`, and write uncoupled equations as separate `solve` statements";
 
 pub(in crate::syntax) fn unequal(unknowns: usize, equations: usize) -> String {
     let (s, have) = if unknowns == 1 { ("", "has") } else { ("s", "have") };
@@ -20,7 +21,7 @@ pub(in crate::syntax) fn too_many(unknowns: usize, most: usize) -> String {
 }
 
 pub(in crate::syntax) fn unequal_starts(unknowns: usize) -> String {
-    format!("this is no start for each of {unknowns} unknowns")
+    format!("this does not give a start for each of the {unknowns} unknowns")
 }
 
 pub(in crate::syntax) fn starts_help(names: &[Name]) -> String {

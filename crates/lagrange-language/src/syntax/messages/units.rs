@@ -20,8 +20,8 @@ messages! {
     ON_LET_FUNCTION_HELP = "remove the unit: it is checked wherever the function is called";
     behind_name(name, unit) = "write `param {name}: {unit} = …;`";
     unknown(word) = "{} is not a unit", quoted(word);
-    offset_in_unit(unit) = "`{unit}` counts from a zero of its own and cannot be part of another unit";
-    offset_in_sum(unit) = "a number in `{unit}` counts from a zero of its own: it cannot be added or multiplied";
+    offset_in_unit(unit) = "`{unit}` has an offset zero and cannot be part of another unit";
+    offset_in_sum(unit) = "a number in `{unit}` has an offset zero: it cannot be added or multiplied";
     OFFSET_HELP = "differences of temperatures are in `K`";
     write_unit(unit) = "write {}", quoted(unit);
     did_you_mean(unit) = "did you mean {}?", quoted(unit);

@@ -127,14 +127,14 @@ fn mistakes_of_conditions_are_named() {
     assert_eq!(mistake("if a < b { 1 }"), "this `if` has no value when its condition is false");
     assert_eq!(
         mistake("if a < b and c < d { 1 } else { 2 }"),
-        "conditions are joined by signs, and stand behind `if` alone"
+        "conditions are combined with `&&` and `||`, and are allowed only after `if`"
     );
     assert_eq!(mistake("if a < b && c { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
     assert_eq!(
         mistake("if !(a < b && c) { 1 } else { 2 }"),
         "expected an operator, `<`, `<=`, `>` or `>=`, found nothing"
     );
-    assert_eq!(mistake("if a = b { 1 } else { 2 }"), "a condition has `==` between what it compares");
+    assert_eq!(mistake("if a = b { 1 } else { 2 }"), "conditions compare with `==`, not `=`");
     assert_eq!(mistake("if a < b < c { 1 } else { 2 }"), "a comparison has two sides");
     assert_eq!(mistake("if a { 1 } else { 2 }"), "expected `<`, `<=`, `>` or `>=`, found `{`");
     assert_eq!(mistake("if a < 2 (1) else { 2 }"), "expected an operator or `{`, found `(`");
