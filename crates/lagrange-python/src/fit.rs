@@ -171,12 +171,12 @@ impl PyFit {
     }
 }
 
-/// Reads times, `t`, and measured columns, in which `None` is a missing value: from a dictionary, a
-/// data frame, or the path of a file of comma-separated values.
+/// Reads times, `t`, and measured columns, in which `None` is a missing value. They are a
+/// dictionary, a data frame, or the path of a file of comma-separated values.
 ///
 /// # Errors
-/// `ValueError` if there are no times, or a column is no list of numbers, `OSError` if a file cannot
-/// be read, and `TypeError` for anything else.
+/// `ValueError` if there are no times, or a column is no list of numbers. `OSError` if a file
+/// cannot be read. `TypeError` for anything else.
 pub(crate) fn data(table: &Bound<'_, PyAny>) -> PyResult<Data> {
     if let Ok(path) = table.extract::<PathBuf>() {
         return Data::read_csv(path).map_err(|error| match error {

@@ -181,9 +181,10 @@ impl LinearModel {
         Some(LinearModel { a, c, ..self.clone() })
     }
 
-    /// Returns the loop of the feedback u = −K x, cut open at one input, with the feedback of the
-    /// others closed: the transfer function whose [margins](super::FrequencyResponse::margins) are
-    /// those of the regulator. `None` without such an input, or for a K of another shape.
+    /// Returns the loop of the feedback u = −K x, cut open at one input. The feedback of other
+    /// inputs stays closed. The [margins](super::FrequencyResponse::margins) of this transfer
+    /// function are those of the regulator. `None` without such an input, or for a K of another
+    /// shape.
     #[must_use]
     pub fn open_loop(&self, gain: &DenseMatrix, input: &str) -> Option<Transfer> {
         let LinearModel { a, .. } = self.with_feedback(gain)?;
