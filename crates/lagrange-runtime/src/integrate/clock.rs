@@ -37,7 +37,7 @@ impl<S: Number> Clock<S> {
         [self.time, self.remainder]
     }
 
-    /// The same steps at a time with this remainder.
+    /// Goes on in equal steps from a time with its remainder.
     pub(super) fn with_parts(&self, [time, remainder]: [S; 2]) -> Self {
         Clock { time, remainder, step: self.step }
     }
