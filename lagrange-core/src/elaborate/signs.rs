@@ -7,7 +7,7 @@
 use super::elaborator::{Elaborator, SourceTerm};
 use super::messages;
 use super::obligations::Defaults;
-use lagrange_expr::collections::HashMap;
+use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
 use lagrange_language::syntax::ast::AstId;
@@ -59,7 +59,8 @@ fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool 
 /// too.
 fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
     let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
-    let mut others = Vec::new();
+    // A sum is opened once: declarations may share sums to any depth.
+    let (mut others, mut opened) = (Vec::new(), HashSet::default());
     let mut pending = values.iter().map(|&value| (1.0, value)).collect::<Vec<_>>();
     while let Some((scale, id)) = pending.pop() {
         if let Node::Sum { terms, .. } = graph.node(id) {
@@ -71,7 +72,7 @@ fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<Exp
                 let entry = weights.get_or_insert_with(velocity, || Some(0.0));
                 *entry = entry.map(|sum| sum + scale * weight);
             }
-            Some((weight, sum, power)) if power == Number::ONE && !is_symbol(graph, sum) => {
+            Some((weight, sum, power)) if power == Number::ONE && opened.insert(sum) => {
                 pending.push((scale * weight, sum));
             }
             _ => others.push(id),
@@ -100,6 +101,9 @@ fn times_number(graph: &Graph, defaults: &Defaults, id: ExprId) -> Option<(f64, 
     let [(base, power)] = moving.as_slice() else { return None };
     let mut weight = 1.0;
     for (base, power) in fixed {
+        if !graph.dependencies(*base).is_constant_in_motion() {
+            return None;
+        }
         weight *= defaults.evaluate(graph, *base)?.powf(power.to_f64());
     }
     Some((weight, *base, power.clone()))
