@@ -287,7 +287,9 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
         if !is_determined && !is_constrained(elaborator, speed.velocity) {
             let name = elaborator.name_of_freedom(speed);
             let graph = &elaborator.evaluator.graph;
-            let is_linear = graph.reachable(&[lagrangian]).contains(&speed.velocity);
+            // A Lagrangian of its own may have terms of magnets, which are linear.
+            let is_separate = elaborator.lagrangian.is_empty();
+            let is_linear = is_separate && graph.reachable(&[lagrangian]).contains(&speed.velocity);
             let error = elaborator.evaluator.report.error(*span, messages::no_inertia(name));
             error.help(if is_linear { messages::NOT_SQUARED_HELP } else { messages::NO_INERTIA_HELP });
         }
