@@ -41,7 +41,7 @@
 pub use lagrange_runtime::integrate::{
     BlanesMoan4, EventSource, FixedStepper, Formula, GaussLegendre, GaussLegendre4, GaussLegendre6,
     Hamiltonian, ImplicitMidpoint, IntegrationError, LanesMethod, LanesMethodVisitor, LanesStepper,
-    MOST_LANES, Method, Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError,
+    MOST_LANES, Memory, Method, Outcome, PlainGaussLegendre, Radau5, RadauStepper, RungeKutta4, SettingError,
     StepFailure, Stepper, StormerVerlet, SuspectStep, SymplecticEuler, Taylor, TaylorStepper, Variational,
     Verner98, VernerStepper, Work, rk4_step, undefined,
 };

@@ -131,7 +131,7 @@ class System:
         """
     def fit(
         self,
-        data: dict[str, Array | Sequence[float | None]],
+        data: dict[str, Array | Sequence[float | None]] | str | PathLike[str] | object,
         *,
         vary: Sequence[str] | dict[str, tuple[float | None, float | None] | None],
         start: State | dict[str, float] | None = None,
@@ -145,7 +145,8 @@ class System:
         nonlinear least squares along motions.
 
         Data are times `t`, and columns of the state or of outputs, in which `None` is a missing
-        value. What varies starts at its present value, and stays between its bounds. `noise` has
+        value: a dictionary, a data frame, or the path of a CSV file, whose names may end in units,
+        as `x in m`. What varies starts at its present value, and stays between its bounds. `noise` has
         standard deviations by column; several columns need it. Motions start at the first time, or
         at `begin`. Of several `starts` the best end is taken. Other threads run meanwhile.
 

@@ -44,6 +44,7 @@ mod projection;
 mod ranges;
 mod reduced;
 mod resting;
+mod saved;
 mod scalars;
 mod shadowing;
 mod simulation;

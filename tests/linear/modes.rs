@@ -115,6 +115,7 @@ fn the_sign_of_stiffness_and_damping_decides() {
         let oscillator = Oscillator { k, c };
         let modes = oscillator.linearise(0.0, [0.0; 2]).expect("smooth").modes().expect("eigenvalues");
         assert_eq!(modes.stability(), wanted, "{oscillator:?} {modes}");
+        assert!(!modes.to_string().contains("NaN"), "zero has no damping ratio: {modes}");
     }
 }
 

@@ -187,3 +187,49 @@ fn responses_are_plotted() {
     }
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+lagrange::system! {
+    /// Two masses between springs, each with a motor.
+    #[derive(Debug)]
+    struct Coupled;
+
+    param k = 3;
+    coord x, y;
+    input u, w;
+    kinetic = 1/2 * dot(x)^2 + 1/2 * dot(y)^2;
+    potential = 1/2 * k * (x^2 + (y - x)^2);
+    force x = u;
+    force y = w;
+    emit { system_matrix }
+}
+
+#[test]
+fn loops_of_regulators_are_those_of_the_formula() {
+    let (model, gain) = (oscillator(1.2), DenseMatrix::from_fn(1, 2, |_, j| [5.0, 0.7][j]));
+    let cut = model.open_loop(&gain, "u").unwrap();
+    for frequency in [0.0, 1.0, 2.0, 3.5] {
+        let (real, imaginary) = expected(frequency, 1.2, 1.0);
+        let rate = 0.7 * frequency;
+        let wanted = (5.0 * real - rate * imaginary, 5.0 * imaginary + rate * real);
+        assert!(close(cut.at(frequency), wanted, 1e-14), "{frequency}");
+    }
+    assert!(model.open_loop(&gain, "v").is_none());
+    assert!(model.open_loop(&DenseMatrix::identity(2), "u").is_none());
+}
+
+/// An optimal loop keeps its distance from −1: |1 + L| ≥ 1. Source: Anderson, Moore, *Optimal
+/// Control: Linear Quadratic Methods*, §5.3.
+#[test]
+fn optimal_loops_are_no_nearer_to_instability_than_one() {
+    let model = Coupled::default().linearise(0.0, [0.0; 4]).unwrap();
+    let regulator = model.lqr(&DenseMatrix::identity(4), &DenseMatrix::identity(2)).unwrap();
+    for input in ["u", "w"] {
+        let cut = model.open_loop(&regulator.gain, input).unwrap();
+        for index in 0..200 {
+            let (real, imaginary) = cut.at(0.017 * 1.05_f64.powi(index));
+            assert!((1.0 + real).hypot(imaginary) > 1.0 - 1e-12);
+        }
+        let margins = cut.frequency_response(&cut.frequencies()).margins();
+        assert!(margins.gain.is_none() && margins.phase.is_none_or(|(phase, _)| phase > 1.047));
+    }
+}

@@ -1,9 +1,11 @@
 //! Fits of parameters to data of Python.
 
+use std::path::PathBuf;
+
 use lagrange_dynamic::{DeclaredSystem, FitFailure, FitSettings, FoundFit};
-use lagrange_runtime::fit::Data;
+use lagrange_runtime::fit::{Data, DataError};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
 use pyo3::{Bound, Py, PyAny, PyErr, PyResult, Python, pyclass, pymethods};
 
@@ -169,23 +171,45 @@ impl PyFit {
     }
 }
 
-/// Reads times, `t`, and measured columns, in which `None` is a missing value.
+/// Reads times, `t`, and measured columns, in which `None` is a missing value. They are a
+/// dictionary, a data frame, or the path of a file of comma-separated values.
 ///
 /// # Errors
-/// `ValueError` if there are no times, or a column is no list of numbers.
-pub(crate) fn data(columns: &Bound<'_, PyDict>) -> PyResult<Data> {
+/// `ValueError` if there are no times, or a column is no list of numbers. `OSError` if a file
+/// cannot be read. `TypeError` for anything else.
+pub(crate) fn data(table: &Bound<'_, PyAny>) -> PyResult<Data> {
+    if let Ok(path) = table.extract::<PathBuf>() {
+        return Data::read_csv(path).map_err(|error| match error {
+            DataError::Unreadable { .. } => PyOSError::new_err(error.to_string()),
+            _ => PyValueError::new_err(error.to_string()),
+        });
+    }
     let wrong = |name: &str| {
         PyValueError::new_err(format!("the column `{name}` of the data must be an array of numbers"))
     };
-    let times = columns.get_item("t")?.ok_or_else(|| PyValueError::new_err("the data have no times, `t`"))?;
+    let names = names_of(table)?;
+    if !names.iter().any(|name| name == "t") {
+        return Err(PyValueError::new_err(format!(
+            "the data have no times, `t`; their columns are {}",
+            names.join(", ")
+        )));
+    }
+    let times = table.get_item("t")?;
     let mut data = Data::new(times.extract::<Vec<f64>>().map_err(|_| wrong("t"))?);
-    for (name, values) in columns {
-        let name = name.extract::<String>()?;
-        if name != "t" {
-            data = data.with(&name, values.extract::<Vec<Option<f64>>>().map_err(|_| wrong(&name))?);
-        }
+    for name in names.iter().filter(|name| *name != "t") {
+        let values = table.get_item(name)?.extract::<Vec<Option<f64>>>().map_err(|_| wrong(name))?;
+        data = data.with(name, values);
     }
     Ok(data)
+}
+
+/// The names of the columns of a dictionary, or of a data frame: some are mappings, others are not.
+fn names_of(table: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    let names = table.call_method0("keys").or_else(|_| table.getattr("columns"));
+    let names = names.and_then(|names| names.try_iter()?.map(|name| name?.extract()).collect());
+    names.map_err(|_| {
+        PyTypeError::new_err("data are a dictionary or a data frame of columns, or the path of a CSV file")
+    })
 }
 
 /// Reads what varies: names, or a dictionary of bounds, in which `None` is no bound.

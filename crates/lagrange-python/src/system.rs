@@ -199,7 +199,7 @@ impl PySystem {
     fn fit(
         &self,
         py: Python<'_>,
-        data: &Bound<'_, PyDict>,
+        data: &Bound<'_, PyAny>,
         vary: &Bound<'_, PyAny>,
         start: Option<&Bound<'_, PyAny>>,
         noise: Option<&Bound<'_, PyDict>>,

@@ -102,3 +102,26 @@ def test_fits_that_make_no_sense_are_refused():
     for data, settings, message in cases:
         with pytest.raises(ValueError, match=message):
             system.fit(data, **{"vary": ["k"], **settings})
+
+
+def test_data_are_frames_and_files_too(tmp_path):
+    pandas = pytest.importorskip("pandas")
+    polars = pytest.importorskip("polars")
+    system, columns = lagrange.System(OSCILLATOR), {"t": TIMES, "x": noisy()}
+    wanted = system.fit(columns, vary=["k", "c"]).values
+    for frame in (pandas.DataFrame, polars.DataFrame):
+        assert system.fit(frame(columns), vary=["k", "c"]).values == wanted
+    path = tmp_path / "noisy.csv"
+    pandas.DataFrame(columns).rename(columns={"t": "t in s", "x": "x in m"}).to_csv(path, index=False)
+    for file in (path, str(path)):
+        assert system.fit(file, vary=["k", "c"]).values == wanted
+
+
+def test_what_is_no_table_is_refused(tmp_path):
+    system = lagrange.System(OSCILLATOR)
+    with pytest.raises(TypeError, match="a dictionary or a data frame"):
+        system.fit([1, 2], vary=["k"])
+    with pytest.raises(ValueError, match="no times, `t`; their columns are time, x"):
+        system.fit({"time": [0, 1], "x": [1, 1]}, vary=["k"])
+    with pytest.raises(OSError, match="missing.csv"):
+        system.fit(tmp_path / "missing.csv", vary=["k"])

@@ -286,8 +286,12 @@ fn check_inertia(elaborator: &mut Elaborator<'_>, lagrangian: ExprId) {
         let is_determined = dependencies.intersects(Dependencies::VELOCITY);
         if !is_determined && !is_constrained(elaborator, speed.velocity) {
             let name = elaborator.name_of_freedom(speed);
+            let graph = &elaborator.evaluator.graph;
+            // A Lagrangian of its own may have terms of magnets, which are linear.
+            let is_separate = elaborator.lagrangian.is_empty();
+            let is_linear = is_separate && graph.reachable(&[lagrangian]).contains(&speed.velocity);
             let error = elaborator.evaluator.report.error(*span, messages::no_inertia(name));
-            error.help(messages::NO_INERTIA_HELP);
+            error.help(if is_linear { messages::NOT_SQUARED_HELP } else { messages::NO_INERTIA_HELP });
         }
         needs_input_rate |= dependencies.intersects(Dependencies::INPUT);
         holds_states |= dependencies.intersects(Dependencies::STATE);

@@ -105,7 +105,11 @@ pub(super) fn define_abbreviations(elaborator: &mut Elaborator<'_>, names: &[Nam
         }
         Some(other) => {
             let message = messages::tuple_size(names.len(), other.kind());
-            elaborator.evaluator.refuse::<()>(syntax, message, messages::TUPLE_SIZE_HELP);
+            let help = match other {
+                Operand::Matrix(..) => messages::TUPLE_OF_VECTORS_HELP,
+                Operand::Scalar(_) | Operand::Vector(_) => messages::TUPLE_SIZE_HELP,
+            };
+            elaborator.evaluator.refuse::<()>(syntax, message, help);
             vec![None; names.len()]
         }
         None => vec![None; names.len()],

@@ -47,6 +47,8 @@ messages! {
     DIVISION_BY_ZERO = "division by zero";
 
     FUNCTION_HELP = "write its arguments in parentheses after it";
+    TUPLE_OF_VECTORS_HELP =
+        "a tuple of vectors is a matrix: write a `let` for each of them, `let a = (1, 2);`";
     TUPLE_SIZE_HELP =
         "write as many names as there are components, `let (a, b) = (e, f);`, or a single one, `let v = (e, f);`";
     ZERO_BASE_HELP = "a negative power of zero is undefined";
@@ -97,11 +99,18 @@ messages! {
     ENERGY_HELP = "write `kinetic = …;` and `potential = …;`, or `lagrangian = …;`";
     no_inertia(name) =
         "`{name}` has no inertia: the kinetic energy does not grow with its velocity, so nothing determines its acceleration";
+    NOT_SQUARED_HELP = "a kinetic energy takes the square of the velocity, as in `1/2 * m * dot(x)^2`";
     NO_INERTIA_HELP = "add its kinetic energy, or make it a `param` or an `input`";
 
     NEGATIVE_INERTIA = "this mass or moment of inertia is negative";
     negative_kinetic_energy(name) =
         "this kinetic energy decreases as `{name}` moves faster, but inertia is positive";
+    negative_by_default(name) =
+        "with the defaults, this kinetic energy decreases as `{name}` moves faster";
+    negative_dissipation(name) =
+        "with the defaults, this dissipation drives `{name}` rather than to slow it down";
+    NEGATIVE_DISSIPATION_HELP =
+        "the force is -∂R/∂v of R: a damper has `dissipation = 1/2 * c * dot(x)^2;` with a positive c";
     NEGATIVE_INERTIA_HELP =
         "check the sign; a Lagrangian that is not T − V can be given as `lagrangian = …;`";
 

@@ -240,10 +240,10 @@ fn symbols(graph: &Graph, value: ExprId) -> Vec<(String, Role)> {
 }
 
 /// The defaults of parameters.
-struct Defaults(HashMap<Role, f64>);
+pub(super) struct Defaults(HashMap<Role, f64>);
 
 impl Defaults {
-    fn of(elaborator: &Elaborator) -> Defaults {
+    pub(super) fn of(elaborator: &Elaborator) -> Defaults {
         let graph = &elaborator.evaluator.graph;
         let values = elaborator.parameters.iter().filter_map(|parameter| {
             let symbol = graph.symbol_of(parameter.symbol)?;
@@ -254,7 +254,7 @@ impl Defaults {
     }
 
     /// The value with these defaults, if it depends on nothing else.
-    fn evaluate(&self, graph: &Graph, value: ExprId) -> Option<f64> {
+    pub(super) fn evaluate(&self, graph: &Graph, value: ExprId) -> Option<f64> {
         let is_known =
             has_formula(graph, value) && symbols(graph, value).iter().all(|(_, role)| self.0.contains(role));
         is_known.then(|| evaluate(graph, &[value], |role| self.0.get(&role).copied().unwrap_or(f64::NAN))[0])

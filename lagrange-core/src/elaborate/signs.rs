@@ -1,30 +1,54 @@
-//! Kinetic energies that are negative whatever the parameters are.
+//! Kinetic energies and dissipations that are negative, with numbers or with the defaults of
+//! parameters.
 //!
 //! Only what shows is judged: a velocity all of whose terms are its square times numbers.
 //! Definiteness in general is a matter of parameters, and of run time.
 
-use super::elaborator::Elaborator;
+use super::elaborator::{Elaborator, SourceTerm};
 use super::messages;
-use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::evaluate;
+use super::obligations::Defaults;
+use lagrange_expr::collections::{HashMap, HashSet};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
 use lagrange_expr::number::Number;
+use lagrange_language::syntax::ast::AstId;
 
-/// Reports coordinates whose kinetic energy falls with their velocity.
+/// Reports coordinates whose kinetic energy falls with their velocity, and whose dissipation does:
+/// errors where numbers say so, warnings where defaults do.
 pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
-    let values = elaborator.kinetic.iter().map(|term| term.value).collect::<Vec<_>>();
-    let total = weights(&elaborator.evaluator.graph, &values);
-    for (speed, _) in &elaborator.speeds {
-        if !falls_with(&total, speed.velocity) {
-            continue;
-        }
-        let graph = &elaborator.evaluator.graph;
-        let falls = |value: ExprId| falls_with(&weights(graph, &[value]), speed.velocity);
-        let Some(term) = elaborator.kinetic.iter().find(|term| falls(term.value)) else { continue };
-        let origin = elaborator.evaluator.origin(term.syntax);
-        let message = messages::negative_kinetic_energy(elaborator.name_of_freedom(speed));
-        elaborator.evaluator.report.error(origin, message).help(messages::NEGATIVE_INERTIA_HELP);
+    let defaults = Defaults::of(elaborator);
+    for (syntax, value, name) in falling(elaborator, &elaborator.kinetic, &defaults) {
+        let origin = elaborator.evaluator.origin(syntax);
+        let is_certain = elaborator.evaluator.graph.dependencies(value) == Dependencies::VELOCITY;
+        let report = &mut *elaborator.evaluator.report;
+        let wrong = match is_certain {
+            true => report.error(origin, messages::negative_kinetic_energy(&name)),
+            false => report.doubtful(origin, messages::negative_by_default(&name)),
+        };
+        wrong.help(messages::NEGATIVE_INERTIA_HELP);
     }
+    for (syntax, _, name) in falling(elaborator, &elaborator.dissipation, &defaults) {
+        let origin = elaborator.evaluator.origin(syntax);
+        let warning = elaborator.evaluator.report.doubtful(origin, messages::negative_dissipation(&name));
+        warning.help(messages::NEGATIVE_DISSIPATION_HELP);
+    }
+}
+
+/// Terms that fall with a velocity with which their sum falls, and its name.
+fn falling(
+    elaborator: &Elaborator<'_>,
+    terms: &[SourceTerm],
+    defaults: &Defaults,
+) -> Vec<(AstId, ExprId, String)> {
+    let graph = &elaborator.evaluator.graph;
+    let values = terms.iter().map(|term| term.value).collect::<Vec<_>>();
+    let total = weights(graph, defaults, &values);
+    let mut found = Vec::new();
+    for (speed, _) in elaborator.speeds.iter().filter(|(speed, _)| falls_with(&total, speed.velocity)) {
+        let falls = |term: &&SourceTerm| falls_with(&weights(graph, defaults, &[term.value]), speed.velocity);
+        let name = elaborator.name_of_freedom(speed).to_owned();
+        found.extend(terms.iter().find(falls).map(|term| (term.syntax, term.value, name)));
+    }
+    found
 }
 
 fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool {
@@ -33,18 +57,25 @@ fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool 
 
 /// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms,
 /// too.
-fn weights(graph: &Graph, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
+fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
     let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
-    let mut others = Vec::new();
+    // A sum is opened once: declarations may share sums to any depth.
+    let (mut others, mut opened) = (Vec::new(), HashSet::default());
     let mut pending = values.iter().map(|&value| (1.0, value)).collect::<Vec<_>>();
     while let Some((scale, id)) = pending.pop() {
         if let Node::Sum { terms, .. } = graph.node(id) {
             pending.extend(terms.iter().map(|(term, coefficient)| (scale * coefficient.to_f64(), *term)));
-        } else if let Some((weight, velocity)) = numeric_square(graph, id) {
-            let entry = weights.get_or_insert_with(velocity, || Some(0.0));
-            *entry = entry.map(|sum| sum + scale * weight);
-        } else {
-            others.push(id);
+            continue;
+        }
+        match times_number(graph, defaults, id) {
+            Some((weight, velocity, power)) if power == Number::TWO && is_symbol(graph, velocity) => {
+                let entry = weights.get_or_insert_with(velocity, || Some(0.0));
+                *entry = entry.map(|sum| sum + scale * weight);
+            }
+            Some((weight, sum, power)) if power == Number::ONE && opened.insert(sum) => {
+                pending.push((scale * weight, sum));
+            }
+            _ => others.push(id),
         }
     }
     for part in graph.reachable_until(&others, |id| !is_moving(graph, id)) {
@@ -59,17 +90,24 @@ fn is_moving(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::VELOCITY)
 }
 
-/// `(w, v)` of w v² with a number w and the velocity v of a coordinate.
-fn numeric_square(graph: &Graph, id: ExprId) -> Option<(f64, ExprId)> {
+fn is_symbol(graph: &Graph, id: ExprId) -> bool {
+    matches!(graph.node(id), Node::Symbol(_))
+}
+
+/// `(w, e, n)` of w eⁿ with a number w, and e the only factor with velocities.
+fn times_number(graph: &Graph, defaults: &Defaults, id: ExprId) -> Option<(f64, ExprId, Number)> {
     let Node::Product(factors) = graph.node(id) else { return None };
     let (moving, fixed) = factors.iter().partition::<Vec<_>, _>(|(base, _)| is_moving(graph, *base));
-    let &[(velocity, exponent)] = moving.as_slice() else { return None };
-    let is_square = *exponent == Number::TWO && matches!(graph.node(*velocity), Node::Symbol(_));
-    let is_numeric = fixed.iter().all(|(base, _)| graph.dependencies(*base) == Dependencies::NONE);
-    if !is_square || !is_numeric {
-        return None;
+    let [(base, power)] = moving.as_slice() else { return None };
+    let mut weight = 1.0;
+    for (base, power) in fixed {
+        if !graph.dependencies(*base).is_constant_in_motion() {
+            return None;
+        }
+        weight *= defaults.evaluate(graph, *base)?.powf(power.to_f64());
     }
-    let powers =
-        fixed.iter().map(|(base, power)| evaluate(graph, &[*base], |_| f64::NAN)[0].powf(power.to_f64()));
-    Some((powers.product(), *velocity))
+    Some((weight, *base, power.clone()))
 }
+
+#[cfg(test)]
+mod tests;

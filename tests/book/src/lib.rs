@@ -36,6 +36,7 @@ pages! {
     Models = "models.md";
     NoStd = "cookbook/no_std.md";
     Orbits = "cookbook/orbits.md";
+    Pictures = "cookbook/pictures.md";
     Quadruped = "cookbook/quadruped.md";
     Road = "cookbook/road.md";
     Robot = "cookbook/robot.md";

@@ -22,9 +22,14 @@ impl Heading {
         Heading { bits: components.map(|component| rounded(component).to_bits()) }
     }
 
+    /// The components that [`new`](Self::new) takes for the same bits.
+    pub(super) fn numbers<S: Scalar>(self) -> [S; 2] {
+        self.bits.map(|bits| S::from_f64(f64::from_bits(bits)))
+    }
+
     /// A vector of length one.
     pub fn components<S: Scalar>(self) -> [S; 2] {
-        let components = self.bits.map(|bits| S::from_f64(f64::from_bits(bits)));
+        let components = self.numbers::<S>();
         let length = dot(&components, &components).sqrt();
         components.map(|component| component / length)
     }
@@ -48,5 +53,6 @@ fn rounded<S: Scalar>(value: S) -> f64 {
         }
         digit *= 0.5;
     }
-    if is_negative { -found } else { found }
+    // Zero has one sign.
+    if is_negative { 0.0 - found } else { found }
 }

@@ -75,6 +75,7 @@ mod impact;
 mod initial_modes;
 mod lemke;
 mod limits;
+mod numbers;
 mod pace;
 mod project;
 mod reaction_forces;

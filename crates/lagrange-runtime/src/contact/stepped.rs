@@ -4,7 +4,7 @@ use core::array;
 
 use super::step::{ContactStep, Impulses};
 use super::{Contact, ContactSystem, Friction, Mode};
-use crate::integrate::{FixedStepper, Formula, Method, Stepper, Work};
+use crate::integrate::{FixedStepper, Formula, Memory, Method, Stepper, Work};
 use crate::linalg::vector::{combined, difference};
 use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure, displaced, join, reach, split};
@@ -103,12 +103,37 @@ where
 }
 
 /// An integration by [`Stepped`].
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct SteppedStepper<M: OdeSystem, const N: usize, const K: usize> {
     fixed: FixedStepper<M, ImpulseFormula<M::Scalar, N, K>>,
 }
 
+impl<M: OdeSystem, const N: usize, const K: usize> Clone for SteppedStepper<M, N, K> {
+    fn clone(&self) -> Self {
+        SteppedStepper { fixed: self.fixed.clone() }
+    }
+}
+
 impl<M: ContactSystem<N, K>, const N: usize, const K: usize> SteppedStepper<M, N, K> {
+    /// Passes on the numbers that [`restore`](Self::restore) takes: those of
+    /// [`FixedStepper::save`], with the impulses and modes of the last step.
+    pub fn save(&self, note: impl FnMut(M::Scalar)) {
+        self.fixed.save(note);
+    }
+
+    /// Goes on from [saved](Self::save) numbers, with the bits that the saved motion has from there
+    /// on. Method and settings must be the same.
+    ///
+    /// # Errors
+    /// If the count of numbers is another, or time or state is not finite. The motion is unchanged
+    /// then.
+    pub fn restore(
+        &mut self,
+        numbers: impl IntoIterator<Item = M::Scalar>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        self.fixed.restore(numbers)
+    }
+
     /// Returns the impulses of all reactions over the last step, in the order of declaration.
     pub fn impulses(&self) -> &[M::Scalar; K] {
         &self.fixed.formula().impulses
@@ -213,6 +238,21 @@ impl<S: Scalar, const N: usize, const K: usize> ImpulseFormula<S, N, K> {
         self.worst = self.worst.max(residual);
         (self.impulses, self.length, self.modes) = (found.impulses, h, Some(found.modes));
         Ok(())
+    }
+}
+
+impl<S: Scalar, const N: usize, const K: usize> Memory<S> for ImpulseFormula<S, N, K> {
+    fn visit(&mut self, _t: S, each: &mut impl FnMut(&mut S)) {
+        let mut has_modes = if self.modes.is_some() { S::ONE } else { S::ZERO };
+        each(&mut has_modes);
+        each(&mut self.length);
+        self.impulses.iter_mut().for_each(&mut *each);
+        let modes = self.modes.unwrap_or([Mode::Smooth; K]).map(|mode| {
+            let mut numbers = mode.numbers();
+            numbers.iter_mut().for_each(&mut *each);
+            Mode::of_numbers(numbers)
+        });
+        self.modes = (has_modes != S::ZERO).then_some(modes);
     }
 }
 

@@ -32,6 +32,16 @@ impl<S: Number> Clock<S> {
         Clock::new(time, self.step)
     }
 
+    /// The time and its remainder.
+    pub(super) fn parts(&self) -> [S; 2] {
+        [self.time, self.remainder]
+    }
+
+    /// Goes on in equal steps from a time with its remainder.
+    pub(super) fn with_parts(&self, [time, remainder]: [S; 2]) -> Self {
+        Clock { time, remainder, step: self.step }
+    }
+
     /// Keeps the time and changes the step.
     pub(super) fn with_step(&self, step: S) -> Self {
         Clock { step, ..*self }

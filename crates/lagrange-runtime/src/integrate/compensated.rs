@@ -26,6 +26,16 @@ impl<Y> Compensated<Y> {
         Compensated { value, remainder }
     }
 
+    /// Goes on from a sum with the part of its increments that did not fit into it.
+    pub(super) fn with_remainder(value: Y, remainder: Y) -> Self {
+        Compensated { value, remainder }
+    }
+
+    /// The part of the increments that did not fit into the sum.
+    pub(super) fn remainder(&self) -> &Y {
+        &self.remainder
+    }
+
     /// The sum so far.
     #[inline]
     pub(super) fn value(&self) -> &Y {

@@ -1,6 +1,7 @@
 //! Steps of equal length.
 
 mod lanes;
+mod saved;
 
 use crate::integrate::clock::{Clock, check_step};
 use crate::integrate::compensated::Compensated;
@@ -10,6 +11,7 @@ use crate::scalar::{Number, Scalar};
 use crate::system::{OdeSystem, SettingError, StepFailure};
 
 pub use self::lanes::{FixedLanes, FixedLastStep, FixedSteps, LanesFormula};
+pub use self::saved::Memory;
 
 /// A formula that advances the state by a step of given length.
 ///
@@ -149,7 +151,7 @@ pub(super) fn check_length<S: Scalar>(step: S) -> Result<(), SettingError<S>> {
 }
 
 /// An integration in steps of equal length; only one that reaches its limit may be shorter.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct FixedStepper<M: OdeSystem + ?Sized, F> {
     formula: F,
     clock: Clock<M::Scalar>,
@@ -157,6 +159,12 @@ pub struct FixedStepper<M: OdeSystem + ?Sized, F> {
     state: M::State,
     last: (M::Scalar, M::State),
     work: Work,
+}
+
+impl<M: OdeSystem + ?Sized, F: Clone> Clone for FixedStepper<M, F> {
+    fn clone(&self) -> Self {
+        FixedStepper { formula: self.formula.clone(), ..*self }
+    }
 }
 
 impl<M: OdeSystem + ?Sized, F: Formula<M>> FixedStepper<M, F> {

@@ -118,7 +118,8 @@ pub trait Stepper<M: OdeSystem + ?Sized> {
     fn limit_steps(&mut self, _most: u64) {}
 
     /// Goes on from another state at another time, as after an impact. The work done so far still
-    /// counts.
+    /// counts. What a method keeps between steps is forgotten: a motion goes on with the same bits
+    /// from a clone, or from what [`FixedStepper::save`](super::FixedStepper::save) passes on.
     ///
     /// # Errors
     /// If the state or, where the method needs it, its rate is not finite.

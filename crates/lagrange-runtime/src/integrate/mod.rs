@@ -32,7 +32,7 @@ mod verner;
 
 pub use self::canonical::Hamiltonian;
 pub use self::error::{IntegrationError, Outcome};
-pub use self::fixed::{FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula};
+pub use self::fixed::{FixedLanes, FixedLastStep, FixedStepper, FixedSteps, Formula, LanesFormula, Memory};
 pub use self::gauss_legendre::{
     GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, PlainGaussLegendre,
 };

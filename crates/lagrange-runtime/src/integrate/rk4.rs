@@ -16,7 +16,7 @@ mod lanes;
 
 pub use self::lanes::ClassicalLanes;
 
-use crate::integrate::fixed::{Formula, fixed_steps};
+use crate::integrate::fixed::{Formula, Memory, fixed_steps};
 use crate::integrate::interpolation::{Place, cubic};
 use crate::integrate::method::{Method, SuspectStep, Work};
 use crate::integrate::stability::{EVALUATIONS, Watch, eigenvalue_at, largest_eigenvalue};
@@ -117,6 +117,13 @@ impl<M: OdeSystem + ?Sized> Formula<M> for Classical<M::State> {
         });
         let h = to - from;
         cubic(Place { h, s: (t - from) / h }, [y0, y1], [&self.start, &end])
+    }
+}
+
+impl<S, Y> Memory<S> for Classical<Y> {
+    /// Rates are computed again, from the same state.
+    fn visit(&mut self, _t: S, _each: &mut impl FnMut(&mut S)) {
+        self.end = None;
     }
 }
 

@@ -181,6 +181,21 @@ impl LinearModel {
         Some(LinearModel { a, c, ..self.clone() })
     }
 
+    /// Returns the loop of the feedback u = −K x, cut open at one input. The feedback of other
+    /// inputs stays closed. The [margins](super::FrequencyResponse::margins) of this transfer
+    /// function are those of the regulator. `None` without such an input, or for a K of another
+    /// shape.
+    #[must_use]
+    pub fn open_loop(&self, gain: &DenseMatrix, input: &str) -> Option<Transfer> {
+        let LinearModel { a, .. } = self.with_feedback(gain)?;
+        let cut = self.inputs.iter().position(|name| *name == input)?;
+        let (n, k) = (a.rows(), gain.row(cut));
+        let a = DenseMatrix::from_fn(n, n, |i, j| a[(i, j)] + self.b[(i, cut)] * k[j]);
+        let (row, none) =
+            (DenseMatrix::from_fn(1, n, |_, j| k[j]), DenseMatrix::from_fn(1, self.inputs.len(), |_, _| 0.0));
+        Transfer::new([&a, &self.b, &row, &none], (self.inputs, input), (&["feedback"], "feedback")).ok()
+    }
+
     /// Returns the model in discrete time of inputs that are held for a period. `None` if the
     /// period is not a number, or so long that the matrices overflow.
     #[must_use]

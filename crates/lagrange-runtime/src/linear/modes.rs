@@ -180,7 +180,12 @@ impl Display for Modes {
         writeln!(f, "{:>12} {:>12} {:>10} {:>9}  shape", "real", "imaginary", "Hz", "damping")?;
         for mode in &self.modes {
             let (ratio, frequency) = (mode.damping_ratio(), mode.frequency());
-            write!(f, "{:>12.5} {:>12.5} {frequency:>10.4} {ratio:>9.4} ", mode.real, mode.imaginary)?;
+            write!(f, "{:>12.5} {:>12.5} {frequency:>10.4} ", mode.real, mode.imaginary)?;
+            // A coordinate that changes nothing has no damping ratio.
+            match ratio.is_nan() {
+                true => write!(f, "{:>9} ", "–")?,
+                false => write!(f, "{ratio:>9.4} ")?,
+            }
             let all =
                 self.components.names.iter().zip(&mode.shape).take(self.components.displacements.max(1));
             for (name, (real, imaginary)) in all.filter(|(_, (x, y))| x.hypot(*y) > 0.01) {

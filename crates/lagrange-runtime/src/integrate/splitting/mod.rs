@@ -23,7 +23,7 @@ mod lanes;
 mod symplectic_euler;
 mod verlet;
 
-use crate::integrate::fixed::Formula;
+use crate::integrate::fixed::{Formula, Memory};
 use crate::integrate::interpolation::{Motion, Place, quintic};
 use crate::integrate::method::Work;
 use crate::integrate::stability::{self, Watch};
@@ -81,6 +81,15 @@ impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Splitting<S, Q, DRIFTS> 
             taken: nothing,
             watch: Watch::default(),
         }
+    }
+}
+
+impl<S: Scalar, Q: StateVector<S>, const DRIFTS: usize> Memory<S> for Splitting<S, Q, DRIFTS> {
+    fn visit(&mut self, t: S, each: &mut impl FnMut(&mut S)) {
+        let mut is_known = if self.known == Some(t) { S::ONE } else { S::ZERO };
+        each(&mut is_known);
+        self.taken.accelerations[1].as_mut().iter_mut().for_each(each);
+        self.known = (is_known != S::ZERO).then_some(t);
     }
 }
 

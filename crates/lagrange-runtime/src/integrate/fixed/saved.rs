@@ -1,0 +1,67 @@
+//! Motions in progress as numbers, from which they go on with the same bits.
+
+use super::{FixedStepper, Formula};
+use crate::integrate::compensated::Compensated;
+use crate::integrate::corrected::check_finite;
+use crate::system::{OdeSystem, SettingError, StepFailure};
+
+const ANOTHER: &str = "the saved numbers are those of another system or method";
+
+/// A [`Formula`] whose variables are the state and whose memory is numbers.
+pub trait Memory<S> {
+    /// Visits in a fixed order, to read or to replace, the numbers at time `t` on which further
+    /// steps depend.
+    fn visit(&mut self, t: S, each: &mut impl FnMut(&mut S));
+}
+
+impl<M, F> FixedStepper<M, F>
+where
+    M: OdeSystem + ?Sized,
+    F: Formula<M> + Memory<M::Scalar> + Clone,
+{
+    /// Passes on the numbers that [`restore`](Self::restore) takes: time, state, what rounding has
+    /// cut off from both, and the memory of the method. Their count is that of every such motion.
+    ///
+    /// The settings of the method and the system with its parameters are not among them.
+    pub fn save(&self, mut note: impl FnMut(M::Scalar)) {
+        self.clone().visit(&mut |number| note(*number));
+    }
+
+    /// Goes on from [saved](Self::save) numbers, with the bits that the saved motion has from there
+    /// on. The method and its settings must be the same. The work so far still counts.
+    ///
+    /// # Errors
+    /// If the count of numbers is another, or time or state is not finite. The motion is unchanged
+    /// then.
+    pub fn restore(
+        &mut self,
+        numbers: impl IntoIterator<Item = M::Scalar>,
+    ) -> Result<(), StepFailure<M::Scalar>> {
+        let (mut restored, mut numbers) = (self.clone(), numbers.into_iter());
+        let mut is_complete = true;
+        restored.visit(&mut |number| match numbers.next() {
+            Some(saved) => *number = saved,
+            None => is_complete = false,
+        });
+        if !is_complete || numbers.next().is_some() {
+            return Err(SettingError::Invalid(ANOTHER).into());
+        }
+        restored.state = *restored.variables.value();
+        restored.last = (restored.clock.time(), restored.state);
+        check_finite(restored.clock.time(), &restored.state)?;
+        *self = restored;
+        Ok(())
+    }
+
+    fn visit(&mut self, each: &mut impl FnMut(&mut M::Scalar)) {
+        let FixedStepper { clock, variables, formula, .. } = self;
+        let ([mut time, mut late], mut state, mut rest) =
+            (clock.parts(), *variables.value(), *variables.remainder());
+        each(&mut time);
+        state.as_mut().iter_mut().for_each(&mut *each);
+        each(&mut late);
+        rest.as_mut().iter_mut().for_each(&mut *each);
+        (*clock, *variables) = (clock.with_parts([time, late]), Compensated::with_remainder(state, rest));
+        formula.visit(time, each);
+    }
+}

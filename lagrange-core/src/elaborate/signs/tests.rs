@@ -1,0 +1,45 @@
+use super::check_signs;
+use crate::elaborate::add_statement;
+use crate::elaborate::elaborator::Elaborator;
+use lagrange_expr::diagnostics::Report;
+use lagrange_language::bodies::plain;
+use lagrange_language::syntax::parse_text;
+
+/// What is reported of the signs of energies.
+fn reported(statements: &str) -> String {
+    let mut report = Report::default();
+    let declaration = parse_text(statements, &mut report).expect("a readable declaration");
+    let plain = plain(declaration, &mut report);
+    let mut elaborator = Elaborator::new(&plain, &mut report);
+    plain.declaration.statements.iter().for_each(|statement| add_statement(&mut elaborator, statement));
+    check_signs(&mut elaborator);
+    report.to_string()
+}
+
+#[test]
+fn energies_that_only_defaults_make_negative_are_warnings() {
+    let of = |kinetic: &str| reported(&format!("param m = 2, n; coord x, y; kinetic = {kinetic};"));
+    for kinetic in ["-1/2 * m * dot(x)^2", "-m * (dot(y)^2 + dot(x)^2)", "dot(x)^2 - (m - 1/2) * dot(x)^2"] {
+        let report = of(kinetic);
+        assert!(report.starts_with("warning at 1:3"), "{kinetic}: {report}");
+        assert!(report.contains("with the defaults, this kinetic energy decreases as"), "{report}");
+    }
+    // Positive, without a default, or not known before the motion.
+    for kinetic in ["m * dot(x)^2", "-n * dot(x)^2", "-m * x * dot(x)^2", "-m * dot(x)^2 + dot(x) * dot(y)"] {
+        assert_eq!(of(kinetic), "", "{kinetic}");
+    }
+    assert!(of("-dot(x)^2").starts_with("error"));
+}
+
+#[test]
+fn dissipation_that_drives_is_a_warning() {
+    let of = |dissipation: &str| reported(&format!("param c = 2; coord x; dissipation = {dissipation};"));
+    for dissipation in ["-1/2 * c * dot(x)^2", "-1/2 * dot(x)^2"] {
+        let report = of(dissipation);
+        assert!(report.contains("drives `x`") && report.contains("with a positive c"), "{report}");
+    }
+    // Van der Pol's oscillator is driven in the middle only.
+    for dissipation in ["1/2 * c * dot(x)^2", "1/2 * c * (x^2 - 1) * dot(x)^2"] {
+        assert_eq!(of(dissipation), "", "{dissipation}");
+    }
+}
