@@ -16,6 +16,7 @@
 //! §5.2.3, for the square root.
 
 use super::coefficients::{Coefficient, Compliance, limit};
+use crate::bodies::plain::Obligation;
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, StatementKind};
@@ -29,6 +30,7 @@ pub(super) fn press(
 ) {
     let name = &statement.name;
     let &Compliance { stiffness, dissipation, .. } = compliance;
+    translation.obligations.push(Obligation::Opens { contact: name.clone(), gap });
     let mut terms = translation.terms();
     let (depth, nothing) = (terms.negative(gap), terms.number(0));
     let depth = terms.if_positive(depth, depth, nothing);
@@ -43,6 +45,7 @@ pub(super) fn press(
         Some(dissipation) => dissipate(translation, statement, (gap, depth, elastic), dissipation),
         None => elastic,
     };
+    translation.optional.insert(name.text.clone());
     translation.push(StatementKind::Let(name.clone(), normal));
 }
 
