@@ -133,7 +133,8 @@ fn main() {
     scene!("box slides on four corners", Case::default(), START, 2.0, case);
     for v in [1e-3, 1e-4] {
         println!("stiction speed {v} m/s:");
-        let (soft_block, soft_case) = (SoftBlock { v, ..Default::default() }, SoftCase { v, ..Default::default() });
+        let (soft_block, soft_case) =
+            (SoftBlock { v, ..Default::default() }, SoftCase { v, ..Default::default() });
         scene!(soft: "block, compliant", soft_block, [0.0, -DEPTH, 3.0, 0.0], 2.0, block);
         scene!(soft: "box, compliant", soft_case, sunk(START), 2.0, case);
     }

@@ -57,7 +57,8 @@ fn bounces_tend_to_those_of_a_rigid_ball() {
     let rigid = Hard::default().simulate(start).until(1.6).run().unwrap().last();
     let mut errors = Vec::new();
     for k in [1e6, 1e8, 1e10] {
-        let soft = Soft { k, ..Soft::default() }.simulate(start).until(1.6).tolerance(1e-12).run().unwrap().last();
+        let soft =
+            Soft { k, ..Soft::default() }.simulate(start).until(1.6).tolerance(1e-12).run().unwrap().last();
         errors.push((soft[1] - rigid[1]).abs());
     }
     let orders = [0, 1].map(|i| (errors[i] / errors[i + 1]).log10() / 2.0);
@@ -68,7 +69,8 @@ fn bounces_tend_to_those_of_a_rigid_ball() {
 /// Where nothing bounces, the error falls with the compliance and with the stiction speed.
 #[test]
 fn a_block_that_stops_tends_to_a_rigid_one() {
-    let rigid = HardBlock::default().simulate([0.0, 0.1, 0.0, 1.0, 0.0, 0.0]).until(0.6).run().unwrap().last();
+    let rigid =
+        HardBlock::default().simulate([0.0, 0.1, 0.0, 1.0, 0.0, 0.0]).until(0.6).run().unwrap().last();
     assert!((rigid[0] - 1.0 / (2.0 * 0.3 * G)).abs() < 1e-9);
     let mut errors = Vec::new();
     for scale in [1.0, 0.1, 0.01] {

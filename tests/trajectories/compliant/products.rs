@@ -58,7 +58,7 @@ fn a_lane_has_the_bits_of_a_motion_by_itself() {
         assert_eq!(found.map(|entry| entry.0[lane].to_bits()), alone.map(f64::to_bits));
         // That is near to what runs find, which stop at the surfaces.
         let run = disk.simulate(START).until(1.0).method(step).run().unwrap();
-        assert_near(alone, run.last(), 1e-3);
+        assert_near(alone, run.last(), 5e-3);
     }
 }
 
@@ -106,7 +106,8 @@ fn implicit_steps_are_long_at_rest() {
 fn sensitivities_are_the_derivatives_of_runs() {
     let disk = Disk::<f64>::default();
     let run = |disk: &Disk<f64>| disk.simulate(START).until(0.6).tolerance(1e-13).run().unwrap().last();
-    let found = disk.simulate(START).until(0.6).tolerance(1e-12).sensitivities(["k", "mu", "d"]).run().unwrap();
+    let found =
+        disk.simulate(START).until(0.6).tolerance(1e-12).sensitivities(["k", "mu", "d"]).run().unwrap();
     let found = found.sensitivities(found.len() - 1).unwrap();
     let moved: [fn(f64) -> Disk<f64>; 3] = [
         |by| Disk { k: 5000.0 * (1.0 + by), ..Disk::default() },
@@ -117,7 +118,11 @@ fn sensitivities_are_the_derivatives_of_runs() {
         let (ahead, behind) = (run(&moved(1e-4)), run(&moved(-1e-4)));
         for i in 0..6 {
             let wanted = (ahead[i] - behind[i]) / 2e-4;
-            assert!((size * found[i] - wanted).abs() < 1e-5 * (1.0 + wanted.abs()), "{i}: {} {wanted}", size * found[i]);
+            assert!(
+                (size * found[i] - wanted).abs() < 1e-5 * (1.0 + wanted.abs()),
+                "{i}: {} {wanted}",
+                size * found[i]
+            );
         }
     }
 }

@@ -93,7 +93,11 @@ impl Parser<'_> {
                 scenes::compliant_restitution(name),
                 scenes::COMPLIANT_RESTITUTION_HELP,
             ),
-            (of_compliant(kinetic), scenes::compliant_coefficients(name), scenes::COMPLIANT_COEFFICIENTS_HELP),
+            (
+                of_compliant(kinetic),
+                scenes::compliant_coefficients(name),
+                scenes::COMPLIANT_COEFFICIENTS_HELP,
+            ),
             (
                 of_compliant(friction.filter(|_| stiction.is_none())),
                 scenes::without_stiction(name),

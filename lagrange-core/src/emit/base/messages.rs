@@ -116,7 +116,8 @@ pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
 pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, with which no test can run";
-pub(in crate::emit) const CONTACTS: &str = "rigid contacts or friction, whose modes change the equations; a contact with a `stiffness` has none";
+pub(in crate::emit) const CONTACTS: &str =
+    "rigid contacts or friction, whose modes change the equations; a contact with a `stiffness` has none";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
 pub(in crate::emit) const REDUNDANT: &str =
     "constraints that follow from others, whose forces are not determined";

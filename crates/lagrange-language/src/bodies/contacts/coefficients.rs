@@ -98,7 +98,13 @@ pub(super) fn compliance(
         [statement.dissipation, statement.stiction].map(|id| id.map(|id| mention(translation, id)));
     let rows = [
         (Some(stiffness), Some(plain), false, words::stiffness_not_positive(name), words::STIFFNESS_HELP),
-        (statement.dissipation, dissipation, true, words::negative_dissipation(name), words::DISSIPATION_HELP),
+        (
+            statement.dissipation,
+            dissipation,
+            true,
+            words::negative_dissipation(name),
+            words::DISSIPATION_HELP,
+        ),
         (statement.stiction, stiction, false, words::stiction_not_positive(name), words::STICTION_HELP),
     ];
     let mut is_sound = true;

@@ -145,16 +145,8 @@ pub struct Contact {
 
 impl Contact {
     /// The labels of a contact.
-    pub const LABELS: [&'static str; 8] = [
-        "radius",
-        "friction",
-        "kinetic",
-        "static",
-        "restitution",
-        "stiffness",
-        "dissipation",
-        "stiction",
-    ];
+    pub const LABELS: [&'static str; 8] =
+        ["radius", "friction", "kinetic", "static", "restitution", "stiffness", "dissipation", "stiction"];
 
     /// Creates a contact of which nothing else is known yet.
     pub fn between(name: Name, object: AstId, surface: Name, is_inside: bool) -> Contact {
