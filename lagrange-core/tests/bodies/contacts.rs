@@ -91,9 +91,9 @@ fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
     let wanted = [
         "let touch_gap = ball_z - 0.1;",
         "let touch_depth = if 0 < -touch_gap { -touch_gap } else { 0 };",
-        "let touch_loss = max(d * dot(touch_depth), -1);",
-        "force k * touch_depth * touch_loss along dot(touch_gap);",
-        "let touch = k * touch_depth * (1 + touch_loss);",
+        "let touch_dissipation = k * touch_depth * max(d * dot(touch_depth), -1);",
+        "force touch_dissipation along dot(touch_gap);",
+        "let touch = k * touch_depth + touch_dissipation;",
         "let touch_slip = (dot(ball_x) - 0.1 * (ball_wx * ball_R_y.x + ball_wy * ball_R_y.y + ball_wz * ball_R_y.z), dot(ball_y) + 0.1 * (ball_wx * ball_R_x.x + ball_wy * ball_R_x.y + ball_wz * ball_R_x.z));",
         "let touch_grip = 0.4 * touch / sqrt(touch_slip.x^2 + touch_slip.y^2 + v^2);",
         "let touch_friction = (-(touch_grip * touch_slip.x), -(touch_grip * touch_slip.y));",
@@ -103,7 +103,9 @@ fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let statements = print::statements(&system.declaration);
     assert!(statements.contains("potential = 1/2 * k * touch_depth^2;"));
-    derive(text);
+    let derived = derive(&format!("{text} emit {{ power }}"));
+    let powers = derived.model.outputs.iter().map(|output| output.name.as_str()).collect::<Vec<_>>();
+    assert_eq!(powers, ["power_touch_dissipation", "power_touch_friction", "power_balance"]);
 }
 
 /// One surface for each gap, and one where a force would pull.

@@ -60,14 +60,11 @@ fn dissipate(
     let rate = terms.rate(depth);
     let (share, least) = (terms.times(dissipation, rate), terms.number(-1));
     let share = terms.call("max", &[share, least]);
-    let share = translation.bind(&format!("{}_loss", statement.name.text), share);
-    let mut terms = translation.terms();
-    let (force, velocity) = (terms.times(elastic, share), terms.rate(gap));
-    let one = terms.number(1);
-    let whole = terms.plus(one, share);
-    let normal = terms.times(elastic, whole);
+    let force = terms.times(elastic, share);
+    let force = translation.bind(&format!("{}_dissipation", statement.name.text), force);
+    let velocity = translation.terms().rate(gap);
     translation.push(StatementKind::ForceAlong { force, velocity });
-    normal
+    translation.terms().plus(elastic, force)
 }
 
 /// Adds the friction against a slip velocity; the name of this.

@@ -42,10 +42,10 @@ messages! {
         "add `stiffness: k;` in N/m for a compliant contact; a rigid one has `friction` and `restitution` only";
     compliant_restitution(name) = "the contact `{name}` has a stiffness and a restitution";
     COMPLIANT_RESTITUTION_HELP =
-        "with `stiffness`, write `dissipation: d;` in s/m instead: about 3 (1 - e) / (2 v) for the restitution e of slow impacts at the speed v";
+        "write `dissipation: d;` in s/m instead, about 3 (1 - e) / (2 v) for the restitution e at the speed v";
     compliant_coefficients(name) = "the contact `{name}` has a stiffness and two coefficients of friction";
     COMPLIANT_COEFFICIENTS_HELP =
-        "with `stiffness`, write `friction: mu; stiction: v;` instead: friction that creeps never sticks";
+        "write `friction: mu; stiction: v;` instead: friction that creeps never sticks";
     without_stiction(name) = "the contact `{name}` has a stiffness and friction, but no stiction speed";
     STICTION_HELP =
         "add `stiction: v;` in m/s, the speed at which what would stick may creep, such as `stiction: 0.001;`";
