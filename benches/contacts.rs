@@ -1,8 +1,8 @@
 //! The price of motions with contacts, by adaptive methods and by fixed steps: the error at the
 //! end, evaluations and time. `docs/contacts.md` has the table.
 //!
-//! Errors are those of the position at the end, beside closed forms, which those of compliant contacts
-//! include: they creep, and sink by 0.1 mm.
+//! Errors are those of the position at the end, beside closed forms, which those of compliant
+//! contacts include: they creep, and sink by 0.1 mm.
 //!
 //! `cargo bench -p lagrange-benches --bench contacts`
 

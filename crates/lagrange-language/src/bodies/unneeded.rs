@@ -1,8 +1,8 @@
 //! Optional `let`s that nothing needs.
 //!
 //! The place of a frame in the world matters to weights, points and outputs only, and so does the
-//! force of a contact by itself. Those that a scene does not need are omitted, so that its plain statements hold only the parts of its
-//! equations.
+//! force of a contact by itself. Those that a scene does not need are omitted, so that its plain
+//! statements hold only the parts of its equations.
 
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
