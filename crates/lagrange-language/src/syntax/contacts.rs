@@ -87,7 +87,7 @@ impl Parser<'_> {
         let of_compliant = |value: Option<AstId>| value.filter(|_| !is_rigid);
         let rules = [
             (of_rigid(dissipation), scenes::without_stiffness(name, "dissipation"), scenes::STIFFNESS_HELP),
-            (of_rigid(stiction), scenes::without_stiffness(name, "stiction speed"), scenes::STIFFNESS_HELP),
+            (of_rigid(stiction), scenes::without_stiffness(name, "stiction"), scenes::STIFFNESS_HELP),
             (
                 of_compliant(restitution),
                 scenes::compliant_restitution(name),
