@@ -1,7 +1,8 @@
 //! The price of motions with contacts, by adaptive methods and by fixed steps: the error at the
 //! end, evaluations and time. `docs/contacts.md` has the table.
 //!
-//! Errors are those of the position at the end, beside closed forms.
+//! Errors are those of the position at the end, beside closed forms, which those of compliant
+//! contacts include: they creep, and sink by 0.1 mm.
 //!
 //! `cargo bench -p lagrange-benches --bench contacts`
 
@@ -49,6 +50,34 @@ lagrange::system! {
     for i in 0..4 { contact foot[i] = case.corner(i) on ground { friction: mu; } }
 }
 
+lagrange::system! {
+    /// The block on soft ground, into which it sinks by 0.1 mm.
+    #[derive(Clone, Debug)]
+    pub struct SoftBlock;
+
+    param mu = 0.3, v = 1e-3, k = 2e5;
+    coord x, y;
+    gravity = (0, -9.81);
+    body block { mass: 2; center: (x, y); }
+    contact floor = block on ground { friction: mu; stiffness: k; dissipation: 1; stiction: v; }
+    emit { jacobian }
+}
+
+lagrange::system! {
+    /// The box on soft ground, into which it sinks by 0.1 mm.
+    #[derive(Clone, Debug)]
+    pub struct SoftCase;
+
+    param mu = 0.3, v = 1e-3, k = 5e4;
+    gravity = (0, 0, -9.81);
+    body case { mass: 2; shape: cuboid(0.4, 0.2, 0.1); }
+    free case;
+    for i in 0..4 {
+        contact foot[i] = case.corner(i) on ground { friction: mu; stiffness: k; dissipation: 1; stiction: v; }
+    }
+    emit { jacobian }
+}
+
 /// Prints a row for each method, with the error of the last state.
 macro_rules! scene {
     ($name:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
@@ -59,6 +88,11 @@ macro_rules! scene {
         scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-8", Radau5::tolerance(1e-8));
         scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 1 ms", Stepped::every(1e-3));
         scene!(@row $name, $system, $start, $end, $error, "`Stepped`, step 0.1 ms", Stepped::every(1e-4));
+    };
+    (soft: $name:literal, $system:expr, $start:expr, $end:expr, $error:expr) => {
+        scene!(@row $name, $system, $start, $end, $error, "`Verner98`, tolerance 1e-6", Verner98::tolerance(1e-6));
+        scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-6", Radau5::tolerance(1e-6));
+        scene!(@row $name, $system, $start, $end, $error, "`Radau5`, tolerance 1e-8", Radau5::tolerance(1e-8));
     };
     (@row $name:literal, $system:expr, $start:expr, $end:expr, $error:expr, $label:literal, $method:expr) => {{
         let run = || $system.simulate(black_box($start)).until($end).ends_only().method($method).run();
@@ -84,6 +118,9 @@ const REPEATS: usize = 20;
 /// The box on its corners, pushed along the diagonal.
 const START: [f64; 13] = [0.0, 0.0, 0.05, 1.0, 0.0, 0.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 0.0];
 
+/// Depth to which block and box sink into soft ground.
+const DEPTH: f64 = 2.0 * 9.81 / 2e5;
+
 fn main() {
     println!("| scene | method | error, m | evaluations for 1 s | ms for 1 s |");
     println!("|---|---|---|---|---|");
@@ -94,6 +131,20 @@ fn main() {
     let path = 5.0_f64.sqrt() / (2.0 * 0.3 * 9.81);
     let case = |y: [f64; 13]| (y[0] - 2.0 * path).hypot(y[1] - path);
     scene!("box slides on four corners", Case::default(), START, 2.0, case);
+    for v in [1e-3, 1e-4] {
+        println!("stiction speed {v} m/s:");
+        let (soft_block, soft_case) =
+            (SoftBlock { v, ..Default::default() }, SoftCase { v, ..Default::default() });
+        scene!(soft: "block, compliant", soft_block, [0.0, -DEPTH, 3.0, 0.0], 2.0, block);
+        scene!(soft: "box, compliant", soft_case, sunk(START), 2.0, case);
+    }
+}
+
+/// The state of the box at rest on soft ground, with its velocities.
+fn sunk(start: [f64; 13]) -> [f64; 13] {
+    let mut sunk = start;
+    sunk[2] -= DEPTH;
+    sunk
 }
 
 /// Height of a ball that is let go at a height, with this coefficient of restitution.

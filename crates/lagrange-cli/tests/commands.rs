@@ -141,7 +141,7 @@ fn modules_of_c_are_two_files_in_a_folder_or_of_a_name() {
     assert_eq!(refused.status.code(), Some(1));
     assert_eq!(
         errors(&refused),
-        "error: <stdin>: contacts and friction run in compiled Rust only: `floor`\n"
+        "error: <stdin>: rigid contacts and friction run in compiled Rust only: `floor`\n"
     );
     assert!(!folder.join("ball.h").exists() && !folder.join("ball.c").exists());
 }

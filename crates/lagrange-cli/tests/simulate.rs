@@ -171,7 +171,7 @@ fn systems_that_need_a_compiler_are_refused_by_name() {
     );
     let result = simulate(&[&path, "--until", "1"]);
     assert_eq!(result.status.code(), Some(1));
-    assert!(text(&result.stderr).contains("contacts and friction run in compiled code only: `floor`"));
+    assert!(text(&result.stderr).contains("rigid contacts and friction run in compiled code only: `floor`"));
     let mistake = simulate(&[&declaration("mistake.lag", "coord x; kinetic = dot(y)^2;"), "--until", "1"]);
     assert_eq!(mistake.status.code(), Some(1));
     assert!(text(&mistake.stderr).contains("mistake.lag:1:"), "{}", text(&mistake.stderr));

@@ -7,7 +7,7 @@ use std::fmt::{self, Display, Formatter};
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Refusal {
-    /// It declares contacts or friction with these names.
+    /// It declares rigid contacts or friction with these names.
     Touching(Vec<String>),
     /// It calls these functions of the user's crate.
     Functions(Vec<String>),
@@ -24,7 +24,7 @@ impl Display for Refusal {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             Refusal::Touching(names) => {
-                write!(f, "contacts and friction run in compiled code only: {}", quoted(names))
+                write!(f, "rigid contacts and friction run in compiled code only: {}", quoted(names))
             }
             Refusal::Functions(names) => {
                 write!(f, "functions of a crate are known to compiled code only: {}", quoted(names))

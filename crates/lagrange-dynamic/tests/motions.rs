@@ -117,6 +117,14 @@ fn discrete_states_and_clocks_move_with_the_same_bits() {
 }
 
 #[test]
+fn compliant_contacts_move_with_the_same_bits() {
+    let start = [0.0, 0.3, 0.4, 1.0, 0.0, -2.0];
+    assert_same_bits!(Landing, LANDING, start, 1.5, adaptive());
+    assert_same_bits!(Landing, LANDING, start, 0.5, RungeKutta4 { step: 0.0002 });
+    assert_same_bits!(Landing, LANDING, start, 1.0, Radau5::tolerance(1e-7));
+}
+
+#[test]
 fn states_as_large_as_their_room_and_a_little_larger_move_with_the_same_bits() {
     let start = [0.1, 0.2, 0.3, 0.4, 0.0, 0.0, 0.0, 0.0];
     assert_same_bits!(FourMasses, FOUR_MASSES, start, 2.0, adaptive());

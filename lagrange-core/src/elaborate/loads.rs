@@ -82,7 +82,12 @@ pub(super) fn add_force_along(elaborator: &mut Elaborator<'_>, force: AstId, vel
             loads.push((along, force_value));
         }
     }
-    let name = name_of(elaborator, velocity, "force");
+    // Forces of contacts have names, velocities of theirs are written by nobody.
+    let kind = match elaborator.evaluator.syntax(force) {
+        Expression::Name(name) if !elaborator.declaration.expressions.is_written(force) => name.clone(),
+        _ => "force".to_owned(),
+    };
+    let name = name_of(elaborator, velocity, &kind);
     push_loads(elaborator, &name, loads);
 }
 

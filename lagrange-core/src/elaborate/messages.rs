@@ -140,7 +140,7 @@ messages! {
     NEEDED_BY_MOMENTUM_RATES = "methods that use `momentum_rates` compute velocities with it";
     NEEDED_BY_PROJECTION = "it projects states back onto the constraints";
     derivative_of_jumps(name) =
-        "`{name}` does not exist for a system with contacts or dry friction: its accelerations jump";
+        "`{name}` does not exist for a system with rigid contacts or dry friction: its accelerations jump";
     DISCRETE_LINEAR_MODEL = "`system_matrix` cannot be combined with discrete states or clocks";
     DISCRETE_IS_HERE = "this changes discontinuously";
     DISCRETE_LINEAR_MODEL_HELP =

@@ -2,6 +2,7 @@
 
 use super::elaborator::Elaborator;
 use super::expression::value_of;
+use super::messages::events;
 use super::messages::inertia as words;
 use super::operand::Operand;
 use lagrange_expr::collections::HashMap;
@@ -31,6 +32,7 @@ pub(super) fn check_obligations(elaborator: &mut Elaborator, obligations: &[Obli
             Obligation::SpaceVector { what, value } => vector_of(elaborator, what, *value, 3),
             Obligation::Tensor { body, tensor } => tensor_is_physical(elaborator, body, tensor),
             Obligation::Moves { body, center, angle } => moves(elaborator, body, [*center, *angle]),
+            Obligation::Opens { contact, gap } => opens(elaborator, contact, *gap),
         }
     }
 }
@@ -171,6 +173,15 @@ fn moves(elaborator: &mut Elaborator, body: &Name, placed: [AstId; 2]) {
     if components.iter().all(stands) {
         let report = &mut *elaborator.evaluator.report;
         report.error(body.span, words::body_stands_still(&body.text)).help(words::BODY_STANDS_STILL_HELP);
+    }
+}
+
+/// A gap without coordinates has no forces.
+fn opens(elaborator: &mut Elaborator, contact: &Name, syntax: AstId) {
+    let Some(gap) = scalar(elaborator, syntax) else { return };
+    if !elaborator.evaluator.graph.dependencies(gap).intersects(Dependencies::COORDINATE) {
+        let message = events::gap_without_coordinate(&contact.text);
+        elaborator.evaluator.report.error(contact.span, message).help(events::GAP_HELP);
     }
 }
 

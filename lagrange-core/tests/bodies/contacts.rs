@@ -1,16 +1,16 @@
-//! Contacts as events and frictions.
+//! Contacts as events and frictions, or as energies and forces.
 
 use lagrange_core::pipeline::parse;
 use lagrange_core::syntax::print;
 
 use super::derive;
 
-/// The plain events and frictions, and the `let`s whose names contain a word.
+/// The plain events, frictions and forces, and the `let`s whose names contain a word.
 fn plain(text: &str, word: &str) -> Vec<String> {
     let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
     let text = print::statements(&system.declaration);
     let is_wanted = |line: &&str| {
-        ["event", "friction"].iter().any(|start| line.starts_with(start))
+        ["event", "friction", "force"].iter().any(|start| line.starts_with(start))
             || line.starts_with("let") && line.split('=').next().is_some_and(|name| name.contains(word))
     };
     text.lines().filter(is_wanted).map(str::to_owned).collect()
@@ -79,6 +79,70 @@ fn corners_are_an_array_of_contacts_also_of_bodies_in_a_loop() {
         "friction foot_0_2_friction = foot_0_2_slip, kinetic: mu * foot_0_2, static: 2 * mu * foot_0_2;";
     assert!(found.contains(&friction.to_owned()), "{found:?}");
     derive(text);
+}
+
+#[test]
+fn a_contact_with_a_stiffness_is_a_potential_and_forces() {
+    let text = "param k = 1e4, d = 0.5, v = 0.001;
+        gravity = (0, 0, -9.81);
+        body ball { mass: 2; shape: solid_sphere(0.1); }
+        free ball;
+        contact touch = ball on ground { friction: 0.4; stiffness: k; dissipation: d; stiction: v; }";
+    let wanted = [
+        "let touch_gap = ball_z - 0.1;",
+        "let touch_depth = if 0 < -touch_gap { -touch_gap } else { 0 };",
+        "let touch_dissipation = k * touch_depth * max(d * dot(touch_depth), -1);",
+        "force touch_dissipation along dot(touch_gap);",
+        "let touch = k * touch_depth + touch_dissipation;",
+        "let touch_slip = (dot(ball_x) - 0.1 * (ball_wx * ball_R_y.x + ball_wy * ball_R_y.y + ball_wz * ball_R_y.z), dot(ball_y) + 0.1 * (ball_wx * ball_R_x.x + ball_wy * ball_R_x.y + ball_wz * ball_R_x.z));",
+        "let touch_grip = 0.4 * touch / sqrt(touch_slip.x^2 + touch_slip.y^2 + v^2);",
+        "let touch_friction = (-(touch_grip * touch_slip.x), -(touch_grip * touch_slip.y));",
+        "force touch_friction along touch_slip;",
+    ];
+    assert_eq!(plain(text, "touch"), wanted);
+    let system = parse(text).unwrap_or_else(|report| panic!("{report}"));
+    let statements = print::statements(&system.declaration);
+    assert!(statements.contains("potential = 1/2 * k * touch_depth^2;"));
+    let derived = derive(&format!("{text} emit {{ power }}"));
+    let powers = derived.model.outputs.iter().map(|output| output.name.as_str()).collect::<Vec<_>>();
+    assert_eq!(powers, ["power_touch_dissipation", "power_touch_friction", "power_balance"]);
+}
+
+/// One surface for each gap, and one where a force would pull.
+#[test]
+fn sixteen_compliant_contacts_have_32_surfaces() {
+    let text = |dissipation: &str| {
+        format!(
+            "gravity = (0, 0, -9.81);
+            for i in 0..2 {{
+                body case[i] {{ mass: 2; shape: cuboid(0.4, 0.2, 0.1); }}
+                free case[i];
+                contact foot[i] = case[i] on ground {{ friction: 0.4; stiffness: 1e4; {dissipation} stiction: 0.01; }}
+            }}"
+        )
+    };
+    for (dissipation, surfaces) in [("", 16), ("dissipation: 0.5;", 32)] {
+        let derived = derive(&text(dissipation));
+        assert_eq!(derived.equations.switches.len(), surfaces);
+        assert!(derived.model.reactions.is_empty());
+    }
+}
+
+/// Names that nothing mentions are no mistake of whoever declares a contact.
+#[test]
+fn a_contact_need_not_be_mentioned() {
+    for contact in ["inside bowl;", "inside bowl { stiffness: 1e4; }", "on ground { stiffness: 1e4; }"] {
+        let text = format!(
+            "coord x, y;
+            circle bowl {{ radius: 1; }}
+            body ball {{ mass: 0.5; center: (x, y); angle: 0; shape: disk(0.1); }}
+            contact touch = ball {contact}"
+        );
+        let system = parse(&text).unwrap_or_else(|report| panic!("{report}"));
+        assert!(print::statements(&system.declaration).contains("touch_gap"));
+        let diagnostics = system.report.diagnostics();
+        assert!(diagnostics.is_empty(), "{diagnostics:?}");
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Declarations that C computes.
 
 /// Systems with everything that a module may have.
-pub(crate) const SYSTEMS: [&str; 15] = [
+pub(crate) const SYSTEMS: [&str; 16] = [
     DOUBLE_PENDULUM,
     "struct Chain; param k[3] = [10.0, 20.0, 30.0]; input push = 1; coord x[3] = [0.1, 0.2, 0.3];
         kinetic = 1/2 * sum(i in 0..3, dot(x[i])^2);
@@ -19,6 +19,10 @@ pub(crate) const SYSTEMS: [&str; 15] = [
         event late = t - (3.2 [s]), rising => stop;",
     "struct Kinks; coord x; kinetic = 1/2 * dot(x)^2; potential = 3 * abs(x);
         force x = if t > 1.25 { 0.7 } else { -0.2 * max(dot(x), 0) };",
+    "struct Landing; param k = 50, mu = 0.4; coord x, y, phi; gravity = (0, -9.81);
+        body disk { mass: 2; center: (x, y); angle: phi; shape: disk(0.3); }
+        contact touch = disk on ground { friction: mu; stiffness: k; dissipation: 0.7; stiction: 0.01; }
+        output load = touch.normal; output push = touch.force;",
     "struct Top; param m = 0.5, l = 0.1, i1 = 2e-3, i3 = 1e-3, g = 9.81; gravity = (0, 0, -g);
         body rotor { mass: m; centroid: (0, 0, l); inertia: (i1, i1, i3); }
         ball tip = ground to rotor; output height = rotor.center.z; output center = rotor.center;",

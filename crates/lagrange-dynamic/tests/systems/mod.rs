@@ -55,6 +55,16 @@ both_ways! {
         every 3 * period => { held = held + 0.01; }
     }
 
+    Landing = LANDING {
+        param m: kg = 2, k: N/m = 5000, d: s/m = 0.3, mu = 0.4, v: m/s = 0.01, g: m/s^2 = 9.81;
+        coord x: m, y: m, phi: rad;
+        gravity = (0, -g);
+        body case { mass: m; center: (x, y); angle: phi; shape: rectangle(0.4 [m], 200 [mm]); }
+        contact foot = case.corners on ground { friction: mu; stiffness: k; dissipation: d; stiction: v; }
+        output load = foot[0].normal + foot[1].normal;
+        output push = foot[0].force;
+    }
+
     Rod = ROD {
         param m = 1.0, g = 9.81;
         coord x, y;

@@ -1,10 +1,12 @@
-//! Contacts as events with an impact and frictions.
+//! Contacts as events with an impact and frictions, or as forces.
 //!
 //! `contact touch = wheel on floor { friction: mu; restitution: e; }` becomes
 //! `let touch_gap = …; event touch = touch_gap, falling => impact(e);` and
-//! `let touch_slip = …; friction touch_friction = touch_slip, mu * touch;`.
+//! `let touch_slip = …; friction touch_friction = touch_slip, mu * touch;`. A contact with a
+//! stiffness becomes a potential and forces along the rate of the gap and the slip velocity.
 
 mod coefficients;
+mod compliant;
 mod geometry;
 mod touched;
 
@@ -17,7 +19,8 @@ use super::space::vectors::{minus, plus, scale};
 use super::touching::{Touching, touching};
 use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
-use coefficients::{Coefficient, coefficients, limit, radius, restitution};
+use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution};
+use compliant::{press, rub_smoothly};
 use geometry::{ContactGeometry, geometry, scene_vector, slip_of};
 use touched::surface_named;
 
@@ -28,8 +31,12 @@ pub(super) fn translate_contact(
 ) {
     let contact = complete_contact(translation, statement);
     let contact = contact.unwrap_or_else(|| broken_contact(translation, statement));
-    let event =
-        translation.statements.iter_mut().rfind(|plain| matches!(plain.kind, StatementKind::Event(_)));
+    let name = &statement.name.text;
+    let declares = |kind: &StatementKind| match kind {
+        StatementKind::Event(event) => event.name.text == *name,
+        _ => false,
+    };
+    let event = translation.statements.iter_mut().rfind(|plain| declares(&plain.kind));
     event.into_iter().for_each(|event| event.docs = docs.clone());
     translation.names.declare(&statement.name.text, Object::Contact(contact));
 }
@@ -38,10 +45,12 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let coefficients = coefficients(translation, statement);
     let restitution = restitution(translation, statement);
     let radius = radius(translation, statement);
+    let compliance = compliance(translation, statement);
     let touching = touching_part(translation, statement);
     let surface = surface_named(translation, statement);
     let (touching, surface) = (touching?, surface?);
     let (coefficients, restitution, radius) = (coefficients?, restitution?, radius?);
+    let compliance = compliance?;
     if surface.carrier == Some(touching.body) {
         let body = name_of(translation, touching.body);
         let message = words::touches_itself(&statement.name.text, &body);
@@ -52,10 +61,16 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let geometry = geometry(translation, statement, &surface, (touching.center, radius));
     let slip = slip_of(translation, &surface, &touching, &geometry);
     let gap = translation.bind(&format!("{}_gap", statement.name.text), geometry.gap);
-    push_event(translation, &statement.name, gap, restitution);
-    let slip = match coefficients {
-        Some(coefficients) => rub(translation, statement, slip, coefficients),
-        None => slip,
+    match &compliance {
+        Some(compliance) => press(translation, statement, gap, compliance),
+        None => push_event(translation, &statement.name, gap, restitution),
+    }
+    let slip = match (coefficients, compliance.and_then(|compliance| compliance.stiction)) {
+        (Some([coefficient, _]), Some(stiction)) => {
+            rub_smoothly(translation, statement, slip, (coefficient, stiction))
+        }
+        (Some(coefficients), None) => rub(translation, statement, slip, coefficients),
+        (None, _) => slip,
     };
     let geometry = ContactGeometry { gap, ..geometry };
     Some(parts_of(translation, statement, &geometry, slip))
@@ -64,9 +79,15 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
 /// Declares the names of a contact whose mistake was reported.
 fn broken_contact(translation: &mut Translation<'_>, statement: &ast::Contact) -> object::Contact {
     let invalid = translation.terms().invalid();
-    push_event(translation, &statement.name, invalid, invalid);
-    if statement.has_friction() {
-        push_friction(translation, &statement.friction_name, invalid, [invalid; 2]);
+    if statement.stiffness.is_some() {
+        for name in statement.names() {
+            translation.push(StatementKind::Let(name.clone(), invalid));
+        }
+    } else {
+        push_event(translation, &statement.name, invalid, invalid);
+        if statement.has_friction() {
+            push_friction(translation, &statement.friction_name, invalid, [invalid; 2]);
+        }
     }
     let parts = PARTS.map(|part| (part, invalid)).to_vec();
     object::Contact { parts }

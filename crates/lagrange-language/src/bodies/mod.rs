@@ -3,7 +3,7 @@
 //!
 //! A body becomes its kinetic energy ½ m |ċ|² + ½ J φ̇² and its potential energy −m g·c. Springs,
 //! dampers and joints become energies, Rayleigh functions and constraints of points on bodies.
-//! Contacts become events with an impact and frictions.
+//! Contacts become events with an impact and frictions, or with a stiffness energies and forces.
 //! [`plain()`] writes all of that as syntax before names are resolved. Later phases therefore know
 //! nothing of bodies, and the plain statements can be shown to the user. Nothing is simplified or
 //! differentiated here.

@@ -324,6 +324,13 @@ pub enum Obligation {
         /// Its angle.
         angle: AstId,
     },
+    /// The gap of a compliant contact changes with coordinates.
+    Opens {
+        /// The contact.
+        contact: Name,
+        /// Its gap.
+        gap: AstId,
+    },
     /// The stated moment of inertia should be that of the shape.
     SameInertia {
         /// The body.

@@ -39,12 +39,10 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     let in_space = kinematics_asked_for(&mut translation, asked);
     draw_scene(&mut translation);
     translation.drawing.append(&mut translation.loads);
-    let kinematic = translation.space.take().map(|space| space.kinematic);
-    declaration.is_in_space = kinematic.is_some();
+    declaration.is_in_space = translation.space.take().is_some();
+    let optional = std::mem::take(&mut translation.optional);
     let mut plain = plain_of(translation, declaration, in_space);
-    if let Some(kinematic) = kinematic {
-        leave_out_unneeded(&mut plain, &kinematic);
-    }
+    leave_out_unneeded(&mut plain, &optional);
     plain
 }
 

@@ -201,7 +201,7 @@ pub(super) fn bind_vector(translation: &mut Translation<'_>, wish: &str, vector:
         return vector;
     }
     let pair = translation.terms().tuple([x, y]);
-    let name = translation.bind(wish, pair);
+    let name = translation.bind_optionally(wish, pair);
     let [x, y] = translation.terms().pair(name);
     [x, y, zero]
 }

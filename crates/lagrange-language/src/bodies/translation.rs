@@ -58,6 +58,8 @@ pub(super) struct Translation<'a> {
     pub(super) lagrangian: Option<Origin>,
     /// Expressions that the user wrote in statements about bodies.
     pub(super) mentioned: Vec<AstId>,
+    /// Names of `let`s that are left out if nothing needs them.
+    pub(super) optional: HashSet<String>,
 }
 
 impl<'a> Translation<'a> {
@@ -86,6 +88,7 @@ impl<'a> Translation<'a> {
             accuracy: declaration.accuracy,
             lagrangian: lagrangian(declaration),
             mentioned: Vec::new(),
+            optional: HashSet::default(),
         }
     }
 
@@ -128,6 +131,15 @@ impl<'a> Translation<'a> {
         let mentioned = self.terms().name(&name.text);
         self.push(StatementKind::Let(name, value));
         mentioned
+    }
+
+    /// `let` of a new name like `wish`, left out in the end if nothing needs it; the name.
+    pub(super) fn bind_optionally(&mut self, wish: &str, value: AstId) -> AstId {
+        let name = self.bind(wish, value);
+        if let Expression::Name(name) = self.expressions.get(name) {
+            self.optional.insert(name.clone());
+        }
+        name
     }
 
     /// Remembers that a `let` is a place, which is a matter of coordinates and time.

@@ -1,15 +1,18 @@
-//! Kinematic `let`s that nothing needs.
+//! Optional `let`s that nothing needs.
 //!
-//! The place of a frame in the world matters to weights, points and outputs only. Places that a
-//! scene does not need are omitted, so that its plain statements hold only the parts of its
-//! equations.
+//! The place of a frame in the world matters to weights, points and outputs only, and so does the
+//! force of a contact by itself. Those that a scene does not need are omitted, so that its plain
+//! statements hold only the parts of its equations.
 
 use super::plain::{Drawn, DrawnKind, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
 use lagrange_expr::collections::HashSet;
 
 /// Removes `let`s of these names that neither statements nor anything beside them mention.
-pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashSet<String>) {
+pub(super) fn leave_out_unneeded(plain: &mut Plain, optional: &HashSet<String>) {
+    if optional.is_empty() {
+        return;
+    }
     let expressions = &plain.declaration.expressions;
     let mut needed = Needed { expressions, names: HashSet::default(), seen: HashSet::default() };
     plain.mentioned.iter().for_each(|&id| needed.add(id));
@@ -20,7 +23,7 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, kinematic: &HashSet<String>)
     for statement in plain.declaration.statements.iter().rev() {
         let is_needed = match &statement.kind {
             StatementKind::Let(name, _) => {
-                !kinematic.contains(&name.text) || needed.names.contains(&name.text)
+                !optional.contains(&name.text) || needed.names.contains(&name.text)
             }
             _ => true,
         };
@@ -48,7 +51,7 @@ fn drawn(item: &Drawn) -> Vec<AstId> {
 fn obliged(obligation: &Obligation) -> Vec<AstId> {
     match obligation {
         Obligation::Tensor { tensor, .. } => tensor.to_vec(),
-        Obligation::SpaceVector { value, .. } => vec![*value],
+        Obligation::SpaceVector { value, .. } | Obligation::Opens { gap: value, .. } => vec![*value],
         Obligation::PositiveMass { mass, .. } => vec![*mass],
         _ => Vec::new(),
     }

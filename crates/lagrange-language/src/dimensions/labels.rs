@@ -27,6 +27,8 @@ const MASS: Powers = &[("kg", 1)];
 const LENGTH: Powers = &[("m", 1)];
 const INERTIA: Powers = &[("kg", 1), ("m", 2)];
 const ACCELERATION: Powers = &[("m", 1), ("s", -2)];
+const SPEED: Powers = &[("m", 1), ("s", -1)];
+const PER_SPEED: Powers = &[("s", 1), ("m", -1)];
 const STIFFNESS: Powers = &[("N", 1), ("m", -1)];
 const DAMPING: Powers = &[("N", 1), ("s", 1), ("m", -1)];
 const TORSION: Powers = &[("N", 1), ("m", 1)];
@@ -151,8 +153,15 @@ fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
     let coefficients = coefficients.map(|value| (value, PLAIN, "a coefficient of friction"));
     let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a contact"));
     let restitution = restitution.iter_mut().map(|value| (value, PLAIN, "a coefficient of restitution"));
+    let compliance = [
+        (&mut contact.stiffness, STIFFNESS, "the stiffness of a contact"),
+        (&mut contact.dissipation, PER_SPEED, "the dissipation of a contact"),
+        (&mut contact.stiction, SPEED, "the stiction speed of a contact"),
+    ];
+    let compliance =
+        compliance.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
     let object = [(object, LENGTH, "a point of a contact")];
-    object.into_iter().chain(radius).chain(coefficients).chain(restitution).collect()
+    object.into_iter().chain(radius).chain(coefficients).chain(restitution).chain(compliance).collect()
 }
 
 fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {

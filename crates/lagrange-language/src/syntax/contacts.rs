@@ -2,7 +2,7 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{Contact, Surface, SurfaceKind};
+use super::ast::{AstId, Contact, Surface, SurfaceKind};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
 use super::messages::forms::form;
@@ -54,6 +54,7 @@ impl Parser<'_> {
                 let complete = self.values(&group, labels, &mut contact, Contact::value_mut);
                 if complete {
                     self.check_coefficients(&contact)?;
+                    self.check_compliance(&contact)?;
                 }
             }
             None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", help, cursor)),
@@ -73,6 +74,45 @@ impl Parser<'_> {
         };
         let origin = self.expressions.origin(value);
         self.fail_with_help(origin, message, scenes::COEFFICIENTS_HELP);
+        Err(Reported)
+    }
+
+    /// A contact with a stiffness loses energy by dissipation, and its friction has one coefficient
+    /// and a speed at which it creeps.
+    fn check_compliance(&mut self, contact: &Contact) -> Parsed<()> {
+        let name = &contact.name.text;
+        let Contact { friction, kinetic, restitution, stiffness, dissipation, stiction, .. } = *contact;
+        let is_rigid = stiffness.is_none();
+        let of_rigid = |value: Option<AstId>| value.filter(|_| is_rigid);
+        let of_compliant = |value: Option<AstId>| value.filter(|_| !is_rigid);
+        let rules = [
+            (of_rigid(dissipation), scenes::without_stiffness(name, "dissipation"), scenes::STIFFNESS_HELP),
+            (of_rigid(stiction), scenes::without_stiffness(name, "stiction"), scenes::STIFFNESS_HELP),
+            (
+                of_compliant(restitution),
+                scenes::compliant_restitution(name),
+                scenes::COMPLIANT_RESTITUTION_HELP,
+            ),
+            (
+                of_compliant(kinetic),
+                scenes::compliant_coefficients(name),
+                scenes::COMPLIANT_COEFFICIENTS_HELP,
+            ),
+            (
+                of_compliant(friction.filter(|_| stiction.is_none())),
+                scenes::without_stiction(name),
+                scenes::STICTION_HELP,
+            ),
+            (
+                of_compliant(stiction.filter(|_| friction.is_none())),
+                scenes::without_friction(name),
+                scenes::WITHOUT_FRICTION_HELP,
+            ),
+        ];
+        let broken = rules.into_iter().find_map(|(value, message, help)| Some((value?, message, help)));
+        let Some((value, message, help)) = broken else { return Ok(()) };
+        let origin = self.expressions.origin(value);
+        self.fail_with_help(origin, message, help);
         Err(Reported)
     }
 }

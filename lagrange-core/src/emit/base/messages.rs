@@ -81,7 +81,7 @@ pub(in crate::emit) const CALLED_HERE: &str = "the function is called here";
 pub(in crate::emit) fn without(product: Product) -> &'static str {
     match product {
         Product::Kernel => {
-            "remove it; devices only run systems without constraints, contacts, friction and events"
+            "remove it; devices only run systems without constraints, rigid contacts, friction and events"
         }
         Product::Taylor => "remove it and integrate with `Verner98`",
         Product::Tests => {
@@ -116,7 +116,8 @@ pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =
     "functions of the crate, tables or equations to `solve`, which are unavailable on devices";
 pub(in crate::emit) const WITHOUT_DEFAULTS: &str = "parameters without a default, since tests need values";
-pub(in crate::emit) const CONTACTS: &str = "contacts or friction, whose modes change the equations";
+pub(in crate::emit) const CONTACTS: &str =
+    "rigid contacts or friction, whose modes change the equations; a contact with a `stiffness` has none";
 pub(in crate::emit) const CONSTRAINTS: &str = "constraints, whose forces are computed at run time";
 pub(in crate::emit) const REDUNDANT: &str =
     "constraints that follow from others, whose forces are not determined";

@@ -1,4 +1,4 @@
-//! Coefficients of friction and restitution, and the radius of a contact.
+//! Coefficients of friction and restitution, the compliance and the radius of a contact.
 
 use crate::bodies::constants::number;
 use crate::bodies::expressions::mention;
@@ -77,4 +77,44 @@ fn size_of(translation: &Translation<'_>, value: AstId) -> Option<f64> {
 pub(super) fn limit(translation: &mut Translation<'_>, coefficient: Coefficient, normal: AstId) -> AstId {
     let origin = translation.expressions.origin(coefficient.written);
     TermWriter::new(&mut translation.expressions, origin).times(coefficient.value, normal)
+}
+
+/// Stiffness, dissipation and stiction speed of a compliant contact.
+pub(super) struct Compliance {
+    pub(super) stiffness: AstId,
+    pub(super) dissipation: Option<AstId>,
+    pub(super) stiction: Option<AstId>,
+}
+
+/// The compliance, if there is a stiffness; `None` after a mistake.
+pub(super) fn compliance(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+) -> Option<Option<Compliance>> {
+    let Some(stiffness) = statement.stiffness else { return Some(None) };
+    let name = &statement.name.text;
+    let plain = property(translation, stiffness, &words::stiffness_of(name));
+    let [dissipation, stiction] =
+        [statement.dissipation, statement.stiction].map(|id| id.map(|id| mention(translation, id)));
+    let rows = [
+        (Some(stiffness), Some(plain), false, words::stiffness_not_positive(name), words::STIFFNESS_HELP),
+        (
+            statement.dissipation,
+            dissipation,
+            true,
+            words::negative_dissipation(name),
+            words::DISSIPATION_HELP,
+        ),
+        (statement.stiction, stiction, false, words::stiction_not_positive(name), words::STICTION_HELP),
+    ];
+    let mut is_sound = true;
+    for (written, value, may_vanish, message, help) in rows {
+        let (Some(written), Some(value)) = (written, value) else { continue };
+        let is_wrong = |size: f64| size < 0.0 || size == 0.0 && !may_vanish;
+        if size_of(translation, value).is_some_and(is_wrong) {
+            translation.report.error(translation.expressions.origin(written), message).help(help);
+            is_sound = false;
+        }
+    }
+    is_sound.then_some(Some(Compliance { stiffness: plain, dissipation, stiction }))
 }

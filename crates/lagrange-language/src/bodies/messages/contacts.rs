@@ -48,4 +48,13 @@ messages! {
         "the coefficient of restitution of the contact `{contact}` is not between 0 and 1";
     RESTITUTION_HELP =
         "it is the ratio of the speeds after and before: 0 if bodies stay together, 1 if no energy is lost";
+
+    stiffness_of(name) = "the stiffness of the contact `{name}`";
+    stiffness_not_positive(contact) = "the stiffness of the contact `{contact}` is not positive";
+    STIFFNESS_HELP = "it is the normal force for each metre of penetration: the weight divided by the penetration at rest";
+    negative_dissipation(contact) = "the dissipation of the contact `{contact}` is negative";
+    DISSIPATION_HELP =
+        "it is d in the normal force k δ (1 + d δ̇) at the depth δ: 0 if no energy is lost";
+    stiction_not_positive(contact) = "the stiction speed of the contact `{contact}` is not positive";
+    STICTION_HELP = "it is v in the friction force μ N s / sqrt(s^2 + v^2) at the slip velocity s";
 }

@@ -177,13 +177,7 @@ pub(super) fn under_name(translation: &mut Translation<'_>, wish: &str, value: A
     if is_atom(translation, value) {
         return value;
     }
-    let name = translation.bind(wish, value);
-    if let Expression::Name(name) = translation.expressions.get(name)
-        && let Some(space) = &mut translation.space
-    {
-        space.kinematic.insert(name.clone());
-    }
-    name
+    translation.bind_optionally(wish, value)
 }
 
 /// True of an expression that needs no name.

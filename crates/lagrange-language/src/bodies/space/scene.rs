@@ -25,9 +25,6 @@ pub(in crate::bodies) struct Space {
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
-    /// Names of `let`s that say where frames are and how they move: those that nothing needs are
-    /// left out in the end.
-    pub(in crate::bodies) kinematic: HashSet<String>,
     /// Rates of the rotations of links whose points touch, in rows.
     pub(super) rotation_rates: HashMap<usize, Matrix>,
     /// Loads on coordinates, in their order.

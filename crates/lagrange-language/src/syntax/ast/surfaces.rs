@@ -111,7 +111,8 @@ impl Surface {
     }
 }
 
-/// `contact name = wheel on floor { friction: mu; restitution: e; }`
+/// `contact name = wheel on floor { friction: mu; restitution: e; }`, rigid unless it has a
+/// stiffness
 #[derive(Clone, Debug)]
 pub struct Contact {
     /// Its name, which stands for the normal force.
@@ -134,16 +135,23 @@ pub struct Contact {
     pub fixed: Option<AstId>,
     /// `restitution: e;`; 0 if it is not given.
     pub restitution: Option<AstId>,
+    /// `stiffness: k;`, which makes the contact compliant.
+    pub stiffness: Option<AstId>,
+    /// `dissipation: d;` of Hunt and Crossley; 0 if it is not given.
+    pub dissipation: Option<AstId>,
+    /// `stiction: v;`, the speed below which compliant friction creeps.
+    pub stiction: Option<AstId>,
 }
 
 impl Contact {
     /// The labels of a contact.
-    pub const LABELS: [&'static str; 5] = ["radius", "friction", "kinetic", "static", "restitution"];
+    pub const LABELS: [&'static str; 8] =
+        ["radius", "friction", "kinetic", "static", "restitution", "stiffness", "dissipation", "stiction"];
 
     /// Creates a contact of which nothing else is known yet.
     pub fn between(name: Name, object: AstId, surface: Name, is_inside: bool) -> Contact {
         let friction_name = Contact::friction_name(&name);
-        let [radius, friction, kinetic, fixed, restitution] = [None; 5];
+        let [radius, friction, kinetic, fixed, restitution, stiffness, dissipation, stiction] = [None; 8];
         Contact {
             name,
             friction_name,
@@ -155,6 +163,9 @@ impl Contact {
             kinetic,
             fixed,
             restitution,
+            stiffness,
+            dissipation,
+            stiction,
         }
     }
 
@@ -169,7 +180,7 @@ impl Contact {
     }
 
     /// The names that it declares.
-    pub(super) fn names(&self) -> Vec<&Name> {
+    pub fn names(&self) -> Vec<&Name> {
         let friction = self.has_friction().then_some(&self.friction_name);
         [&self.name].into_iter().chain(friction).collect()
     }
@@ -181,6 +192,9 @@ impl Contact {
             "friction" => &mut self.friction,
             "kinetic" => &mut self.kinetic,
             "static" => &mut self.fixed,
+            "stiffness" => &mut self.stiffness,
+            "dissipation" => &mut self.dissipation,
+            "stiction" => &mut self.stiction,
             _ => &mut self.restitution,
         }
     }
@@ -193,7 +207,8 @@ impl Contact {
 
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
         let Contact { object, radius, friction, kinetic, fixed, restitution, .. } = self;
-        let values = [radius, friction, kinetic, fixed, restitution].into_iter().flatten();
-        [object].into_iter().chain(values).collect()
+        let rigid = [radius, friction, kinetic, fixed, restitution];
+        let compliant = [&mut self.stiffness, &mut self.dissipation, &mut self.stiction];
+        [object].into_iter().chain(rigid.into_iter().chain(compliant).flatten()).collect()
     }
 }

@@ -405,6 +405,7 @@ fn surfaces_and_contacts_have_their_form() {
         contact touch = wheel on ground;
         contact foot[2] = leg.point(0, 0, -l) on side { radius: r; kinetic: a; static: b; restitution: e; }
         contact roll = ball inside bowl { friction: mu; };
+        contact soft = ball on ground { friction: mu; stiffness: k; dissipation: d; stiction: v; }
         let contact = 1;
         let sphere = contact + 1;
     ";
@@ -416,6 +417,7 @@ fn surfaces_and_contacts_have_their_form() {
         "contact touch = wheel on ground",
         "contact foot = (point leg 0 0 (- l)) on side (radius r) (kinetic a) (static b) (restitution e)",
         "contact roll = ball inside bowl (friction mu)",
+        "contact soft = ball on ground (friction mu) (stiffness k) (dissipation d) (stiction v)",
         "let contact 1",
         "let sphere (+ contact 1)",
     ];

@@ -1,0 +1,106 @@
+//! Contacts with a stiffness: forces that are continuous in the state.
+//!
+//! At the gap g the depth is δ = max(0, −g). The normal force of Hunt and Crossley is
+//! N = k δ max(0, 1 + d δ̇). Its elastic part k δ follows from the potential ½ k δ². The rest,
+//! k δ max(d δ̇, −1), acts along ġ, by virtual work on the body and on what carries the surface.
+//! As δ̇ is zero where the gap is open, its kink is passed only by what is pulled out faster than
+//! it springs back.
+//!
+//! Friction is −μ N s / √(|s|² + v²) against the slip velocity s, in space in both directions. What
+//! Coulomb's law would hold with the force f creeps with v f / √((μ N)² − f²).
+//!
+//! For k = 1000 N/m, d = 0.5 s/m, δ = 0.01 m and δ̇ = 0.2 m/s the normal force is 11 N.
+//!
+//! Sources: Hunt, Crossley, *Coefficient of restitution interpreted as damping in vibroimpact*,
+//! Journal of Applied Mechanics 42 (1975); Wriggers, *Computational Contact Mechanics*, 2nd ed.,
+//! §5.2.3, for the square root.
+
+use super::coefficients::{Coefficient, Compliance, limit};
+use crate::bodies::plain::Obligation;
+use crate::bodies::terms::TermWriter;
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, StatementKind};
+
+/// Adds the normal force under the name of the contact.
+pub(super) fn press(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    gap: AstId,
+    compliance: &Compliance,
+) {
+    let name = &statement.name;
+    let &Compliance { stiffness, dissipation, .. } = compliance;
+    translation.obligations.push(Obligation::Opens { contact: name.clone(), gap });
+    let mut terms = translation.terms();
+    let (depth, nothing) = (terms.negative(gap), terms.number(0));
+    let depth = terms.if_positive(depth, depth, nothing);
+    let depth = translation.bind(&format!("{}_depth", name.text), depth);
+    let mut terms = translation.terms();
+    let (half, square) = (terms.half(), terms.square(depth));
+    let weight = terms.times(half, stiffness);
+    let energy = terms.times(weight, square);
+    let elastic = terms.times(stiffness, depth);
+    translation.push(StatementKind::Potential(energy));
+    let normal = match dissipation {
+        Some(dissipation) => dissipate(translation, statement, (gap, depth, elastic), dissipation),
+        None => elastic,
+    };
+    translation.optional.insert(name.text.clone());
+    translation.push(StatementKind::Let(name.clone(), normal));
+}
+
+/// Adds the part of the normal force that loses energy; the whole of the force.
+fn dissipate(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    (gap, depth, elastic): (AstId, AstId, AstId),
+    dissipation: AstId,
+) -> AstId {
+    let mut terms = translation.terms();
+    let rate = terms.rate(depth);
+    let (share, least) = (terms.times(dissipation, rate), terms.number(-1));
+    let share = terms.call("max", &[share, least]);
+    let force = terms.times(elastic, share);
+    let force = translation.bind(&format!("{}_dissipation", statement.name.text), force);
+    let velocity = translation.terms().rate(gap);
+    translation.push(StatementKind::ForceAlong { force, velocity });
+    translation.terms().plus(elastic, force)
+}
+
+/// Adds the friction against a slip velocity; the name of this.
+pub(super) fn rub_smoothly(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    slip: AstId,
+    (coefficient, stiction): (Coefficient, AstId),
+) -> AstId {
+    let name = &statement.name.text;
+    let is_spatial = translation.space.is_some();
+    let slip = translation.bind(&format!("{name}_slip"), slip);
+    let normal = translation.terms().name(name);
+    let limit = limit(translation, coefficient, normal);
+    let mut terms = translation.terms();
+    let slips = if is_spatial { terms.pair(slip).to_vec() } else { vec![slip] };
+    let grip = over_speed(&mut terms, limit, [&slips[..], &[stiction]].concat());
+    let grip = translation.bind(&format!("{name}_grip"), grip);
+    let mut terms = translation.terms();
+    let mut forces = Vec::new();
+    for slip in slips {
+        let against = terms.times(grip, slip);
+        forces.push(terms.negative(against));
+    }
+    let force = if is_spatial { terms.vector(&forces) } else { forces[0] };
+    translation.push(StatementKind::Let(statement.friction_name.clone(), force));
+    let force = translation.terms().name(&statement.friction_name.text);
+    translation.push(StatementKind::ForceAlong { force, velocity: slip });
+    slip
+}
+
+/// A force divided by the length of a vector of speeds.
+fn over_speed(terms: &mut TermWriter<'_>, force: AstId, speeds: Vec<AstId>) -> AstId {
+    let squares = speeds.into_iter().map(|speed| terms.square(speed)).collect::<Vec<_>>();
+    let zero = terms.number(0);
+    let sum = squares.into_iter().fold(zero, |sum, square| terms.plus(sum, square));
+    let length = terms.call("sqrt", &[sum]);
+    terms.divide(force, length)
+}
