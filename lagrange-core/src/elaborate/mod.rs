@@ -32,6 +32,7 @@ mod ranges;
 mod reactions;
 mod reduce;
 mod reductions;
+mod routh;
 mod scalar_range;
 mod scene;
 mod scene_in_space;
@@ -96,8 +97,9 @@ pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {
     check_obligations(&mut elaborator, &plain.obligations);
     add_scene(&mut elaborator, plain);
     count_unresolved(&mut elaborator.evaluator);
-    let (mut model, reductions) = finish(elaborator)?;
-    let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, report)).collect::<Vec<_>>();
+    let (mut model, reductions, terms) = finish(elaborator)?;
+    let reduced = reductions.iter().map(|reduction| reduce(&model, reduction, &terms, report));
+    let reduced = reduced.collect::<Vec<_>>();
     model.reduced = reduced.into_iter().collect::<Option<Vec<_>>>()?;
     Some(model)
 }

@@ -15,6 +15,7 @@ mod id;
 mod keywords;
 pub mod mobilizers;
 mod quaternion;
+mod reduced;
 pub mod statements;
 mod surfaces;
 
@@ -30,6 +31,7 @@ pub use callables::{
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{
     AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
+    momentum_of,
 };
 pub use enclosures::{Enclosed, Enclosure};
 pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
@@ -233,25 +235,6 @@ impl Declaration {
             StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
             _ => None,
         })
-    }
-
-    /// Returns the declaration of a reduced type: with another name and documentation, without
-    /// frozen coordinates. Its statements still describe the whole system.
-    pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
-        let is_frozen = |name: &Name| {
-            let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
-            frozen.into_iter().any(|item| item.coordinate.text == name.text)
-        };
-        let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
-        let is_this = |kind: &StatementKind| matches!(kind, StatementKind::Reduce(other) if other.name.text == reduction.name.text);
-        declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
-        declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
-        for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(list) | StatementKind::States(_, list) = &mut statement.kind {
-                list.retain(|definition| !is_frozen(&definition.name));
-            }
-        }
-        declaration
     }
 }
 
