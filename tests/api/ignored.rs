@@ -74,7 +74,9 @@ lagrange::system! {
 
 /// States that are neither special nor small.
 fn numbers<const N: usize>() -> impl Iterator<Item = [f64; N]> {
-    (0..100).map(f64::from).map(|i| std::array::from_fn(|k| ((1.7 + k as f64) * i + 0.3 * k as f64).sin() * 1.5 + 0.2))
+    (0..100)
+        .map(f64::from)
+        .map(|i| std::array::from_fn(|k| ((1.7 + k as f64) * i + 0.3 * k as f64).sin() * 1.5 + 0.2))
 }
 
 fn close_to(found: &[f64], expected: &[f64], tolerance: f64) {
@@ -103,7 +105,8 @@ fn accelerations_are_those_of_the_whole_system() {
         close_to(&turning.bob_at(t, &[theta, phi], &[v]), &whole.bob_at(t, &[theta, phi], &[v, w]), 1e-15);
         let energies = [turning.energy(t, &[theta, phi], &[v]), whole.energy(t, &[theta, phi], &[v, w])];
         assert_close(energies[0], energies[1]);
-        let parts = turning.kinetic_energy(t, &[theta, phi], &[v]) + turning.potential_energy(t, &[theta, phi]);
+        let parts =
+            turning.kinetic_energy(t, &[theta, phi], &[v]) + turning.potential_energy(t, &[theta, phi]);
         assert_close(parts, energies[1]);
     }
 }
@@ -134,7 +137,8 @@ fn linear_terms_and_states_stay() {
 #[test]
 fn momenta_are_those_of_a_state_in_which_what_is_frozen_rests() {
     let whole = Charge::default();
-    let state = ChargeState { x: 0.3, y: 0.1, z: [7.0, 0.2], heat: 0.1, x_dot: 0.4, y_dot: 0.5, z_dot: [3.0, 0.6] };
+    let state =
+        ChargeState { x: 0.3, y: 0.1, z: [7.0, 0.2], heat: 0.1, x_dot: 0.4, y_dot: 0.5, z_dot: [3.0, 0.6] };
     let held = Held::from_state(&whole, 0.0, state);
     assert_eq!(Charge::from(&held), whole);
     let rest = ChargeState { z: [0.2, 0.2], z_dot: [0.0, 0.6], ..state };
@@ -143,7 +147,8 @@ fn momenta_are_those_of_a_state_in_which_what_is_frozen_rests() {
     close_to(&<[f64; 9]>::from(held.expand(0.0, own)), &<[f64; 9]>::from(rest), 1e-15);
     let other = ChargeState { y_dot: 0.75, ..state };
     let deviation = held.deviation(0.0, other);
-    let expected = ChargeState { z: [6.8, 0.0], z_dot: [3.0, 0.0], y_dot: 0.25, ..ChargeState::from([0.0; 9]) };
+    let expected =
+        ChargeState { z: [6.8, 0.0], z_dot: [3.0, 0.0], y_dot: 0.25, ..ChargeState::from([0.0; 9]) };
     close_to(&<[f64; 9]>::from(deviation), &<[f64; 9]>::from(expected), 1e-14);
 }
 
@@ -172,7 +177,8 @@ fn a_top_moves_in_its_effective_potential() {
 fn motions_are_those_of_the_whole_system_with_the_ignored_angle() {
     let whole = Top::default();
     let start = TopState { theta_dot: 0.3, ..whole.start() };
-    let (top, spinning) = (Nutating::from_state(&whole, 0.0, start), Spinning::from_state(&whole, 0.0, start));
+    let (top, spinning) =
+        (Nutating::from_state(&whole, 0.0, start), Spinning::from_state(&whole, 0.0, start));
     let all = whole.simulate(start).until(5.0).every(0.5).tolerance(1e-13).run().unwrap();
     let own = top.simulate(NutatingState::from(start)).until(5.0).every(0.5).tolerance(1e-13).run().unwrap();
     let other = spinning.simulate(SpinningState::from(start)).until(5.0).every(0.5).tolerance(1e-13);
@@ -187,11 +193,13 @@ fn motions_are_those_of_the_whole_system_with_the_ignored_angle() {
         close_to(found, expected, 1e-9);
     }
     let energies = own.states().map(|y| top.energy(0.0, &[y[0], y[1], y[2]], &[y[3]]));
-    energies.for_each(|energy| assert!((energy / whole.energy(0.0, &start.coordinates(), &start.velocities()) - 1.0).abs() < 1e-11));
+    energies.for_each(|energy| {
+        assert!((energy / whole.energy(0.0, &start.coordinates(), &start.velocities()) - 1.0).abs() < 1e-11)
+    });
 }
 
-/// A conical pendulum turns at Ω² = g/(l cos θ) and swings about that at ω² = g (1 + 3 cos² θ)/(l
-/// cos θ) (Goldstein, Poole and Safko, §6.4; Landau and Lifshitz, *Mechanics*, §14).
+/// A conical pendulum turns at Ω² = g/(l cos θ). About that it swings at ω² = g (1 + 3 cos² θ)/(l
+/// cos θ), from the effective potential (Landau and Lifshitz, *Mechanics*, §14, problem 1).
 #[test]
 fn small_swings_about_a_steady_motion_have_the_frequency_of_the_textbook() {
     let whole = Single::default();
@@ -229,7 +237,8 @@ fn products_are_those_of_any_system() {
     close_to(&narrow, &rates, 1e-14);
     let jacobian = turning.jacobian(0.1, &y);
     for (column, step) in [(0, 1e-6), (1, 1e-6), (2, 1e-6)] {
-        let at = |by: f64| turning.rhs(0.1, &std::array::from_fn(|i| y[i] + if i == column { by } else { 0.0 }));
+        let at =
+            |by: f64| turning.rhs(0.1, &std::array::from_fn(|i| y[i] + if i == column { by } else { 0.0 }));
         let [above, below] = [at(step), at(-step)];
         for row in 0..3 {
             assert!((jacobian[row][column] - (above[row] - below[row]) / (2.0 * step)).abs() < 1e-7);

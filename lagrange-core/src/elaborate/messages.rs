@@ -184,8 +184,7 @@ messages! {
     ALL_FROZEN = "every coordinate is frozen, so nothing can move";
     ALL_FROZEN_HELP = "leave at least one coordinate free, or make it `small`";
     ALL_IGNORED = "no coordinate is left beside those that are ignored";
-    ALL_IGNORED_HELP =
-        "keep at least one coordinate: without others, ignored ones move at constant rates or as time says";
+    ALL_IGNORED_HELP = "keep at least one coordinate; ignored ones alone have rates that only time changes";
     PINNED_VALUE = "the value of a coordinate that is frozen or small";
     CONSTANT_IN_MOTION_HELP =
         "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
@@ -209,7 +208,8 @@ messages! {
     DEPENDS_HERE = "this term depends on it";
     NOT_CYCLIC_HELP =
         "only the momentum of a cyclic coordinate is constant: choose coordinates in which it is cyclic, or keep it";
-    ignored_with_force(name, force) = "`{name}` cannot be ignored: the force on `{force}` acts on it";
+    ignored_with_force(name) = "`{name}` cannot be ignored: a force acts on it";
+    FORCED_HERE = "this force";
     IGNORED_FORCE_HELP = "the force changes its momentum; keep the coordinate";
     ignored_with_dissipation(name) = "`{name}` cannot be ignored: dissipation acts on it";
     DISSIPATED_HERE = "its velocity occurs here";

@@ -6,18 +6,16 @@
 //! Safko, *Classical Mechanics*, 3rd ed., §8.3; Routh, *Stability of a Given State of Motion*,
 //! 1877).
 //!
-//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are those at φ̇ = 0. Then M φ̇
-//! = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination. Loads need no other
-//! treatment than φ̇ replaced in forces and in the velocities along which they act: what that adds
-//! to generalised forces is ∂φ̇/∂v times the force on φ, which is zero.
+//! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are those at φ̇ = 0.
+//! Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination. Loads need
+//! no other treatment than φ̇ replaced in forces and in the velocities along which they act: what
+//! that adds to generalised forces is ∂φ̇/∂v times the force on φ, which is zero.
 //!
-//! In numbers, a spherical pendulum of m = l = 1 has L = ½ (θ̇² + sin² θ φ̇²) − V. At sin θ = 1/2, p =
-//! 1/2 means φ̇ = p/sin² θ = 2, and R = ½ θ̇² − V − p²/(2 sin² θ) has −1/2 as its last term.
+//! In numbers, a spherical pendulum of m = l = 1 has L = ½ (θ̇² + sin² θ φ̇²) − V. At sin θ = 1/2,
+//! p = 1/2 means φ̇ = p/sin² θ = 2, and R = ½ θ̇² − V − p²/(2 sin² θ) has −1/2 as its last term.
 //!
-//! The coordinates stay in the state, with φ̇ as their rates. What depends on them, such as outputs,
-//! still does.
-
-use proc_macro2::Span;
+//! The coordinates stay in the state, with φ̇ as their rates. What depends on them, such as
+//! outputs, still does.
 
 use super::elaborator::{Elaborator, SourceTerm};
 use super::messages;
@@ -30,7 +28,7 @@ use lagrange_algebra::calculus::{
 };
 use lagrange_algebra::simplify::vanishing;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::diagnostics::Report;
+use lagrange_expr::diagnostics::{Origin, Report};
 use lagrange_expr::expr::{Dependencies, ExprId, Graph};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
@@ -43,16 +41,20 @@ const ROUNDING: f64 = 1e-9;
 
 /// Terms of a declaration, with where they stand.
 pub(super) struct Terms {
-    energies: Vec<(ExprId, Span)>,
-    dissipation: Vec<(ExprId, Span)>,
+    energies: Vec<(ExprId, Origin)>,
+    dissipation: Vec<(ExprId, Origin)>,
+    loads: HashMap<String, Origin>,
 }
 
 impl Terms {
     pub(super) fn of(elaborator: &Elaborator<'_>) -> Terms {
-        let place = |term: &SourceTerm| (term.value, term.keyword);
+        let place = |term: &SourceTerm| (term.value, term.keyword.into());
         let energies = elaborator.kinetic.iter().chain(&elaborator.potential).chain(&elaborator.lagrangian);
-        let dissipation = elaborator.dissipation.iter().map(place);
-        Terms { energies: energies.map(place).collect(), dissipation: dissipation.collect() }
+        let dissipation = elaborator.dissipation.iter().map(place).collect();
+        let statements = &elaborator.declaration.statements;
+        let loads = elaborator.load_statements.iter();
+        let loads = loads.map(|(name, statement)| (name.clone(), statements[*statement].origin)).collect();
+        Terms { energies: energies.map(place).collect(), dissipation, loads }
     }
 }
 
@@ -213,15 +215,11 @@ impl Routh {
         let (mut matrix, mut rests) = (Vec::new(), Vec::new());
         for (index, &momentum) in momenta.iter().enumerate() {
             let row = gradient(&mut self.model.graph, momentum, &velocities);
-            let row = row.into_iter().map(|entry| self.at_rest(index, entry));
-            let row = row.collect::<Result<Vec<_>, _>>()?;
-            let depends = |&entry: &ExprId| {
-                self.model.graph.dependencies(entry).intersects(Dependencies::VELOCITY)
-            };
-            if row.iter().any(depends) {
+            if row.iter().any(|&entry| self.depends_on_velocities(entry)) {
                 return Err(self.refusal(index, Obstacle::Nonlinear));
             }
-            matrix.push(row);
+            let row = row.into_iter().map(|entry| self.at_rest(index, entry));
+            matrix.push(row.collect::<Result<Vec<_>, _>>()?);
             let known = self.at_rest(index, momentum)?;
             let parameter = self.add_momentum(index);
             rests.push(self.model.graph.subtract(parameter, known));
@@ -229,6 +227,15 @@ impl Routh {
         let resting = self.at_rest(0, lagrangian)?;
         let squares = self.solve(matrix, rests)?;
         Ok(self.model.graph.subtract(resting, squares))
+    }
+
+    fn depends_on_velocities(&mut self, id: ExprId) -> bool {
+        if !self.model.graph.dependencies(id).intersects(Dependencies::VELOCITY) {
+            return false;
+        }
+        let velocities = self.model.velocities();
+        let slopes = gradient(&mut self.model.graph, id, &velocities);
+        !vanish(&mut self.model, &slopes).into_iter().all(|vanishes| vanishes)
     }
 
     /// An expression with what is ignored at rest at zero.
@@ -451,9 +458,7 @@ impl Refusal {
         let name = &model.coordinates[self.pinned.coordinate].name;
         let (message, help) = match &self.obstacle {
             Obstacle::Energy => (messages::ignored_in_energy(name), messages::NOT_CYCLIC_HELP),
-            Obstacle::Load(force) => {
-                (messages::ignored_with_force(name, force), messages::IGNORED_FORCE_HELP)
-            }
+            Obstacle::Load(_) => (messages::ignored_with_force(name), messages::IGNORED_FORCE_HELP),
             Obstacle::Dissipation => {
                 (messages::ignored_with_dissipation(name), messages::IGNORED_DISSIPATION_HELP)
             }
@@ -465,31 +470,27 @@ impl Refusal {
         };
         let place = self.place(model, reduction, terms);
         let error = report.error(self.pinned.span, message);
-        if let Some((span, words)) = place {
-            error.related(span.into(), words);
+        if let Some((origin, words)) = place {
+            error.related(origin, words);
         }
         error.help(help);
     }
 
     /// Finds the first statement that is in the way.
-    fn place(
-        &self,
-        model: &Model,
-        reduction: &Reduction,
-        terms: &Terms,
-    ) -> Option<(Span, &'static str)> {
+    fn place(&self, model: &Model, reduction: &Reduction, terms: &Terms) -> Option<(Origin, &'static str)> {
         let mut routh = Routh::new(model, reduction);
         let speed = routh.cyclic.iter().find(|of| of.pinned.coordinate == self.pinned.coordinate)?;
-        let (terms, symbol, words) = match self.obstacle {
+        let (terms, symbol, words) = match &self.obstacle {
+            Obstacle::Load(name) => return Some((*terms.loads.get(name)?, messages::FORCED_HERE)),
             Obstacle::Energy => (&terms.energies, speed.position, messages::DEPENDS_HERE),
             Obstacle::Dissipation => (&terms.dissipation, speed.velocity, messages::DISSIPATED_HERE),
             _ => return None,
         };
-        let depends = |(value, _): &&(ExprId, Span)| {
+        let depends = |(value, _): &&(ExprId, Origin)| {
             let value = routh.frozen(*value);
             let slope = gradient(&mut routh.model.graph, value, &[symbol]);
             vanish(&mut routh.model, &slope) != [true]
         };
-        terms.iter().find(depends).map(|(_, span)| (*span, words))
+        terms.iter().find(depends).map(|(_, origin)| (*origin, words))
     }
 }

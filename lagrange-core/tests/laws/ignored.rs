@@ -42,7 +42,8 @@ impl Pair {
         text += &FLYWHEELS.replace('#', &q.len().to_string()).replace("KINETIC", kinetic);
         text = text.replace("coord s, r;", "coord s, r; state heat;");
         let system = parse(&text).unwrap_or_else(|report| panic!("{report}: {text}"));
-        let derived = system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}: {text}"));
+        let derived =
+            system.derive(StrategyChoice::Cheapest).unwrap_or_else(|report| panic!("{report}: {text}"));
         let (whole, reduced) = (NumericSystem::new(&derived), NumericSystem::of_part(&derived.reduced[0]));
         let mut pair = Pair { whole, reduced, t, q, v, text };
         let momenta = pair.of_whole(Product::Momenta);

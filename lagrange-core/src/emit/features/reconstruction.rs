@@ -47,12 +47,15 @@ pub(super) fn rate_of(ignored: &[Ignored], entry: usize, full: &Shape<'_>) -> Op
     Some(quote!(#rates[#state]))
 }
 
-/// The statement that reconstructs velocities of ignored coordinates at a state of the reduced type.
+/// The statement that reconstructs velocities of ignored coordinates at a state of the reduced
+/// type.
 pub(super) fn rates_at(ignored: &[Ignored], state: &TokenStream) -> Option<TokenStream> {
     let [rates, reduced, time] = ["rates", "reduced", "t"].map(local);
-    (!ignored.is_empty()).then(|| quote! {
-        let #reduced = #state;
-        let #rates = self.position_rates(#time, &#reduced.coordinates(), &#reduced.velocities());
+    (!ignored.is_empty()).then(|| {
+        quote! {
+            let #reduced = #state;
+            let #rates = self.position_rates(#time, &#reduced.coordinates(), &#reduced.velocities());
+        }
     })
 }
 
@@ -64,7 +67,10 @@ pub(super) fn constructor(full: &Shape<'_>, part: &Shape<'_>, is_derived: bool) 
     let (whole, generics, scalar) = (full.name(), part.generics(), part.scalar());
     let whole_state = full.state_name();
     let names = ignored.iter().map(|of| format!("`{}`", of.momentum.text)).collect::<Vec<_>>().join(", ");
-    let docs = doc(&format!("The system that [`{}`] is in the motion through a state at time `t`:", full.declaration.name.text));
+    let docs = doc(&format!(
+        "The system that [`{}`] is in the motion through a state at time `t`:",
+        full.declaration.name.text
+    ));
     let parameters = doc(&format!("{names} from that state, all else as in `system`."));
     let body = match is_derived {
         true => {
@@ -110,18 +116,16 @@ fn held_state(full: &Shape<'_>, part: &Shape<'_>, ignored: &[Ignored]) -> Option
     let entries = entries(&full.state_fields(), &values.collect::<Vec<_>>());
     let (scalar, krate) = (part.scalar(), part.krate);
     let resting = literal(part, ignored, |_| quote!(<#scalar as #krate::Number>::ZERO));
-    is_frozen.contains(&true).then(|| quote! {
-        let #held = #resting.expand(#time, #reduced::from(#state));
-        let #state = #whole { #(#entries),* };
+    is_frozen.contains(&true).then(|| {
+        quote! {
+            let #held = #resting.expand(#time, #reduced::from(#state));
+            let #state = #whole { #(#entries),* };
+        }
     })
 }
 
 /// A system with the fields of `system` and with momenta.
-fn literal(
-    part: &Shape<'_>,
-    ignored: &[Ignored],
-    momentum: impl Fn(&Ignored) -> TokenStream,
-) -> TokenStream {
+fn literal(part: &Shape<'_>, ignored: &[Ignored], momentum: impl Fn(&Ignored) -> TokenStream) -> TokenStream {
     let system = local("system");
     let own = ignored.iter().map(|of| (identifier(&of.momentum), momentum(of))).collect::<Vec<_>>();
     let kept = part.number_identifiers().into_iter().chain(part.fields_of_modes().map(identifier));
@@ -134,7 +138,11 @@ fn literal(
 
 /// For each entry of the state of one shape, the same entry in the state of another; nothing where
 /// that has none.
-pub(super) fn values_of(of: &Shape<'_>, (other, fields): (&Shape<'_>, &[Field]), state: &Ident) -> Vec<TokenStream> {
+pub(super) fn values_of(
+    of: &Shape<'_>,
+    (other, fields): (&Shape<'_>, &[Field]),
+    state: &Ident,
+) -> Vec<TokenStream> {
     let names = other.state_names().into_iter().map(|name| name.text);
     let places = names.zip(places(fields)).collect::<HashMap<_, _>>();
     let names = of.state_names().into_iter();

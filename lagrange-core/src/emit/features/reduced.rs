@@ -270,11 +270,15 @@ fn inherent_impl(
     let (expand, deviation) = (returning(&whole, expand), returning(&whole, deviation));
     let (scalar, time_name) = (part.scalar(), local("t"));
     let time = constructor.is_some().then(|| quote!(#time_name: #scalar,));
-    let velocities = constructor.is_some().then(|| quote! {
-        /// Ignored coordinates have the velocities that follow from their momenta.
+    let velocities = constructor.is_some().then(|| {
+        quote! {
+            /// Ignored coordinates have the velocities that follow from their momenta.
+        }
     });
-    let differences = constructor.is_some().then(|| quote! {
-        /// Velocities of ignored coordinates differ from those that follow from the momenta.
+    let differences = constructor.is_some().then(|| {
+        quote! {
+            /// Velocities of ignored coordinates differ from those that follow from the momenta.
+        }
     });
     let system = &full.declaration.name.text;
     let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));

@@ -1,27 +1,122 @@
-use crate::derive::StrategyChoice;
-use crate::pipeline::{NumericSystem, parse};
+//! Reduced types with ignored coordinates, beside Routhians of textbooks.
+
+use super::{NumericSystem, derived};
+use crate::model::Product;
+use lagrange_expr::expr::Dependencies;
+
+/// Compares the Lagrangian of the first reduced type with a Routhian of parameters, positions and
+/// velocities.
+fn assert_routhian(text: &str, expected: impl Fn(&[f64], &[f64], &[f64]) -> f64) {
+    let derived = derived(&format!("{text} emit {{ lagrangian }}"));
+    let part = &derived.reduced[0];
+    let model = &part.reduced.model;
+    assert!(!model.graph.dependencies(model.lagrangian).intersects(Dependencies::STATE));
+    let mut system = NumericSystem::of_part(part);
+    for shift in [0.0, 0.4, 1.1] {
+        let numbers = |first: f64, count: usize| (0..count).map(move |i| first + shift + 0.37 * i as f64);
+        for (index, value) in numbers(0.8, model.parameters.len()).enumerate() {
+            system.set_field(index, value);
+        }
+        let q = numbers(0.5, model.coordinates.len()).collect::<Vec<_>>();
+        let v = numbers(-0.9, model.speeds.len()).collect::<Vec<_>>();
+        let found = system.product(Product::Lagrangian, 0.0, &q, &v).expect("asked for")[0];
+        let expected = expected(system.fields(), &q, &v);
+        assert!((found - expected).abs() <= 1e-13 * (1.0 + expected.abs()), "{found} is not {expected}");
+    }
+}
+
+/// R = ½ m l² θ̇² − p²/(2 m l² sin² θ) + m g l cos θ (Landau and Lifshitz, *Mechanics*,
+/// §14, problem 1)
+#[test]
+fn a_spherical_pendulum_has_a_centrifugal_potential() {
+    let text = "param m, l, g; coord theta, phi;
+        let bob = l*(sin(theta)*cos(phi), sin(theta)*sin(phi), -cos(theta));
+        kinetic = kinetic_energy(m, dot(bob)); potential = gravitational_energy(m, g, bob.z);
+        reduce Turning { ignore phi; }";
+    assert_routhian(text, |fields, q, v| {
+        let [m, l, g, p] = fields[..] else { unreachable!() };
+        let inertia = m * l * l;
+        0.5 * inertia * v[0] * v[0] - p * p / (2.0 * inertia * q[0].sin().powi(2)) + m * g * l * q[0].cos()
+    });
+}
+
+/// R = ½ m ṙ² + k/r − p²/(2 m r²) (Goldstein, Poole and Safko, *Classical Mechanics*, 3rd ed.,
+/// §8.3, with the opposite sign)
+#[test]
+fn a_planet_has_an_effective_potential() {
+    let text = "param m, k; coord phi, r;
+        kinetic = kinetic_energy(m, dot((r*cos(phi), r*sin(phi)))); potential = -k/r;
+        reduce Radial { ignore phi; }";
+    assert_routhian(text, |fields, q, v| {
+        let [m, k, p] = fields[..] else { unreachable!() };
+        0.5 * m * v[0] * v[0] + k / q[0] - p * p / (2.0 * m * q[0] * q[0])
+    });
+}
+
+/// R = ½ A θ̇² − (p_φ − p_ψ cos θ)²/(2 A sin² θ) − p_ψ²/(2 C) − w cos θ (Goldstein, Poole and
+/// Safko, §5.7)
+#[test]
+fn a_heavy_top_ignores_two_angles() {
+    let text = "param a, c, w; coord phi, theta, psi;
+        kinetic = 1/2*a*(dot(theta)^2 + sin(theta)^2*dot(phi)^2) + 1/2*c*(dot(psi) + dot(phi)*cos(theta))^2;
+        potential = w*cos(theta);
+        reduce Nutating { ignore psi, phi; }";
+    assert_routhian(text, |fields, q, v| {
+        let [a, c, w, p, s] = fields[..] else { unreachable!() };
+        let (sine, cosine) = q[0].sin_cos();
+        let rest = p - s * cosine;
+        0.5 * a * v[0] * v[0] - rest * rest / (2.0 * a * sine * sine) - s * s / (2.0 * c) - w * cosine
+    });
+}
+
+/// A charge in the field B along z, L = ½ m (ẋ² + ẏ²) + b x ẏ − V: R = ½ m ẋ² − (p − b x)²/(2 m) −
+/// V (Landau and Lifshitz, *Quantum Mechanics*, §112, where p is that of an oscillator about p/b)
+#[test]
+fn a_charge_in_a_field_oscillates() {
+    let text = "param m, b, k; coord x, y;
+        lagrangian = 1/2*m*(dot(x)^2 + dot(y)^2) + b*x*dot(y) - 1/2*k*x^2;
+        reduce Across { ignore y; }";
+    assert_routhian(text, |fields, q, v| {
+        let [m, b, k, p] = fields[..] else { unreachable!() };
+        0.5 * m * v[0] * v[0] - (p - b * q[0]).powi(2) / (2.0 * m) - 0.5 * k * q[0] * q[0]
+    });
+}
+
+/// R = ½ (m l² − (m l cos θ)²/M) θ̇² + p m l cos θ θ̇/M − p²/(2 M) + m g l cos θ, M = m_c + m
+#[test]
+fn coupled_velocities_leave_gyroscopic_terms() {
+    let text = "param mc, m, l, g; coord x, theta;
+        let bob = (x + l*sin(theta), -l*cos(theta));
+        kinetic = kinetic_energy(mc, dot(x)) + kinetic_energy(m, dot(bob)); potential = m*g*bob.y;
+        reduce Swinging { ignore x; }";
+    assert_routhian(text, |fields, q, v| {
+        let [mc, m, l, g, p] = fields[..] else { unreachable!() };
+        let (all, lever) = (mc + m, m * l * q[0].cos());
+        let square = 0.5 * (m * l * l - lever * lever / all) * v[0] * v[0];
+        square + p * lever * v[0] / all - p * p / (2.0 * all) + g * lever
+    });
+}
 
 #[test]
-fn explore() {
-    let texts = [
-        "param m = 1, l = 1, g = 9.81; coord theta, phi; let x = l * sin(theta) * cos(phi); let y = l * sin(theta) * sin(phi); let z = -l * cos(theta);
-         kinetic = kinetic_energy(m, dot((x, y, z))); potential = m * g * z; output bob = (x, y, z); output ax = ddot(x); emit { conserved, jacobian } reduce R { ignore phi; }",
-        "param a = 1, c = 1, w = 1; coord theta, phi, psi;
-         kinetic = 1/2 * a * (dot(theta)^2 + sin(theta)^2 * dot(phi)^2) + 1/2 * c * (dot(psi) + dot(phi) * cos(theta))^2; potential = w * cos(theta);
-         reduce R { ignore phi, psi; } reduce One { ignore psi; } reduce Steady { ignore phi, psi; small theta = 1/2; }",
-        "param mc = 1, mp = 0.1, l = 0.5, g = 9.81, w = 2; coord x, theta, y; input u;
-         let (px, py) = (x + l * sin(theta), -l * cos(theta));
-         kinetic = kinetic_energy(mc, dot(x)) + kinetic_energy(mp, dot((px, py))) + 1/2*mc*dot(y)^2 + w * y * dot(x) ; potential = mp * g * py; force theta = u * dot(x); 
-         reduce R { ignore x; } reduce F { freeze y = 1; ignore x; }",
-    ];
-    for text in texts {
-        let mut derived = parse(text).unwrap_or_else(|e| panic!("{e}")).derive(StrategyChoice::Cheapest).unwrap_or_else(|e| panic!("{e}"));
-        for part in &mut derived.reduced {
-            println!("{}", crate::emit::documentation(&mut part.reduced.model, &part.equations).join("\n"));
-            let numeric = NumericSystem::of_part(part);
-            println!("{:?}", numeric.programs().defaults);
-        }
-        println!("{}", derived.emit(&quote::quote!(::lagrange)).unwrap().to_string().len());
-    }
-    panic!();
+fn coordinates_become_states_and_momenta_parameters() {
+    let mut derived = derived(
+        "param m: kg = 2, decay: s = 1, k: N/m = 1, d: m = 1;
+         coord x: m, y: m = 3, z: m; start dot(y) = 0.5;
+         state s: m; dot(s) = dot(y) - s/decay;
+         kinetic = kinetic_energy(m, dot((x, y, z))); potential = k*x^2;
+         output w = dot(y) + dot(x); output a = ddot(y);
+         reduce R { ignore y; freeze z = d; }",
+    );
+    let part = derived.reduced.remove(0);
+    let model = &part.reduced.model;
+    let names = model.coordinates.iter().map(|of| (of.name.as_str(), of.is_state)).collect::<Vec<_>>();
+    assert_eq!(names, [("x", false), ("s", true), ("y", true)]);
+    assert_eq!(model.parameters.last().map(|of| of.name.as_str()), Some("y_momentum"));
+    assert_eq!(model.units.get("y_momentum").map(|unit| unit.unit.as_str()), Some("N*s"));
+    let system = NumericSystem::of_part(&part);
+    assert_eq!(system.fields(), [2.0, 1.0, 1.0, 1.0, 1.0], "the momentum at the start");
+    let (q, v) = ([0.5, 0.25, 7.0], [0.125]);
+    assert_eq!(system.position_rates(0.0, &q, &v), [0.125, 0.25, 0.5]);
+    assert_eq!(system.output("w", 0.0, &q, &v), Some(vec![0.625]));
+    assert_eq!(system.output("a", 0.0, &q, &v), Some(vec![0.0]));
 }

@@ -24,8 +24,11 @@ impl Declaration {
         for statement in &mut declaration.statements {
             if let StatementKind::Coordinates(list) | StatementKind::States(_, list) = &mut statement.kind {
                 list.retain(|definition| !is(ReductionKind::Frozen, &definition.name));
-                let states = list.extract_if(.., |of| is(ReductionKind::Ignored, &of.name)).collect::<Vec<_>>();
-                ignored.extend(states.into_iter().map(|state| (state, statement.docs.clone())));
+            }
+            if let StatementKind::Coordinates(list) = &mut statement.kind {
+                let moved =
+                    list.extract_if(.., |of| is(ReductionKind::Ignored, &of.name)).collect::<Vec<_>>();
+                ignored.extend(moved.into_iter().map(|coordinate| (coordinate, statement.docs.clone())));
             }
         }
         let added = ignored.into_iter().flat_map(|(state, docs)| ignored_statements(state, docs));
