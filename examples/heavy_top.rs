@@ -36,7 +36,7 @@ lagrange::system! {
     kinetic = 1/2 * i1 * (dot(theta)^2 + dot(phi)^2 * sin(theta)^2) + 1/2 * i3 * axial^2;
     potential = mgl * cos(theta);
 
-    /// The same top by its nutation alone.
+    /// The nutation of the top, which moves by one coordinate.
     reduce Nutation { ignore phi, psi; }
 }
 

@@ -10,15 +10,17 @@
 //! The result moves to a separate graph with coordinates numbered from zero, and is then handled
 //! like any other model.
 
+use super::ignored::Terms;
 use super::messages;
-use super::routh::{Terms, routhian};
+use super::pinned::holding;
+use super::renumbering::Renumbering;
+use super::routh::routhian;
 use crate::model::{
     Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Reduced, Reduction, Scene,
 };
 use lagrange_algebra::calculus::{Expansion, Series, gradient, transplant};
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
-use lagrange_expr::symbol::Role;
 
 /// The order to which Lagrangians are expanded.
 const ORDER: usize = 2;
@@ -240,76 +242,6 @@ impl<'a> Reducer<'a> {
             }
         }
         labels
-    }
-}
-
-/// Holds coordinates at their values, at rest.
-pub(super) fn holding(model: &Model, all: &[Pinned], zero: ExprId) -> Expansion {
-    let mut held = Expansion::default();
-    for pinned in all {
-        held.hold(model.coordinates[pinned.coordinate].position, pinned.value);
-        for speed in model.speeds.iter().filter(|speed| speed.coordinate == Some(pinned.coordinate)) {
-            held.hold(speed.velocity, zero);
-            held.hold(speed.acceleration, zero);
-        }
-    }
-    held
-}
-
-/// Places of coordinates and velocities without the frozen ones, and with ignored coordinates last.
-struct Renumbering {
-    /// Indices of the coordinates that stay, in their new order.
-    coordinates: Vec<usize>,
-    /// Indices of the velocities that stay.
-    velocities: Vec<usize>,
-    ignored: Vec<usize>,
-}
-
-impl Renumbering {
-    fn new(whole: &Model, reduction: &Reduction) -> Renumbering {
-        let indices = |all: &[Pinned]| all.iter().map(|pinned| pinned.coordinate).collect::<Vec<_>>();
-        let (frozen, ignored) = (indices(&reduction.frozen), indices(&reduction.ignored));
-        let is_free = |i: &usize| !frozen.contains(i) && !ignored.contains(i);
-        let coordinates = (0..whole.coordinates.len()).filter(is_free).chain(ignored.iter().copied());
-        let stays = |i: &usize| whole.speeds[*i].coordinate.is_none_or(|i| is_free(&i));
-        let velocities = (0..whole.speeds.len()).filter(stays).collect();
-        Renumbering { coordinates: coordinates.collect(), velocities, ignored }
-    }
-
-    fn coordinate(&self, index: usize) -> usize {
-        self.coordinates.iter().position(|&other| other == index).unwrap_or(index)
-    }
-
-    fn velocity(&self, index: usize) -> usize {
-        self.velocities.iter().position(|&other| other == index).unwrap_or(index)
-    }
-
-    /// Sorts what begins with one entry for each position that stays, in the old order.
-    fn sort<T>(&self, list: &mut Vec<T>) {
-        if self.ignored.is_empty() || list.is_empty() {
-            return;
-        }
-        let mut old = self.coordinates.clone();
-        old.sort_unstable();
-        let places = old.into_iter().map(|index| self.coordinate(index));
-        let mut entries = places.zip(list.drain(..self.coordinates.len())).collect::<Vec<_>>();
-        entries.sort_by_key(|(place, _)| *place);
-        list.splice(..0, entries.into_iter().map(|(_, entry)| entry));
-    }
-
-    fn role(&self, role: Role) -> Role {
-        let velocity = |i: u32| self.velocity(i as usize) as u32;
-        match role {
-            Role::Coordinate(i) if self.ignored.contains(&(i as usize)) => {
-                Role::State(self.coordinate(i as usize) as u32)
-            }
-            Role::Coordinate(i) => Role::Coordinate(self.coordinate(i as usize) as u32),
-            Role::State(i) => Role::State(self.coordinate(i as usize) as u32),
-            Role::Discrete(i) => Role::Discrete(self.coordinate(i as usize) as u32),
-            Role::Velocity(i) => Role::Velocity(velocity(i)),
-            Role::Acceleration(i) => Role::Acceleration(velocity(i)),
-            other => other,
-        }
     }
 }
 

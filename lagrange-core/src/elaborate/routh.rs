@@ -2,14 +2,14 @@
 //!
 //! If L does not depend on the coordinates φ and nothing acts on them, their momenta p = ∂L/∂φ̇ are
 //! constant. The Routhian R = L − pᵀφ̇, with φ̇ as a function of p, is a Lagrangian of the other
-//! coordinates. It has the same forces, since ∂R/∂v = ∂L/∂v and ∂R/∂q = ∂L/∂q (Goldstein, Poole and
-//! Safko, *Classical Mechanics*, 3rd ed., §8.3; Routh, *Stability of a Given State of Motion*,
-//! 1877).
+//! coordinates, since ∂R/∂v = ∂L/∂v and ∂R/∂q = ∂L/∂q. Sources: Goldstein, Poole and Safko,
+//! *Classical Mechanics*, 3rd ed., §8.3; Routh, *Stability of a Given State of Motion*, 1877.
 //!
 //! L is quadratic in velocities: L = L₀ + aᵀφ̇ + ½ φ̇ᵀM φ̇, where L₀ and a are those at φ̇ = 0.
-//! Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination. Loads need
-//! no other treatment than φ̇ replaced in forces and in the velocities along which they act: what
-//! that adds to generalised forces is ∂φ̇/∂v times the force on φ, which is zero.
+//! Then M φ̇ = p − a and R = L₀ − ½ (p − a)ᵀM⁻¹(p − a), a sum of squares by elimination.
+//!
+//! In loads φ̇ is replaced, both in forces and in the velocities along which they act. That adds
+//! ∂φ̇/∂v times the force on φ to generalised forces, which is zero.
 //!
 //! In numbers, a spherical pendulum of m = l = 1 has L = ½ (θ̇² + sin² θ φ̇²) − V. At sin θ = 1/2,
 //! p = 1/2 means φ̇ = p/sin² θ = 2, and R = ½ θ̇² − V − p²/(2 sin² θ) has −1/2 as its last term.
@@ -17,67 +17,18 @@
 //! The coordinates stay in the state, with φ̇ as their rates. What depends on them, such as
 //! outputs, still does.
 
-use super::elaborator::{Elaborator, SourceTerm};
-use super::messages;
-use super::reduce::holding;
-use crate::model::{
-    Coordinate, Energies, Entry, Load, Model, Parameter, Pinned, Reduction, entries, may_be_flat,
-};
+use super::ignored::{Obstacle, Refusal, vanish};
+use super::pinned::holding;
+use super::symmetric::{Solution, solve};
+use crate::model::{Coordinate, Energies, Load, Model, Parameter, Pinned, Reduction};
 use lagrange_algebra::calculus::{
     AccelerationTerms, Expansion, Rates, adjoint, gradient, substitute, substitute_all,
 };
-use lagrange_algebra::simplify::vanishing;
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::diagnostics::{Origin, Report};
-use lagrange_expr::expr::{Dependencies, ExprId, Graph};
+use lagrange_expr::expr::{Dependencies, ExprId};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{Name, momentum_of};
-
-/// Number of points at which a formula must vanish where no proof is found.
-const POINTS: usize = 12;
-/// Fraction of its terms that rounding may leave of a zero.
-const ROUNDING: f64 = 1e-9;
-
-/// Terms of a declaration, with where they stand.
-pub(super) struct Terms {
-    energies: Vec<(ExprId, Origin)>,
-    dissipation: Vec<(ExprId, Origin)>,
-    loads: HashMap<String, Origin>,
-}
-
-impl Terms {
-    pub(super) fn of(elaborator: &Elaborator<'_>) -> Terms {
-        let place = |term: &SourceTerm| (term.value, term.keyword.into());
-        let energies = elaborator.kinetic.iter().chain(&elaborator.potential).chain(&elaborator.lagrangian);
-        let dissipation = elaborator.dissipation.iter().map(place).collect();
-        let statements = &elaborator.declaration.statements;
-        let loads = elaborator.load_statements.iter();
-        let loads = loads.map(|(name, statement)| (name.clone(), statements[*statement].origin)).collect();
-        Terms { energies: energies.map(place).collect(), dissipation, loads }
-    }
-}
-
-/// Obstacle to ignoring a coordinate.
-enum Obstacle {
-    /// The Lagrangian depends on it.
-    Energy,
-    /// A load of this name acts on it.
-    Load(String),
-    Dissipation,
-    /// Its momentum is not linear in velocities.
-    Nonlinear,
-    /// Velocities do not follow from momenta.
-    Undetermined,
-    /// The Lagrangian has no value at zero.
-    Undefined,
-}
-
-/// A coordinate that cannot be ignored, and why.
-pub(super) struct Refusal {
-    pinned: Pinned,
-    obstacle: Obstacle,
-}
 
 /// A cyclic coordinate, its velocity and acceleration.
 struct Cyclic {
@@ -112,7 +63,7 @@ struct Routh {
     momenta: Vec<ExprId>,
     /// The velocities of ignored coordinates as functions of the others and of momenta.
     rates: Vec<ExprId>,
-    /// Those and their rates, by what they replace.
+    /// These velocities and their rates, by the symbols that they replace.
     replacements: HashMap<ExprId, ExprId>,
 }
 
@@ -225,8 +176,11 @@ impl Routh {
             rests.push(self.model.graph.subtract(parameter, known));
         }
         let resting = self.at_rest(0, lagrangian)?;
-        let squares = self.solve(matrix, rests)?;
-        Ok(self.model.graph.subtract(resting, squares))
+        let solved = solve(&mut self.model.graph, matrix, rests);
+        let Solution { values, square } = solved.map_err(|i| self.refusal(i, Obstacle::Undetermined))?;
+        self.rates = values;
+        let half = self.model.graph.scale(Number::HALF, square);
+        Ok(self.model.graph.subtract(resting, half))
     }
 
     fn depends_on_velocities(&mut self, id: ExprId) -> bool {
@@ -251,41 +205,6 @@ impl Routh {
         let symbol = self.model.graph.symbol(&name, role);
         self.momenta.push(symbol);
         symbol
-    }
-
-    /// Solves M φ̇ = r by elimination, simplest pivots first; returns ½ rᵀM⁻¹r.
-    fn solve(&mut self, mut matrix: Vec<Vec<ExprId>>, mut rests: Vec<ExprId>) -> Result<ExprId, Refusal> {
-        let graph = &mut self.model.graph;
-        let mut remaining = (0..rests.len()).collect::<Vec<_>>();
-        let (mut order, mut squares) = (Vec::new(), Vec::new());
-        while let Some(i) = remaining.iter().copied().min_by_key(|&i| size(graph, matrix[i][i])) {
-            remaining.retain(|&other| other != i);
-            if graph.is_zero(matrix[i][i]) {
-                return Err(self.refusal(i, Obstacle::Undetermined));
-            }
-            let square = graph.square(rests[i]);
-            squares.push((graph.divide(square, matrix[i][i]), Number::HALF));
-            for &j in &remaining {
-                let factor = graph.divide(matrix[i][j], matrix[i][i]);
-                for &k in &remaining {
-                    let product = graph.multiply(factor, matrix[i][k]);
-                    matrix[j][k] = graph.subtract(matrix[j][k], product);
-                }
-                let product = graph.multiply(factor, rests[i]);
-                rests[j] = graph.subtract(rests[j], product);
-            }
-            order.push((i, remaining.clone()));
-        }
-        let mut rates = rests.clone();
-        for (i, others) in order.into_iter().rev() {
-            for j in others {
-                let product = graph.multiply(matrix[i][j], rates[j]);
-                rates[i] = graph.subtract(rates[i], product);
-            }
-            rates[i] = graph.divide(rates[i], matrix[i][i]);
-        }
-        self.rates = rates;
-        Ok(self.model.graph.sum(Number::ZERO, squares))
     }
 
     /// Finds what replaces velocities and accelerations of ignored coordinates.
@@ -428,69 +347,5 @@ impl Routh {
         let mut index = 0..;
         let stays = |index: usize| index.checked_sub(positions).is_none_or(|speed| !gone.contains(&speed));
         self.model.start.retain(|_| index.next().is_some_and(stays));
-    }
-}
-
-/// The number of expressions in one.
-fn size(graph: &Graph, id: ExprId) -> usize {
-    graph.reachable(&[id]).len()
-}
-
-/// Marks values that are zero everywhere: by proof, or by many points unless a formula may be flat
-/// there and not elsewhere.
-fn vanish(model: &mut Model, values: &[ExprId]) -> Vec<bool> {
-    let proved = vanishing(&mut model.graph, values);
-    let vanishes = |(&value, proved): (&ExprId, bool)| proved || vanishes_at_points(model, value);
-    values.iter().zip(proved).map(vanishes).collect()
-}
-
-fn vanishes_at_points(model: &Model, value: ExprId) -> bool {
-    let parts = model.graph.reachable(&[value]);
-    let vanishes = |point: usize| {
-        let entry = entries(model, &parts, point).get(&value).copied();
-        entry.is_some_and(|Entry { value, magnitude }| value.abs() <= ROUNDING * magnitude)
-    };
-    !may_be_flat(&model.graph, value) && (0..POINTS).all(vanishes)
-}
-
-impl Refusal {
-    pub(super) fn report(self, model: &Model, reduction: &Reduction, terms: &Terms, report: &mut Report) {
-        let name = &model.coordinates[self.pinned.coordinate].name;
-        let (message, help) = match &self.obstacle {
-            Obstacle::Energy => (messages::ignored_in_energy(name), messages::NOT_CYCLIC_HELP),
-            Obstacle::Load(_) => (messages::ignored_with_force(name), messages::IGNORED_FORCE_HELP),
-            Obstacle::Dissipation => {
-                (messages::ignored_with_dissipation(name), messages::IGNORED_DISSIPATION_HELP)
-            }
-            Obstacle::Nonlinear => (messages::ignored_nonlinear(name), messages::IGNORED_NONLINEAR_HELP),
-            Obstacle::Undetermined => {
-                (messages::ignored_undetermined(name), messages::IGNORED_UNDETERMINED_HELP)
-            }
-            Obstacle::Undefined => (messages::ignored_undefined(name), messages::IGNORED_UNDEFINED_HELP),
-        };
-        let place = self.place(model, reduction, terms);
-        let error = report.error(self.pinned.span, message);
-        if let Some((origin, words)) = place {
-            error.related(origin, words);
-        }
-        error.help(help);
-    }
-
-    /// Finds the first statement that is in the way.
-    fn place(&self, model: &Model, reduction: &Reduction, terms: &Terms) -> Option<(Origin, &'static str)> {
-        let mut routh = Routh::new(model, reduction);
-        let speed = routh.cyclic.iter().find(|of| of.pinned.coordinate == self.pinned.coordinate)?;
-        let (terms, symbol, words) = match &self.obstacle {
-            Obstacle::Load(name) => return Some((*terms.loads.get(name)?, messages::FORCED_HERE)),
-            Obstacle::Energy => (&terms.energies, speed.position, messages::DEPENDS_HERE),
-            Obstacle::Dissipation => (&terms.dissipation, speed.velocity, messages::DISSIPATED_HERE),
-            _ => return None,
-        };
-        let depends = |(value, _): &&(ExprId, Origin)| {
-            let value = routh.frozen(*value);
-            let slope = gradient(&mut routh.model.graph, value, &[symbol]);
-            vanish(&mut routh.model, &slope) != [true]
-        };
-        terms.iter().find(depends).map(|(_, origin)| (*origin, words))
     }
 }

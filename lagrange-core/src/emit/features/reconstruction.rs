@@ -59,8 +59,8 @@ pub(super) fn rates_at(ignored: &[Ignored], state: &TokenStream) -> Option<Token
     })
 }
 
-/// The constructor that takes momenta from a state of the whole system, in which what is frozen
-/// rests at its value; nothing if no coordinate is ignored.
+/// The constructor that takes momenta from a state of the whole system; nothing if no coordinate is
+/// ignored. In that state, frozen coordinates rest at their values.
 pub(super) fn constructor(full: &Shape<'_>, part: &Shape<'_>, is_derived: bool) -> Option<TokenStream> {
     let ignored = Ignored::of(full, part);
     let [system, state, time, momenta] = ["system", "state", "t", "momenta"].map(local);

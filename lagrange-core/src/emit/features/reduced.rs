@@ -250,7 +250,7 @@ struct StateBody {
 }
 
 impl StateBody {
-    /// The same behind a statement.
+    /// Puts a statement in front.
     fn after(mut self, statement: Option<TokenStream>) -> StateBody {
         self.statements = statement.into_iter().chain([self.statements]).collect();
         self
