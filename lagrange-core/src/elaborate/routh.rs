@@ -25,7 +25,7 @@ use lagrange_algebra::calculus::{
     AccelerationTerms, Expansion, Rates, adjoint, gradient, substitute, substitute_all,
 };
 use lagrange_expr::collections::HashMap;
-use lagrange_expr::expr::{Dependencies, ExprId};
+use lagrange_expr::expr::{Dependencies, ExprId, Node};
 use lagrange_expr::number::Number;
 use lagrange_expr::symbol::Role;
 use lagrange_language::syntax::ast::{Name, momentum_of};
@@ -245,8 +245,7 @@ impl Routh {
         let loads = self.loads();
         self.replace_outputs();
         let rates = self.known_rates();
-        let labels = self.model.labels.clone().into_iter().map(|(id, name)| (self.replaced(id), name));
-        let labels = labels.collect();
+        let labels = self.labels();
         self.add_parameters();
         self.move_coordinates();
         Model { energies, lagrangian, gibbs: None, dissipation, loads, rates, labels, ..self.model }
@@ -287,6 +286,17 @@ impl Routh {
             *place = self.replaced(*place);
         }
         (self.model.outputs, self.model.scene) = (outputs, scene);
+    }
+
+    /// Names of expressions with rates replaced; a symbol says itself what it is.
+    fn labels(&mut self) -> Vec<(ExprId, String)> {
+        let mut labels = self.model.labels.clone();
+        labels.retain_mut(|(id, _)| {
+            let old = std::mem::replace(id, substitute(&mut self.model.graph, *id, &self.replacements));
+            let is_plain = matches!(self.model.graph.node(*id), Node::Symbol(_) | Node::Number(_));
+            !is_plain || *id == old
+        });
+        labels
     }
 
     /// Velocities that are rates in the Routhian.

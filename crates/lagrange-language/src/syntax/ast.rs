@@ -118,7 +118,10 @@ impl Declaration {
 
     /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
     pub fn underivable(&self) -> Vec<&Name> {
-        let has_fields = self.fields().next().is_some();
+        let mut reductions = self.reductions().flat_map(|(reduction, _)| &reduction.items);
+        // The momentum of an ignored coordinate is a field, too.
+        let has_momentum = reductions.any(|item| item.kind == ReductionKind::Ignored);
+        let has_fields = has_momentum || self.fields().next().is_some();
         let is_number = !matches!(self.scalar, ScalarType::Generic(_));
         let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()

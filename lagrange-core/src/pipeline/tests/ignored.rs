@@ -120,3 +120,29 @@ fn coordinates_become_states_and_momenta_parameters() {
     assert_eq!(system.output("w", 0.0, &q, &v), Some(vec![0.625]));
     assert_eq!(system.output("a", 0.0, &q, &v), Some(vec![0.0]));
 }
+
+/// A pendulum on an arm that turns about the vertical axis, by bodies, whose accelerations are found
+/// by a Gibbs function.
+#[test]
+fn bodies_in_space_turn_about_the_vertical() {
+    let derived = derived(
+        "gravity = (0, 0, -9.81);
+         body arm { mass: 0.7; centroid: (0.3, 0, 0.02); inertia: (0.02, 0.04, 0.05, 0, 0, 0.001); }
+         revolute phi = ground to arm { at: (0, 0, 1); axis: (0, 0, 1); }
+         body rod { mass: 0.2; centroid: (0, 0.01, -0.25); inertia: (0.01, 0.011, 0.003, 0, 0.001, 0); }
+         revolute theta = arm to rod { at: (0.5, 0, 0); axis: (1, 0, 0); damping: 0.1; }
+         emit { frames }
+         reduce Swinging { ignore phi; }",
+    );
+    let (whole, mut part) = (NumericSystem::new(&derived), NumericSystem::of_part(&derived.reduced[0]));
+    for (theta, [turn, swing]) in [(0.3, [1.5, -0.4]), (2.0, [-3.0, 2.5]), (-1.2, [0.2, 0.7])] {
+        let (q, v) = ([0.9, theta], [turn, swing]);
+        let momenta = whole.product(Product::Momenta, 0.0, &q, &v).expect("derived by default");
+        assert!(part.set("phi_momentum", momenta[0]));
+        let [expected, found] =
+            [whole.acceleration(0.0, &q, &v)[1], part.acceleration(0.0, &[theta, 0.9], &[swing])[0]];
+        assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} is not {expected}");
+        let rates = part.position_rates(0.0, &[theta, 0.9], &[swing]);
+        assert!((rates[1] - turn).abs() < 1e-13, "{rates:?}");
+    }
+}

@@ -48,7 +48,7 @@ lagrange::system! {
 
 lagrange::system! {
     /// Ignored coordinates beside names that conversions use.
-    #[derive(Clone, Copy, Debug, PartialEq)]
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
     pub struct Turned<T>;
 
     param rates = 1.5, momenta = 2, held = 0.25, reduced = 1;
@@ -93,8 +93,9 @@ mod tests {
         for (found, expected) in back.into_iter().zip(<[f64; 10]>::from(state)) {
             close(found, expected);
         }
-        let lost: [f64; 10] = ignoring.deviation(0.0, state).into();
-        lost.into_iter().for_each(|lost| close(lost, 0.0));
+        for lost in <[f64; 10]>::from(ignoring.deviation(0.0, state)) {
+            close(lost, 0.0);
+        }
         assert_eq!(Turned::from(&ignoring), turned);
         let only = OnlyX::from_state(&plain, 0.0, PlainState { x: 1.0, y: 2.0, x_dot: 3.0, y_dot: 6.0 });
         close(only.y_momentum, 6.0);
