@@ -1,8 +1,8 @@
 //! Symmetric linear equations M x = r between expressions.
 //!
-//! Elimination takes the simplest pivot first. Of I₁ sin² θ + I₃ cos² θ and I₃, the inertias of a top,
-//! the second leaves I₁ sin² θ behind, and the first a difference. On the way rᵀM⁻¹r becomes a sum
-//! of squares.
+//! Elimination takes the simplest pivot first. For a top, that is the inertia I₃ of the spin, and
+//! I₁ sin² θ is left. The other order would leave a difference. On the way rᵀM⁻¹r becomes a sum of
+//! squares.
 
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;

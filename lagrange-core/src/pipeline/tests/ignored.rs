@@ -121,8 +121,8 @@ fn coordinates_become_states_and_momenta_parameters() {
     assert_eq!(system.output("a", 0.0, &q, &v), Some(vec![0.0]));
 }
 
-/// A pendulum on an arm that turns about the vertical axis, by bodies, whose accelerations are found
-/// by a Gibbs function.
+/// A pendulum on an arm that turns about the vertical axis, by bodies, whose accelerations are
+/// found by a Gibbs function.
 #[test]
 fn bodies_in_space_turn_about_the_vertical() {
     let derived = derived(
