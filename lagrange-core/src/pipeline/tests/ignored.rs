@@ -146,3 +146,26 @@ fn bodies_in_space_turn_about_the_vertical() {
         assert!((rates[1] - turn).abs() < 1e-13, "{rates:?}");
     }
 }
+
+/// The first force points outwards from the axis, which no turn changes; the second depends on the
+/// direction.
+#[test]
+fn forces_on_others_may_turn_with_what_is_ignored() {
+    let text = "coord theta, phi; let (x, y) = (sin(theta)*cos(phi), sin(theta)*sin(phi));
+        kinetic = kinetic_energy(1, dot((x, y, -cos(theta))));
+        force dot(phi)*(x, y) at (x, y);";
+    for (direction, depends) in [("", false), ("force theta = cos(phi)*dot(phi);", true)] {
+        let derived = derived(&format!("{text} {direction} reduce Turning {{ ignore phi; }}"));
+        let part = &derived.reduced[0];
+        let roots = &part.equations.accelerations;
+        let found =
+            roots.iter().any(|&a| part.reduced.model.graph.dependencies(a).intersects(Dependencies::STATE));
+        assert_eq!(found, depends, "{direction}");
+        let (whole, mut part) = (NumericSystem::new(&derived), NumericSystem::of_part(part));
+        let (q, v) = ([0.7, 0.9], [0.3, 1.6]);
+        part.set("phi_momentum", 0.7_f64.sin().powi(2) * 1.6);
+        let expected = whole.acceleration(0.0, &q, &v)[0];
+        let found = part.acceleration(0.0, &q, &v[..1])[0];
+        assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
+    }
+}
