@@ -26,6 +26,7 @@ mod functions;
 mod hamiltonian;
 mod hints;
 mod hybrid;
+mod ignored;
 mod inertia;
 mod kinematics;
 mod lanes;

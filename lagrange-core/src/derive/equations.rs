@@ -171,16 +171,13 @@ impl Equations {
     pub fn product(&self, product: Product, model: &Model) -> Option<Vec<ExprId>> {
         let of_constraints =
             |part: fn(&Constraint) -> ExprId| Some(model.constraints.iter().map(part).collect());
-        let of_energies = |part: fn(ExprId, ExprId) -> ExprId| match model.energies {
-            Energies::Separate { kinetic, potential } => Some(vec![part(kinetic, potential)]),
-            Energies::Lagrangian => None,
-        };
+        let of_energies = |part: usize| Some(vec![model.energies.parts()?[part]]);
         match product {
             Product::MassMatrix if self.mass_matrix.is_empty() => None,
             Product::MassMatrix => Some(self.mass_matrix.concat()),
             Product::Forcing => Some(self.forcing.clone()),
-            Product::KineticEnergy => of_energies(|kinetic, _| kinetic),
-            Product::PotentialEnergy => of_energies(|_, potential| potential),
+            Product::KineticEnergy => of_energies(0),
+            Product::PotentialEnergy => of_energies(1),
             Product::Constraints => of_constraints(|constraint| constraint.value),
             Product::ConstraintVelocity => of_constraints(|constraint| constraint.velocity),
             Product::ConstraintJacobian => Some(self.constraints.jacobian.concat()),
@@ -233,9 +230,7 @@ impl Equations {
         places.extend(
             products.flat_map(|(_, roots)| roots).chain(self.free_momentum_rates.iter_mut().flatten()),
         );
-        if let Energies::Separate { kinetic, potential } = &mut model.energies {
-            places.extend([kinetic, potential]);
-        }
+        places.extend(model.energies.parts_mut());
         places.extend(model.outputs.iter_mut().flat_map(|output| &mut output.components));
         let exprs = places.iter().map(|place| **place).collect::<Vec<_>>();
         let contracted = simplify::contract_all(&mut model.graph, &mut Angles::default(), &exprs);

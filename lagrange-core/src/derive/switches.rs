@@ -17,7 +17,7 @@ mod poles;
 
 pub use one_sided::one_sided;
 
-use crate::model::{Energies, Model, ReactionKind};
+use crate::model::{Model, ReactionKind};
 use lagrange_expr::collections::{HashMap, OrderedMap};
 use lagrange_expr::expr::{Dependencies, ExprId, Function, Graph, Node};
 use lagrange_expr::number::Number;
@@ -148,11 +148,11 @@ fn statements(model: &mut Model) -> HashMap<ExprId, String> {
         roots.extend([(load.force, statement.clone()), (load.velocity, statement)]);
     }
     roots.push((model.dissipation, "dissipation".to_owned()));
-    match model.energies {
-        Energies::Separate { kinetic, potential } => {
+    match model.energies.parts() {
+        Some([kinetic, potential]) => {
             roots.extend([(potential, "potential".to_owned()), (kinetic, "kinetic".to_owned())]);
         }
-        Energies::Lagrangian => roots.push((model.lagrangian, "lagrangian".to_owned())),
+        None => roots.push((model.lagrangian, "lagrangian".to_owned())),
     }
     for state in model.states() {
         roots.push((state.rate, format!("dot({})", state.name)));

@@ -5,6 +5,7 @@ use super::damping::with_limits;
 use super::elaborator::{Elaborator, SourceTerm};
 use super::events::check_reduced_events;
 use super::gibbs::total_gibbs;
+use super::ignored::Terms;
 use super::magnitudes::check_magnitudes;
 use super::messages::{self, scene};
 use super::opaque::report_uncalled;
@@ -27,7 +28,7 @@ use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{StateKind, StatementKind};
 
 /// The model and what is to be reduced of it; `None` if anything is wrong, which has been reported.
-pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>)> {
+pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduction>, Terms)> {
     check_statements(&mut elaborator);
     if elaborator.evaluator.report.has_errors() {
         return None;
@@ -35,7 +36,7 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     let energies = total_energies(&mut elaborator);
     let lagrangian = match energies {
         Energies::Separate { kinetic, potential } => elaborator.evaluator.graph.subtract(kinetic, potential),
-        Energies::Lagrangian => total(&mut elaborator, |elaborator| &elaborator.lagrangian),
+        _ => total(&mut elaborator, |elaborator| &elaborator.lagrangian),
     };
     check_signs(&mut elaborator);
     let lagrangian = without_kinks(&mut elaborator.evaluator.graph, lagrangian);
@@ -47,7 +48,8 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     warn_of_constant_states(&mut elaborator);
     report_uncalled(&mut elaborator.evaluator);
     let reductions = std::mem::take(&mut elaborator.reductions);
-    Some((into_model(elaborator, energies, lagrangian), reductions))
+    let terms = Terms::of(&elaborator);
+    Some((into_model(elaborator, energies, lagrangian), reductions, terms))
 }
 
 /// Checks that need no Lagrangian.
@@ -189,8 +191,10 @@ fn check_needed_products(elaborator: &mut Elaborator<'_>) {
     let is_canonical =
         velocities_are_rates(elaborator) && elaborator.products().contains(&Product::MomentumRates);
     let is_constrained = !elaborator.constraints.is_empty();
+    let is_ignoring = elaborator.reductions.iter().any(|reduction| !reduction.ignored.is_empty());
     for &(product, wanted, span) in &elaborator.wanted {
         let reason = match product {
+            Product::Momenta if is_ignoring => messages::NEEDED_BY_IGNORED,
             Product::Momenta | Product::MassMatrix if is_canonical => messages::NEEDED_BY_MOMENTUM_RATES,
             Product::ConstraintVelocity | Product::ConstraintJacobian if is_constrained => {
                 messages::NEEDED_BY_PROJECTION

@@ -77,6 +77,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) gibbs: Vec<GibbsFunction>,
     pub(super) dissipation: Vec<SourceTerm>,
     pub(super) loads: Vec<Load>,
+    /// Names of loads, with the numbers of their statements.
+    pub(super) load_statements: Vec<(String, usize)>,
     /// Names of the constraints of joints.
     pub(super) joints: &'a [Name],
     /// Names of `let`s that are places, with what they are places of.
@@ -126,6 +128,7 @@ impl<'a> Elaborator<'a> {
             gibbs: Vec::new(),
             dissipation: Vec::new(),
             loads: Vec::new(),
+            load_statements: Vec::new(),
             joints,
             places,
             implied: Vec::new(),

@@ -35,6 +35,7 @@ fn push_loads(
     let is_free = |name: &String| elaborator.loads.iter().all(|load| load.name != *name);
     let numbered = (2..).map(|number| format!("{name}_{number}"));
     let name = std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_default();
+    elaborator.load_statements.push((name.clone(), elaborator.evaluator.unresolved.statement));
     let load = |(velocity, force)| Load { name: name.clone(), velocity, force };
     elaborator.loads.extend(loads.into_iter().map(load));
 }

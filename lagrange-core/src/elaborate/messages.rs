@@ -188,9 +188,12 @@ messages! {
         "`{name}` is a component of a unit quaternion, which has no meaning without the others";
     REDUCED_QUATERNION_HELP = "describe a frozen or small orientation by angles, as three revolute joints";
 
-    REDUCTION_HELP = "`freeze` and `small` take coordinates: `freeze x = 0; small theta;`";
+    IGNORED_QUATERNION_HELP = "describe an orientation by angles, of which one may be cyclic";
+    REDUCTION_HELP = "`freeze`, `small` and `ignore` take coordinates: `freeze x = 0; small theta;`";
     ALL_FROZEN = "every coordinate is frozen, so nothing can move";
     ALL_FROZEN_HELP = "leave at least one coordinate free, or make it `small`";
+    ALL_IGNORED = "no coordinate is left beside those that are ignored";
+    ALL_IGNORED_HELP = "keep at least one coordinate; ignored ones alone have rates that only time changes";
     PINNED_VALUE = "the value of a coordinate that is frozen or small";
     CONSTANT_IN_MOTION_HELP =
         "compute it from numbers, `pi`, `const` names and parameters, which do not change during the motion";
@@ -208,6 +211,25 @@ messages! {
     UNDEFINED_HELP = "it divides by zero there, for example; freeze the coordinate at another value";
     output_of_reduced(name) =
         "beside `reduce`, an output cannot be called `{name}`, since reduced types have a method of that name";
+    momentum_taken(name) = "the reduced type has a parameter `{name}`, but this name is taken";
+    NEEDED_BY_IGNORED = "a reduced type with ignored coordinates takes their momenta from it";
+    ignored_in_energy(name) = "`{name}` cannot be ignored: the Lagrangian depends on it";
+    DEPENDS_HERE = "this term depends on it";
+    NOT_CYCLIC_HELP =
+        "only the momentum of a cyclic coordinate is constant: choose coordinates in which it is cyclic, or keep it";
+    ignored_with_force(name) = "`{name}` cannot be ignored: a force acts on it";
+    FORCED_HERE = "this force";
+    IGNORED_FORCE_HELP = "the force changes its momentum; keep the coordinate";
+    ignored_with_dissipation(name) = "`{name}` cannot be ignored: dissipation acts on it";
+    DISSIPATED_HERE = "its velocity occurs here";
+    IGNORED_DISSIPATION_HELP = "dissipation changes its momentum; keep the coordinate";
+    ignored_nonlinear(name) = "`{name}` cannot be ignored: its momentum is not linear in velocities";
+    IGNORED_NONLINEAR_HELP = "the kinetic energy must be quadratic in the velocities for that";
+    ignored_undetermined(name) =
+        "`{name}` cannot be ignored: its velocity does not follow from the momenta of ignored coordinates";
+    IGNORED_UNDETERMINED_HELP = "keep it, or one of the others that it moves with";
+    ignored_undefined(name) = "`{name}` cannot be ignored: the Lagrangian is not defined where it is 0";
+    IGNORED_UNDEFINED_HELP = "choose the coordinate, or the values of those that are frozen, differently";
     inertia_lost(coordinate) = "`{coordinate}` has no inertia in this reduced system";
     INERTIA_LOST_HELP =
         "its kinetic energy vanishes with the frozen coordinates, or is of higher than second order in the small ones";

@@ -10,20 +10,37 @@
 //! The result moves to a separate graph with coordinates numbered from zero, and is then handled
 //! like any other model.
 
+use super::ignored::Terms;
 use super::messages;
+use super::pinned::holding;
+use super::renumbering::Renumbering;
+use super::routh::routhian;
 use crate::model::{
     Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Reduced, Reduction, Scene,
 };
 use lagrange_algebra::calculus::{Expansion, Series, gradient, transplant};
 use lagrange_expr::diagnostics::Report;
 use lagrange_expr::expr::{Dependencies, ExprId, Graph, Node};
-use lagrange_expr::symbol::Role;
 
 /// The order to which Lagrangians are expanded.
 const ORDER: usize = 2;
 
-/// Reduces a model; what has no expansion is reported.
-pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) -> Option<Reduced> {
+/// Reduces a model; what has no expansion and what cannot be ignored is reported.
+pub(super) fn reduce(
+    model: &Model,
+    reduction: &Reduction,
+    terms: &Terms,
+    report: &mut Report,
+) -> Option<Reduced> {
+    let numbers = Renumbering::new(model, reduction);
+    let ignoring = match reduction.ignored.is_empty() {
+        true => None,
+        false => {
+            let found = routhian(model, reduction);
+            Some(found.map_err(|refusal| refusal.report(model, reduction, terms, report)).ok()?)
+        }
+    };
+    let model = ignoring.as_ref().unwrap_or(model);
     let mut reduced = match Reducer::new(model, reduction).model(model) {
         Ok(model) => Reduced { reduction: reduction.clone(), model },
         Err(part) => {
@@ -31,7 +48,7 @@ pub(super) fn reduce(model: &Model, reduction: &Reduction, report: &mut Report) 
             return None;
         }
     };
-    transplanted(&mut reduced, &Renumbering::new(model, reduction));
+    transplanted(&mut reduced, &numbers);
     check_inertia(&mut reduced, report)?;
     Some(reduced)
 }
@@ -52,14 +69,7 @@ impl<'a> Reducer<'a> {
     fn new(model: &Model, reduction: &'a Reduction) -> Reducer<'a> {
         let mut graph = model.graph.clone();
         let zero = graph.number(0);
-        let mut frozen = Expansion::default();
-        for pinned in &reduction.frozen {
-            frozen.hold(model.coordinates[pinned.coordinate].position, pinned.value);
-            for speed in model.speeds.iter().filter(|speed| speed.coordinate == Some(pinned.coordinate)) {
-                frozen.hold(speed.velocity, zero);
-                frozen.hold(speed.acceleration, zero);
-            }
-        }
+        let frozen = holding(model, &reduction.frozen, zero);
         let mut expanded = frozen.clone();
         for pinned in &reduction.small {
             let coordinate = &model.coordinates[pinned.coordinate];
@@ -71,16 +81,13 @@ impl<'a> Reducer<'a> {
 
     /// The reduced model in the graph of the whole one.
     fn model(mut self, model: &Model) -> Result<Model, Undefined> {
-        let energies = match model.energies {
-            Energies::Separate { kinetic, potential } => Energies::Separate {
-                kinetic: self.of(kinetic, "the kinetic energy")?.closed,
-                potential: self.of(potential, "the potential energy")?.closed,
-            },
-            Energies::Lagrangian => Energies::Lagrangian,
-        };
+        let mut energies = model.energies;
+        for (part, name) in energies.parts_mut().zip(["the kinetic energy", "the potential energy"]) {
+            *part = self.of(*part, name)?.closed;
+        }
         let lagrangian = match energies {
             Energies::Separate { kinetic, potential } => self.graph.subtract(kinetic, potential),
-            Energies::Lagrangian => self.of(model.lagrangian, "the Lagrangian")?.closed,
+            _ => self.of(model.lagrangian, "the Lagrangian")?.closed,
         };
         let dissipation = self.of(model.dissipation, "the dissipation function")?.closed;
         let mut loads = Vec::new();
@@ -238,53 +245,20 @@ impl<'a> Reducer<'a> {
     }
 }
 
-/// Places of coordinates and velocities without the frozen ones.
-struct Renumbering {
-    /// Indices of frozen coordinates, and of their velocities.
-    frozen: [Vec<usize>; 2],
-}
-
-impl Renumbering {
-    fn new(whole: &Model, reduction: &Reduction) -> Renumbering {
-        let coordinates = reduction.frozen.iter().map(|pinned| pinned.coordinate).collect::<Vec<_>>();
-        let is_frozen = |i: &usize| whole.speeds[*i].coordinate.is_some_and(|i| coordinates.contains(&i));
-        let velocities = (0..whole.speeds.len()).filter(is_frozen).collect();
-        Renumbering { frozen: [coordinates, velocities] }
-    }
-
-    fn coordinate(&self, index: usize) -> usize {
-        index - self.frozen[0].iter().filter(|&&frozen| frozen < index).count()
-    }
-
-    fn velocity(&self, index: usize) -> usize {
-        index - self.frozen[1].iter().filter(|&&frozen| frozen < index).count()
-    }
-
-    fn role(&self, role: Role) -> Role {
-        let velocity = |i: u32| self.velocity(i as usize) as u32;
-        match role {
-            Role::Coordinate(i) => Role::Coordinate(self.coordinate(i as usize) as u32),
-            Role::State(i) => Role::State(self.coordinate(i as usize) as u32),
-            Role::Discrete(i) => Role::Discrete(self.coordinate(i as usize) as u32),
-            Role::Velocity(i) => Role::Velocity(velocity(i)),
-            Role::Acceleration(i) => Role::Acceleration(velocity(i)),
-            other => other,
-        }
-    }
-}
-
 /// Moves a model to a graph of its own, in which its coordinates and velocities are numbered from
 /// zero.
 fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
     let Reduced { reduction, model } = reduced;
     let source = std::mem::take(&mut model.graph);
     let mut places = places(model);
-    let pinned = reduction.frozen.iter_mut().chain(&mut reduction.small);
+    let pinned = reduction.frozen.iter_mut().chain(&mut reduction.small).chain(&mut reduction.ignored);
     places.extend(pinned.map(|pinned| &mut pinned.value));
     let roots = places.iter().map(|place| **place).collect::<Vec<_>>();
     let (graph, image) = transplant(&source, &roots, |role| numbers.role(role));
     places.into_iter().for_each(|place| *place = image.get(place).copied().unwrap_or(*place));
     model.graph = graph;
+    numbers.sort(&mut model.coordinates);
+    numbers.sort(&mut model.start);
     for Coordinate { position, rate, .. } in &model.coordinates {
         model.graph.set_rate(*position, *rate);
     }
@@ -299,9 +273,7 @@ fn transplanted(reduced: &mut Reduced, numbers: &Renumbering) {
 /// Places of a model that hold expressions.
 fn places(model: &mut Model) -> Vec<&mut ExprId> {
     let mut places = vec![&mut model.lagrangian, &mut model.dissipation];
-    if let Energies::Separate { kinetic, potential } = &mut model.energies {
-        places.extend([kinetic, potential]);
-    }
+    places.extend(model.energies.parts_mut());
     for parameter in model.parameters.iter_mut().chain(&mut model.inputs) {
         places.push(&mut parameter.symbol);
         places.extend(&mut parameter.default);
@@ -334,10 +306,10 @@ fn check_inertia(reduced: &mut Reduced, report: &mut Report) -> Option<()> {
 fn report_undefined(model: &Model, reduction: &Reduction, part: &Undefined, report: &mut Report) {
     let fails = |frozen: &[Pinned], small: &[Pinned]| {
         let (frozen, small) = (frozen.to_vec(), small.to_vec());
-        let reduction = Reduction { name: reduction.name.clone(), frozen, small };
+        let reduction = Reduction { name: reduction.name.clone(), frozen, small, ignored: Vec::new() };
         Reducer::new(model, &reduction).model(model).is_err()
     };
-    let Reduction { name, frozen, small } = reduction;
+    let Reduction { name, frozen, small, .. } = reduction;
     if let Some(pinned) = frozen.iter().find(|pinned| fails(std::slice::from_ref(*pinned), &[])) {
         report.error(pinned.span, messages::undefined_when_frozen(part)).help(messages::UNDEFINED_HELP);
         return;

@@ -7,17 +7,18 @@ use super::messages;
 use super::states::state_named;
 use crate::model::{Pinned, Reduction};
 use lagrange_expr::expr::ExprId;
-use lagrange_language::syntax::ast::{self, ReductionItem, ReductionKind, ScalarType};
+use lagrange_language::syntax::ast::{self, Name, ReductionItem, ReductionKind, ScalarType, momentum_of};
 
 /// Methods of reduced types beside those of every system; no output may take their names.
-pub const METHODS_OF_REDUCED: [&str; 2] = ["expand", "deviation"];
+pub const METHODS_OF_REDUCED: [&str; 3] = ["expand", "deviation", "from_state"];
 
 pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     check_type_name(elaborator, syntax);
-    let mut reduction = Reduction { name: syntax.name.clone(), frozen: Vec::new(), small: Vec::new() };
+    let name = syntax.name.clone();
+    let mut reduction = Reduction { name, frozen: Vec::new(), small: Vec::new(), ignored: Vec::new() };
     for item in &syntax.items {
         let Some(pinned) = pinned_coordinate(elaborator, item) else { continue };
-        let named = reduction.frozen.iter().chain(&reduction.small);
+        let named = reduction.frozen.iter().chain(&reduction.small).chain(&reduction.ignored);
         if let Some(earlier) = named.into_iter().find(|earlier| earlier.coordinate == pinned.coordinate) {
             let message = messages::reduced_twice(&item.coordinate.text);
             let error = elaborator.evaluator.report.error(pinned.span, message);
@@ -27,8 +28,13 @@ pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduc
         match item.kind {
             ReductionKind::Frozen => reduction.frozen.push(pinned),
             ReductionKind::Small => reduction.small.push(pinned),
+            ReductionKind::Ignored => {
+                check_momentum_name(elaborator, &item.coordinate);
+                reduction.ignored.push(pinned);
+            }
         }
     }
+    reduction.ignored.sort_by_key(|pinned| pinned.coordinate);
     elaborator.reductions.push(reduction);
 }
 
@@ -48,8 +54,11 @@ fn pinned_coordinate(elaborator: &mut Elaborator<'_>, item: &ReductionItem) -> O
         None => elaborator.report_no_coordinate(name, messages::REDUCTION_HELP),
         Some(false) => {
             let message = messages::reduced_quaternion(&name.text);
-            let error = elaborator.evaluator.report.error(name.span, message);
-            error.help(messages::REDUCED_QUATERNION_HELP);
+            let help = match item.kind {
+                ReductionKind::Ignored => messages::IGNORED_QUATERNION_HELP,
+                ReductionKind::Frozen | ReductionKind::Small => messages::REDUCED_QUATERNION_HELP,
+            };
+            elaborator.evaluator.report.error(name.span, message).help(help);
             return None;
         }
         Some(true) => {}
@@ -65,12 +74,24 @@ fn pinned_state(
     value: Option<ExprId>,
 ) -> Option<Pinned> {
     let name = &item.coordinate;
-    if item.kind == ReductionKind::Small {
-        let error = elaborator.evaluator.report.error(name.span, messages::states::small(&name.text));
-        error.help(messages::states::SMALL_HELP);
-        return None;
+    let (message, help) = match item.kind {
+        ReductionKind::Frozen => return Some(Pinned { coordinate: state, value: value?, span: name.span }),
+        ReductionKind::Small => (messages::states::small(&name.text), messages::states::SMALL_HELP),
+        ReductionKind::Ignored => (messages::states::ignored(&name.text), messages::states::IGNORED_HELP),
+    };
+    elaborator.evaluator.report.error(name.span, message).help(help);
+    None
+}
+
+/// The momentum of an ignored coordinate is a parameter of the reduced type.
+fn check_momentum_name(elaborator: &mut Elaborator<'_>, coordinate: &Name) {
+    let name = momentum_of(coordinate);
+    let is_taken = elaborator.evaluator.scope.find(&name.text).is_some();
+    let is_output = elaborator.declaration.outputs().any(|output| output.text == name.text);
+    if is_taken || is_output {
+        let message = messages::momentum_taken(&name.text);
+        elaborator.evaluator.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
     }
-    Some(Pinned { coordinate: state, value: value?, span: name.span })
 }
 
 /// The types `Name` and `NameState` must be new.
@@ -109,8 +130,13 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     let all = elaborator.coordinates.len();
     let frozen =
         |reduction: &Reduction| reduction.frozen.iter().filter(|pinned| pinned.coordinate < first).count();
-    for reduction in elaborator.reductions.iter().filter(|r| all > 0 && frozen(r) == all) {
-        report.error(reduction.name.span, messages::ALL_FROZEN).help(messages::ALL_FROZEN_HELP);
+    let stay = |reduction: &&Reduction| frozen(reduction) + reduction.ignored.len() < all;
+    for reduction in elaborator.reductions.iter().filter(|reduction| all > 0 && !stay(reduction)) {
+        let (message, help) = match reduction.ignored.is_empty() {
+            true => (messages::ALL_FROZEN, messages::ALL_FROZEN_HELP),
+            false => (messages::ALL_IGNORED, messages::ALL_IGNORED_HELP),
+        };
+        report.error(reduction.name.span, message).help(help);
     }
     for name in elaborator.declaration.outputs() {
         if METHODS_OF_REDUCED.contains(&name.text.as_str()) {

@@ -1,6 +1,7 @@
 //! A checked model: every name resolved, every expression of the right kind.
 
 mod product;
+mod samples;
 mod scene;
 
 use proc_macro2::Span;
@@ -12,6 +13,7 @@ use lagrange_expr::units::NamedUnits;
 use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
+pub(crate) use samples::{Entry, entries, may_be_flat};
 pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene};
 
 /// Meaning of a declaration, as expressions of one graph.
@@ -90,6 +92,8 @@ pub struct Reduction {
     pub frozen: Vec<Pinned>,
     /// Coordinates that stay near a value.
     pub small: Vec<Pinned>,
+    /// Cyclic coordinates whose momenta are parameters, in state order; without values.
+    pub ignored: Vec<Pinned>,
 }
 
 /// A coordinate and a value that is constant in motion.
@@ -177,6 +181,13 @@ pub enum Energies {
     },
     /// L as declared
     Lagrangian,
+    /// L is the Routhian, in which T and V are no longer seen.
+    Routhian {
+        /// T with all velocities, also those of ignored coordinates.
+        kinetic: ExprId,
+        /// V
+        potential: ExprId,
+    },
 }
 
 /// A function S of the accelerations a, whose slopes are inertial forces: ∂S/∂a = d/dt ∂F/∂v −
@@ -323,6 +334,29 @@ pub enum ReactionKind {
         /// A velocity, constant in motion.
         width: ExprId,
     },
+}
+
+impl Energies {
+    /// Returns T and V, if the energies are known one by one.
+    pub fn parts(self) -> Option<[ExprId; 2]> {
+        match self {
+            Energies::Separate { kinetic, potential } | Energies::Routhian { kinetic, potential } => {
+                Some([kinetic, potential])
+            }
+            Energies::Lagrangian => None,
+        }
+    }
+
+    /// Returns T and V, to be replaced.
+    pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut ExprId> {
+        let parts = match self {
+            Energies::Separate { kinetic, potential } | Energies::Routhian { kinetic, potential } => {
+                Some([kinetic, potential])
+            }
+            Energies::Lagrangian => None,
+        };
+        parts.into_iter().flatten()
+    }
 }
 
 impl ReactionKind {

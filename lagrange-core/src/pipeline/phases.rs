@@ -8,12 +8,12 @@ use crate::elaborate::elaborate;
 use crate::emit;
 use crate::model::{Model, Reduced};
 use lagrange_expr::diagnostics::Report;
-use lagrange_expr::units::NamedUnits;
+use lagrange_expr::units::{NamedUnits, momentum_name};
 use lagrange_language::bodies::plain;
 use lagrange_language::dimensions::{check_dimensions, in_coherent_units};
 use lagrange_language::expand::{has_arrays, name_elements, once_for_each_array, without_arrays};
 use lagrange_language::inline::without_functions;
-use lagrange_language::syntax::ast::Declaration;
+use lagrange_language::syntax::ast::{Declaration, Name, momentum_of};
 use lagrange_language::tables::name_files;
 
 /// A reduced type with its equations of motion.
@@ -65,7 +65,15 @@ fn checked(mut declaration: Declaration, report: &mut Report) -> (Declaration, O
 }
 
 fn name_units(model: &mut Model, units: &NamedUnits) {
-    model.reduced.iter_mut().for_each(|reduced| reduced.model.units = units.clone());
+    for Reduced { reduction, model: part } in &mut model.reduced {
+        part.units = units.clone();
+        for pinned in &reduction.ignored {
+            let coordinate = &model.coordinates[pinned.coordinate].name;
+            let unit = units.get(&momentum_name(coordinate)).cloned();
+            let name = momentum_of(&Name::new(coordinate.clone(), pinned.span)).text;
+            unit.into_iter().for_each(|unit| part.units.insert(&name, unit));
+        }
+    }
     model.units = units.clone();
 }
 

@@ -1,6 +1,7 @@
 mod attributes;
 mod conserved;
 mod frames;
+mod ignored;
 mod included;
 mod limits;
 mod numbers;

@@ -12,6 +12,7 @@ mod expressions;
 mod formulas;
 mod gibbs;
 mod growth;
+mod ignored;
 mod machines;
 mod magnitudes;
 mod mechanics;

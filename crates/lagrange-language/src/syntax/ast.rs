@@ -15,6 +15,7 @@ mod id;
 mod keywords;
 pub mod mobilizers;
 mod quaternion;
+mod reduced;
 pub mod statements;
 mod surfaces;
 
@@ -30,6 +31,7 @@ pub use callables::{
 pub use conditions::{CombinedCondition, Comparison, ConditionTest, TestKind};
 pub use definitions::{
     AllowedRange, Definition, EmitItem, Limit, Mode, Reduction, ReductionItem, ReductionKind, StateKind,
+    momentum_of,
 };
 pub use enclosures::{Enclosed, Enclosure};
 pub use events::{Action, Assignment, Clock, Direction, Event, Friction};
@@ -116,7 +118,10 @@ impl Declaration {
 
     /// Traits in `#[derive(…)]` that types with fields of `f32` or `f64` cannot have.
     pub fn underivable(&self) -> Vec<&Name> {
-        let has_fields = self.fields().next().is_some();
+        let mut reductions = self.reductions().flat_map(|(reduction, _)| &reduction.items);
+        // The momentum of an ignored coordinate is a field, too.
+        let has_momentum = reductions.any(|item| item.kind == ReductionKind::Ignored);
+        let has_fields = has_momentum || self.fields().next().is_some();
         let is_number = !matches!(self.scalar, ScalarType::Generic(_));
         let is_exact = |name: &&Name| ["Eq", "Ord", "Hash"].contains(&name.text.as_str());
         self.derives.iter().filter(is_exact).filter(|_| has_fields && is_number).collect()
@@ -233,25 +238,6 @@ impl Declaration {
             StatementKind::Reduce(reduction) => Some((reduction, &statement.docs)),
             _ => None,
         })
-    }
-
-    /// Returns the declaration of a reduced type: with another name and documentation, without
-    /// frozen coordinates. Its statements still describe the whole system.
-    pub fn reduced(&self, reduction: &Reduction, attributes: TokenStream) -> Declaration {
-        let is_frozen = |name: &Name| {
-            let frozen = reduction.items.iter().filter(|item| item.kind == ReductionKind::Frozen);
-            frozen.into_iter().any(|item| item.coordinate.text == name.text)
-        };
-        let mut declaration = Declaration { attributes, name: reduction.name.clone(), ..self.clone() };
-        let is_this = |kind: &StatementKind| matches!(kind, StatementKind::Reduce(other) if other.name.text == reduction.name.text);
-        declaration.reduction = self.statements.iter().find(|statement| is_this(&statement.kind)).cloned();
-        declaration.statements.retain(|statement| !matches!(statement.kind, StatementKind::Reduce(_)));
-        for statement in &mut declaration.statements {
-            if let StatementKind::Coordinates(list) | StatementKind::States(_, list) = &mut statement.kind {
-                list.retain(|definition| !is_frozen(&definition.name));
-            }
-        }
-        declaration
     }
 }
 

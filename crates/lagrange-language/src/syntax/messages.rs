@@ -95,10 +95,12 @@ messages! {
     SMOOTH_WITH_STATIC = "smooth friction never sticks, so it has no static limit";
     SMOOTH_HELP = "write `friction name = slip, limit, smooth: width;`";
 
-    NOTHING_REDUCED = "nothing is frozen or small here";
-    REDUCTION_ITEM = "`freeze` or `small`";
+    NOTHING_REDUCED = "nothing is frozen, small or ignored here";
+    REDUCTION_ITEM = "`freeze`, `small` or `ignore`";
     frozen_without_value(name) = "the frozen coordinate {} needs a value", quoted(name);
     frozen_without_value_help(name) = "write `freeze {} = 0;`", shortened(name);
+    ignored_with_value(name) = "the ignored coordinate {} takes no value", quoted(name);
+    IGNORED_WITH_VALUE_HELP = "remove it: the momentum of the coordinate is a parameter of the reduced type";
     unknown_statement(word) = "unknown statement {}", quoted(word);
     meant(candidate) = "did you mean `{candidate}`?";
     meant_let(name) = "to name an expression, write `let {} = …;`", shortened(name);

@@ -267,6 +267,7 @@ impl Printer<'_> {
                 printer.text(match line[0].kind {
                     ReductionKind::Frozen => " freeze ",
                     ReductionKind::Small => " small ",
+                    ReductionKind::Ignored => " ignore ",
                 });
                 printer.list(line, |printer, item| {
                     printer.name(&item.coordinate);

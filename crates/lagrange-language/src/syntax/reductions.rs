@@ -11,11 +11,11 @@ use super::parser::{Parsed, Parser};
 use lagrange_expr::diagnostics::nearest;
 
 /// The words that can begin a line of a reduction.
-const WORDS: [(&str, ReductionKind); 2] =
-    [("freeze", ReductionKind::Frozen), ("small", ReductionKind::Small)];
+const WORDS: [(&str, ReductionKind); 3] =
+    [("freeze", ReductionKind::Frozen), ("small", ReductionKind::Small), ("ignore", ReductionKind::Ignored)];
 
 impl Parser<'_> {
-    /// `Name { freeze x = e; small theta, phi = e; }`.
+    /// `Name { freeze x = e; small theta, phi = e; ignore psi; }`.
     pub(super) fn reduction(&mut self, cursor: &mut Cursor) -> Parsed<Reduction> {
         let name = self.type_name(cursor)?;
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
@@ -45,11 +45,15 @@ impl Parser<'_> {
         let coordinate = self.name(cursor)?;
         let coordinate = self.indexed(coordinate, cursor)?;
         let coordinate = self.with_members(coordinate, cursor)?;
-        let value = cursor.eat_equals().map(|_| self.item_value(cursor));
+        let (here, value) = (cursor.here(), cursor.eat_equals().map(|_| self.item_value(cursor)));
         if value.is_none() && kind == ReductionKind::Frozen {
             let message = messages::frozen_without_value(&coordinate.text);
             let help = messages::frozen_without_value_help(&coordinate.text);
             self.report.error(coordinate.span, message).help(help);
+        }
+        if value.is_some() && kind == ReductionKind::Ignored {
+            let message = messages::ignored_with_value(&coordinate.text);
+            self.report.error(here, message).help(messages::IGNORED_WITH_VALUE_HELP);
         }
         Ok(ReductionItem { coordinate, kind, value, enclosures: Vec::new() })
     }

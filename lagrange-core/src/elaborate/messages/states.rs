@@ -28,6 +28,8 @@ messages! {
         "Lagrange's equations apply to coordinates, not to states: use states in a `force`, `potential` or `dissipation`, or make this one a `coord`";
     PLACE_HELP =
         "virtual work and constraints displace coordinates, not states: make this one a `coord`, or write its effect as a `force`";
+    ignored(name) = "the state `{name}` cannot be ignored";
+    IGNORED_HELP = "a state has no momentum; only coordinates can be ignored";
     SMALL_HELP = "a state can be frozen at a value, but its equation cannot be expanded";
     small(name) = "the state `{name}` cannot be small";
     assigned_rate(name) = "the rate of the state `{name}` follows from its equation";

@@ -20,6 +20,7 @@ pub(super) mod ports;
 pub(super) mod prepared;
 pub(super) mod product;
 pub(super) mod ranges;
+mod reconstruction;
 pub(super) mod reduced;
 pub(super) mod redundant;
 pub(super) mod scene;

@@ -4,11 +4,12 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
+use super::reconstruction::{Ignored, constructor, rate_of, rates_at, values_of};
 use super::switches::{derived_shape, free_switches};
 use crate::derive::Equations;
 use crate::emit::base::attributes::{conditions, deprecated_exception, split_attributes};
 use crate::emit::base::bindings::field_bindings;
-use crate::emit::base::fields::{Field, entries, places};
+use crate::emit::base::fields::{entries, places};
 use crate::emit::base::lints::{looks_rounded, rounded_exception};
 use crate::emit::base::refusal::{Refusal, report_refusal};
 use crate::emit::base::shape::{Shape, doc, identifier, local};
@@ -16,7 +17,6 @@ use crate::model::{Model, Pinned, Reduced};
 use lagrange_algebra::code::{Names, body};
 use lagrange_algebra::formula::text;
 use lagrange_algebra::program::{Labels, lower, optimise};
-use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Report;
 use lagrange_language::syntax::ast::Declaration;
 
@@ -61,8 +61,14 @@ fn summary(declaration: &Declaration, reduced: &Reduced) -> Vec<String> {
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
     let frozen = (!frozen.is_empty()).then(|| format!("{} frozen", list(frozen, "=")));
     let nearby = (!small.is_empty()).then(|| format!("{} small", list(small, "≈")));
-    let parts = frozen.into_iter().chain(nearby).collect::<Vec<_>>().join(", ");
+    let ignored = reduced.reduction.ignored.iter().map(|pinned| format!("`{}`", name(pinned)));
+    let ignored = ignored.collect::<Vec<_>>().join(", ");
+    let cyclic = (!ignored.is_empty()).then(|| format!("{ignored} ignored"));
+    let parts = frozen.into_iter().chain(nearby).chain(cyclic).collect::<Vec<_>>().join(", ");
     let mut lines = vec![format!("Reduced from [`{}`]: {parts}.", declaration.name.text)];
+    if !ignored.is_empty() {
+        lines.extend(["".to_owned(), IGNORED[0].to_owned(), IGNORED[1].to_owned()]);
+    }
     if !small.is_empty() {
         lines.extend(["".to_owned(), EXPANDED[0].to_owned(), EXPANDED[1].to_owned()]);
     }
@@ -72,6 +78,11 @@ fn summary(declaration: &Declaration, reduced: &Reduced) -> Vec<String> {
 const EXPANDED: [&str; 2] = [
     "Energies and dissipation are expanded to second order in what is small and its rates together, forces on",
     "it to first order. Outputs are exact.",
+];
+
+const IGNORED: [&str; 2] = [
+    "Momenta of ignored coordinates are parameters, from which their velocities follow. The Lagrangian is the",
+    "Routhian; energies are those of the whole system.",
 ];
 
 /// Conversions between a system and a reduced type of it; `None` if a value is too large for the
@@ -96,7 +107,9 @@ pub(in crate::emit) fn placeholder_conversions(full: &Shape<'_>, part: &Shape<'_
 }
 
 fn items(full: &Shape<'_>, part: &Shape<'_>, state_methods: &TokenStream) -> TokenStream {
-    let systems = [system_conversion(full, part), system_conversion(part, full)];
+    // Nothing but a state says which momenta ignored coordinates have.
+    let of_whole = Ignored::of(full, part).is_empty().then(|| system_conversion(full, part));
+    let systems = [of_whole, Some(system_conversion(part, full))].into_iter().flatten();
     let states = state_conversion(full, part);
     let scalar = part.scalar_path();
     let import = part.generics().is_empty().then(|| quote!(use #scalar;));
@@ -154,39 +167,33 @@ fn state_conversion(full: &Shape<'_>, part: &Shape<'_>) -> TokenStream {
 /// The methods that need the values of coordinates, which may depend on parameters.
 fn state_methods(full: &Shape<'_>, part: &Shape<'_>, reduced: &Reduced) -> Result<TokenStream, Refusal> {
     let (frozen, small) = (&reduced.reduction.frozen, &reduced.reduction.small);
+    let ignored = Ignored::of(full, part);
     let expand = with_values(part, reduced, frozen, |state, values, zero| {
         let kept = values_of(full, (part, &part.state_fields()), state);
         let all_entries =
             kept.into_iter().enumerate().map(|(i, kept)| match pinned(frozen, values, i, full) {
-                None => kept,
+                None => rate_of(&ignored, i, full).unwrap_or(kept),
                 Some(value) => value.unwrap_or(zero).clone(),
             });
         let entries = entries(&full.state_fields(), &all_entries.collect::<Vec<_>>());
         quote!(#(#entries),*)
     })?;
+    let state = local("state");
+    let expand = expand.after(rates_at(&ignored, &quote!(#state)));
     let all = frozen.iter().chain(small).cloned().collect::<Vec<_>>();
     let deviation = with_values(part, reduced, &all, |state, values, zero| {
         let own = places(&full.state_fields()).into_iter().enumerate();
         let all_entries = own.map(|(i, place)| match pinned(&all, values, i, full) {
-            None => quote!(#zero),
+            None => rate_of(&ignored, i, full).map_or(zero.clone(), |rate| quote!(#state.#place - #rate)),
             Some(None) => quote!(#state.#place),
             Some(Some(value)) => quote!(#state.#place - #value),
         });
         let entries = entries(&full.state_fields(), &all_entries.collect::<Vec<_>>());
         quote!(#(#entries),*)
     })?;
+    let own = part.state_name();
+    let deviation = deviation.after(rates_at(&ignored, &quote!(#own::from(#state))));
     Ok(inherent_impl(full, part, &expand, &deviation))
-}
-
-/// For each entry of the state of one shape, the same entry in the state of another; nothing where
-/// that has none.
-fn values_of(of: &Shape<'_>, (other, fields): (&Shape<'_>, &[Field]), state: &Ident) -> Vec<TokenStream> {
-    let names = other.state_names().into_iter().map(|name| name.text);
-    let places = names.zip(places(fields)).collect::<HashMap<_, _>>();
-    let names = of.state_names().into_iter();
-    let values =
-        names.map(|name| places.get(&name.text).map(|place| quote!(#state.#place)).unwrap_or_default());
-    values.collect()
 }
 
 /// The value of an entry of the state, if the entry belongs to one of `all`: `Some(None)` is a
@@ -220,7 +227,7 @@ fn with_values(
     all.iter().for_each(|pinned| labels.insert(pinned.value, "held"));
     let program = optimise(&lower(&graph, &roots, &labels), reduced.model.accuracy);
     let is_rounded = program.values().any(|(_, op)| looks_rounded(op));
-    let (state, mut names) = (local("state"), Names::new(["state"]));
+    let (state, mut names) = (local("state"), Names::new(["state", "rates", "reduced", "t"]));
     let written = body(&program, graph.symbols(), &part.computed_with(), &mut names)
         .map_err(|error| Refusal::Constants(error.constants))?;
     let bindings = field_bindings(part, &reduced.model, &written.used, &mut names);
@@ -242,6 +249,14 @@ struct StateBody {
     is_rounded: bool,
 }
 
+impl StateBody {
+    /// Puts a statement in front.
+    fn after(mut self, statement: Option<TokenStream>) -> StateBody {
+        self.statements = statement.into_iter().chain([self.statements]).collect();
+        self
+    }
+}
+
 fn inherent_impl(
     full: &Shape<'_>,
     part: &Shape<'_>,
@@ -251,7 +266,20 @@ fn inherent_impl(
     let (name, generics, bounds) = (part.name(), part.generics(), part.bounds());
     let (whole, reduced, state) = (full.state_name(), part.state_name(), local("state"));
     let rounded = rounded_exception(expand.is_rounded || deviation.is_rounded);
+    let constructor = constructor(full, part, !expand.fields.is_empty());
     let (expand, deviation) = (returning(&whole, expand), returning(&whole, deviation));
+    let (scalar, time_name) = (part.scalar(), local("t"));
+    let time = constructor.is_some().then(|| quote!(#time_name: #scalar,));
+    let velocities = constructor.is_some().then(|| {
+        quote! {
+            /// Ignored coordinates have the velocities that follow from their momenta.
+        }
+    });
+    let differences = constructor.is_some().then(|| {
+        quote! {
+            /// Velocities of ignored coordinates differ from those that follow from the momenta.
+        }
+    });
     let system = &full.declaration.name.text;
     let expand_docs = doc(&format!("The state of [`{system}`] that belongs to a state of this system:"));
     let deviation_docs =
@@ -259,11 +287,14 @@ fn inherent_impl(
     quote! {
         #rounded
         impl #bounds #name #generics {
+            #constructor
+
             #expand_docs
             /// frozen coordinates have their values, and no velocity.
+            #velocities
             #[must_use]
             #[inline]
-            pub fn expand(&self, #state: #reduced #generics) -> #whole #generics {
+            pub fn expand(&self, #time #state: #reduced #generics) -> #whole #generics {
                 #expand
             }
 
@@ -271,9 +302,10 @@ fn inherent_impl(
             /// differences from their values for coordinates that are frozen or small, their
             /// velocities, and zero for everything else. What is frozen is lost in the reduced
             /// state; of what is small, the third power is neglected in energies.
+            #differences
             #[must_use]
             #[inline]
-            pub fn deviation(&self, #state: #whole #generics) -> #whole #generics {
+            pub fn deviation(&self, #time #state: #whole #generics) -> #whole #generics {
                 #deviation
             }
         }

@@ -46,9 +46,61 @@ lagrange::system! {
     reduce Shorter { freeze y = 0.1; }
 }
 
+lagrange::system! {
+    /// Ignored coordinates beside names that conversions use.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Turned<T>;
+
+    param rates = 1.5, momenta = 2, held = 0.25, reduced = 1;
+    /// Angles.
+    coord own, phi[2], state, system;
+    kinetic = rates * dot(own)^2 + momenta * (dot(phi[0]) - dot(own))^2 + 1/2 * dot(phi[1])^2;
+    kinetic = 1/2 * reduced * dot(state)^2 + 1/2 * (1 + state^2) * dot(system)^2;
+    potential = held * cos(state);
+
+    /// Everything at once.
+    reduce Ignoring { ignore phi, system; freeze own = sqrt(held); }
+    reduce Nearly { ignore phi, system; small state = 1/3; }
+}
+
+lagrange::system! {
+    /// Nothing but coordinates.
+    #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+    pub struct Plain<T>;
+
+    coord x, y;
+    kinetic = 1/2 * dot(x)^2 + 3/7 * (dot(y) + x)^2;
+
+    reduce OnlyX { ignore y; }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Bare, BareState, Held, HeldState, Line, LineState, Whole, WholeState};
+    use super::{
+        Bare, BareState, Held, HeldState, Ignoring, IgnoringState, Line, LineState, OnlyX, Plain, PlainState,
+        Turned, TurnedState, Whole, WholeState,
+    };
+
+    #[test]
+    fn momenta_are_taken_from_states_and_give_velocities_back() {
+        let (turned, plain) = (Turned::<f64>::default(), Plain::<f64>::default());
+        let state = TurnedState::from([0.5, 0.1, 0.2, 0.3, 0.4, 0.0, 1.5, 2.5, 3.5, 4.5]);
+        let ignoring = Ignoring::from_state(&turned, 0.0, state);
+        let close = |found: f64, expected: f64| assert!((found - expected).abs() < 1e-12);
+        close(ignoring.phi_0_momentum, 6.0);
+        close(ignoring.system_momentum, 1.09 * 4.5);
+        let back: [f64; 10] = ignoring.expand(0.0, IgnoringState::from(state)).into();
+        for (found, expected) in back.into_iter().zip(<[f64; 10]>::from(state)) {
+            close(found, expected);
+        }
+        for lost in <[f64; 10]>::from(ignoring.deviation(0.0, state)) {
+            close(lost, 0.0);
+        }
+        assert_eq!(Turned::from(&ignoring), turned);
+        let only = OnlyX::from_state(&plain, 0.0, PlainState { x: 1.0, y: 2.0, x_dot: 3.0, y_dot: 6.0 });
+        close(only.y_momentum, 6.0);
+        assert_eq!(Plain::from(&only), plain);
+    }
 
     #[test]
     fn names_mean_what_the_user_means() {

@@ -71,6 +71,18 @@ impl ReductionItem {
     }
 }
 
+impl Reduction {
+    /// Returns the changes of one kind.
+    pub fn of_kind(&self, kind: ReductionKind) -> impl Iterator<Item = &ReductionItem> {
+        self.items.iter().filter(move |item| item.kind == kind)
+    }
+}
+
+/// Returns the parameter of a reduced type that is the momentum of an ignored coordinate.
+pub fn momentum_of(coordinate: &Name) -> Name {
+    Name::new(format!("{}_momentum", coordinate.text), coordinate.span)
+}
+
 impl Enclosed for ReductionItem {
     fn enclosures_mut(&mut self) -> &mut Vec<Enclosure> {
         &mut self.enclosures
@@ -84,6 +96,8 @@ pub enum ReductionKind {
     Frozen,
     /// `small theta = e;`: stays near a value.
     Small,
+    /// `ignore phi;`: is cyclic, and its momentum takes the place of its velocity.
+    Ignored,
 }
 
 /// One `name = value` of a `param`, `input`, `const`, `coord` or `state` statement.

@@ -189,13 +189,13 @@ coord x;
     let expected = "\
 error at 2:12: expected `{`, found `;`
   help: write `reduce Name { freeze x = 0; small theta; }`
-error at 3:15: expected `freeze` or `small`, found `frieze`
+error at 3:15: expected `freeze`, `small` or `ignore`, found `frieze`
   help: did you mean `freeze`?
 error at 3:37: expected an operator, `,` or `;`, found `+`
   help: expressions are made of numbers, names, calls such as `sin(x)`, parentheses and the operators `+ - * / ^`
 error at 3:49: the frozen coordinate `x` needs a value
   help: write `freeze x = 0;`
-error at 3:52: expected `freeze` or `small`, found `3`
+error at 3:52: expected `freeze`, `small` or `ignore`, found `3`
   help: write `reduce Name { freeze x = 0; small theta; }`
 ";
     assert_eq!(report, expected);

@@ -44,7 +44,7 @@ friction shoe = dot(x), kinetic: mu, static: if x < 0 { a } else if x > 1 { b } 
 friction slow = dot(x), mu, smooth: a;
 output tip = (p, q);
 emit { jacobian, no energy }
-reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; freeze z = 1; }
+reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; freeze z = 1; ignore s, w; }
 gravity = (0, -g);
 body rod { mass: m; inertia: slender_rod(m, l); center: (x, y); centroid: (l/2, 0); angle: a; shape: disk(r); }
 body wheel { origin: (x, y); compound { disk(r), mass: m; hole point_mass(), mass: n, at: (a, b), angle: e; } }

@@ -32,7 +32,7 @@ fn every_statement_has_its_form() {
         friction slide = dot(x), mu, smooth: a;
         output tip = (p, q);
         emit { jacobian, no energy }
-        reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; }";
+        reduce Near { freeze x = 0, y = a; small theta, phi = pi/2; ignore s; }";
     let expected = [
         "param a (b 1) c",
         "input u (w (- 2))",
@@ -63,7 +63,7 @@ fn every_statement_has_its_form() {
         "friction slide (dot x) mu smooth a",
         "output tip (vector p q)",
         "emit jacobian -energy",
-        "reduce Near (Frozen x 0) (Frozen y a) (Small theta) (Small phi (/ pi 2))",
+        "reduce Near (Frozen x 0) (Frozen y a) (Small theta) (Small phi (/ pi 2)) (Ignored s)",
     ];
     assert_eq!(statements(&read(text)), expected);
 }
