@@ -2,6 +2,7 @@
 #![cfg(feature = "draw")]
 
 mod anchors;
+mod contacts;
 mod files;
 mod films;
 mod free_bodies;

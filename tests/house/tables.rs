@@ -218,7 +218,10 @@ const CLI: &[Layer] = &[
         purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
     },
     Layer { modules: &["motions"], purpose: "simulations, from settings to output files" },
-    Layer { modules: &["analyses"], purpose: "linear models at states or equilibria, as text and as JSON" },
+    Layer {
+        modules: &["analyses", "ensembles"],
+        purpose: "linear models at states or equilibria, as text and as JSON; ends of many motions",
+    },
     Layer { modules: &["commands"], purpose: "the commands" },
 ];
 

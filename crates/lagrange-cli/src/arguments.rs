@@ -23,6 +23,7 @@ Commands:
   page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
+  ensemble FILE     compute many motions with random values, and write their ends
   linearise FILE    write a linear model at a state or an equilibrium, with its modes
   urdf FILE         write the declaration of a robot that a URDF file describes
 
@@ -38,11 +39,17 @@ Options:
                       write an object (linearise)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (kernel)
-      --until TIME    end of the motion, which starts at 0 (simulate)
+      --until TIME    end of the motion, which starts at 0 (simulate, ensemble)
       --every TIME    sample so often, instead of at every step (simulate)
       --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate,
-                      linearise, fmu, page)
-      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate, fmu, page)
+                      ensemble, linearise, fmu, page)
+      --start A=VALUE start a coordinate, velocity or state here; once for each (simulate,
+                      ensemble, fmu, page)
+      --vary A=B..C   draw a parameter, an input or an entry of the start from a range, for each
+                      motion; once for each (ensemble)
+      --motions N     number of motions, 100 by default (ensemble)
+      --seed N        seed of the random values, 0 by default (ensemble)
+      --threads N     number of threads, one for each processor by default (ensemble)
       --at A=VALUE    linearise, or search, where an entry of the state has this value instead of
                       that at the start; once for each (linearise)
       --equilibrium   search for an equilibrium there first (linearise)
@@ -50,10 +57,10 @@ Options:
       --trim U        search for the value of an input, too; once for each (linearise)
       --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
-                      `rk4` or `gauss` in equal steps (simulate)
-      --tolerance E   tolerated error of a step, 1e-9 by default (simulate)
+                      `rk4` or `gauss` in equal steps (simulate, ensemble)
+      --tolerance E   tolerated error of a step, 1e-9 by default (simulate, ensemble)
       --sources       leave the compilation to the program that imports the unit (fmu)
-      --step TIME     length of equal steps (simulate)
+      --step TIME     length of equal steps (simulate, ensemble)
       --energy        add a column for the energy (simulate)
       --events FILE   write the events of the motion to a file, as CSV (simulate)
       --name NAME     name the struct (urdf)
@@ -120,6 +127,8 @@ pub(crate) enum Action {
     Page(Values),
     /// Computes a motion.
     Simulate(Settings),
+    /// Computes many motions.
+    Ensemble(Many),
     /// Computes a linear model.
     Linearise(Point),
     /// Imports a robot.
@@ -216,6 +225,36 @@ impl Settings {
     }
 }
 
+/// Settings of many motions, as they are written.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct Many {
+    /// Settings that all of them share.
+    pub(crate) settings: Settings,
+    /// Quantities that differ between motions, with their ranges.
+    pub(crate) vary: Vec<(String, String)>,
+    /// Number of motions.
+    pub(crate) motions: Option<String>,
+    /// Seed of the random values.
+    pub(crate) seed: Option<String>,
+    /// Number of threads.
+    pub(crate) threads: Option<String>,
+}
+
+impl Many {
+    /// Reads the value of an option; false if there is none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match option {
+            "vary" => self.vary.push(assignment(option, parser)?),
+            "motions" => self.motions = Some(parser.value()?.string()?),
+            "seed" => self.seed = Some(parser.value()?.string()?),
+            "threads" => self.threads = Some(parser.value()?.string()?),
+            "every" | "events" => return Ok(false),
+            _ => return self.settings.read(option, parser),
+        }
+        Ok(true)
+    }
+}
+
 /// A name and its value.
 fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
     let text = parser.value()?.string()?;
@@ -250,6 +289,7 @@ impl Action {
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
+            "ensemble" => Action::Ensemble(Many::default()),
             "linearise" => Action::Linearise(Point::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
@@ -284,6 +324,7 @@ impl Action {
         match (self, option) {
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
             (Action::Simulate(settings), _) => return settings.read(option, parser),
+            (Action::Ensemble(many), _) => return many.read(option, parser),
             (Action::Linearise(point), _) => return point.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),

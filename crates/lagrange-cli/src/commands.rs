@@ -20,7 +20,8 @@ use quote::quote;
 use serde_json::Value;
 
 use crate::analyses::Linearised;
-use crate::arguments::{Action, Command, Point, Settings, Text, Values};
+use crate::arguments::{Action, Command, Many, Point, Settings, Text, Values};
+use crate::ensembles;
 use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
 use crate::source;
@@ -52,6 +53,7 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
+            Action::Ensemble(many) => return self.ensemble(many),
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
@@ -69,6 +71,24 @@ impl Command {
         };
         let motion = Motion::new(settings, self.output.as_deref(), &mut system);
         motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
+    }
+
+    /// Computes many motions and writes their ends.
+    fn ensemble(&self, many: &Many) -> Ended {
+        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+            return Ended::WithMistakes;
+        };
+        let ends = match ensembles::ends(many, &mut system) {
+            Ok(ends) => ends,
+            Err(failure) => return failed(failure),
+        };
+        if write(self.output.as_deref(), ensembles::csv(&ends, &system)).is_err() {
+            return Ended::WithMistakes;
+        }
+        for motion in &ends.failures {
+            print_error(&format!("motion {}: {}", motion.index, motion.message));
+        }
+        if ends.failures.is_empty() { Ended::Well } else { Ended::Early }
     }
 
     /// Computes a linear model and writes it.

@@ -47,9 +47,7 @@ impl<'a> Motion<'a> {
     ) -> Result<Self, Failure> {
         check_format(output)?;
         set(&settings.values, system)?;
-        let until = settings.until.as_deref().map(|text| time("until", text)).transpose()?;
-        let until =
-            until.ok_or_else(|| Failure::Usage("the end is missing: write `--until 10`".to_owned()))?;
+        let until = end(settings)?;
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
@@ -65,8 +63,20 @@ impl<'a> Motion<'a> {
     }
 }
 
-/// The method with its settings.
-fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
+/// Returns the time of the end.
+///
+/// # Errors
+/// If it is missing or makes no sense.
+pub(crate) fn end(settings: &Settings) -> Result<f64, Failure> {
+    let missing = || Failure::Usage("the end is missing: write `--until 10`".to_owned());
+    time("until", settings.until.as_deref().ok_or_else(missing)?)
+}
+
+/// Returns the method with its settings.
+///
+/// # Errors
+/// If there is no such method, or it has no such setting.
+pub(crate) fn method(settings: &Settings) -> Result<MethodChoice, Failure> {
     let tolerance = settings.tolerance.as_deref().map(|text| {
         let bad = |error| Failure::Usage(format!("--tolerance {text}: {error}"));
         value("--tolerance", text, None).map_err(bad)
@@ -104,10 +114,33 @@ pub(crate) fn set(values: &Values, system: &mut DeclaredSystem) -> Result<(), Fa
 /// # Errors
 /// The first value that makes no sense, or is missing.
 pub(crate) fn start(option: &str, values: &Values, system: &DeclaredSystem) -> Result<Vec<f64>, Failure> {
+    start_from(option, &start_values(option, values, system)?, system)
+}
+
+/// Returns the entries that an option of this name sets.
+///
+/// # Errors
+/// The first value that makes no sense.
+pub(crate) fn start_values(
+    option: &str,
+    values: &Values,
+    system: &DeclaredSystem,
+) -> Result<Vec<(String, f64)>, Failure> {
     let named =
         |(name, text): &(String, String)| Ok((name.clone(), named_value(option, (name, text), system)?));
-    let values = values.start.iter().map(named).collect::<Result<Vec<_>, Failure>>()?;
-    system.start_with(&values).map_err(|error| match error {
+    values.start.iter().map(named).collect()
+}
+
+/// Returns the state at the start with these entries.
+///
+/// # Errors
+/// If one is unknown or missing.
+pub(crate) fn start_from(
+    option: &str,
+    values: &[(String, f64)],
+    system: &DeclaredSystem,
+) -> Result<Vec<f64>, Failure> {
+    system.start_with(values).map_err(|error| match error {
         StartError::Missing(name) => Failure::Usage(format!(
             "the start of `{name}` is missing: write `--{option} {name}=0`, or declare it"
         )),
@@ -115,8 +148,15 @@ pub(crate) fn start(option: &str, values: &Values, system: &DeclaredSystem) -> R
     })
 }
 
-/// The value of a variable of the system, in its unit.
-fn named_value(option: &str, (name, text): (&str, &str), system: &DeclaredSystem) -> Result<f64, Failure> {
+/// Returns the value of a variable of the system, in its unit.
+///
+/// # Errors
+/// If it makes no sense.
+pub(crate) fn named_value(
+    option: &str,
+    (name, text): (&str, &str),
+    system: &DeclaredSystem,
+) -> Result<f64, Failure> {
     let unit = system.variables().unit(name);
     value(name, text, unit).map_err(|error| Failure::Usage(format!("--{option} {name}={text}: {error}")))
 }

@@ -132,13 +132,15 @@ impl<'a, M: Scene<Space: DrawnSpace>> Drawing<'a, M> {
         self
     }
 
-    /// Adds the forces and moments that have names: declared ones, weights, those of springs and
-    /// dampers, and those by which joints maintain their constraints. In space moments have two
-    /// heads. Torques on angles act on the bodies that turn as the angles do. A line below the
-    /// picture names the omitted ones: forces of joints that the coordinates satisfy, and torques
-    /// on angles that determine no body. [`hide`](Self::hide) removes a name from it. Hand-written
-    /// constraints and potentials, contacts and dry friction act, too, but have no such names. In
-    /// the plane, [`free_body`](Self::free_body) shows their resultant.
+    /// Adds the forces and moments that have names: declared ones, weights, constraint forces of
+    /// joints, and those of springs, dampers and contacts of bodies. Forces of contacts,
+    /// `touch.normal` and `touch.friction`, are those of a motion that starts from the state. In
+    /// space moments have two heads. Torques on angles act on the bodies that turn as the angles
+    /// do. A line below the picture names the omitted ones: forces of joints that the coordinates
+    /// satisfy, and torques on angles that determine no body. [`hide`](Self::hide) removes a name
+    /// from it. Hand-written constraints and potentials, impacts and dry friction of events act,
+    /// too, but have no such names. In the plane, [`free_body`](Self::free_body) shows their
+    /// resultant.
     pub fn forces(mut self) -> Self {
         self.wanted.forces = true;
         self
@@ -279,9 +281,11 @@ where
 
     /// The scene of a shot with what is hidden, which must be there.
     pub(super) fn snapshot(&self, shot: &Shot<M>) -> Result<Snapshot<M::Space>, DrawError> {
-        let (t, y) = &shot.0;
+        let ((t, y), system) = (&shot.0, self.system_in(shot));
         let (q, v) = split::<M>(y);
-        let snapshot = Snapshot::of(self.system_in(shot), *t, &q, &v);
+        // The forces of contacts, and accelerations under them, are those of a motion from here.
+        let begun = system.begin(*t, y).ok().flatten();
+        let snapshot = Snapshot::of(begun.as_ref().unwrap_or(system), *t, &q, &v);
         let is_unknown = |name: &&String| snapshot.names().all(|known| known != name.as_str());
         match self.hidden.iter().find(is_unknown) {
             Some(name) => Err(DrawError::UnknownItem(name.clone())),

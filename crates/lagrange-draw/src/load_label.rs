@@ -22,26 +22,37 @@ pub(super) fn load_label(load: &Load, snapshot: &Snapshot) -> String {
         (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => letter.into(),
         (LoadOrigin::Connector, _) => symbol(letter, &load.name, true),
         (LoadOrigin::Joint, _) => of_joint(load, snapshot).unwrap_or_else(|| formula(&load.name)),
+        (LoadOrigin::Contact, _) => {
+            let contacts = snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Contact);
+            contact_label(&load.name, contacts.map(|load| &*load.name))
+        }
         _ => formula(&load.name),
     }
 }
 
+/// The symbol of the normal force or the friction of a contact beside those with these names.
+pub(super) fn contact_label<'a>(name: &str, names: impl Iterator<Item = &'a str>) -> String {
+    let letter = if name.ends_with(".friction") { "H" } else { "N" };
+    symbol(letter, owner(name), names.map(owner).collect::<BTreeSet<&str>>().len() > 1)
+}
+
 /// The symbol of a constraint force, if the scene has its joint.
 fn of_joint(load: &Load, snapshot: &Snapshot) -> Option<String> {
-    let name = joint_of(load);
+    let name = owner(&load.name);
     let joint = snapshot.joints.iter().find(|joint| joint.name == name)?;
     let letter = match (joint.kind, load.name.strip_prefix(name)) {
         (Joint::Slide, _) | (_, Some(".normal")) => "N",
         (_, Some(".friction")) => "H",
         _ => "F",
     };
-    let joints = snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Joint).map(joint_of);
+    let joints = snapshot.loads.iter().filter(|load| load.cause == LoadOrigin::Joint);
+    let joints = joints.map(|load| owner(&load.name));
     Some(symbol(letter, name, joints.collect::<BTreeSet<&str>>().len() > 1))
 }
 
-/// The name of the joint: the part before a point.
-fn joint_of(load: &Load) -> &str {
-    load.name.split_once('.').map_or(&load.name, |(joint, _)| joint)
+/// The name of the joint or contact: the part before a point.
+fn owner(name: &str) -> &str {
+    name.split_once('.').map_or(name, |(owner, _)| owner)
 }
 
 #[cfg(test)]

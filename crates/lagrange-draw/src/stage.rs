@@ -185,7 +185,8 @@ fn remainder(rest: &Remainder, loads: &[Load]) -> Vec<Element> {
 fn pushes(load: &Load, force: Point, center: Option<Point>) -> bool {
     const NARROW: f64 = 0.5;
     let inwards = center.map_or([0.0, 0.0], |center| subtract(center, load.at));
-    load.cause == LoadOrigin::Joint && dot(force, inwards) > NARROW * length(force) * length(inwards)
+    let is_contact = matches!(load.cause, LoadOrigin::Joint | LoadOrigin::Contact);
+    is_contact && dot(force, inwards) > NARROW * length(force) * length(inwards)
 }
 
 /// The path of a point so far, and where it is now.

@@ -34,7 +34,8 @@ pub struct EnsembleSettings {
 pub struct EnsembleEnds {
     /// Times of the ends: those wanted, or earlier ones where events stopped motions.
     pub times: Vec<f64>,
-    /// Names of the columns: the state, outputs, and parameters if something varies.
+    /// Names of the columns: the state, outputs and, if something varies, parameters and the inputs
+    /// that vary.
     pub names: Vec<String>,
     /// Columns, in the order of their names.
     pub columns: Vec<Vec<f64>>,
@@ -172,7 +173,8 @@ impl Visitor for Motions<'_> {
             ensemble = ensemble.threads(*threads);
         }
         let ends = ends_by(*method, ensemble);
-        ends.map(|ends| EnsembleEnds::of(&ends)).map_err(|error| EnsembleError::Setting(error.to_string()))
+        let ends = ends.map_err(|error| EnsembleError::Setting(error.to_string()))?;
+        Ok(EnsembleEnds::of(&ends).with(&self.settings.varied))
     }
 }
 
@@ -198,6 +200,17 @@ impl EnsembleEnds {
             columns: ends.table().columns().map(<[f64]>::to_vec).collect(),
             failures: ends.failures().iter().map(FailedMotion::of).collect(),
         }
+    }
+
+    /// Adds columns for inputs that vary; parameters have theirs.
+    fn with(mut self, varied: &[(String, Vec<f64>)]) -> Self {
+        for (name, values) in varied {
+            if !self.names.contains(name) {
+                self.names.push(name.clone());
+                self.columns.push(values.clone());
+            }
+        }
+        self
     }
 }
 

@@ -151,4 +151,6 @@ pub enum LoadOrigin {
     Connector,
     /// A joint, which upholds its constraint by this force.
     Joint,
+    /// A contact, by its normal force or its friction.
+    Contact,
 }

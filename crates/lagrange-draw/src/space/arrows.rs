@@ -9,6 +9,7 @@ use super::vector::{NONE, Rotation, UPRIGHT, Vector};
 use crate::colour::{FORCE, PALE};
 use crate::geometry::{length, times};
 use crate::load::Value;
+use crate::load_label::contact_label;
 use crate::picture::Colour;
 use crate::snapshot::Snapshot;
 use lagrange_plot::notation::formula;
@@ -67,6 +68,8 @@ impl Arrows<'_> {
 
     /// Forces, then moments, each kind on a scale of its own.
     pub(super) fn loads(&self, first: &Snapshot<Spatial>) -> Vec<MovingMesh> {
+        let contacts = first.loads.iter().filter(|load| load.cause == LoadOrigin::Contact);
+        let contacts = contacts.map(|load| &*load.name);
         let of_kind = |is_moment: bool| {
             let loads = first.loads.iter().enumerate().filter(|(_, load)| load.is_moment() == is_moment);
             let vectors = loads.map(|(index, load)| {
@@ -80,6 +83,7 @@ impl Arrows<'_> {
                     (LoadOrigin::Applied, _) if ["force", "torque"].contains(&&*load.name) => {
                         if is_moment { "M" } else { "F" }.to_owned()
                     }
+                    (LoadOrigin::Contact, _) => contact_label(&load.name, contacts.clone()),
                     _ => formula(&load.name),
                 };
                 (&*load.name, text, self.film.iter().map(vector).collect())

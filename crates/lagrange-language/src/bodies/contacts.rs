@@ -12,10 +12,12 @@ mod touched;
 
 use proc_macro2::TokenStream;
 
+use super::drawing::draw_forces;
 use super::expressions::is_ground;
 use super::messages::contacts as words;
 use super::object::{self, Object};
-use super::space::vectors::{minus, plus, scale};
+use super::plain::LoadOrigin;
+use super::space::vectors::{Triple, minus, plus, scale, zero_triple};
 use super::touching::{Touching, touching};
 use super::translation::Translation;
 use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, StatementKind};
@@ -73,7 +75,8 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
         (None, _) => slip,
     };
     let geometry = ContactGeometry { gap, ..geometry };
-    Some(parts_of(translation, statement, &geometry, slip))
+    let bodies = [Some(touching.body), surface.carrier].map(|body| loaded_name(translation, body?));
+    Some(parts_of(translation, statement, &bodies, &geometry, slip))
 }
 
 /// Declares the names of a contact whose mistake was reported.
@@ -115,6 +118,15 @@ fn name_of(translation: &Translation<'_>, body: usize) -> String {
     }
 }
 
+/// The name of the body on which a force on a body or link acts.
+fn loaded_name(translation: &Translation<'_>, body: usize) -> Option<String> {
+    let body = match &translation.space {
+        Some(space) => space.loaded_link(body)?,
+        None => body,
+    };
+    Some(name_of(translation, body))
+}
+
 /// Adds the friction against a slip velocity; the name of this.
 fn rub(
     translation: &mut Translation<'_>,
@@ -133,10 +145,33 @@ fn rub(
     slip
 }
 
-/// Returns what stands for the parts of a contact in expressions.
+/// Draws the normal force and the friction on both bodies, unless nothing is drawn: `touch` would
+/// then count as needed.
+fn draw_contact(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    bodies: &[Option<String>; 2],
+    point: Triple,
+    forces: impl Iterator<Item = Triple>,
+) {
+    if !translation.is_drawn {
+        return;
+    }
+    let point = scene_vector(translation, point);
+    for (force, part) in forces.zip(["normal", "friction"]) {
+        let force = scene_vector(translation, force);
+        let name = format!("{}.{part}", name.text);
+        let ends = bodies.clone().map(|body| (body, point));
+        draw_forces(translation, (&name, LoadOrigin::Contact), &[], ends, force);
+    }
+}
+
+/// Returns what stands for the parts of a contact in expressions. Its forces on both bodies are
+/// drawn.
 fn parts_of(
     translation: &mut Translation<'_>,
     statement: &ast::Contact,
+    bodies: &[Option<String>; 2],
     geometry: &ContactGeometry,
     slip: AstId,
 ) -> object::Contact {
@@ -152,13 +187,17 @@ fn parts_of(
         false => terms.number(0),
     };
     let shares = if is_spatial { terms.pair(friction).to_vec() } else { vec![friction] };
-    let mut force = scale(&mut terms, normal, geometry.normal);
+    let pressure = scale(&mut terms, normal, geometry.normal);
+    let mut grip = zero_triple(&mut terms);
     for (share, tangent) in shares.into_iter().zip(geometry.tangents) {
         let share = scale(&mut terms, share, tangent);
-        force = plus(&mut terms, force, share);
+        grip = plus(&mut terms, grip, share);
     }
+    let force = plus(&mut terms, pressure, grip);
     let foot = scale(&mut terms, geometry.radius, geometry.normal);
     let point = minus(&mut terms, geometry.center, foot);
+    let shares = [pressure, grip].into_iter().take(1 + usize::from(statement.has_friction()));
+    draw_contact(translation, &statement.name, bodies, point, shares);
     let [force, point] = [force, point].map(|vector| scene_vector(translation, vector));
     let values = [normal, friction, force, geometry.gap, slip, point];
     object::Contact { parts: PARTS.into_iter().zip(values).collect() }

@@ -53,6 +53,22 @@ pub(super) fn draw_force(
     translation.loads.push(Drawn { kind, values: vec![at, force], needs });
 }
 
+/// A force on the first body at its point and the opposite one on the second.
+pub(super) fn draw_forces(
+    translation: &mut Translation<'_>,
+    (name, cause): (&str, LoadOrigin),
+    needs: &[&str],
+    ends: [(Option<String>, AstId); 2],
+    force: AstId,
+) {
+    let opposite = translation.terms().negative(force);
+    for ((body, at), force) in ends.into_iter().zip([force, opposite]) {
+        if body.is_some() {
+            draw_force(translation, Load { name, cause, body }, [at, force], needs);
+        }
+    }
+}
+
 /// A moment that is drawn at a place.
 pub(super) fn draw_moment(translation: &mut Translation<'_>, load: Load<'_>, [at, moment]: [AstId; 2]) {
     let kind = DrawnKind::Moment { name: load.name.to_owned(), cause: load.cause, body: load.body };

@@ -3,7 +3,7 @@
 //! The gradient of a constraint is the direction in which its force acts on the first-named body.
 //! The force is λ times the direction.
 
-use super::drawing::{Load, draw_force, owner_of_point};
+use super::drawing::{draw_forces, owner_of_point};
 use super::expressions::{mention, scene_point};
 use super::lines::{carrier, track};
 use super::messages;
@@ -76,7 +76,13 @@ fn hold_pin(
     }
     let needs = names.iter().map(|name| name.text.as_str()).collect::<Vec<_>>();
     let [first, second] = owners;
-    draw_forces(translation, &name, &needs, [(first, points[0]), (second, points[1])], force);
+    draw_forces(
+        translation,
+        (&name, LoadOrigin::Joint),
+        &needs,
+        [(first, points[0]), (second, points[1])],
+        force,
+    );
     Some(Joint { force, parts: Vec::new() })
 }
 
@@ -113,7 +119,7 @@ fn hold_slide(
     let force = terms.tuple(force);
     draw_joint(translation, &name, JointForm::Slide, at);
     let shares = [body, carrier].map(|body| (name_of(translation, body), at));
-    draw_forces(translation, &name, &[&pressure.text], shares, force);
+    draw_forces(translation, (&name, LoadOrigin::Joint), &[&pressure.text], shares, force);
     Some(Joint { force, parts: vec![("normal", multiplier)] })
 }
 
@@ -234,7 +240,8 @@ fn rolling_constraint(
     draw_joint(translation, name, JointForm::Roll, at);
     for ((multiplier, force), part) in multipliers.into_iter().zip(forces).zip(["normal", "friction"]) {
         let shares = bodies.map(|body| (name_of(translation, body), at));
-        draw_forces(translation, &format!("{name}.{part}"), &[&multiplier.text], shares, force);
+        let name = format!("{name}.{part}");
+        draw_forces(translation, (&name, LoadOrigin::Joint), &[&multiplier.text], shares, force);
     }
     Joint { force, parts: vec![("normal", symbols[0]), ("friction", symbols[1])] }
 }
@@ -250,22 +257,6 @@ fn add_constraint(translation: &mut Translation<'_>, wish: &str, value: AstId) -
 fn draw_joint(translation: &mut Translation<'_>, name: &str, kind: JointForm, at: AstId) {
     let kind = DrawnKind::Joint { name: name.to_owned(), kind };
     translation.drawing.push(Drawn { kind, values: vec![at], needs: Vec::new() });
-}
-
-/// A force on the first body at its point and the opposite one on the second.
-fn draw_forces(
-    translation: &mut Translation<'_>,
-    name: &str,
-    needs: &[&str],
-    ends: [(Option<String>, AstId); 2],
-    force: AstId,
-) {
-    let opposite = translation.terms().negative(force);
-    for ((body, at), force) in ends.into_iter().zip([force, opposite]) {
-        if body.is_some() {
-            draw_force(translation, Load { name, cause: LoadOrigin::Joint, body }, [at, force], needs);
-        }
-    }
 }
 
 fn name_of(translation: &Translation<'_>, body: Option<usize>) -> Option<String> {

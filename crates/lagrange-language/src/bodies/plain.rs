@@ -263,6 +263,8 @@ pub enum LoadOrigin {
     Connector,
     /// A joint: its multipliers.
     Joint,
+    /// A contact: its normal force or its friction.
+    Contact,
 }
 
 /// Condition on numbers, checked where these are known.

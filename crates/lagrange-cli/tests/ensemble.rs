@@ -1,0 +1,137 @@
+//! Ensembles on the command line: ends beside closed forms, and everything that can be wrong.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+const SPRING: &str = "
+/// A mass on a spring.
+pub struct Spring;
+param m: kg = 2, k: N/m;
+coord x: m, angle: rad;
+input push: N = 0;
+kinetic = 1/2 * m * dot(x)^2 + 1/2 * dot(angle)^2 * m * 1 [m^2];
+potential = 1/2 * k * x^2;
+force x = push;
+output twice: m = 2 * x;
+";
+
+fn declaration(name: &str, text: &str) -> String {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    fs::write(&path, text).expect("written");
+    path.to_str().expect("UTF-8").to_owned()
+}
+
+fn ensemble(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lagrange"));
+    command.arg("ensemble").args(arguments).output().expect("the command starts")
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).expect("UTF-8")
+}
+
+/// The columns and rows that a command writes without mistakes.
+fn table(arguments: &[&str]) -> (Vec<String>, Vec<Vec<f64>>) {
+    let result = ensemble(arguments);
+    assert_eq!((result.status.code(), text(&result.stderr)), (Some(0), ""), "{arguments:?}");
+    let mut lines = text(&result.stdout).lines();
+    let names = lines.next().expect("a head").split(',').map(str::to_owned).collect();
+    let row = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    (names, lines.map(row).collect())
+}
+
+#[test]
+fn ends_are_those_of_the_closed_form() {
+    let file = declaration("ends.lag", SPRING);
+    let varied = ["--vary", "x=20 cm..30 cm", "--vary", "k=1..3", "--vary", "push=-1..1"];
+    let common = [&*file, "--until", "2", "--start", "angle=90deg", "--motions", "50"];
+    let (names, rows) = table(&[&common, &varied[..]].concat());
+    let head = ["t in s", "x in m", "angle in rad", "x_dot in m/s", "angle_dot in rad/s", "twice in m"];
+    assert_eq!(names[..6], head);
+    assert_eq!(names[6..], ["m in kg", "k in N/m", "push in N", "x at start in m"], "{names:?}");
+    assert_eq!(rows.len(), 50);
+    for row in &rows {
+        let (omega, rest) = ((row[7] / row[6]).sqrt(), row[8] / row[7]);
+        assert!((0.2..0.3).contains(&row[9]) && (1.0..3.0).contains(&row[7]), "{row:?}");
+        assert!((row[1] - rest - (row[9] - rest) * (omega * 2.0).cos()).abs() < 1e-8, "{row:?}");
+        assert!((row[5] - 2.0 * row[1]).abs() < 1e-15 && row[2] == std::f64::consts::FRAC_PI_2);
+    }
+    let spread = |column: usize| {
+        let values = rows.iter().map(|row| row[column]);
+        values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
+    };
+    assert!(spread(7) > 1.8, "values fill their range: {}", spread(7));
+}
+
+#[test]
+fn ends_depend_on_the_seed_alone() {
+    let file = declaration("seed.lag", SPRING);
+    let run = |more: &[&str]| {
+        let common = [&*file, "--until", "1", "--vary", "x=0..1", "--set", "k=2", "--start", "angle=0"];
+        ensemble(&[&common, more].concat()).stdout
+    };
+    assert_eq!(run(&["--threads", "1"]), run(&["--threads", "2", "--seed", "0"]));
+    assert_ne!(run(&[]), run(&["--seed", "1"]));
+    assert_eq!(text(&run(&[])).lines().count(), 101);
+}
+
+#[test]
+fn motions_that_fail_are_rows_of_nan_and_named() {
+    let file = declaration("fails.lag", "coord x; param a; kinetic = 1/2 * dot(x)^2; force x = 2 * x^3 * a;");
+    // From x = 1 with ẋ = 1 and a = 1 it is 1/(1 − t), and harmless for a near 0.
+    let start = ["--start", "x=1", "--start", "x_dot=1", "--vary", "a=0..2", "--motions", "20"];
+    let result = ensemble(&[&[&*file, "--until", "1.2"], &start[..]].concat());
+    assert_eq!(result.status.code(), Some(3));
+    let failed = text(&result.stdout).lines().filter(|line| line.contains("NaN")).count();
+    assert!((1..20).contains(&failed), "{}", text(&result.stdout));
+    let messages = text(&result.stderr);
+    assert_eq!(
+        messages.lines().filter(|line| line.starts_with("error: motion ")).count(),
+        failed,
+        "{messages}"
+    );
+}
+
+#[test]
+fn a_file_is_written() {
+    let file = declaration("file.lag", SPRING);
+    let out = declaration("file.csv", "");
+    let arguments =
+        [&*file, "--until", "1", "--vary", "k=1..2", "--start", "x=1", "--start", "angle=0", "-o", &out];
+    let result = ensemble(&arguments);
+    assert_eq!((result.status.code(), text(&result.stdout), text(&result.stderr)), (Some(0), "", ""));
+    assert_eq!(fs::read_to_string(&out).expect("written").lines().count(), 101);
+}
+
+#[test]
+fn everything_that_makes_no_sense_is_refused() {
+    let file = declaration("refused.lag", SPRING);
+    let complete = ["--until", "1", "--set", "k=1", "--start", "x=0", "--start", "angle=0"];
+    let mistakes: [(&[&str], &str); 12] = [
+        (&["--vary", "m=1"], "error: --vary m=1: a range is missing: write `0..1`"),
+        (&["--vary", "m=2..1"], "error: --vary m=2..1: the first number must be below the second"),
+        (&["--vary", "m=1..1"], "error: --vary m=1..1: the first number must be below the second"),
+        (&["--vary", "m=1..2 s"], "error: --vary m=2 s: this is a time (s), but `m` is declared in kg"),
+        (
+            &["--vary", "y=0..1"],
+            "error: --vary: there is no `y`; known are `m`, `k`, `push`, `x`, `angle`, `x_dot`, `angle_dot`",
+        ),
+        (&["--vary", "m=1..2", "--vary", "m=2..3"], "error: `m` varies twice"),
+        (&["--motions", "0"], "error: the numbers of motions and threads must be positive"),
+        (&["--threads", "0"], "error: the numbers of motions and threads must be positive"),
+        (&["--motions", "many"], "error: --motions many: expected a whole number"),
+        (&["--seed", "-1"], "error: --seed -1: expected a whole number"),
+        (&["--method", "rk4"], "error: the method `rk4` needs a step: write `--step 0.01`"),
+        (&["--every", "1"], "error: invalid option '--every'"),
+    ];
+    for (more, message) in mistakes {
+        let result = ensemble(&[&[&*file], &complete[..], more].concat());
+        let found = text(&result.stderr);
+        assert!(result.status.code() == Some(2) && found.starts_with(message), "{more:?}: {found}");
+    }
+    let without_end = ensemble(&[&file, "--vary", "k=1..2", "--start", "x=0", "--start", "angle=0"]);
+    assert!(text(&without_end.stderr).starts_with("error: the end is missing"));
+    let without_start = ensemble(&[&file, "--until", "1", "--vary", "k=1..2", "--start", "angle=0"]);
+    assert!(text(&without_start.stderr).starts_with("error: the start of `x` is missing"));
+}
