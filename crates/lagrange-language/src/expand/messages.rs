@@ -31,7 +31,7 @@ messages! {
     values_called(name) = "`{name}` is an array of values, which cannot be called";
     VALUES_CALLED_HELP = "write `*` before the parentheses for a product";
     NOTHING_LEFT = "the braces are empty after expansion: no condition in them holds, or every range is empty";
-    NOTHING_LEFT_HELP = "put the statement into an `if` that holds where something is left";
+    NOTHING_LEFT_HELP = "enclose the statement in an `if` that holds only where the braces are not empty";
     too_many_statements(most) = "loops up to this one expand to more than {most} statements";
     too_many_terms(most) = "loops and sums up to this one expand to more than {most} terms";
     too_many_elements(most) = "arrays up to this one have more than {most} elements";

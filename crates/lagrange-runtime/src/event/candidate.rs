@@ -4,7 +4,7 @@
 //! the earliest event comes later, or at the same time, and is not located. If many pass zero
 //! together, only one is located.
 
-use super::piece::Values;
+use super::piece::EventValues;
 use crate::scalar::Scalar;
 
 /// The earliest event found so far in a piece that was reached here.
@@ -19,7 +19,12 @@ pub(super) struct Candidate<S, const K: usize> {
 
 impl<S: Scalar, const K: usize> Candidate<S, K> {
     /// Looks at the values just before an event of this function at this time.
-    pub(super) fn new((event, time): (usize, S), reached: S, accuracy: S, at: &mut Values<'_, S, K>) -> Self {
+    pub(super) fn new(
+        (event, time): (usize, S),
+        reached: S,
+        accuracy: S,
+        at: &mut EventValues<'_, S, K>,
+    ) -> Self {
         let distance = (time - reached).abs() - accuracy;
         let just_before = if time < reached { reached - distance } else { reached + distance };
         let is_seen = K > 1 && distance > S::ZERO;

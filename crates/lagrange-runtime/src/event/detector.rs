@@ -4,7 +4,7 @@ mod earliest;
 
 use super::function::EventFunction;
 use super::instant::{accuracy, is_at_once, unresolved};
-use super::piece::{Piece, Values};
+use super::piece::{EventValues, Piece};
 use super::polynomial::{POINTS, points};
 use super::rounding::{is_rounding, rounded};
 use super::search::Search;
@@ -150,7 +150,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     fn search_step(
         &mut self,
         (from, to): (S, S),
-        at: &mut Values<'_, S, K>,
+        at: &mut EventValues<'_, S, K>,
     ) -> Result<Option<Suspect<S>>, StepFailure<S>> {
         if !self.search.is_of(from, to) {
             self.search = Search::new(from, to);
@@ -197,7 +197,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
     }
 
     /// The functions between two times, at the first of which they are known.
-    fn sample(&self, (start, end): (S, S), at: &mut Values<'_, S, K>) -> Piece<S, K> {
+    fn sample(&self, (start, end): (S, S), at: &mut EventValues<'_, S, K>) -> Piece<S, K> {
         let mut times = points::<S>().map(|part| start + part * (end - start));
         times[POINTS - 1] = end;
         let here = self.functions.map(|function| function.here);

@@ -10,7 +10,7 @@ const STEADY: f64 = 0.8;
 
 /// The values of all functions at a time within a step and, if that is true, at a state that is
 /// changed by rounding. As an object: the search is then compiled once for all systems and methods.
-pub(super) type Values<'a, S, const K: usize> = dyn FnMut(S, bool) -> [S; K] + 'a;
+pub(super) type EventValues<'a, S, const K: usize> = dyn FnMut(S, bool) -> [S; K] + 'a;
 
 /// Times in a piece and the values of all functions there.
 pub(super) struct Piece<S, const K: usize> {
@@ -83,7 +83,7 @@ impl<S: Scalar, const K: usize> Piece<S, K> {
 
     /// Returns the largest change of each function where the state is rounded, at three times: it
     /// may turn round at one of them.
-    pub(super) fn roundings(&self, at: &mut Values<'_, S, K>) -> [S; K] {
+    pub(super) fn roundings(&self, at: &mut EventValues<'_, S, K>) -> [S; K] {
         [0, POINTS / 2, POINTS - 1].into_iter().fold([S::ZERO; K], |largest, j| {
             let (rounded, values) = (at(self.times[j], true), self.values[j]);
             core::array::from_fn(|k| largest[k].max((rounded[k] - values[k]).abs()))

@@ -123,7 +123,7 @@ impl<'a, S: Scalar> Restarts<'a, S> {
         self.first(t, named, instant)
     }
 
-    /// The first restart after `t`, of those given, that which the system names and an instant.
+    /// The first restart after `t`: a given one, the one that the system names, or an instant.
     fn first(&self, t: S, named: Option<(S, Roundings)>, instant: Option<S>) -> Option<Restart<S>> {
         let past = self.given.partition_point(|time| !self.is_ahead(t, *time));
         let given = self.given[past..].iter().find_map(|time| self.between(t, *time, RESTART));

@@ -48,9 +48,9 @@ fn loops_in_reductions_stand_for_their_lines() {
 #[test]
 fn mistakes_in_enclosed_lines_are_reported() {
     let mistakes = [
-        ("event e = x[0], rising => { for i in 0..0 { x[i] = 1; } }", "nothing is left between the braces"),
-        ("event e = x[0], rising => { if 1 > 2 { x[0] = 1; } }", "nothing is left between the braces"),
-        ("reduce R { for i in 1..1 { freeze x[i] = 1; } }", "nothing is left between the braces"),
+        ("event e = x[0], rising => { for i in 0..0 { x[i] = 1; } }", "the braces are empty"),
+        ("event e = x[0], rising => { if 1 > 2 { x[0] = 1; } }", "the braces are empty"),
+        ("reduce R { for i in 1..1 { freeze x[i] = 1; } }", "the braces are empty"),
         ("event e = x[0], rising => { for i in 0..3 { x[i] = 1; } }", "there is no `x[2]`, for i = 2"),
         ("event e = x[0], rising => { for x in 0..2 { dot(x) = 1; } }", "cannot be the variable of a loop"),
         ("event e = x[0], rising => { for i in 0..x { x[i] = 1; } }", "`x` cannot be an index"),

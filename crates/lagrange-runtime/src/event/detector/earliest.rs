@@ -4,7 +4,7 @@ use super::{Detector, check};
 use crate::event::candidate::Candidate;
 use crate::event::function::EventFunction;
 use crate::event::locate::{MOST_ROUNDS, Sample, locate};
-use crate::event::piece::{Piece, Sight, Values};
+use crate::event::piece::{EventValues, Piece, Sight};
 use crate::event::polynomial::POINTS;
 use crate::integrate::EventSource::Given;
 use crate::scalar::Scalar;
@@ -29,7 +29,7 @@ pub(super) enum First<S> {
 /// The functions that are noise in all of a piece, as far as they have been looked at.
 struct Noise<S, const K: usize> {
     are: [bool; K],
-    /// What rounding changes each function by, once it is needed.
+    /// The change of each function by rounding, once it is needed.
     roundings: Option<[S; K]>,
 }
 
@@ -40,7 +40,7 @@ impl<S: Scalar, const K: usize> Noise<S, K> {
         (event, function): (usize, &EventFunction<S>),
         sight: &Sight<S>,
         piece: &Piece<S, K>,
-        at: &mut Values<'_, S, K>,
+        at: &mut EventValues<'_, S, K>,
     ) -> bool {
         // At its end a run may end on a zero.
         let is_suspect = *sight != Sight::Nothing || piece.values[POINTS - 1][event] == S::ZERO;
@@ -59,7 +59,7 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         &self,
         piece: &Piece<S, K>,
         accuracy: S,
-        at: &mut Values<'_, S, K>,
+        at: &mut EventValues<'_, S, K>,
     ) -> Result<(First<S>, [bool; K]), StepFailure<S>> {
         let mut noise = Noise { are: [false; K], roundings: None };
         if piece.values.iter().any(|values| check(*values).is_err()) {
@@ -99,14 +99,14 @@ impl<S: Scalar, const K: usize> Detector<S, K> {
         Ok((first.map_or(First::None, |first| First::At(first.event, first.time)), noise.are))
     }
 
-    /// Locates where a function that has or is assumed to have this sign loses it between these
-    /// times; `None` if it does not have the other one at the end.
+    /// Locates the change of sign of a function that has this sign, or is assumed to have it,
+    /// between these times. `None` if it does not have the other sign at the end.
     fn crossing(
         &self,
         times: (S, S),
         (event, function, sign): (usize, &EventFunction<S>, S),
         accuracy: S,
-        at: &mut Values<'_, S, K>,
+        at: &mut EventValues<'_, S, K>,
     ) -> Result<Option<S>, StepFailure<S>> {
         let Some((before, after)) = self.bracket(times, (function, sign), &mut |t| at(t, false)[event])
         else {

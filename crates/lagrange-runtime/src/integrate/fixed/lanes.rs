@@ -11,15 +11,15 @@ use crate::system::{Equations, OdeSystem, SideBySide, StateVector};
 /// A formula that advances several motions in lanes, as [`Formula`](super::Formula) does one. Y is
 /// the state.
 pub trait LanesFormula<S: SideBySide, Y: StateVector<S>>: Copy {
-    /// What states within a step need of its end, besides the state.
+    /// Data at the end of a step that states within it need, besides the state.
     type End: Copy;
     /// Evaluations at the start of a motion, and in each step.
     const EVALUATIONS: (u64, u64);
     /// An end that is not known yet.
     const NO_END: Self::End;
 
-    /// Starts motions at the states `y` at time `t`.
-    fn start<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y);
+    /// Prepares for motions that start at the states `y` at time `t`.
+    fn prepare<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y);
 
     /// Returns what one step leaves to the next, as numbers. Each lane is a motion's own.
     fn carried(&self) -> &[S];
@@ -83,7 +83,7 @@ impl<T: Scalar, K: FixedSteps<Scalar = T>> LanesMethod<T> for K {
         E: Equations<S>,
     {
         let mut lanes = self.empty_lanes::<S, E>(t, end);
-        lanes.formula.start(equations, lanes.clock.time(), y);
+        lanes.formula.prepare(equations, lanes.clock.time(), y);
         FixedLanes { state: Compensated::new(*y), ..lanes }
     }
 

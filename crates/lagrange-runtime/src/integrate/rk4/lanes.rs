@@ -46,7 +46,7 @@ where
     const NO_END: Y = Y::ZERO;
 
     #[inline(always)]
-    fn start<E: Equations<S, State = Y>>(&mut self, _equations: &E, _t: S, _y: &Y) {}
+    fn prepare<E: Equations<S, State = Y>>(&mut self, _equations: &E, _t: S, _y: &Y) {}
 
     #[inline(always)]
     fn carried(&self) -> &[S] {

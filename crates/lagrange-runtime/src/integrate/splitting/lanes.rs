@@ -44,7 +44,7 @@ where
     const NO_END: () = ();
 
     #[inline(always)]
-    fn start<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y) {
+    fn prepare<E: Equations<S, State = Y>>(&mut self, equations: &E, t: S, y: &Y) {
         self.rates = [equations.rhs(t, y); 2];
     }
 
