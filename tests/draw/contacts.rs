@@ -150,6 +150,15 @@ fn a_compliant_contact_presses_by_its_depth() {
 }
 
 #[test]
+fn the_ground_is_drawn_once_under_all_contacts() {
+    let soft = Soft::default();
+    let state = [0.0, 0.099, 0.0, 0.0];
+    let svg = |drawing: Drawing<'_, Soft>| drawing.picture(0.0, &state).expect("draws").svg();
+    let (with, without) = (svg(Drawing::of(&soft)), svg(Drawing::of(&soft).hide("ground")));
+    assert!(with.matches("<path").count() > without.matches("<path").count(), "{with}\n{without}");
+}
+
+#[test]
 fn forces_of_a_film_follow_its_motion() {
     let block = Block::default();
     let run = block.simulate(sliding(&block)).until(0.5).every(0.1).run().expect("slides");

@@ -4,6 +4,7 @@ use crate::bodies::expressions::{is_ground, report_early};
 use crate::bodies::messages;
 use crate::bodies::messages::contacts as words;
 use crate::bodies::object::{Line, Object, Surface};
+use crate::bodies::plain::{Drawn, DrawnKind};
 use crate::bodies::space::vectors::{unit, zero_triple};
 use crate::bodies::touching::{rate_of, surface_of};
 use crate::bodies::translation::Translation;
@@ -45,6 +46,9 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
     let ground = translation.terms().name(&name.text);
     if is_ground(translation, ground) {
         let is_spatial = translation.space.is_some();
+        if !is_spatial {
+            draw_ground(translation, &name.text);
+        }
         let mut terms = translation.terms();
         let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
         let down = z.map(|component| terms.negative(component));
@@ -68,6 +72,20 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
     }
     translation.origin = before;
     None
+}
+
+/// Draws the line y = 0, once for all contacts.
+fn draw_ground(translation: &mut Translation<'_>, name: &str) {
+    let is_ground =
+        |drawn: &Drawn| matches!(&drawn.kind, DrawnKind::Line { name: known, .. } if known == name);
+    if !translation.is_drawn || translation.drawing.iter().any(is_ground) {
+        return;
+    }
+    let mut terms = translation.terms();
+    let (origin, angle) = (terms.zero_pair(), terms.number(0));
+    let origin = terms.tuple(origin);
+    let kind = DrawnKind::Line { name: name.to_owned(), body: None };
+    translation.drawing.push(Drawn { kind, values: vec![origin, angle], needs: Vec::new() });
 }
 
 fn surface_of_line(translation: &mut Translation<'_>, line: usize) -> Surface {
