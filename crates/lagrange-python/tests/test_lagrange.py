@@ -310,7 +310,7 @@ def test_ensembles_are_the_closed_form():
     np.testing.assert_allclose(starts["x"], k * np.cos(2) + np.sin(2) / 2, atol=1e-10)
     declared = system.ensemble(until=0.5, parameters={"k": [4]}, tolerance=1e-12)
     assert declared["x"] == pytest.approx([np.cos(1)], abs=1e-11) and len(declared) == 1
-    assert list(ends.to_pandas().columns) == ends.names == ["t", "x", "x_dot", "k"]
+    assert list(ends.to_pandas().columns) == ends.names == ["t", "x", "x_dot", "k", "u"]
 
 
 def test_failures_of_ensembles_leave_the_other_runs():
