@@ -128,7 +128,7 @@ pub(crate) enum Action {
     /// Computes a motion.
     Simulate(Settings),
     /// Computes many motions.
-    Ensemble(Many),
+    Ensemble(EnsembleOptions),
     /// Computes a linear model.
     Linearise(Point),
     /// Imports a robot.
@@ -227,7 +227,7 @@ impl Settings {
 
 /// Settings of many motions, as they are written.
 #[derive(Clone, Default, Debug)]
-pub(crate) struct Many {
+pub(crate) struct EnsembleOptions {
     /// Settings that all of them share.
     pub(crate) settings: Settings,
     /// Quantities that differ between motions, with their ranges.
@@ -240,7 +240,7 @@ pub(crate) struct Many {
     pub(crate) threads: Option<String>,
 }
 
-impl Many {
+impl EnsembleOptions {
     /// Reads the value of an option; false if there is none of this name.
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match option {
@@ -289,7 +289,7 @@ impl Action {
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
-            "ensemble" => Action::Ensemble(Many::default()),
+            "ensemble" => Action::Ensemble(EnsembleOptions::default()),
             "linearise" => Action::Linearise(Point::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
@@ -324,7 +324,7 @@ impl Action {
         match (self, option) {
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
             (Action::Simulate(settings), _) => return settings.read(option, parser),
-            (Action::Ensemble(many), _) => return many.read(option, parser),
+            (Action::Ensemble(options), _) => return options.read(option, parser),
             (Action::Linearise(point), _) => return point.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),

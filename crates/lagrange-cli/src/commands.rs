@@ -20,7 +20,7 @@ use quote::quote;
 use serde_json::Value;
 
 use crate::analyses::Linearised;
-use crate::arguments::{Action, Command, Many, Point, Settings, Text, Values};
+use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, Values};
 use crate::ensembles;
 use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
@@ -53,7 +53,7 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
-            Action::Ensemble(many) => return self.ensemble(many),
+            Action::Ensemble(options) => return self.ensemble(options),
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
@@ -74,11 +74,11 @@ impl Command {
     }
 
     /// Computes many motions and writes their ends.
-    fn ensemble(&self, many: &Many) -> Ended {
+    fn ensemble(&self, options: &EnsembleOptions) -> Ended {
         let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
             return Ended::WithMistakes;
         };
-        let ends = match ensembles::ends(many, &mut system) {
+        let ends = match ensembles::ends(options, self.output.as_deref(), &mut system) {
             Ok(ends) => ends,
             Err(failure) => return failed(failure),
         };

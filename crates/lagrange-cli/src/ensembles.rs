@@ -1,43 +1,69 @@
 //! Many motions of a declared system: from ranges as they are written to the ends of motions.
 
+use std::path::Path;
+
 use lagrange_dynamic::{DeclaredSystem, EnsembleEnds, EnsembleSettings};
 use lagrange_runtime::ensemble::Random;
 
-use crate::arguments::Many;
-use crate::motions::{Failure, end, method, named_value, set, start_from, start_values};
+use crate::arguments::{EnsembleOptions, Values};
+use crate::motions::{Failure, check_format, end, method, named_value, set, start_from, start_values};
 
-/// Number of motions if it is not specified.
+/// Number of motions if it is not specified, and the largest one.
 const MOTIONS: u64 = 100;
+const MAX_MOTIONS: u64 = 10_000_000;
+/// What is said of a start in the name of a column.
+const AT_START: &str = " at start";
 
 /// A quantity that differs between motions, uniformly in a range.
 struct Varied<'a> {
     name: &'a str,
     low: f64,
     high: f64,
-    /// Its place in the state; none if it is a parameter or an input.
-    place: Option<usize>,
+    /// True for an entry of the start, false for a parameter or an input.
+    is_entry: bool,
 }
 
-/// Understands settings, sets the parameters of the system and computes the ends of motions.
-/// Entries of the start that vary are further columns, `x at start`.
+/// Computes the ends of motions with these options, and sets the parameters of the system. Entries
+/// of the start that vary are further columns, `x at start`.
 ///
 /// # Errors
-/// The first setting that makes no sense.
-pub(crate) fn ends(many: &Many, system: &mut DeclaredSystem) -> Result<EnsembleEnds, Failure> {
-    let varied = many.vary.iter().map(|(name, range)| varied(name, range, system));
+/// The first option that makes no sense.
+pub(crate) fn ends(
+    options: &EnsembleOptions,
+    output: Option<&Path>,
+    system: &mut DeclaredSystem,
+) -> Result<EnsembleEnds, Failure> {
+    check_format(output, &["csv"])?;
+    let varied = options.vary.iter().map(|(name, range)| varied(name, range, system));
     let varied = varied.collect::<Result<Vec<_>, Failure>>()?;
-    for Varied { name, low, .. } in varied.iter().filter(|varied| varied.place.is_none()) {
+    check_names(&varied, options)?;
+    for Varied { name, low, .. } in varied.iter().filter(|varied| !varied.is_entry) {
         system.set(name, *low).map_err(|_| unknown(name, system))?;
     }
-    set(&many.settings.values, system)?;
-    let settings = settings(many, &varied, system)?;
+    set(&options.settings.values, system)?;
+    let (settings, entries) = settings(options, &varied, system)?;
     let mut ends = system.ensemble(&settings).map_err(|error| Failure::Usage(error.to_string()))?;
-    for Varied { name, place, .. } in varied {
-        let Some(place) = place else { continue };
-        ends.names.push(format!("{name} at start"));
-        ends.columns.push(settings.starts.iter().map(|start| start[place]).collect());
+    for (name, values) in entries {
+        ends.names.push(name + AT_START);
+        ends.columns.push(values);
     }
     Ok(ends)
+}
+
+/// Checks that each quantity has its value from one option.
+fn check_names(varied: &[Varied<'_>], options: &EnsembleOptions) -> Result<(), Failure> {
+    let Values { fields, start } = &options.settings.values;
+    for (index, Varied { name, .. }) in varied.iter().enumerate() {
+        if varied[..index].iter().any(|other| other.name == *name) {
+            return Err(Failure::Usage(format!("`{name}` varies twice")));
+        }
+        for (option, values) in [("set", fields), ("start", start)] {
+            if values.iter().any(|(other, _)| other == name) {
+                return Err(Failure::Usage(format!("`{name}` varies: remove its `--{option}`")));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn unknown(name: &str, system: &DeclaredSystem) -> Failure {
@@ -55,50 +81,64 @@ fn varied<'a>(name: &'a str, range: &str, system: &DeclaredSystem) -> Result<Var
     if low >= high || !(high - low).is_finite() {
         return Err(wrong("the first number must be below the second"));
     }
-    let place = system.state_names().iter().position(|known| known == name);
-    Ok(Varied { name, low, high, place })
+    let is_entry = system.state_names().iter().any(|known| known == name);
+    Ok(Varied { name, low, high, is_entry })
 }
 
+/// Columns by name, with a value for each motion.
+type Columns = Vec<(String, Vec<f64>)>;
+
+/// The settings of the ensemble, and the entries of its starts that vary.
 fn settings(
-    many: &Many,
+    options: &EnsembleOptions,
     varied: &[Varied<'_>],
     system: &DeclaredSystem,
-) -> Result<EnsembleSettings, Failure> {
-    let mut values = start_values("start", &many.settings.values, system)?;
-    let entries = varied.iter().filter(|varied| varied.place.is_some());
-    values.extend(entries.map(|entry| (entry.name.to_owned(), entry.low)));
-    let near = start_from("start", &values, system)?;
-    let motions = number("motions", many.motions.as_deref())?.unwrap_or(MOTIONS);
-    let threads = number("threads", many.threads.as_deref())?;
-    if motions == 0 || threads == Some(0) {
-        return Err(Failure::Usage("the numbers of motions and threads must be positive".to_owned()));
+) -> Result<(EnsembleSettings, Columns), Failure> {
+    let motions = number("motions", options.motions.as_deref())?.unwrap_or(MOTIONS);
+    let threads = number("threads", options.threads.as_deref())?;
+    if !(1..=MAX_MOTIONS).contains(&motions) {
+        return Err(Failure::Usage(format!("--motions {motions}: it must be from 1 to {MAX_MOTIONS}")));
     }
-    let seed = number("seed", many.seed.as_deref())?.unwrap_or(0);
-    let (starts, varied) = drawn(&near, varied, seed, motions as usize);
-    let (until, method) = (end(&many.settings)?, method(&many.settings)?);
-    let threads = threads.map(|threads| threads as usize);
-    Ok(EnsembleSettings { starts, varied, from: 0.0, until, method, threads })
+    let threads = threads.map(|threads| usize::try_from(threads).unwrap_or(usize::MAX));
+    if threads == Some(0) {
+        return Err(Failure::Usage("--threads 0: at least one thread is needed".to_owned()));
+    }
+    let seed = number("seed", options.seed.as_deref())?.unwrap_or(0);
+    let (starts, columns) = drawn(options, varied, (seed, motions), system)?;
+    let (until, method) = (end(&options.settings)?, method(&options.settings)?);
+    let (entries, fields) = varied.iter().zip(columns).partition::<Vec<_>, _>(|(varied, _)| varied.is_entry);
+    let named = |columns: Vec<(&Varied<'_>, Vec<f64>)>| {
+        columns.into_iter().map(|(varied, column)| (varied.name.to_owned(), column)).collect()
+    };
+    let varied = named(fields);
+    Ok((EnsembleSettings { starts, varied, from: 0.0, until, method, threads }, named(entries)))
 }
 
-/// The starts of motions, and parameters by name with a value for each motion.
-type Drawn = (Vec<Vec<f64>>, Vec<(String, Vec<f64>)>);
-
-/// Draws the values of each motion in the order in which they are written.
-fn drawn(near: &[f64], varied: &[Varied<'_>], seed: u64, motions: usize) -> Drawn {
-    let mut starts = vec![near.to_vec(); motions];
-    let mut columns = vec![Vec::new(); varied.len()];
-    for (motion, start) in starts.iter_mut().enumerate() {
-        let mut random = Random::start(seed, motion);
-        for (Varied { low, high, place, .. }, column) in varied.iter().zip(&mut columns) {
+/// Draws the values of each motion in the order in which they are written. Returns its start, which
+/// may depend on them, and a column for each quantity.
+fn drawn(
+    options: &EnsembleOptions,
+    varied: &[Varied<'_>],
+    (seed, motions): (u64, u64),
+    system: &DeclaredSystem,
+) -> Result<(Vec<Vec<f64>>, Vec<Vec<f64>>), Failure> {
+    let given = start_values("start", &options.settings.values, system)?;
+    let (mut starts, mut columns) = (Vec::new(), vec![Vec::new(); varied.len()]);
+    let mut system = system.clone();
+    for motion in 0..motions {
+        let (mut random, mut entries) = (Random::start(seed, motion as usize), given.clone());
+        for (Varied { name, low, high, is_entry }, column) in varied.iter().zip(&mut columns) {
             let value = random.uniform(*low..*high);
-            match place {
-                Some(place) => start[*place] = value,
-                None => column.push(value),
+            column.push(value);
+            if *is_entry {
+                entries.push(((*name).to_owned(), value));
+            } else {
+                system.set(name, value).map_err(|_| unknown(name, &system))?;
             }
         }
+        starts.push(start_from("start", &entries, &system)?);
     }
-    let fields = varied.iter().zip(columns).filter(|(varied, _)| varied.place.is_none());
-    (starts, fields.map(|(varied, column)| (varied.name.to_owned(), column)).collect())
+    Ok((starts, columns))
 }
 
 /// Reads a whole number, if it is written.
@@ -109,8 +149,7 @@ fn number(option: &str, text: Option<&str>) -> Result<Option<u64>, Failure> {
 
 /// Returns the ends as CSV: times, states, outputs, and parameters if one varies.
 pub(crate) fn csv(ends: &EnsembleEnds, system: &DeclaredSystem) -> String {
-    let quantity = |name: &str| name.strip_suffix(" at start").unwrap_or(name).to_owned();
-    let titled = |name: &String| match system.variables().unit(&quantity(name)) {
+    let titled = |name: &String| match system.variables().unit(name.trim_end_matches(AT_START)) {
         Some(unit) => format!(",{name} in {unit}"),
         None => format!(",{name}"),
     };

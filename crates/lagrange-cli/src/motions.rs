@@ -45,7 +45,7 @@ impl<'a> Motion<'a> {
         output: Option<&'a Path>,
         system: &mut DeclaredSystem,
     ) -> Result<Self, Failure> {
-        check_format(output)?;
+        check_format(output, &FORMATS)?;
         set(&settings.values, system)?;
         let until = end(settings)?;
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
@@ -170,15 +170,18 @@ pub(crate) fn time(option: &str, text: &str) -> Result<f64, Failure> {
         .map_err(|error| Failure::Usage(format!("--{option} {text}: {error}")))
 }
 
-fn check_format(output: Option<&Path>) -> Result<(), Failure> {
+/// Checks that the extension of a file is one of these formats.
+///
+/// # Errors
+/// If it is not.
+pub(crate) fn check_format(output: Option<&Path>, formats: &[&str]) -> Result<(), Failure> {
     let Some(path) = output else { return Ok(()) };
     match extension(path) {
-        Some(format) if FORMATS.contains(&format) => Ok(()),
-        _ => Err(Failure::Usage(format!(
-            "{}: the extension must be one of {}",
-            path.display(),
-            FORMATS.join(", ")
-        ))),
+        Some(format) if formats.contains(&format) => Ok(()),
+        _ => {
+            let (path, formats) = (path.display(), formats.join(", "));
+            Err(Failure::Usage(format!("{path}: the extension must be one of {formats}")))
+        }
     }
 }
 

@@ -94,6 +94,19 @@ fn motions_that_fail_are_rows_of_nan_and_named() {
 }
 
 #[test]
+fn a_start_follows_what_it_depends_on() {
+    let file = declaration(
+        "depends.lag",
+        "param push = 1, m = 2; coord x = push; kinetic = 1/2 * m * dot(x)^2; start dot(x) = push / m;",
+    );
+    let (_, rows) = table(&[&file, "--until", "1", "--vary", "push=1..2", "--motions", "10"]);
+    for row in rows {
+        // The columns are t, x, x_dot, push and m.
+        assert!((row[1] - 1.5 * row[3]).abs() < 1e-9 && (row[2] - row[3] / 2.0).abs() < 1e-12, "{row:?}");
+    }
+}
+
+#[test]
 fn a_file_is_written() {
     let file = declaration("file.lag", SPRING);
     let out = declaration("file.csv", "");
@@ -108,7 +121,7 @@ fn a_file_is_written() {
 fn everything_that_makes_no_sense_is_refused() {
     let file = declaration("refused.lag", SPRING);
     let complete = ["--until", "1", "--set", "k=1", "--start", "x=0", "--start", "angle=0"];
-    let mistakes: [(&[&str], &str); 12] = [
+    let mistakes: [(&[&str], &str); 16] = [
         (&["--vary", "m=1"], "error: --vary m=1: a range is missing: write `0..1`"),
         (&["--vary", "m=2..1"], "error: --vary m=2..1: the first number must be below the second"),
         (&["--vary", "m=1..1"], "error: --vary m=1..1: the first number must be below the second"),
@@ -118,8 +131,12 @@ fn everything_that_makes_no_sense_is_refused() {
             "error: --vary: there is no `y`; known are `m`, `k`, `push`, `x`, `angle`, `x_dot`, `angle_dot`",
         ),
         (&["--vary", "m=1..2", "--vary", "m=2..3"], "error: `m` varies twice"),
-        (&["--motions", "0"], "error: the numbers of motions and threads must be positive"),
-        (&["--threads", "0"], "error: the numbers of motions and threads must be positive"),
+        (&["--vary", "k=1..2"], "error: `k` varies: remove its `--set`"),
+        (&["--vary", "x=1..2"], "error: `x` varies: remove its `--start`"),
+        (&["--motions", "0"], "error: --motions 0: it must be from 1 to 10000000"),
+        (&["--motions", "18446744073709551615"], "error: --motions 18446744073709551615: it must be"),
+        (&["--threads", "0"], "error: --threads 0: at least one thread is needed"),
+        (&["-o", "ends.svg"], "error: ends.svg: the extension must be one of csv"),
         (&["--motions", "many"], "error: --motions many: expected a whole number"),
         (&["--seed", "-1"], "error: --seed -1: expected a whole number"),
         (&["--method", "rk4"], "error: the method `rk4` needs a step: write `--step 0.01`"),
