@@ -128,6 +128,16 @@ fn nothing_presses_where_nothing_touches() {
 }
 
 #[test]
+fn a_picture_says_that_contacts_overlap() {
+    let block = Block::default();
+    let state = [0.0, 0.0, 0.0, 0.0];
+    let svg = |drawing: Drawing<'_, Block>| drawing.picture(0.0, &state).expect("draws").svg();
+    let note = "not drawn: forces of contacts that overlap";
+    assert!(texts(&svg(Drawing::of(&block).forces())).contains(&note.to_owned()));
+    assert!(!texts(&svg(Drawing::of(&block))).contains(&note.to_owned()));
+}
+
+#[test]
 fn both_bodies_get_opposite_forces() {
     let stack = Stack::default();
     let free = |body: &str| {

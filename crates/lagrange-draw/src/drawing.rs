@@ -19,6 +19,9 @@ use lagrange_runtime::scene::Space;
 use lagrange_runtime::scene::Spatial;
 use lagrange_runtime::system::{OdeSystem, split};
 
+/// What is said of contacts in a state from which no motion starts, as while bodies overlap.
+const WITHOUT_MOTION: &str = "forces of contacts that overlap";
+
 /// A time and a state.
 pub(super) type Instant<M> = (<M as OdeSystem>::Scalar, <M as OdeSystem>::State);
 /// An instant with the system at that time, if it differs from the drawn one, for example in
@@ -284,8 +287,12 @@ where
         let ((t, y), system) = (&shot.0, self.system_in(shot));
         let (q, v) = split::<M>(y);
         // The forces of contacts, and accelerations under them, are those of a motion from here.
-        let begun = system.begin(*t, y).ok().flatten();
-        let snapshot = Snapshot::of(begun.as_ref().unwrap_or(system), *t, &q, &v);
+        let begun = system.begin(*t, y);
+        let in_modes = begun.as_ref().ok().and_then(Option::as_ref).unwrap_or(system);
+        let mut snapshot = Snapshot::of(in_modes, *t, &q, &v);
+        if begun.is_err() {
+            snapshot.omitted.push(WITHOUT_MOTION.to_owned());
+        }
         let is_unknown = |name: &&String| snapshot.names().all(|known| known != name.as_str());
         match self.hidden.iter().find(is_unknown) {
             Some(name) => Err(DrawError::UnknownItem(name.clone())),
@@ -295,7 +302,12 @@ where
 
     /// Returns the note about loads that act but cannot be drawn, if loads are drawn.
     pub(super) fn note(&self, snapshots: &[Snapshot<M::Space>]) -> String {
-        let omitted = snapshots.first().map(|snapshot| snapshot.omitted.as_slice()).unwrap_or_default();
+        let mut omitted: Vec<&String> = Vec::new();
+        for name in snapshots.iter().flat_map(|snapshot| &snapshot.omitted) {
+            if !omitted.contains(&name) {
+                omitted.push(name);
+            }
+        }
         if omitted.is_empty() || !self.wanted.forces {
             return String::new();
         }
@@ -306,7 +318,7 @@ where
             None if name.contains(' ') => name.clone(),
             None => format!("force of {}", name.replace('_', " ")),
         };
-        format!("not drawn: {}", omitted.iter().map(of).collect::<Vec<_>>().join(", "))
+        format!("not drawn: {}", omitted.into_iter().map(of).collect::<Vec<_>>().join(", "))
     }
 }
 
