@@ -115,18 +115,17 @@ impl<M: OdeSystem, const N: usize, const K: usize> Clone for SteppedStepper<M, N
 }
 
 impl<M: ContactSystem<N, K>, const N: usize, const K: usize> SteppedStepper<M, N, K> {
-    /// Passes on the numbers that [`restore`](Self::restore) takes: those of
+    /// Calls `note` with each number that [`restore`](Self::restore) needs: those of
     /// [`FixedStepper::save`], with the impulses and modes of the last step.
     pub fn save(&self, note: impl FnMut(M::Scalar)) {
         self.fixed.save(note);
     }
 
-    /// Goes on from [saved](Self::save) numbers, with the bits that the saved motion has from there
-    /// on. Method and settings must be the same.
+    /// Restores a motion from [saved](Self::save) numbers. It continues with the bits of the saved
+    /// one. Method and settings must be the same.
     ///
     /// # Errors
-    /// If the count of numbers is another, or time or state is not finite. The motion is unchanged
-    /// then.
+    /// If there are more or fewer numbers, or one is not finite. The motion is then unchanged.
     pub fn restore(
         &mut self,
         numbers: impl IntoIterator<Item = M::Scalar>,

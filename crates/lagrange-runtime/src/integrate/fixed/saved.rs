@@ -2,10 +2,11 @@
 
 use super::{FixedStepper, Formula};
 use crate::integrate::compensated::Compensated;
-use crate::integrate::corrected::check_finite;
+use crate::scalar::Scalar;
 use crate::system::{OdeSystem, SettingError, StepFailure};
 
-const ANOTHER: &str = "the saved numbers are those of another system or method";
+const ANOTHER: &str =
+    "the saved numbers are not those of such a motion: one is missing, too many or not finite";
 
 /// A [`Formula`] whose variables are the state and whose memory is numbers.
 pub trait Memory<S> {
@@ -19,36 +20,34 @@ where
     M: OdeSystem + ?Sized,
     F: Formula<M> + Memory<M::Scalar> + Clone,
 {
-    /// Passes on the numbers that [`restore`](Self::restore) takes: time, state, what rounding has
-    /// cut off from both, and the memory of the method. Their count is that of every such motion.
+    /// Calls `note` with each number that [`restore`](Self::restore) needs: time, state, the
+    /// rounding remainders of both, and the memory of the method. All such motions have as many.
     ///
     /// The settings of the method and the system with its parameters are not among them.
     pub fn save(&self, mut note: impl FnMut(M::Scalar)) {
         self.clone().visit(&mut |number| note(*number));
     }
 
-    /// Goes on from [saved](Self::save) numbers, with the bits that the saved motion has from there
-    /// on. The method and its settings must be the same. The work so far still counts.
+    /// Restores a motion from [saved](Self::save) numbers. It continues with the bits of the saved
+    /// one. The method and its settings must be the same. The work so far still counts.
     ///
     /// # Errors
-    /// If the count of numbers is another, or time or state is not finite. The motion is unchanged
-    /// then.
+    /// If there are more or fewer numbers, or one is not finite. The motion is then unchanged.
     pub fn restore(
         &mut self,
         numbers: impl IntoIterator<Item = M::Scalar>,
     ) -> Result<(), StepFailure<M::Scalar>> {
         let (mut restored, mut numbers) = (self.clone(), numbers.into_iter());
-        let mut is_complete = true;
+        let mut are_sound = true;
         restored.visit(&mut |number| match numbers.next() {
-            Some(saved) => *number = saved,
-            None => is_complete = false,
+            Some(saved) if saved.is_finite() => *number = saved,
+            _ => are_sound = false,
         });
-        if !is_complete || numbers.next().is_some() {
+        if !are_sound || numbers.next().is_some() {
             return Err(SettingError::Invalid(ANOTHER).into());
         }
         restored.state = *restored.variables.value();
         restored.last = (restored.clock.time(), restored.state);
-        check_finite(restored.clock.time(), &restored.state)?;
         *self = restored;
         Ok(())
     }
