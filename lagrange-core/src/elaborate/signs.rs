@@ -16,64 +16,83 @@ use lagrange_language::syntax::ast::AstId;
 /// errors where numbers say so, warnings where defaults do.
 pub(super) fn check_signs(elaborator: &mut Elaborator<'_>) {
     let defaults = Defaults::of(elaborator);
-    for (syntax, value, name) in falling(elaborator, &elaborator.kinetic, &defaults) {
+    for Falling { syntax, name, by_default } in falling(elaborator, &elaborator.kinetic, &defaults) {
         let origin = elaborator.evaluator.origin(syntax);
-        let is_certain = elaborator.evaluator.graph.dependencies(value) == Dependencies::VELOCITY;
         let report = &mut *elaborator.evaluator.report;
-        let wrong = match is_certain {
-            true => report.error(origin, messages::negative_kinetic_energy(&name)),
-            false => report.doubtful(origin, messages::negative_by_default(&name)),
+        let wrong = match by_default {
+            true => report.doubtful(origin, messages::negative_by_default(&name)),
+            false => report.error(origin, messages::negative_kinetic_energy(&name)),
         };
         wrong.help(messages::NEGATIVE_INERTIA_HELP);
     }
-    for (syntax, _, name) in falling(elaborator, &elaborator.dissipation, &defaults) {
+    for Falling { syntax, name, .. } in falling(elaborator, &elaborator.dissipation, &defaults) {
         let origin = elaborator.evaluator.origin(syntax);
         let warning = elaborator.evaluator.report.doubtful(origin, messages::negative_dissipation(&name));
         warning.help(messages::NEGATIVE_DISSIPATION_HELP);
     }
 }
 
-/// Terms that fall with a velocity with which their sum falls, and its name.
-fn falling(
-    elaborator: &Elaborator<'_>,
-    terms: &[SourceTerm],
-    defaults: &Defaults,
-) -> Vec<(AstId, ExprId, String)> {
+/// A term that falls with a velocity with which the sum of all terms falls.
+struct Falling {
+    syntax: AstId,
+    /// The name of the velocity.
+    name: String,
+    /// True if the sum has another sign for other values of parameters.
+    by_default: bool,
+}
+
+/// The factor of the square of a velocity.
+#[derive(Clone, Copy)]
+struct Weight {
+    value: f64,
+    /// True if the default of a parameter is part of it.
+    by_default: bool,
+}
+
+/// The first falling term for each velocity with which the sum falls.
+fn falling(elaborator: &Elaborator<'_>, terms: &[SourceTerm], defaults: &Defaults) -> Vec<Falling> {
     let graph = &elaborator.evaluator.graph;
     let values = terms.iter().map(|term| term.value).collect::<Vec<_>>();
     let total = weights(graph, defaults, &values);
     let mut found = Vec::new();
-    for (speed, _) in elaborator.speeds.iter().filter(|(speed, _)| falls_with(&total, speed.velocity)) {
-        let falls = |term: &&SourceTerm| falls_with(&weights(graph, defaults, &[term.value]), speed.velocity);
+    for (speed, _) in &elaborator.speeds {
+        let Some(Weight { by_default, .. }) = negative(&total, speed.velocity) else { continue };
+        let falls =
+            |term: &&SourceTerm| negative(&weights(graph, defaults, &[term.value]), speed.velocity).is_some();
         let name = elaborator.name_of_freedom(speed).to_owned();
-        found.extend(terms.iter().find(falls).map(|term| (term.syntax, term.value, name)));
+        let first = terms.iter().find(falls);
+        found.extend(first.map(|term| Falling { syntax: term.syntax, name, by_default }));
     }
     found
 }
 
-fn falls_with(weights: &HashMap<ExprId, Option<f64>>, velocity: ExprId) -> bool {
-    weights.get(&velocity).copied().flatten().is_some_and(|weight| weight < 0.0)
+/// The weight of a velocity, if it is negative.
+fn negative(weights: &HashMap<ExprId, Option<Weight>>, velocity: ExprId) -> Option<Weight> {
+    weights.get(&velocity).copied().flatten().filter(|weight| weight.value < 0.0)
 }
 
 /// Factor of the square of each velocity in a sum; `None` where the velocity stands in other terms,
 /// too.
-fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<ExprId, Option<f64>> {
-    let mut weights: HashMap<ExprId, Option<f64>> = HashMap::default();
+fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<ExprId, Option<Weight>> {
+    let mut weights: HashMap<ExprId, Option<Weight>> = HashMap::default();
     // A sum is opened once: declarations may share sums to any depth.
     let (mut others, mut opened) = (Vec::new(), HashSet::default());
-    let mut pending = values.iter().map(|&value| (1.0, value)).collect::<Vec<_>>();
+    let one = Weight { value: 1.0, by_default: false };
+    let mut pending = values.iter().map(|&value| (one, value)).collect::<Vec<_>>();
     while let Some((scale, id)) = pending.pop() {
         if let Node::Sum { terms, .. } = graph.node(id) {
-            pending.extend(terms.iter().map(|(term, coefficient)| (scale * coefficient.to_f64(), *term)));
+            let part = |coefficient: &Number| Weight { value: scale.value * coefficient.to_f64(), ..scale };
+            pending.extend(terms.iter().map(|(term, coefficient)| (part(coefficient), *term)));
             continue;
         }
         match times_number(graph, defaults, id) {
             Some((weight, velocity, power)) if power == Number::TWO && is_symbol(graph, velocity) => {
-                let entry = weights.get_or_insert_with(velocity, || Some(0.0));
-                *entry = entry.map(|sum| sum + scale * weight);
+                let zero = Weight { value: 0.0, by_default: false };
+                let entry = weights.get_or_insert_with(velocity, || Some(zero));
+                *entry = entry.map(|sum| sum.plus(scale.times(weight)));
             }
             Some((weight, sum, power)) if power == Number::ONE && opened.insert(sum) => {
-                pending.push((scale * weight, sum));
+                pending.push((scale.times(weight), sum));
             }
             _ => others.push(id),
         }
@@ -86,6 +105,16 @@ fn weights(graph: &Graph, defaults: &Defaults, values: &[ExprId]) -> HashMap<Exp
     weights
 }
 
+impl Weight {
+    fn plus(self, other: Weight) -> Weight {
+        Weight { value: self.value + other.value, by_default: self.by_default || other.by_default }
+    }
+
+    fn times(self, other: Weight) -> Weight {
+        Weight { value: self.value * other.value, by_default: self.by_default || other.by_default }
+    }
+}
+
 fn is_moving(graph: &Graph, id: ExprId) -> bool {
     graph.dependencies(id).intersects(Dependencies::VELOCITY)
 }
@@ -95,16 +124,18 @@ fn is_symbol(graph: &Graph, id: ExprId) -> bool {
 }
 
 /// `(w, e, n)` of w eⁿ with a number w, and e the only factor with velocities.
-fn times_number(graph: &Graph, defaults: &Defaults, id: ExprId) -> Option<(f64, ExprId, Number)> {
+fn times_number(graph: &Graph, defaults: &Defaults, id: ExprId) -> Option<(Weight, ExprId, Number)> {
     let Node::Product(factors) = graph.node(id) else { return None };
     let (moving, fixed) = factors.iter().partition::<Vec<_>, _>(|(base, _)| is_moving(graph, *base));
     let [(base, power)] = moving.as_slice() else { return None };
-    let mut weight = 1.0;
+    let mut weight = Weight { value: 1.0, by_default: false };
     for (base, power) in fixed {
         if !graph.dependencies(*base).is_constant_in_motion() {
             return None;
         }
-        weight *= defaults.evaluate(graph, *base)?.powf(power.to_f64());
+        let value = defaults.evaluate(graph, *base)?.powf(power.to_f64());
+        let by_default = graph.dependencies(*base) != Dependencies::NONE;
+        weight = weight.times(Weight { value, by_default });
     }
     Some((weight, *base, power.clone()))
 }

@@ -36,6 +36,7 @@ pub(super) fn translate_contact(
     let name = &statement.name.text;
     let declares = |kind: &StatementKind| match kind {
         StatementKind::Event(event) => event.name.text == *name,
+        StatementKind::Let(known, _) => known.text == *name,
         _ => false,
     };
     let event = translation.statements.iter_mut().rfind(|plain| declares(&plain.kind));
