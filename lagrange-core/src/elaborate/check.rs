@@ -182,7 +182,7 @@ fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'s
 }
 
 /// With orientations or states nothing finds velocities by momenta.
-fn velocities_are_rates(elaborator: &Elaborator<'_>) -> bool {
+pub(super) fn velocities_are_rates(elaborator: &Elaborator<'_>) -> bool {
     elaborator.orientations.is_empty() && elaborator.states.is_empty()
 }
 

@@ -8,7 +8,7 @@ use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::simplify::vanishing;
 use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::{Origin, Report};
-use lagrange_expr::expr::ExprId;
+use lagrange_expr::expr::{ExprId, Function, Graph, Node};
 
 /// Number of points at which a formula must vanish where no proof is found.
 const POINTS: usize = 12;
@@ -38,8 +38,8 @@ impl Terms {
 pub(super) enum Obstacle {
     /// The Lagrangian depends on it.
     Energy,
-    /// A load of this name acts on it.
-    Load(String),
+    /// A load acts on it; the name of its statement, if a single one is to blame.
+    Load(Option<String>),
     Dissipation,
     /// Its momentum is not linear in velocities.
     Nonlinear,
@@ -67,9 +67,40 @@ fn vanishes_at_points(model: &Model, value: ExprId) -> bool {
     let parts = model.graph.reachable(&[value]);
     let vanishes = |point: usize| {
         let entry = entries(model, &parts, point).get(&value).copied();
-        entry.is_some_and(|Entry { value, magnitude }| value.abs() <= ROUNDING * magnitude)
+        entry.is_some_and(|Entry { value, magnitude }| {
+            magnitude.is_finite() && value.abs() <= ROUNDING * magnitude
+        })
     };
     !may_be_flat(&model.graph, value) && (0..POINTS).all(vanishes)
+}
+
+/// Marks symbols on which no value depends, neither smoothly nor by conditions.
+pub(super) fn independent(model: &mut Model, values: &[ExprId], symbols: &[ExprId]) -> Vec<bool> {
+    let all = [values, &deciding(&mut model.graph, values)].concat();
+    let slopes = all.iter().flat_map(|&value| gradient(&mut model.graph, value, symbols));
+    let slopes = slopes.collect::<Vec<_>>();
+    let vanish = vanish(model, &slopes);
+    let of_symbol = |index| vanish.iter().skip(index).step_by(symbols.len());
+    (0..symbols.len()).map(|index| of_symbol(index).all(|&vanishes| vanishes)).collect()
+}
+
+/// Parts of values that have an influence which gradients do not show: what conditions and signs
+/// decide by, and arguments of functions without a formula.
+pub(super) fn deciding(graph: &mut Graph, values: &[ExprId]) -> Vec<ExprId> {
+    use Function::{Abs, MagnitudeSlope, Sign};
+    let mut found = Vec::new();
+    for id in graph.reachable(values) {
+        match *graph.node(id) {
+            Node::Choose { left, right, .. } => found.push(graph.subtract(left, right)),
+            Node::Call(Abs | MagnitudeSlope | Sign, ref arguments) | Node::Opaque(_, ref arguments) => {
+                found.extend(arguments.iter().copied());
+            }
+            _ => {}
+        }
+    }
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 impl Refusal {
@@ -103,15 +134,21 @@ impl Refusal {
         let speed = model.speeds.iter().find(|speed| speed.coordinate == Some(self.pinned.coordinate))?;
         let position = model.coordinates[self.pinned.coordinate].position;
         let (terms, symbol, words) = match &self.obstacle {
-            Obstacle::Load(name) => return Some((*terms.loads.get(name)?, messages::FORCED_HERE)),
+            Obstacle::Load(name) => return Some((*terms.loads.get(name.as_ref()?)?, messages::FORCED_HERE)),
             Obstacle::Energy => (&terms.energies, position, messages::DEPENDS_HERE),
             Obstacle::Dissipation => (&terms.dissipation, speed.velocity, messages::DISSIPATED_HERE),
             _ => return None,
         };
         let depends = |(value, _): &&(ExprId, Origin)| {
             let held = frozen.of(&mut model.graph, *value, 0).map_or(*value, |series| series.closed);
-            let slope = gradient(&mut model.graph, held, &[symbol]);
-            vanish(&mut model, &slope) != [true]
+            let depends = match &self.obstacle {
+                Obstacle::Energy => independent(&mut model, &[held], &[symbol]),
+                _ => {
+                    let slope = gradient(&mut model.graph, held, &[symbol]);
+                    vanish(&mut model, &slope)
+                }
+            };
+            depends != [true]
         };
         terms.iter().find(depends).map(|(_, origin)| (*origin, words))
     }

@@ -70,7 +70,7 @@ use statements::add_statement;
 use unknown_names::count_unresolved;
 
 pub use obligations::is_physical;
-pub use reductions::METHODS_OF_REDUCED;
+pub use reductions::is_method_of_reduced;
 
 /// Resolves and checks a declaration. All mistakes are reported; `None` if there was an error.
 pub fn elaborate(plain: &Plain, report: &mut Report) -> Option<Model> {

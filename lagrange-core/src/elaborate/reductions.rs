@@ -2,6 +2,7 @@
 
 use proc_macro2::Span;
 
+use super::check::velocities_are_rates;
 use super::elaborator::Elaborator;
 use super::messages;
 use super::states::state_named;
@@ -9,8 +10,15 @@ use crate::model::{Pinned, Reduction};
 use lagrange_expr::expr::ExprId;
 use lagrange_language::syntax::ast::{self, Name, ReductionItem, ReductionKind, ScalarType, momentum_of};
 
-/// Methods of reduced types beside those of every system; no output may take their names.
-pub const METHODS_OF_REDUCED: [&str; 3] = ["expand", "deviation", "from_state"];
+/// Methods of reduced types; no output may take their names.
+const METHODS_OF_REDUCED: [&str; 3] = ["expand", "deviation", "from_state"];
+/// Method of types with states, such as reduced ones with ignored coordinates.
+const METHOD_OF_STATES: &str = "position_rates";
+
+/// True of names of methods that reduced types have beside those of every system.
+pub fn is_method_of_reduced(name: &str, has_states: bool) -> bool {
+    METHODS_OF_REDUCED.contains(&name) || has_states && name == METHOD_OF_STATES
+}
 
 pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     check_type_name(elaborator, syntax);
@@ -28,10 +36,7 @@ pub(super) fn add_reduction(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduc
         match item.kind {
             ReductionKind::Frozen => reduction.frozen.push(pinned),
             ReductionKind::Small => reduction.small.push(pinned),
-            ReductionKind::Ignored => {
-                check_momentum_name(elaborator, &item.coordinate);
-                reduction.ignored.push(pinned);
-            }
+            ReductionKind::Ignored => reduction.ignored.push(pinned),
         }
     }
     reduction.ignored.sort_by_key(|pinned| pinned.coordinate);
@@ -84,13 +89,16 @@ fn pinned_state(
 }
 
 /// The momentum of an ignored coordinate is a parameter of the reduced type.
-fn check_momentum_name(elaborator: &mut Elaborator<'_>, coordinate: &Name) {
-    let name = momentum_of(coordinate);
-    let is_taken = elaborator.evaluator.scope.find(&name.text).is_some();
-    let is_output = elaborator.declaration.outputs().any(|output| output.text == name.text);
-    if is_taken || is_output {
-        let message = messages::momentum_taken(&name.text);
-        elaborator.evaluator.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
+fn check_momentum_names(elaborator: &mut Elaborator<'_>) {
+    for pinned in elaborator.reductions.iter().flat_map(|reduction| &reduction.ignored) {
+        let coordinate = &elaborator.coordinates[pinned.coordinate].0.name;
+        let name = momentum_of(&Name::new(coordinate.clone(), pinned.span));
+        let is_taken = elaborator.evaluator.scope.find(&name.text).is_some();
+        let is_output = elaborator.declaration.outputs().any(|output| output.text == name.text);
+        if is_taken || is_output {
+            let message = messages::momentum_taken(&name.text);
+            elaborator.evaluator.report.error(name.span, message).help(messages::OTHER_NAME_HELP);
+        }
     }
 }
 
@@ -120,11 +128,14 @@ fn check_type_name(elaborator: &mut Elaborator<'_>, syntax: &ast::Reduction) {
     }
 }
 
-/// Checks that need all coordinates and outputs.
+/// Checks that need all names.
 pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     if elaborator.reductions.is_empty() {
         return;
     }
+    check_momentum_names(elaborator);
+    let is_ignoring = elaborator.reductions.iter().any(|reduction| !reduction.ignored.is_empty());
+    let adds_states = is_ignoring && velocities_are_rates(elaborator);
     let first = elaborator.first_state;
     let report = &mut *elaborator.evaluator.report;
     let all = elaborator.coordinates.len();
@@ -139,7 +150,7 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
         report.error(reduction.name.span, message).help(help);
     }
     for name in elaborator.declaration.outputs() {
-        if METHODS_OF_REDUCED.contains(&name.text.as_str()) {
+        if is_method_of_reduced(&name.text, adds_states) {
             let error = report.error(name.span, messages::output_of_reduced(&name.text));
             error.help(messages::OTHER_NAME_HELP);
         }

@@ -17,7 +17,7 @@
 //! The coordinates stay in the state, with φ̇ as their rates. What depends on them, such as
 //! outputs, still does.
 
-use super::ignored::{Obstacle, Refusal, vanish};
+use super::ignored::{Obstacle, Refusal, deciding, independent, vanish};
 use super::pinned::holding;
 use super::symmetric::{Solution, solve};
 use crate::model::{Coordinate, Energies, Load, Model, Parameter, Pinned, Reduction};
@@ -111,15 +111,14 @@ impl Routh {
     fn check_cyclic(&mut self) -> Result<(), Refusal> {
         let lagrangian = self.frozen(self.model.lagrangian);
         let positions = self.positions();
-        let slopes = gradient(&mut self.model.graph, lagrangian, &positions);
-        self.check(&slopes, |_| Obstacle::Energy)
+        let fit = independent(&mut self.model, &[lagrangian], &positions);
+        self.check(&fit, Obstacle::Energy)
     }
 
-    /// Refuses the first coordinate whose value does not vanish.
-    fn check(&mut self, values: &[ExprId], obstacle: impl Fn(usize) -> Obstacle) -> Result<(), Refusal> {
-        let vanish = vanish(&mut self.model, values);
-        match vanish.iter().position(|vanishes| !vanishes) {
-            Some(index) => Err(self.refusal(index, obstacle(index))),
+    /// Refuses the first coordinate that does not fit.
+    fn check(&self, fit: &[bool], obstacle: Obstacle) -> Result<(), Refusal> {
+        match fit.iter().position(|fits| !fits) {
+            Some(index) => Err(self.refusal(index, obstacle)),
             None => Ok(()),
         }
     }
@@ -136,7 +135,8 @@ impl Routh {
         }
         let dissipation = self.frozen(self.model.dissipation);
         let resistances = gradient(&mut self.model.graph, dissipation, &velocities);
-        self.check(&resistances, |_| Obstacle::Dissipation)
+        let fit = vanish(&mut self.model, &resistances);
+        self.check(&fit, Obstacle::Dissipation)
     }
 
     /// Generalised forces of loads along velocities.
@@ -147,21 +147,22 @@ impl Routh {
     }
 
     /// Names the first statement whose loads act along a velocity.
-    fn load_on(&mut self, velocity: ExprId) -> String {
+    fn load_on(&mut self, velocity: ExprId) -> Option<String> {
         let loads = self.model.loads.clone();
         for statement in loads.chunk_by(|a, b| a.name == b.name) {
             let forces = self.forces(statement, &[velocity]);
             if vanish(&mut self.model, &forces) != [true] {
-                return statement[0].name.clone();
+                return Some(statement[0].name.clone());
             }
         }
-        String::new()
+        None
     }
 
     /// The Routhian; finds the velocities of what is ignored on the way.
     fn lagrangian(&mut self) -> Result<ExprId, Refusal> {
         let velocities = self.velocities();
         let lagrangian = self.frozen(self.model.lagrangian);
+        self.check_pieces(lagrangian, &velocities)?;
         let momenta = gradient(&mut self.model.graph, lagrangian, &velocities);
         let (mut matrix, mut rests) = (Vec::new(), Vec::new());
         for (index, &momentum) in momenta.iter().enumerate() {
@@ -176,11 +177,19 @@ impl Routh {
             rests.push(self.model.graph.subtract(parameter, known));
         }
         let resting = self.at_rest(0, lagrangian)?;
-        let solved = solve(&mut self.model.graph, matrix, rests);
+        let solved = solve(&mut self.model, matrix, rests);
         let Solution { values, square } = solved.map_err(|i| self.refusal(i, Obstacle::Undetermined))?;
         self.rates = values;
         let half = self.model.graph.scale(Number::HALF, square);
         Ok(self.model.graph.subtract(resting, half))
+    }
+
+    /// Refuses a Lagrangian in pieces, unless these are the same for all velocities of what is
+    /// ignored.
+    fn check_pieces(&mut self, lagrangian: ExprId, velocities: &[ExprId]) -> Result<(), Refusal> {
+        let deciding = deciding(&mut self.model.graph, &[lagrangian]);
+        let fit = independent(&mut self.model, &deciding, velocities);
+        self.check(&fit, Obstacle::Nonlinear)
     }
 
     fn depends_on_velocities(&mut self, id: ExprId) -> bool {
@@ -188,8 +197,13 @@ impl Routh {
             return false;
         }
         let velocities = self.model.velocities();
-        let slopes = gradient(&mut self.model.graph, id, &velocities);
-        !vanish(&mut self.model, &slopes).into_iter().all(|vanishes| vanishes)
+        independent(&mut self.model, &[id], &velocities).contains(&false)
+    }
+
+    /// True of values that are the same wherever ignored coordinates are.
+    fn are_alike(&mut self, values: &[ExprId]) -> bool {
+        let positions = self.positions();
+        !independent(&mut self.model, values, &positions).contains(&false)
     }
 
     /// An expression with what is ignored at rest at zero.
@@ -224,10 +238,7 @@ impl Routh {
     /// these.
     fn reconstructed(&mut self, values: &[ExprId]) -> Vec<ExprId> {
         let values = substitute_all(&mut self.model.graph, values, &self.replacements);
-        let positions = self.positions();
-        let slopes = values.iter().flat_map(|&value| gradient(&mut self.model.graph, value, &positions));
-        let slopes = slopes.collect::<Vec<_>>();
-        match vanish(&mut self.model, &slopes).into_iter().all(|vanishes| vanishes) {
+        match self.are_alike(&values) {
             true => values.into_iter().map(|id| self.at_rest(0, id).unwrap_or(id)).collect(),
             false => values,
         }
@@ -262,10 +273,7 @@ impl Routh {
             let powers = powers.collect::<Vec<_>>();
             effects.push(self.model.graph.total(powers));
             let effects = substitute_all(&mut self.model.graph, &effects, &self.replacements);
-            let positions = self.positions();
-            let slopes = effects.iter().flat_map(|&of| gradient(&mut self.model.graph, of, &positions));
-            let slopes = slopes.collect::<Vec<_>>();
-            let is_alike = vanish(&mut self.model, &slopes).into_iter().all(|vanishes| vanishes);
+            let is_alike = self.are_alike(&effects);
             for part in statement.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]) {
                 *part = self.replaced(*part);
                 if is_alike {

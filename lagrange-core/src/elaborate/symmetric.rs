@@ -3,7 +3,12 @@
 //! Elimination takes the simplest pivot first. For a top, that is the inertia I₃ of the spin, and
 //! I₁ sin² θ is left. The other order would leave a difference. On the way rᵀM⁻¹r becomes a sum of
 //! squares.
+//!
+//! If the whole diagonal is zero, row j and column j are added to those of i. That makes the pivot
+//! 2 Mᵢⱼ of it, and xⱼ becomes xⱼ + xᵢ.
 
+use super::ignored::vanish;
+use crate::model::Model;
 use lagrange_expr::expr::{ExprId, Graph};
 use lagrange_expr::number::Number;
 
@@ -15,37 +20,82 @@ pub(super) struct Solution {
     pub(super) square: ExprId,
 }
 
-/// An unknown that is eliminated, and those that are left then.
-type Step = (usize, Vec<usize>);
+/// M and r
+type Equations<'e> = (&'e mut [Vec<ExprId>], &'e mut [ExprId]);
 
-/// Solves M x = r; the error is the index of a pivot that is zero.
+/// A step back from reduced equations to the given ones.
+enum Step {
+    /// An unknown that is eliminated, and those that are left then.
+    Eliminated(usize, Vec<usize>),
+    /// An unknown that was added to a second one.
+    Added(usize, usize),
+}
+
+/// Solves M x = r; the error is the index of an unknown that stays undetermined.
 pub(super) fn solve(
-    graph: &mut Graph,
+    model: &mut Model,
     mut matrix: Vec<Vec<ExprId>>,
     mut rests: Vec<ExprId>,
 ) -> Result<Solution, usize> {
     let mut left = (0..rests.len()).collect::<Vec<_>>();
     let (mut steps, mut squares) = (Vec::new(), Vec::new());
-    while let Some(i) = left.iter().copied().min_by_key(|&i| graph.reachable(&[matrix[i][i]]).len()) {
-        left.retain(|&other| other != i);
-        if graph.is_zero(matrix[i][i]) {
-            return Err(i);
-        }
-        let square = graph.square(rests[i]);
-        squares.push((graph.divide(square, matrix[i][i]), Number::ONE));
-        for &j in &left {
-            let factor = graph.divide(matrix[i][j], matrix[i][i]);
-            for &k in &left {
-                let product = graph.multiply(factor, matrix[i][k]);
-                matrix[j][k] = graph.subtract(matrix[j][k], product);
+    while !left.is_empty() {
+        let i = match pivot(model, &matrix, &left) {
+            Some(i) => i,
+            None => {
+                let (i, j) = coupled(model, &matrix, &left).ok_or(left[0])?;
+                add(&mut model.graph, (&mut matrix, &mut rests), (j, i));
+                steps.push(Step::Added(i, j));
+                i
             }
-            let product = graph.multiply(factor, rests[i]);
-            rests[j] = graph.subtract(rests[j], product);
-        }
-        steps.push((i, left.clone()));
+        };
+        left.retain(|&other| other != i);
+        let square = model.graph.square(rests[i]);
+        squares.push((model.graph.divide(square, matrix[i][i]), Number::ONE));
+        eliminate(&mut model.graph, (&mut matrix, &mut rests), i, &left);
+        steps.push(Step::Eliminated(i, left.clone()));
     }
-    let values = substituted_back(graph, &matrix, rests, steps);
-    Ok(Solution { values, square: graph.sum(Number::ZERO, squares) })
+    let values = substituted_back(&mut model.graph, &matrix, rests, steps);
+    Ok(Solution { values, square: model.graph.sum(Number::ZERO, squares) })
+}
+
+/// Finds the simplest diagonal entry that is not zero.
+fn pivot(model: &mut Model, matrix: &[Vec<ExprId>], left: &[usize]) -> Option<usize> {
+    let entries = left.iter().map(|&i| matrix[i][i]).collect::<Vec<_>>();
+    let vanish = vanish(model, &entries);
+    let regular = left.iter().zip(vanish).filter(|(_, vanishes)| !vanishes).map(|(&i, _)| i);
+    regular.min_by_key(|&i| model.graph.reachable(&[matrix[i][i]]).len())
+}
+
+/// Finds two unknowns whose common entry is not zero.
+fn coupled(model: &mut Model, matrix: &[Vec<ExprId>], left: &[usize]) -> Option<(usize, usize)> {
+    let mut pairs = left.iter().flat_map(|&i| left.iter().map(move |&j| (i, j))).filter(|(i, j)| i < j);
+    pairs.find(|&(i, j)| vanish(model, &[matrix[i][j]]) != [true])
+}
+
+/// Eliminates an unknown from the equations that are left.
+fn eliminate(graph: &mut Graph, (matrix, rests): Equations<'_>, i: usize, left: &[usize]) {
+    for &j in left {
+        let factor = graph.divide(matrix[i][j], matrix[i][i]);
+        for &k in left {
+            let product = graph.multiply(factor, matrix[i][k]);
+            matrix[j][k] = graph.subtract(matrix[j][k], product);
+        }
+        let product = graph.multiply(factor, rests[i]);
+        rests[j] = graph.subtract(rests[j], product);
+    }
+}
+
+/// Adds a row and its column to others.
+fn add(graph: &mut Graph, (matrix, rests): Equations<'_>, (from, to): (usize, usize)) {
+    let row = matrix[from].clone();
+    for (entry, part) in matrix[to].iter_mut().zip(row) {
+        *entry = graph.add(*entry, part);
+    }
+    for row in matrix.iter_mut() {
+        row[to] = graph.add(row[to], row[from]);
+    }
+    rests[to] = graph.add(rests[to], rests[from]);
 }
 
 fn substituted_back(
@@ -54,12 +104,17 @@ fn substituted_back(
     mut values: Vec<ExprId>,
     steps: Vec<Step>,
 ) -> Vec<ExprId> {
-    for (i, left) in steps.into_iter().rev() {
-        for j in left {
-            let product = graph.multiply(matrix[i][j], values[j]);
-            values[i] = graph.subtract(values[i], product);
+    for step in steps.into_iter().rev() {
+        match step {
+            Step::Eliminated(i, left) => {
+                for j in left {
+                    let product = graph.multiply(matrix[i][j], values[j]);
+                    values[i] = graph.subtract(values[i], product);
+                }
+                values[i] = graph.divide(values[i], matrix[i][i]);
+            }
+            Step::Added(i, j) => values[j] = graph.add(values[j], values[i]),
         }
-        values[i] = graph.divide(values[i], matrix[i][i]);
     }
     values
 }

@@ -14,7 +14,7 @@ use super::features::product::signature;
 use super::features::reduced::{placeholder_conversions, reduced_attributes};
 use super::features::scene::motion_method;
 use super::item::items;
-use crate::elaborate::METHODS_OF_REDUCED;
+use crate::elaborate::is_method_of_reduced;
 use crate::model::Product;
 use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
@@ -190,7 +190,8 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
     let types = declaration.reductions().filter(|(reduction, _)| is_new(&reduction.name.text));
     let types = types.map(|(reduction, docs)| {
         let mut part = declaration.reduced(reduction, reduced_attributes(declaration, docs, &[]));
-        part.statements.retain(|statement| !is_reserved(&statement.kind));
+        let has_states = !Shape::new(&part, krate).velocities_are_rates();
+        part.statements.retain(|statement| !is_reserved(&statement.kind, has_states));
         let conversions = placeholder_conversions(&full, &Shape::new(&part, krate));
         let system = skeleton_of_type(&part, krate);
         quote!(#system #conversions)
@@ -199,6 +200,6 @@ fn skeletons_of_reduced(declaration: &Declaration, krate: &TokenStream) -> Token
 }
 
 /// True if it is an output with the name of a method, which is reported.
-fn is_reserved(statement: &StatementKind) -> bool {
-    matches!(statement, StatementKind::Output(name, _) if METHODS_OF_REDUCED.contains(&name.text.as_str()))
+fn is_reserved(statement: &StatementKind, has_states: bool) -> bool {
+    matches!(statement, StatementKind::Output(name, _) if is_method_of_reduced(&name.text, has_states))
 }

@@ -74,9 +74,13 @@ lagrange::system! {
     coord x, y;
     kinetic = 1/2 * dot(x)^2 + 1/2 * x_momentum * dot(y)^2;
     output from_state = x;
+    output position_rates = y;
     emit { no momenta }
 
     reduce Taken { ignore x; }
+    reduce TakenLater { ignore y; }
+    param y_momentum = 1;
+    potential = y_momentum * x;
 }
 
 fn main() {}

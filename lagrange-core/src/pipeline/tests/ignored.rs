@@ -1,6 +1,6 @@
 //! Reduced types with ignored coordinates, beside Routhians of textbooks.
 
-use super::{NumericSystem, derived};
+use super::{NumericSystem, derived, parse};
 use crate::model::Product;
 use lagrange_expr::expr::Dependencies;
 
@@ -168,4 +168,132 @@ fn forces_on_others_may_turn_with_what_is_ignored() {
         let found = part.acceleration(0.0, &q, &v[..1])[0];
         assert!((found - expected).abs() < 1e-14, "{found} is not {expected}");
     }
+}
+
+const TURN: &str = "param k = 3, f = 2; coord theta, phi;
+    kinetic = 1/2*dot(theta)^2 + 1/2*(1 + theta^2)*dot(phi)^2; ";
+
+/// Conditions, signs and tables have no gradient where they decide by an angle.
+#[test]
+fn outputs_keep_what_only_decides() {
+    let derived = derived(&format!(
+        "{TURN} table steps(s) = [(0, 1), (1, 2), (2, 5)], interpolation: linear, outside: clamp;
+         output side = if phi > 1 {{ 1 }} else {{ 2 }}; output s = sign(phi - 1);
+         output nested = if (if phi > 1 {{ theta }} else {{ 0 }}) > 0.5 {{ 1 }} else {{ 2 }};
+         output read = steps(phi); output alike = sign(theta + sin(phi)^2 + cos(phi)^2);
+         output jump = sign(abs(phi - 1)/(phi - 1)); potential = k*theta^2*f;
+         reduce Turning {{ ignore phi; }}"
+    ));
+    let model = &derived.reduced[0].reduced.model;
+    let system = NumericSystem::of_part(&derived.reduced[0]);
+    for (phi, expected) in [(0.5, [2.0, -1.0, 2.0, 1.5, 1.0, -1.0]), (2.0, [1.0, 1.0, 1.0, 5.0, 1.0, 1.0])] {
+        for (name, expected) in ["side", "s", "nested", "read", "alike", "jump"].into_iter().zip(expected) {
+            let found = system.output(name, 0.0, &[0.7, phi], &[0.1]);
+            assert_eq!(found, Some(vec![expected]), "{name} at {phi}");
+        }
+    }
+    let alike = model.outputs.iter().find(|output| output.name == "alike").expect("declared");
+    assert!(!model.graph.dependencies(alike.components[0]).intersects(Dependencies::STATE));
+}
+
+#[test]
+fn forces_on_others_may_begin_where_an_angle_is_passed() {
+    for force in ["if phi > 1 { f } else { 0 }", "f*(1 + sign(phi - 1))/2"] {
+        let text = format!("{TURN} potential = k*theta; force theta = {force}; reduce R {{ ignore phi; }}");
+        let derived = derived(&text);
+        let mut part = NumericSystem::of_part(&derived.reduced[0]);
+        part.set("phi_momentum", 0.0);
+        let found = [0.5, 2.0].map(|phi| part.acceleration(0.0, &[0.7, phi], &[0.1])[0]);
+        assert_eq!(found, [-3.0, -1.0], "{force}");
+    }
+}
+
+fn report(text: &str) -> String {
+    parse(text).map_or_else(|report| report.to_string(), |_| String::new())
+}
+
+#[test]
+fn energies_with_conditions_on_an_angle_are_not_cyclic() {
+    let condition = "potential = if phi > 1 { k*theta^2/2 } else { 0 };";
+    for potential in [condition, "potential = k*theta^2*sign(phi - 1);"] {
+        let text = format!("{TURN} potential = f*theta; reduce R {{ ignore phi; }}\n{potential}");
+        let found = report(&text);
+        assert!(found.contains("`phi` cannot be ignored: the Lagrangian depends on it"), "{found}");
+        assert!(found.contains("note at 3:1: this term depends on it"), "{found}");
+    }
+    let found = report(
+        "coord x, y; reduce R { ignore y; }
+         lagrangian = 1/2*dot(x)^2 + if dot(y) > 0 { dot(y)^2 } else { 1/2*dot(y)^2 };",
+    );
+    assert!(found.contains("`y` cannot be ignored: its momentum is not linear"), "{found}");
+}
+
+#[test]
+fn names_of_momenta_are_new_wherever_others_stand() {
+    let (point, reduction) = ("coord x, y; kinetic = 1/2*(dot(x)^2 + dot(y)^2);", "reduce R { ignore x; }");
+    let taken = "param x_momentum = 1; potential = x_momentum*y;";
+    for text in [format!("{point} {taken} {reduction}"), format!("{point} {reduction} {taken}")] {
+        let found = report(&text);
+        assert!(found.contains("a parameter `x_momentum`, but this name is taken"), "{found}");
+        assert_eq!(found.matches("error at").count(), 1, "{found}");
+    }
+}
+
+#[test]
+fn rates_of_ignored_coordinates_have_a_name() {
+    let reserved = |statements: &str, reduction: &str| {
+        let point = "coord x, y; kinetic = 1/2*(dot(x)^2 + dot(y)^2); output position_rates = x;";
+        let found = report(&format!("{point} {statements} reduce R {{ {reduction}; }}"));
+        (
+            found.matches("an output cannot be called `position_rates`").count(),
+            found.contains("beside `reduce`"),
+        )
+    };
+    assert_eq!(reserved("", "ignore y"), (1, true));
+    assert_eq!(reserved("", "freeze y = 0"), (0, false));
+    assert_eq!(reserved("state s; dot(s) = x;", "ignore y"), (1, false));
+}
+
+/// ẋẏ alone: R = ½ ż² − V − p_x p_y; with 2ẋẇ + ẏ² + u ẇ ẏ beside it, M is indefinite, too
+#[test]
+fn indefinite_energies_are_reduced_if_momenta_are_independent() {
+    assert_routhian(
+        "coord x, y, z; lagrangian = dot(x)*dot(y) + 1/2*dot(z)^2 - 1/2*z^2; reduce R { ignore x, y; }",
+        |p, q, v| 0.5 * (v[0] * v[0] - q[0] * q[0]) - p[0] * p[1],
+    );
+    // ẋ = p_w/2, ẏ = p_y/2 − u ẇ/2 and 2ẋ + u ẏ = p_w
+    assert_routhian(
+        "param u; coord x, y, w, z; reduce R { ignore x, y, w; }
+         lagrangian = 2*dot(x)*dot(w) + dot(y)^2 + u*dot(w)*dot(y) + 1/2*dot(z)^2;",
+        |p, _, v| {
+            let [u, x, y, w] = p[..] else { unreachable!() };
+            let rate = x / 2.0;
+            let turn = (y - u * rate) / 2.0;
+            let shift = (w - u * turn) / 2.0;
+            0.5 * v[0] * v[0] - 0.5 * (x * shift + y * turn + w * rate)
+        },
+    );
+    // A zero by an identity is no pivot.
+    let zero = "(sin(z)^2 + cos(z)^2 - 1)";
+    assert_routhian(
+        &format!(
+            "coord x, y, z; reduce R {{ ignore x, y; }}
+         lagrangian = {zero}*dot(x)^2 + dot(x)*dot(y) + 1/2*(1 + z^2)*dot(y)^2 + 1/2*dot(z)^2;"
+        ),
+        |p, q, v| {
+            let shift = p[1] - (1.0 + q[0] * q[0]) * p[0];
+            0.5 * v[0] * v[0] - 0.5 * (p[0] * shift + p[1] * p[0])
+        },
+    );
+    let found = report(
+        "coord x, y, z; reduce R { ignore x, y; } lagrangian = 1/2*(dot(x) + dot(y))^2 + 1/2*dot(z)^2;",
+    );
+    assert!(found.contains("cannot be ignored"), "{found}");
+}
+
+/// Both terms overflow: ∞ ≤ 10⁻⁹ ∞ says nothing.
+#[test]
+fn infinite_terms_do_not_vanish() {
+    let found = report(&format!("{TURN} potential = (1 + theta)^2000*phi^2; reduce R {{ ignore phi; }}"));
+    assert!(found.contains("`phi` cannot be ignored: the Lagrangian depends on it"), "{found}");
 }
