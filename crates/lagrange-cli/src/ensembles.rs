@@ -11,7 +11,7 @@ use crate::motions::{Failure, check_format, end, method, named_value, set, start
 /// Number of motions if it is not specified, and the largest one.
 const MOTIONS: u64 = 100;
 const MAX_MOTIONS: u64 = 10_000_000;
-/// What is said of a start in the name of a column.
+/// Ending of the names of columns with starts.
 const AT_START: &str = " at start";
 
 /// A quantity that differs between motions, uniformly in a range.
@@ -88,6 +88,9 @@ fn varied<'a>(name: &'a str, range: &str, system: &DeclaredSystem) -> Result<Var
 /// Columns by name, with a value for each motion.
 type Columns = Vec<(String, Vec<f64>)>;
 
+/// The starts of motions, and a column for each quantity that varies.
+type Drawn = (Vec<Vec<f64>>, Vec<Vec<f64>>);
+
 /// The settings of the ensemble, and the entries of its starts that vary.
 fn settings(
     options: &EnsembleOptions,
@@ -114,14 +117,14 @@ fn settings(
     Ok((EnsembleSettings { starts, varied, from: 0.0, until, method, threads }, named(entries)))
 }
 
-/// Draws the values of each motion in the order in which they are written. Returns its start, which
-/// may depend on them, and a column for each quantity.
+/// Draws the values of each motion in the order in which they are written; its start may depend on
+/// them.
 fn drawn(
     options: &EnsembleOptions,
     varied: &[Varied<'_>],
     (seed, motions): (u64, u64),
     system: &DeclaredSystem,
-) -> Result<(Vec<Vec<f64>>, Vec<Vec<f64>>), Failure> {
+) -> Result<Drawn, Failure> {
     let given = start_values("start", &options.settings.values, system)?;
     let (mut starts, mut columns) = (Vec::new(), vec![Vec::new(); varied.len()]);
     let mut system = system.clone();

@@ -19,7 +19,7 @@ use lagrange_runtime::scene::Space;
 use lagrange_runtime::scene::Spatial;
 use lagrange_runtime::system::{OdeSystem, split};
 
-/// What is said of contacts in a state from which no motion starts, as while bodies overlap.
+/// The note about contacts in a state from which no motion starts, as while bodies overlap.
 const WITHOUT_MOTION: &str = "forces of contacts that overlap";
 
 /// A time and a state.

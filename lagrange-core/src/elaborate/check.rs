@@ -181,15 +181,10 @@ fn without_bodies(elaborator: &Elaborator<'_>, product: Product) -> (String, &'s
     }
 }
 
-/// With orientations or states nothing finds velocities by momenta.
-pub(super) fn velocities_are_rates(elaborator: &Elaborator<'_>) -> bool {
-    elaborator.orientations.is_empty() && elaborator.states.is_empty()
-}
-
 /// Some methods are called by others.
 fn check_needed_products(elaborator: &mut Elaborator<'_>) {
     let is_canonical =
-        velocities_are_rates(elaborator) && elaborator.products().contains(&Product::MomentumRates);
+        elaborator.velocities_are_rates() && elaborator.products().contains(&Product::MomentumRates);
     let is_constrained = !elaborator.constraints.is_empty();
     let is_ignoring = elaborator.reductions.iter().any(|reduction| !reduction.ignored.is_empty());
     for &(product, wanted, span) in &elaborator.wanted {
@@ -242,7 +237,7 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
     let groups: [(bool, &[&str]); 7] = [
         (!elaborator.declaration.has_start(), &["start"]),
         (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
-        (velocities_are_rates(elaborator), &["position_rates"]),
+        (elaborator.velocities_are_rates(), &["position_rates"]),
         (
             elaborator.constraints.is_empty(),
             &["project", "consistent_velocity", "redundant_motion", "redundant_correction"],

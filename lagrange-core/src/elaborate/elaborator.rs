@@ -151,6 +151,12 @@ impl<'a> Elaborator<'a> {
         self.evaluator.scope.declare(name, kind, value, self.evaluator.report);
     }
 
+    /// True if the state has neither orientations nor first-order states. With them, momenta do not
+    /// determine velocities.
+    pub(super) fn velocities_are_rates(&self) -> bool {
+        self.orientations.is_empty() && self.states.is_empty()
+    }
+
     pub(super) fn products(&self) -> Vec<Product> {
         let last_word = |product| self.wanted.iter().rev().find(|(named, ..)| *named == product);
         let asked =

@@ -2,7 +2,6 @@
 
 use proc_macro2::Span;
 
-use super::check::velocities_are_rates;
 use super::elaborator::Elaborator;
 use super::messages;
 use super::states::state_named;
@@ -135,7 +134,7 @@ pub(super) fn check_reductions(elaborator: &mut Elaborator<'_>) {
     }
     check_momentum_names(elaborator);
     let is_ignoring = elaborator.reductions.iter().any(|reduction| !reduction.ignored.is_empty());
-    let adds_states = is_ignoring && velocities_are_rates(elaborator);
+    let adds_states = is_ignoring && elaborator.velocities_are_rates();
     let first = elaborator.first_state;
     let report = &mut *elaborator.evaluator.report;
     let all = elaborator.coordinates.len();
