@@ -36,7 +36,9 @@ pub(super) fn finish(mut elaborator: Elaborator<'_>) -> Option<(Model, Vec<Reduc
     let energies = total_energies(&mut elaborator);
     let lagrangian = match energies {
         Energies::Separate { kinetic, potential } => elaborator.evaluator.graph.subtract(kinetic, potential),
-        _ => total(&mut elaborator, |elaborator| &elaborator.lagrangian),
+        Energies::Lagrangian | Energies::Routhian { .. } => {
+            total(&mut elaborator, |elaborator| &elaborator.lagrangian)
+        }
     };
     check_signs(&mut elaborator);
     let lagrangian = without_kinks(&mut elaborator.evaluator.graph, lagrangian);

@@ -87,7 +87,9 @@ impl<'a> Reducer<'a> {
         }
         let lagrangian = match energies {
             Energies::Separate { kinetic, potential } => self.graph.subtract(kinetic, potential),
-            _ => self.of(model.lagrangian, "the Lagrangian")?.closed,
+            Energies::Lagrangian | Energies::Routhian { .. } => {
+                self.of(model.lagrangian, "the Lagrangian")?.closed
+            }
         };
         let dissipation = self.of(model.dissipation, "the dissipation function")?.closed;
         let mut loads = Vec::new();

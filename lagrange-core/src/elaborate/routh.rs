@@ -170,13 +170,13 @@ impl Routh {
             if row.iter().any(|&entry| self.depends_on_velocities(entry)) {
                 return Err(self.refusal(index, Obstacle::Nonlinear));
             }
-            let row = row.into_iter().map(|entry| self.at_rest(index, entry));
+            let row = row.into_iter().map(|entry| self.defined_at_rest(index, entry));
             matrix.push(row.collect::<Result<Vec<_>, _>>()?);
-            let known = self.at_rest(index, momentum)?;
+            let known = self.defined_at_rest(index, momentum)?;
             let parameter = self.add_momentum(index);
             rests.push(self.model.graph.subtract(parameter, known));
         }
-        let resting = self.at_rest(0, lagrangian)?;
+        let resting = self.defined_at_rest(0, lagrangian)?;
         let solved = solve(&mut self.model, matrix, rests);
         let Solution { values, square } = solved.map_err(|i| self.refusal(i, Obstacle::Undetermined))?;
         self.rates = values;
@@ -206,10 +206,14 @@ impl Routh {
         !independent(&mut self.model, values, &positions).contains(&false)
     }
 
-    /// An expression with what is ignored at rest at zero.
-    fn at_rest(&mut self, index: usize, id: ExprId) -> Result<ExprId, Refusal> {
-        let series = self.resting.of(&mut self.model.graph, id, 0);
-        series.map(|series| series.closed).ok_or_else(|| self.refusal(index, Obstacle::Undefined))
+    /// An expression with what is ignored at rest at zero; `None` if it is undefined there.
+    fn at_rest(&mut self, id: ExprId) -> Option<ExprId> {
+        self.resting.of(&mut self.model.graph, id, 0).map(|series| series.closed)
+    }
+
+    /// An expression at rest that must be defined if a coordinate is to be ignored.
+    fn defined_at_rest(&mut self, index: usize, id: ExprId) -> Result<ExprId, Refusal> {
+        self.at_rest(id).ok_or_else(|| self.refusal(index, Obstacle::Undefined))
     }
 
     fn add_momentum(&mut self, index: usize) -> ExprId {
@@ -234,14 +238,12 @@ impl Routh {
         substitute(&mut self.model.graph, id, &self.replacements)
     }
 
-    /// Values with rates replaced, and with ignored coordinates at zero if they do not depend on
+    /// A value with rates replaced, and with ignored coordinates at zero if it does not depend on
     /// these.
-    fn reconstructed(&mut self, values: &[ExprId]) -> Vec<ExprId> {
-        let values = substitute_all(&mut self.model.graph, values, &self.replacements);
-        match self.are_alike(&values) {
-            true => values.into_iter().map(|id| self.at_rest(0, id).unwrap_or(id)).collect(),
-            false => values,
-        }
+    fn reconstructed(&mut self, value: ExprId) -> ExprId {
+        let value = self.replaced(value);
+        let is_alike = self.are_alike(&[value]);
+        is_alike.then(|| self.at_rest(value)).flatten().unwrap_or(value)
     }
 
     fn model(mut self, lagrangian: ExprId) -> Model {
@@ -250,9 +252,9 @@ impl Routh {
             other => other,
         };
         for part in energies.parts_mut() {
-            *part = self.reconstructed(&[*part])[0];
+            *part = self.reconstructed(*part);
         }
-        let dissipation = self.reconstructed(&[self.model.dissipation])[0];
+        let dissipation = self.reconstructed(self.model.dissipation);
         let loads = self.loads();
         self.replace_outputs();
         let rates = self.known_rates();
@@ -277,7 +279,7 @@ impl Routh {
             for part in statement.iter_mut().flat_map(|load| [&mut load.velocity, &mut load.force]) {
                 *part = self.replaced(*part);
                 if is_alike {
-                    *part = self.at_rest(0, *part).unwrap_or(*part);
+                    *part = self.at_rest(*part).unwrap_or(*part);
                 }
             }
         }
@@ -287,7 +289,7 @@ impl Routh {
     fn replace_outputs(&mut self) {
         let mut outputs = std::mem::take(&mut self.model.outputs);
         for part in outputs.iter_mut().flat_map(|output| &mut output.components) {
-            *part = self.reconstructed(&[*part])[0];
+            *part = self.reconstructed(*part);
         }
         let mut scene = std::mem::take(&mut self.model.scene);
         for place in scene.places() {
@@ -311,7 +313,7 @@ impl Routh {
     fn known_rates(&mut self) -> Vec<(ExprId, ExprId)> {
         let mut rates = Vec::new();
         for (velocity, position) in self.model.rates.clone() {
-            let found = [velocity, position].map(|id| self.at_rest(0, id).ok());
+            let found = [velocity, position].map(|id| self.at_rest(id));
             if let [Some(velocity), Some(position)] = found {
                 rates.push((velocity, position));
             }

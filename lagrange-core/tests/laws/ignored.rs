@@ -1,4 +1,4 @@
-//! What holds if cyclic coordinates of any machine are ignored: forces on the others, energies and
+//! Laws of machines whose cyclic coordinates are ignored: forces on the others, energies and
 //! velocities stay those of the whole machine.
 
 use lagrange_core::derive::StrategyChoice;
@@ -85,7 +85,7 @@ impl Pair {
         forces(spins)[..n].to_vec()
     }
 
-    /// What errors are measured against.
+    /// The scale of errors.
     fn scale(&self) -> f64 {
         let all = [self.of_whole(Product::Forcing), self.of_whole(Product::MassMatrix)].concat();
         all.into_iter().fold(1.0, |largest: f64, x| largest.max(x.abs()))

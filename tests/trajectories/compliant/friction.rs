@@ -65,7 +65,7 @@ fn a_sliding_block_tends_to_its_closed_form() {
     assert!(orders.iter().all(|order| (order - 2.0).abs() < 0.1) && errors[2] < 1e-4);
 }
 
-/// What Coulomb's law would hold creeps with v f / √((μ N)² − f²).
+/// A block that Coulomb's law would hold creeps with v f / √((μ N)² − f²).
 #[test]
 fn a_block_that_would_stick_creeps() {
     for v in [1e-2, 1e-3, 1e-4] {

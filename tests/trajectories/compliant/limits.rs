@@ -66,7 +66,7 @@ fn bounces_tend_to_those_of_a_rigid_ball() {
     assert!(orders.iter().all(|order| (order - 0.5).abs() < 0.02) && errors[2] < 2e-4);
 }
 
-/// Where nothing bounces, the error falls with the compliance and with the stiction speed.
+/// The error of motions without bounces falls with the compliance and with the stiction speed.
 #[test]
 fn a_block_that_stops_tends_to_a_rigid_one() {
     let rigid =

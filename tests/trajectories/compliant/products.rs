@@ -1,4 +1,5 @@
-//! What rigid contacts refuse: lanes, Taylor series, derivatives, and numbers of single precision.
+//! Products that rigid contacts refuse: lanes, Taylor series, derivatives, and numbers of single
+//! precision.
 
 use lagrange::Simulate;
 use lagrange::integrate::{Radau5, RungeKutta4, Taylor, integrate};

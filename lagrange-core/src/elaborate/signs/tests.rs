@@ -5,7 +5,7 @@ use lagrange_expr::diagnostics::Report;
 use lagrange_language::bodies::plain;
 use lagrange_language::syntax::parse_text;
 
-/// What is reported of the signs of energies.
+/// Returns the report on the signs of energies.
 fn reported(statements: &str) -> String {
     let mut report = Report::default();
     let declaration = parse_text(statements, &mut report).expect("a readable declaration");
