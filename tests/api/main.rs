@@ -43,6 +43,7 @@ mod product_rows;
 mod products;
 mod projection;
 mod ranges;
+mod rate_equations;
 mod reduced;
 mod resting;
 mod saved;

@@ -105,7 +105,8 @@ fn evaluate_rate(
     evaluator.rate(&rate, argument)
 }
 
-/// True if an expression is made of numbers, constants and parameters, whatever it is worth.
+/// True if an expression is made of numbers, constants, parameters and discrete states, whatever
+/// it is worth.
 fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     let mut pending = vec![root];
     while let Some(id) = pending.pop() {
@@ -113,8 +114,8 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
             Expression::Name(name) => {
                 let entry = evaluator.scope.find(name).filter(|entry| !entry.is_ambiguous);
                 let kind = entry.map(|entry| entry.kind);
-                let is_at_rest =
-                    name == "pi" || matches!(kind, Some(NameKind::Parameter | NameKind::Constant));
+                let is_at_rest = name == "pi"
+                    || matches!(kind, Some(NameKind::Parameter | NameKind::Constant | NameKind::Discrete));
                 if !is_at_rest {
                     return false;
                 }
@@ -126,10 +127,16 @@ fn is_at_rest(evaluator: &Evaluator<'_>, root: AstId) -> bool {
     true
 }
 
+/// Longer arguments are letters in messages.
+const LONGEST_ARGUMENT: usize = 60;
+
 /// Spelling of a call that means something in other languages.
 fn meant_function(evaluator: &Evaluator<'_>, name: &str, arguments: &[AstId]) -> Option<String> {
-    let text = |&id: &AstId| print::expression(&evaluator.declaration.expressions, id);
-    foreign::function(name, &arguments.iter().map(text).collect::<Vec<_>>())
+    let texts = arguments.iter().map(|&id| print::expression(&evaluator.declaration.expressions, id));
+    let texts = texts.collect::<Vec<_>>();
+    let is_long = texts.iter().any(|text| text.len() > LONGEST_ARGUMENT);
+    let letters = ["a", "b", "c"].map(str::to_owned);
+    foreign::function(name, if is_long { letters.get(..texts.len())? } else { &texts })
 }
 
 /// Returns false for an acceleration without a place for it.

@@ -117,7 +117,13 @@ pub(super) fn evaluate_power(
     exponent: AstId,
     origin: Origin,
 ) -> Option<Operand> {
-    let value = evaluator.scalar(base, "the base of a power");
+    let value = match evaluator.value(base) {
+        Some(of @ (Operand::Vector(_) | Operand::Matrix(..))) => {
+            let message = messages::scalar_needed("the base of a power", of.kind());
+            evaluator.refuse(base, message, messages::POWER_HELP)
+        }
+        _ => evaluator.scalar(base, "the base of a power"),
+    };
     let index = evaluator.scalar(exponent, "an exponent");
     power(evaluator, value?, index?, origin).map(Operand::Scalar)
 }

@@ -52,6 +52,18 @@ pub(super) struct DeclaredState {
     pub(super) kind: StateKind,
     /// Place of its equation, if there is one.
     pub(super) equation: Option<Span>,
+    /// The symbol for its rate in equations that do not determine it yet.
+    pub(super) unknown_rate: Option<ExprId>,
+}
+
+/// An equation for rates of states that is not solved yet.
+#[derive(Clone, Debug)]
+pub(super) struct RateEquation {
+    pub(super) syntax: AstId,
+    /// The difference of its sides.
+    pub(super) residual: ExprId,
+    /// Places of the states whose rates are unknown.
+    pub(super) unknowns: Vec<usize>,
 }
 
 /// The model under construction.
@@ -64,6 +76,8 @@ pub(super) struct Elaborator<'a> {
     pub(super) ranges: Vec<([Option<ast::Limit>; 2], Bounds)>,
     pub(super) coordinates: Vec<(Coordinate, Span)>,
     pub(super) states: Vec<DeclaredState>,
+    /// Equations that do not determine rates of states yet.
+    pub(super) rate_equations: Vec<RateEquation>,
     /// The names that `velocity` statements give to the rates of coordinates.
     pub(super) named_velocities: HashMap<String, &'a Name>,
     /// Number of positions that are no states, all of which stand in front of these.
@@ -117,6 +131,7 @@ impl<'a> Elaborator<'a> {
             ranges: Vec::new(),
             coordinates: Vec::new(),
             states: Vec::new(),
+            rate_equations: Vec::new(),
             named_velocities: declaration.named_velocities(),
             first_state: declaration.coordinates().len() - declaration.states().count(),
             speeds: Vec::new(),

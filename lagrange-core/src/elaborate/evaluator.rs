@@ -29,7 +29,7 @@ pub(super) struct Evaluator<'a> {
     pub(super) scope: Scope,
     pub(super) report: &'a mut Report,
     pub(super) declaration: &'a Declaration,
-    rates: Rates,
+    pub(super) rates: Rates,
     /// Velocity and position that each `dot(…)` evaluated to.
     pub(super) named_rates: OrderedMap<ExprId, ExprId>,
     /// Arguments that are reported to be no size of a solid.

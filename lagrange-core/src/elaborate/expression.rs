@@ -195,7 +195,9 @@ fn evaluate_component(evaluator: &mut Evaluator<'_>, of: AstId, component: &Name
         return None;
     }
     let message = messages::no_component(&component.text, value.kind());
-    evaluator.report.error(component.span, message).help(messages::COMPONENTS);
+    let is_transpose = ["T", "transpose", "H"].contains(&component.text.as_str());
+    let help = if is_transpose { messages::TRANSPOSE_HELP } else { messages::COMPONENTS };
+    evaluator.report.error(component.span, message).help(help);
     None
 }
 

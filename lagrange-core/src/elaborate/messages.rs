@@ -19,6 +19,7 @@ messages! {
     pub(super):
 
     scalar_needed(what, found) = "{what} must be a scalar, but this is {found}";
+    POWER_HELP = "write `inner(v, v)` for the square of a vector, and `A * A` for that of a matrix";
     HOW_TO_GET_A_SCALAR = "use a component such as `.x` or `v[0]`, or `norm(v)`, or `inner(v, w)`";
     vector_needed(what, found) = "{what} must be a vector, but this is {found}";
     kinds_differ(operation, left, right) = "cannot {operation} {left} and {right}";
@@ -65,11 +66,12 @@ messages! {
     defined_where(function, domain) = "`{function}` is defined {domain}";
     VANISHING_HELP = "choose smaller units, or remove it";
     no_component(component, kind) = "there is no component `{component}` in {kind}";
+    TRANSPOSE_HELP = "write `transpose(A)`";
     COMPONENTS = "vectors have the components `x`, `y` and, in space, `z`; others have indices, `v[3]`";
     rate_of_input(name) = "the rate of input `{name}` is unknown";
 
-    /// Message for the rate of what is made of numbers and parameters.
-    rate_of_constant(what) = "`{what}` does not change during the motion, so its rate is zero";
+    /// Message for the rate of what is made of numbers, parameters and discrete states.
+    rate_of_constant(what) = "`{what}` does not change continuously, so its rate is zero";
     RATE_OF_CONSTANT_HELP =
         "remove the rate, declare the quantity as a `coord`, or write it as a function of `t`; the scalar product is `inner(v, w)`";
 

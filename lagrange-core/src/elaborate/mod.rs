@@ -31,6 +31,7 @@ mod opaque;
 mod operand;
 mod pinned;
 mod ranges;
+mod rate_equations;
 mod reactions;
 mod reduce;
 mod reductions;

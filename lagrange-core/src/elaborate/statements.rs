@@ -10,6 +10,7 @@ use super::gibbs::add_gibbs;
 use super::loads::{add_force_along, add_force_at, add_force_on, add_torque};
 use super::messages;
 use super::operand::Operand;
+use super::rate_equations::add_rate_equation;
 use super::reactions::add_friction;
 use super::reductions::add_reduction;
 use super::scope::NameKind;
@@ -62,6 +63,7 @@ pub(super) fn add_statement(elaborator: &mut Elaborator<'_>, statement: &Stateme
         StatementKind::Mode(mode) => define_mode(elaborator, mode),
         StatementKind::Start(list) => list.iter().for_each(|assignment| add_start(elaborator, assignment)),
         StatementKind::StateRate(name, value) => add_state_rate(elaborator, name, *value),
+        StatementKind::RateEquation(difference) => add_rate_equation(elaborator, *difference),
         StatementKind::Quaternion(quaternion) => define_quaternion(elaborator, quaternion),
         StatementKind::Velocity(name, value) => name_velocity(elaborator, name, *value),
         StatementKind::Let(name, value) => define_abbreviation(elaborator, name, *value),

@@ -4,6 +4,7 @@ use super::elaborator::{DeclaredState, Elaborator, UNKNOWNS};
 use super::expression::value_of;
 use super::messages::states as words;
 use super::operand::Operand;
+use super::rate_equations::{report_undetermined_rates, set_rate};
 use super::scope::NameKind;
 use super::unknown_names::{is_declared_elsewhere, is_known_unresolved, report_unknown};
 use crate::model::{Action, Coordinate};
@@ -25,7 +26,13 @@ pub(super) fn define_state(elaborator: &mut Elaborator<'_>, name: &Name, kind: S
         let rate = graph.number(0);
         graph.set_rate(position, rate);
     }
-    elaborator.states.push(DeclaredState { name: name.clone(), position, kind, equation: None });
+    elaborator.states.push(DeclaredState {
+        name: name.clone(),
+        position,
+        kind,
+        equation: None,
+        unknown_rate: None,
+    });
     elaborator.declare(name, name_kind, Some(Operand::Scalar(position)));
 }
 
@@ -66,14 +73,14 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
     let Some(position) = state_named(elaborator, &name.text) else {
         return report_no_state(elaborator, name);
     };
-    let state = &mut elaborator.states[position - elaborator.first_state];
+    let place = position - elaborator.first_state;
+    let state = &mut elaborator.states[place];
     if state.kind == StateKind::Discrete {
         let error = elaborator.evaluator.report.error(name.span, words::discrete_rate(&name.text));
         error.help(words::discrete_rate_help(&name.text));
         return;
     }
-    let (position, first) = (state.position, state.equation.replace(name.span));
-    if let Some(first) = first {
+    if let Some(first) = state.equation.replace(name.span) {
         let error = elaborator.evaluator.report.error(name.span, words::stated_twice(&name.text));
         error.related(Origin::from(first), words::STATED_HERE).help(words::STATED_TWICE_HELP);
         return;
@@ -82,7 +89,7 @@ pub(super) fn add_state_rate(elaborator: &mut Elaborator<'_>, name: &Name, synta
     // too.
     let graph = &mut elaborator.evaluator.graph;
     let rate = rate.unwrap_or_else(|| graph.number(0));
-    graph.set_rate(position, rate);
+    set_rate(elaborator, syntax, place, rate);
 }
 
 /// A function of time, positions, velocities, states and inputs.
@@ -111,6 +118,7 @@ fn report_no_state(elaborator: &mut Elaborator<'_>, name: &Name) {
 
 /// Checks that need all states and all that mentions them.
 pub(super) fn check_states(elaborator: &mut Elaborator<'_>) {
+    report_undetermined_rates(elaborator);
     let declaration = elaborator.declaration;
     let scope = &elaborator.evaluator.scope;
     let is_unclear = !declaration.unreadable_words.is_empty();

@@ -67,20 +67,10 @@ fn own_slopes(graph: &mut Graph, unknowns: &AlgebraicUnknowns, places: &[usize])
         loads.push(by(graph, residual, &unknowns.arguments));
     }
     let mut minors = Minors::new(&jacobian);
-    let determinant = minors.determinant(graph);
-    let mut of_place = |place: usize| -> Vec<ExprId> {
-        let cofactors = (0..jacobian.len()).map(|row| minors.cofactor(graph, row, place)).collect::<Vec<_>>();
-        let slope = |argument: usize| {
-            let terms = loads.iter().zip(&cofactors);
-            let terms = terms.map(|(row, &cofactor)| graph.multiply(row[argument], cofactor));
-            let terms = terms.collect::<Vec<_>>();
-            let numerator = graph.total(terms);
-            let quotient = graph.divide(numerator, determinant);
-            graph.negate(quotient)
-        };
-        (0..unknowns.arguments.len()).map(slope).collect()
-    };
-    places.iter().map(|&place| of_place(place)).collect()
+    let of_argument = |argument: usize| loads.iter().map(|row| row[argument]).collect::<Vec<_>>();
+    let loads = (0..unknowns.arguments.len()).map(of_argument).collect::<Vec<_>>();
+    let mut slope = |&place: &usize, load: &[ExprId]| minors.root(graph, load, place);
+    places.iter().map(|place| loads.iter().map(|load| slope(place, load)).collect()).collect()
 }
 
 /// Expressions in the symbols of the equations, for the arguments of a call and the values there.

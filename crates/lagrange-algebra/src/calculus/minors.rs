@@ -31,6 +31,19 @@ impl Minors<'_> {
         if (row + column).is_multiple_of(2) { minor } else { graph.negate(minor) }
     }
 
+    /// The unknown at a place among those at which the rows and these constants add up to zero, by
+    /// Cramer's rule.
+    pub(super) fn root(&mut self, graph: &mut Graph, constants: &[ExprId], place: usize) -> ExprId {
+        let mut terms = Vec::new();
+        for (row, &constant) in constants.iter().enumerate() {
+            let cofactor = self.cofactor(graph, row, place);
+            terms.push(graph.multiply(constant, cofactor));
+        }
+        let (numerator, determinant) = (graph.total(terms), self.determinant(graph));
+        let quotient = graph.divide(numerator, determinant);
+        graph.negate(quotient)
+    }
+
     fn all(&self) -> u32 {
         (1 << self.rows.len()) - 1
     }

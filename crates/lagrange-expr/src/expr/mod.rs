@@ -269,6 +269,11 @@ impl Graph {
         self.rates.insert(position, rate);
     }
 
+    /// Takes the rate of a position away that [`set_rate`](Graph::set_rate) has set.
+    pub fn remove_rate(&mut self, position: ExprId) {
+        self.rates.remove(&position);
+    }
+
     /// Returns the rate of a position that differs from the velocity of its index.
     pub fn rate_of_position(&self, position: ExprId) -> Option<ExprId> {
         self.rates.get(&position).copied()

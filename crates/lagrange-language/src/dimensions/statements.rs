@@ -182,6 +182,9 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             let state = checker.scope.get(&name.text).cloned().unwrap_or_else(Measure::any);
             checker.require(*value, &state.map(rate), &said(&messages::rate_of(&name.text)));
         }
+        (StatementKind::RateEquation(difference), DimensionPass::Require) => {
+            checker.value(*difference);
+        }
         (StatementKind::Stabilise(rate), DimensionPass::Require) => {
             checker.require_dimension(*rate, &Dimension::of(FREQUENCY), &said(messages::STABILISE));
         }
@@ -243,6 +246,7 @@ fn visit(checker: &mut Checker<'_>, statement: &Statement, pass: DimensionPass) 
             | StatementKind::Gibbs { .. }
             | StatementKind::Dissipation(_)
             | StatementKind::StateRate(..)
+            | StatementKind::RateEquation(_)
             | StatementKind::Stabilise(_)
             | StatementKind::ForceOn(..)
             | StatementKind::ForceAt { .. }

@@ -7,6 +7,7 @@ use super::messages;
 use super::paths::PathFault;
 use super::scopes::{Interior, PlacedPart, ScopeId, Scopes};
 use crate::syntax::ast::{AstId, Declaration, Expressions};
+use crate::syntax::foreign::{self, Rate};
 use lagrange_expr::collections::HashSet;
 use lagrange_expr::diagnostics::{Diagnostic, Origin, Report, nearest};
 use lagrange_expr::units::meaning;
@@ -250,9 +251,15 @@ impl<'a> Complaints<'a> {
 /// The message for a member that a placed part does not have, and what to do.
 fn no_member(part: &PlacedPart, member: &str) -> (String, String) {
     let written = |name: &str| format!("{}{name}", part.written);
-    let help = match nearest(member, part.interior.names()) {
-        Some(nearest) => messages::did_you_mean(written(nearest)),
-        None => messages::members_are(&part.interior.name.text, part.interior.names()),
+    let rate = foreign::rate(member, |of| part.interior.names().any(|known| known == of));
+    let help = match (rate, nearest(member, part.interior.names())) {
+        (Some(rate), _) => Rate { of: &written(rate.of), ..rate }.written(),
+        (None, Some(nearest)) => written(nearest),
+        (None, None) => {
+            let members = messages::members_are(&part.interior.name.text, part.interior.names());
+            return (messages::no_member(written(member), &part.interior.name.text), members);
+        }
     };
+    let help = messages::did_you_mean(help);
     (messages::no_member(written(member), &part.interior.name.text), help)
 }

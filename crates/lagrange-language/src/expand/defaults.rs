@@ -41,16 +41,25 @@ pub(super) fn fits(
     sizes: &[i64],
     complaints: &mut Complaints<'_>,
 ) -> bool {
-    let Expression::Array(ArrayExpression::List(elements)) = expressions.get(value) else { return true };
-    let (message, origin) = match sizes {
-        [size, inner @ ..] if usize::try_from(*size) == Ok(elements.len()) => {
-            return elements.iter().all(|element| fits(expressions, *element, inner, complaints));
+    let is_list = |element: &AstId| matches!(expressions.get(*element), Expression::Array(_));
+    let (message, help) = match (expressions.get(value), sizes) {
+        (Expression::Tuple(_), [_, ..]) => (messages::LIST_AS_TUPLE.to_owned(), messages::LIST_AS_TUPLE_HELP),
+        (Expression::Array(ArrayExpression::List(elements)), [size, inner @ ..]) => {
+            if usize::try_from(*size) == Ok(elements.len()) {
+                return elements.iter().all(|element| fits(expressions, *element, inner, complaints));
+            }
+            let are_rows = inner.is_empty() || elements.iter().any(is_list);
+            let help = if are_rows { messages::LIST_HELP } else { messages::LIST_OF_LISTS_HELP };
+            (messages::list_length(elements.len(), *size), help)
         }
-        [size, ..] => (messages::list_length(elements.len(), *size), expressions.origin(value)),
-        [] => (messages::LIST_IN_LIST.to_owned(), expressions.origin(value)),
+        (Expression::Array(ArrayExpression::List(_)), []) => {
+            (messages::LIST_IN_LIST.to_owned(), messages::LIST_HELP)
+        }
+        _ => return true,
     };
+    let origin = expressions.origin(value);
     if let Some(error) = complaints.once(value, origin, message) {
-        error.help(messages::LIST_HELP);
+        error.help(help);
     }
     false
 }

@@ -19,6 +19,9 @@ messages! {
     SIZE_HELP = "write the number of elements: `coord theta[3];` declares theta[0], theta[1] and theta[2]";
     ARRAY_IN_LOOP_HELP = "declare all of it before the loop: `param m[n] = 1;`";
     LIST_IN_LIST = "an element has one value, not a list of them";
+    LIST_AS_TUPLE = "the values of an array are a list in square brackets";
+    LIST_AS_TUPLE_HELP = "write `[a, b]`; parentheses are for vectors, `let v = (a, b);`";
+    LIST_OF_LISTS_HELP = "write a list for each row, `[[a, b], [c, d]]`, or a single value for all elements";
     LIST_HELP = "write one value for each element, or a single one for all";
     TOO_LONG_HELP = "write shorter loops";
     shadowed_variable(name) = "`{name}` is already the variable of an enclosing loop";

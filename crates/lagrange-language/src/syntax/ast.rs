@@ -158,9 +158,23 @@ impl Declaration {
 
     /// True if there is an equation of the state of this name, even an invalid one.
     pub fn states_rate_of(&self, state: &str) -> bool {
-        let is_its =
-            |kind: &StatementKind| matches!(kind, StatementKind::StateRate(name, _) if name.text == state);
-        self.statements.iter().any(|statement| is_its(&statement.kind))
+        self.statements.iter().any(|statement| match &statement.kind {
+            StatementKind::StateRate(name, _) => name.text == state,
+            StatementKind::RateEquation(difference) => self.mentions_rate_of(*difference, state),
+            _ => false,
+        })
+    }
+
+    /// True if an expression contains `dot` of an expression that contains a state.
+    pub fn mentions_rate_of(&self, expression: AstId, state: &str) -> bool {
+        let parts = |id: AstId| self.expressions.parts(id).into_iter().map(|part| self.expressions.get(part));
+        let is_state = |part: &Expression| matches!(part, Expression::Name(name) if name == state);
+        parts(expression).any(|part| match part {
+            Expression::Call(function, of) => {
+                function.text == "dot" && of.iter().any(|&of| parts(of).any(is_state))
+            }
+            _ => false,
+        })
     }
 
     /// Returns the velocities in their order.

@@ -83,6 +83,11 @@ impl Cursor {
         self.tokens.get(self.next..).unwrap_or_default()
     }
 
+    /// The tokens that are left in front of the next semicolon.
+    pub(super) fn rest_of_statement(&self) -> &[TokenTree] {
+        self.rest().split(|token| is_punct(Some(token), ';')).next().unwrap_or_default()
+    }
+
     /// The last token that was taken.
     pub(super) fn previous(&self) -> Option<&TokenTree> {
         self.tokens.get(self.next.checked_sub(1)?)

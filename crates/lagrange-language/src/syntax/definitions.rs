@@ -12,6 +12,7 @@ use super::messages;
 use super::messages::arrays;
 use super::messages::forms::form;
 use super::messages::habits;
+use super::messages::ranges;
 use super::messages::units;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use super::recovery::Turn;
@@ -142,6 +143,11 @@ impl Parser<'_> {
     pub(super) fn starts(&mut self, cursor: &mut Cursor) -> Vec<Assignment> {
         let help = form("start");
         self.items(help, cursor, |parser, cursor| {
+            let name = cursor.ident().map(ToString::to_string).unwrap_or_default();
+            if parser.declared(&name) == Some(Declared::Coordinate) && at_call_with_value(cursor) {
+                let origin = cursor.reaching(2);
+                return Err(parser.fail_with_help(origin, habits::TIME_OF_START, habits::start_of(name)));
+            }
             let target = parser.expression(cursor)?;
             parser.equals(help, cursor)?;
             Ok(Assignment::new(target, parser.item_value(cursor)))
@@ -182,6 +188,11 @@ impl Parser<'_> {
     /// all the same.
     fn no_comma(&mut self, help: &str, start: usize, cursor: &mut Cursor) -> bool {
         let is_next = at_next_item(cursor) && cursor.position() > start;
+        if ["start", "init", "initial"].into_iter().any(|word| cursor.at_word(word)) {
+            self.fail_with_help(cursor.here(), habits::VALUE_BEHIND_WORD, help);
+            self.skip_item(cursor);
+            return false;
+        }
         if is_next && !cursor.at_same_word() {
             self.fail_once(cursor.here(), messages::MISSING_COMMA, help);
             return true;
@@ -211,7 +222,9 @@ impl Parser<'_> {
             return Err(self.fail_with_help(origin, habits::DECIMAL_COMMA, habits::decimal_point(&number)));
         }
         if cursor.ident().is_none() {
-            return Err(self.no_name(help, cursor));
+            let is_compared =
+                matches!(cursor.peek_past(1), Some(TokenTree::Punct(sign)) if "<>".contains(sign.as_char()));
+            return Err(self.no_name(if is_compared { ranges::BOUND_FIRST_HELP } else { help }, cursor));
         }
         read(self, cursor)
     }
@@ -338,6 +351,11 @@ impl Parser<'_> {
         }
         Ok(Some(item))
     }
+}
+
+/// True at `x(0) =`.
+fn at_call_with_value(cursor: &Cursor) -> bool {
+    as_group(cursor.peek_past(1), Delimiter::Parenthesis).is_some() && cursor.equals_past(2)
 }
 
 /// True if an item ends here, even if the semicolon behind it was forgotten.

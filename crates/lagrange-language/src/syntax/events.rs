@@ -43,7 +43,9 @@ impl Parser<'_> {
             return Err(self.misplaced("`=>`", form("every"), cursor));
         }
         let Some(group) = cursor.eat_group(Delimiter::Brace) else {
-            return Err(self.misplaced("`{`", form("every"), cursor));
+            let is_action = ACTIONS.iter().any(|action| cursor.at_word(action));
+            let help = if is_action { messages::CLOCK_ACTION_HELP } else { form("every") };
+            return Err(self.misplaced("`{`", help, cursor));
         };
         Ok(Clock { period, assignments: self.assigned_in(&group) })
     }

@@ -76,6 +76,7 @@ impl Parser<'_> {
             Some(meant) if !is_call => habits::written(meant),
             _ if !is_call && keywords::built_in(&last).is_some() => habits::written(&last),
             _ if is_call && (is_library || keywords::is_function(&last)) => messages::PATH_HELP.to_owned(),
+            _ if self.declared(&word).is_some() => habits::written(format!("{word}.{last}")),
             _ => habits::RUST_NAME_HELP.to_owned(),
         };
         let message = if is_library { habits::LIBRARY } else { messages::PATH };

@@ -71,6 +71,8 @@ messages! {
         "specify which zeros count, `rising`, `falling` or, for both, `crossing`: `event name = e, falling => stop;`";
     ACTION = "`stop`, `record`, `impact(e)` or `{`";
     ACTION_HELP = "write an action after `=>`: `stop`, `record`, `impact(e)` or `{ dot(x) = e; y = e; }`";
+    CLOCK_ACTION_HELP =
+        "a clock only assigns, `every 0.01 => { held = e; }`; for an action at a time write `event name = t - 1, rising => stop;`";
     RESTITUTION = "an impact needs a coefficient of restitution";
     RESTITUTION_HELP =
         "write `impact(e)`: `impact(0)` for bodies that stay together, `impact(1)` if no energy is lost";
@@ -169,6 +171,7 @@ messages! {
     NUMBERED_COMPONENT = "components are not numbered";
     ARGUMENT_HELP = "write the argument of a function in parentheses: `cos(x)`";
     TYPE_HELP = "`#[scalar(f32)]` or `struct Name<S>;` specifies the type of all numbers";
+    MATRIX_PRODUCT_HELP = "write `*` for the product of a matrix and a vector, `A * v`";
     PRODUCT_HELP = "write `*` between the factors of a product";
     keyword_as_value(word) = "the keyword {} has no value", quoted(word);
     KEYWORD_AS_VALUE_HELP = "give the expression a name with `let` and use that name in both places";

@@ -7,7 +7,7 @@ use super::cursor::Cursor;
 use super::messages;
 use super::messages::forms::form;
 use super::messages::parts as words;
-use super::parser::{Declared, Parsed, Parser};
+use super::parser::{Declared, Parsed, Parser, Reported};
 use super::tables::string;
 
 /// An array of parts: the variable and its values.
@@ -49,6 +49,7 @@ impl Parser<'_> {
         let name = self.free_name(cursor)?;
         let (name, count) = self.placed_name(name, cursor)?;
         cursor.eat(':');
+        self.declared_names.insert(name.text.clone(), Declared::Other);
         let part = self.name(cursor)?;
         let variable = count.as_ref().map(|(variable, _)| variable.clone());
         let arguments = match variable {
@@ -82,9 +83,14 @@ impl Parser<'_> {
             return Err(self.fail_with_help(cursor.here(), message, words::placed(&part.text)));
         };
         let mut given: Vec<(Name, AstId)> = Vec::new();
-        self.lines(&group, |parser, cursor| {
-            let name = parser.name(cursor)?;
-            parser.colon(&name.text, cursor)?;
+        let is_readable = self.lines(&group, |parser, cursor| {
+            let name = parser.argument_name(cursor)?;
+            if cursor.equals_past(0) {
+                let help = words::argument(&name.text);
+                parser.fail_once(cursor.skip_one(), messages::EQUALS_BEHIND_LABEL, &help);
+            } else {
+                parser.colon(&name.text, cursor)?;
+            }
             let value = match cursor.eat_group(Delimiter::Bracket) {
                 Some(group) => parser.elements_of(&group)?,
                 None => parser.line_value(cursor),
@@ -101,7 +107,21 @@ impl Parser<'_> {
             Ok(())
         });
         self.skipped = false;
-        Ok(given)
+        if is_readable { Ok(given) } else { Err(Reported) }
+    }
+
+    /// The name of an argument, which stands before a colon.
+    fn argument_name(&mut self, cursor: &mut Cursor) -> Parsed<Name> {
+        let is_value = match cursor.peek_past(1) {
+            None => true,
+            Some(TokenTree::Punct(sign)) => !":=".contains(sign.as_char()),
+            Some(_) => false,
+        };
+        if cursor.ident().is_none() || is_value {
+            let help = words::POSITIONAL_HELP;
+            return Err(self.fail_with_help(cursor.here(), words::POSITIONAL, help));
+        }
+        self.name(cursor)
     }
 
     /// `"parts/leg.lag"` behind the word `include`.

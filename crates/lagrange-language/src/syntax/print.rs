@@ -11,8 +11,9 @@ mod parts;
 mod scenes;
 
 use super::ast::{
-    Action, AllowedRange, Assignment, AstId, Block, Declaration, Definition, Direction, EmitItem, Event,
-    Expressions, Friction, Name, Reduction, ReductionItem, ReductionKind, StatementKind,
+    Action, AllowedRange, Assignment, AstId, BinaryOperator, Block, Declaration, Definition, Direction,
+    EmitItem, Event, Expression, Expressions, Friction, Name, Reduction, ReductionItem, ReductionKind,
+    StatementKind,
 };
 
 /// Writes the statements of a declaration, each on a separate line.
@@ -95,6 +96,13 @@ impl Printer<'_> {
                 self.name(name);
                 self.between(") = ", *value, ";");
             }
+            StatementKind::RateEquation(difference) => match self.expressions.get(*difference) {
+                Expression::Binary(BinaryOperator::Subtract, _, left, right) => {
+                    self.expression(*left);
+                    self.between(" = ", *right, ";");
+                }
+                _ => self.between("0 = ", *difference, ";"),
+            },
             StatementKind::Quaternion(quaternion) => {
                 self.text("quaternion ");
                 self.name(&quaternion.name);

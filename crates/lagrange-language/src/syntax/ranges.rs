@@ -33,6 +33,12 @@ impl Parser<'_> {
             Some(_) => self.range_between_dots(cursor)?,
             None => self.range_of_comparisons(cursor)?,
         };
+        if cursor.position() > start && cursor.at(':') {
+            return Err(self.fail_with_help(cursor.here(), words::UNIT_BEHIND, words::UNIT_BEHIND_HELP));
+        }
+        if keyword == "param" && (cursor.at_pair('=', '>') || cursor.at_pair('=', '<')) {
+            return Err(self.fail_with_help(cursor.here_to_pair(), words::NO_SIGN, words::RANGE_HELP));
+        }
         if keyword == "param" || cursor.position() == start {
             return Ok(range);
         }

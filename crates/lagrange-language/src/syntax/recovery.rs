@@ -2,7 +2,7 @@
 
 use proc_macro2::{Delimiter, Ident, TokenTree};
 
-use super::cursor::Cursor;
+use super::cursor::{Cursor, as_group};
 use super::foreign;
 use super::identifiers::at_equals_past;
 use super::keywords;
@@ -10,6 +10,7 @@ use super::messages;
 use super::messages::forms;
 use super::messages::forms::form;
 use super::messages::habits;
+use super::messages::parts;
 use super::parser::{Declared, Parsed, Parser, Reported};
 use lagrange_expr::diagnostics::nearest;
 
@@ -120,6 +121,7 @@ impl Parser<'_> {
         let is_assigned = at_equals_past(1, cursor) && cursor.group(Delimiter::Parenthesis).is_some();
         let help = match is_assigned {
             true => form("let").to_owned(),
+            false if is_equation(cursor) => habits::equations_are_derived(),
             false => messages::statements_are(&keywords::STATEMENTS),
         };
         let message = messages::expected(messages::STATEMENT, cursor.peek());
@@ -142,6 +144,10 @@ impl Parser<'_> {
 
     pub(super) fn unknown_statement(&mut self, word: &Ident, cursor: &Cursor) -> Reported {
         let text = word.to_string();
+        if let Some(part) = placed_part(cursor) {
+            let help = parts::placed_as(&text, &part);
+            return self.fail_with_help(word.span(), messages::unknown_statement(&text), help);
+        }
         if let Some((message, help)) = self.strange_statement(&text, cursor) {
             return self.fail_with_help(word.span(), message, help);
         }
@@ -170,10 +176,7 @@ impl Parser<'_> {
             Some(_) if is_assigned => {
                 return Some((habits::declared_already(word), messages::OTHER_NAME_HELP.to_owned()));
             }
-            Some(_) => {
-                let rate = self.rate_ahead(cursor)?;
-                return Some((messages::unknown_statement(word), habits::rate_alone(&rate)));
-            }
+            Some(_) => return None,
             None => {}
         }
         if word == "ddot"
@@ -200,18 +203,6 @@ impl Parser<'_> {
         Some((messages::unknown_statement(word), forms::meant_form(keyword)))
     }
 
-    /// The rate of a state in the rest of a statement that begins with something else.
-    fn rate_ahead(&self, cursor: &Cursor) -> Option<String> {
-        let is_end = |token: &TokenTree| matches!(token, TokenTree::Punct(end) if end.as_char() == ';');
-        let rest = cursor.rest().split(is_end).next()?;
-        let rates = rest.windows(2).filter_map(|pair| match pair {
-            [TokenTree::Ident(word), TokenTree::Group(of)] if word == "dot" => Some(of.stream().to_string()),
-            _ => None,
-        });
-        let mut rates = rates.filter(|of| self.declared(of) == Some(Declared::State));
-        rates.next().map(|of| format!("dot({of})"))
-    }
-
     /// Returns the declared form of a rate written in foreign notation, `der(a) =` or `a_dot =`:
     /// `dot(a)`.
     fn stated_rate(&self, word: &str, cursor: &Cursor) -> Option<String> {
@@ -235,6 +226,20 @@ impl Parser<'_> {
             false => self.fail_with_help(origin, habits::INEQUALITY, habits::contact(name)),
         }
     }
+}
+
+/// The word in `= Leg { … }`.
+fn placed_part(cursor: &Cursor) -> Option<String> {
+    let part = cursor.peek_past(1).filter(|_| cursor.equals_past(0))?;
+    let is_braced = as_group(cursor.peek_past(2), Delimiter::Brace).is_some();
+    matches!(part, TokenTree::Ident(_)).then(|| part.to_string()).filter(|_| is_braced)
+}
+
+/// True at an equation for rates or accelerations.
+fn is_equation(cursor: &Cursor) -> bool {
+    let is_rate = |token: &TokenTree| matches!(token, TokenTree::Ident(word) if ["dot", "ddot"].contains(&word.to_string().as_str()));
+    let statement = cursor.rest_of_statement();
+    statement.iter().any(is_rate) && (0..statement.len()).any(|count| cursor.equals_past(count))
 }
 
 /// True if `a to b`, perhaps with a name and `=` in front, is the rest of the statement or stands

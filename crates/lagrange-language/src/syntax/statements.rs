@@ -2,11 +2,11 @@
 
 mod loops;
 
-use proc_macro2::{Delimiter, Ident, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenTree};
 
 use super::ast::{
-    Action, AstId, Block, ConnectorKind, MobilizerKind, Quaternion, SceneStatement, StateKind, Statement,
-    StatementKind, SurfaceKind,
+    Action, AstId, BinaryOperator, Block, ConnectorKind, Expression, MobilizerKind, Quaternion,
+    SceneStatement, StateKind, Statement, StatementKind, SurfaceKind,
 };
 use super::cursor::Cursor;
 use super::expressions::at_loop;
@@ -79,6 +79,9 @@ impl Parser<'_> {
     fn statement_kind(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
         if at_placement(cursor) {
             return self.placement(cursor);
+        }
+        if self.at_rate_equation(cursor) {
+            return self.rate_equation(cursor);
         }
         let Some(keyword) = cursor.eat_ident() else {
             return Err(self.no_statement(cursor));
@@ -236,6 +239,39 @@ impl Parser<'_> {
             }
         })?;
         Ok(StatementKind::StateRate(name, self.assigned(form("state"), cursor)?))
+    }
+
+    /// `e = e`, an equation for rates of states.
+    fn rate_equation(&mut self, cursor: &mut Cursor) -> Parsed<StatementKind> {
+        let start = cursor.position();
+        let (left, equals) = (self.expression(cursor)?, cursor.here());
+        let right = self.assigned(form("state"), cursor)?;
+        let difference = Expression::Binary(BinaryOperator::Subtract, equals.start, left, right);
+        Ok(StatementKind::RateEquation(self.expressions.add(difference, cursor.since(start))))
+    }
+
+    /// True at an equation that contains the rate of a state and begins with no keyword.
+    fn at_rate_equation(&self, cursor: &Cursor) -> bool {
+        let is_other = match cursor.peek() {
+            Some(TokenTree::Ident(word)) if word == "dot" => at_equals_past(2, cursor),
+            Some(TokenTree::Ident(word)) => {
+                let word = word.to_string();
+                keywords::statement(&word).is_some() && self.declared(&word).is_none()
+            }
+            _ => false,
+        };
+        let rest = cursor.rest_of_statement();
+        let is_rate = |pair: &[TokenTree]| match pair {
+            [TokenTree::Ident(word), TokenTree::Group(of)] => word == "dot" && self.begins_with_state(of),
+            _ => false,
+        };
+        !is_other && (0..rest.len()).any(|count| cursor.equals_past(count)) && rest.windows(2).any(is_rate)
+    }
+
+    /// True if the first word between brackets is a state.
+    fn begins_with_state(&self, group: &Group) -> bool {
+        let first = group.stream().into_iter().next();
+        first.is_some_and(|word| self.declared(&word.to_string()) == Some(Declared::State))
     }
 
     /// A force or moment, which is not missing.

@@ -105,6 +105,7 @@ fn statement(declaration: &Declaration, kind: &StatementKind) -> String {
             let shown = assignments.iter().map(|a| format!(" ({} {})", show(&a.target), show(&a.value)));
             format!("start{}", shown.collect::<String>())
         }
+        StatementKind::RateEquation(difference) => format!("0 = {}", show(difference)),
         StatementKind::StateRate(name, value) => format!("dot({}) {}", name.text, show(value)),
         StatementKind::Quaternion(quaternion) => format!("quaternion {}", quaternion.name.text),
         StatementKind::Velocity(name, value) => format!("velocity {} {}", name.text, show(value)),

@@ -44,7 +44,9 @@ fn character_help(culprit: char) -> &'static str {
     match culprit {
         '(' | '[' | '{' => "close it where it should end",
         ')' | ']' | '}' => "remove it, or open it where it should begin",
-        '\'' | '’' | '′' => "the rate of `x` is `dot(x)`, not x′",
+        '\'' | '’' | '′' => {
+            "the rate of `x` is `dot(x)`, not x′; the transpose of a matrix `A` is `transpose(A)`"
+        }
         '"' | '“' | '”' => "remove the quotation marks",
         '·' | '×' | '⋅' | '∙' | '•' => "write `*` for products",
         '÷' | '∕' => "write `/` for quotients",

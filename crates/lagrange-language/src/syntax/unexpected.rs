@@ -72,12 +72,20 @@ fn mistake(message: &str, help: &str) -> Option<Mistake> {
 
 fn operand_mistake(cursor: &Cursor) -> Option<Mistake> {
     match character(cursor)? {
+        '+' if is_doubled(cursor) => mistake(habits::INCREMENT, habits::INCREMENT_HELP),
         '+' => mistake(messages::UNARY_PLUS, messages::UNARY_PLUS_HELP),
         '&' => mistake(messages::REFERENCE, messages::REFERENCE_HELP),
         '!' => mistake(messages::LOGIC, messages::LOGIC_HELP),
         ':' if cursor.at_pair(':', ':') => mistake(messages::PATH, messages::PATH_HELP),
         _ => None,
     }
+}
+
+/// True at the end of a statement behind a second plus sign.
+fn is_doubled(cursor: &Cursor) -> bool {
+    let is_plus = matches!(cursor.previous(), Some(TokenTree::Punct(plus)) if plus.as_char() == '+');
+    let is_end = |token: &TokenTree| matches!(token, TokenTree::Punct(end) if end.as_char() == ';');
+    is_plus && cursor.peek_past(1).is_none_or(is_end)
 }
 
 fn operand_help(cursor: &Cursor) -> String {
@@ -157,6 +165,7 @@ fn operator_help(cursor: &Cursor, wanted: &str) -> String {
             '=' => messages::SECOND_EQUALS_HELP,
             '|' => messages::MAGNITUDE_HELP,
             '&' => messages::LOGIC_HELP,
+            '@' => messages::MATRIX_PRODUCT_HELP,
             _ => habits::LONELY_CHARACTER_HELP,
         },
     };

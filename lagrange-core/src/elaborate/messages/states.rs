@@ -11,6 +11,18 @@ messages! {
     stated_twice(name) = "the rate of `{name}` is stated twice";
     STATED_HERE = "first stated here";
     STATED_TWICE_HELP = "add both in one equation, or remove one";
+    NO_RATE_LEFT = "this equation contains no rate of a state that still needs one";
+    NO_RATE_LEFT_HELP =
+        "each state has one equation; to name an expression write `let name = e;`, to evaluate one `output name = e;`";
+    nonlinear(rates) = "this equation is not linear in {rates}";
+    NONLINEAR_HELP = "solve it for the rate: `solve rate: 0 = …;`, then `dot(a) = rate;`";
+    singular(rates) = "these equations do not determine {rates}: their determinant is zero";
+    SINGULAR_HELP = "replace one of them: it follows from the others, or contradicts them";
+    too_coupled(count, limit) = "{count} rates are coupled by equations, more than {limit}";
+    TOO_COUPLED_HELP = "solve some of them for their rates by hand, `dot(a) = …;`";
+    undetermined_by_one(rates) = "1 equation does not determine {rates}";
+    undetermined(count, rates) = "{count} equations do not determine {rates}";
+    UNDETERMINED_HELP = "write one equation for each rate, such as `dot(a) = …;`";
     declare(name) = "`dot(…) = e;` is the equation of a state: declare it with `state {name};`";
     rate_of_coordinate(name) =
         "`{name}` is a coordinate: its velocity is part of the state and has no equation";

@@ -137,6 +137,7 @@ impl<'a> Shape<'a> {
                 | StatementKind::Table(_)
                 | StatementKind::Solve(_)
                 | StatementKind::StateRate(..)
+                | StatementKind::RateEquation(_)
                 | StatementKind::Kinetic(_)
                 | StatementKind::Potential(_)
                 | StatementKind::Lagrangian(_)

@@ -118,6 +118,8 @@ pub enum StatementKind {
     Start(Vec<Assignment>),
     /// `dot(current) = e;`
     StateRate(Name, AstId),
+    /// `l * dot(current) = e;`, as the difference of both sides
+    RateEquation(AstId),
     /// `quaternion hip;`
     Quaternion(Box<Quaternion>),
     /// `velocity u = dot(x);`
@@ -289,6 +291,7 @@ impl StatementKind {
             | StatementKind::Gibbs { .. }
             | StatementKind::Dissipation(_)
             | StatementKind::StateRate(..)
+            | StatementKind::RateEquation(_)
             | StatementKind::ForceOn(..)
             | StatementKind::ForceAt { .. }
             | StatementKind::ForceAlong { .. }
@@ -320,6 +323,7 @@ impl StatementKind {
             | StatementKind::Lagrangian(value)
             | StatementKind::Dissipation(value)
             | StatementKind::StateRate(_, value)
+            | StatementKind::RateEquation(value)
             | StatementKind::ForceOn(_, value)
             | StatementKind::Constraint(_, value)
             | StatementKind::Stabilise(value)

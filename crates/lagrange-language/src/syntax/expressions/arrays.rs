@@ -158,10 +158,15 @@ pub(in crate::syntax) fn at_loop(cursor: &Cursor) -> bool {
 }
 
 /// Advice for a function over a range that has none.
-pub(in crate::syntax) fn fold_in_other_words(name: &Name, group: &Group) -> Option<String> {
+pub(in crate::syntax) fn fold_in_other_words(name: &Name, group: &Group) -> Option<(&'static str, String)> {
     let inside = Cursor::inside(group);
     // `norm(v in arm)` has components in the axes of a body.
-    (at_loop(&inside) && at_range(&inside)).then(|| arrays::other_fold(&name.text))
+    let behind = inside.peek_past(1);
+    let is_counted = matches!(behind, Some(TokenTree::Punct(sign)) if "=,".contains(sign.as_char()));
+    if ["sum", "product"].contains(&name.text.as_str()) && inside.ident().is_some() && is_counted {
+        return Some((arrays::RANGE_OF_FOLD, arrays::fold_help(&name.text)));
+    }
+    (at_loop(&inside) && at_range(&inside)).then(|| (arrays::NO_FOLD, arrays::other_fold(&name.text)))
 }
 
 /// The function of a range that a call is.

@@ -124,8 +124,8 @@ impl Parser<'_> {
                 if let (Some(fold), []) = (at_fold(&name, &group), &name.indices[..]) {
                     return self.fold(fold, &group, start);
                 }
-                if let Some(help) = fold_in_other_words(&name, &group) {
-                    return Err(self.fail_with_help(start, messages::arrays::NO_FOLD, help));
+                if let Some((message, help)) = fold_in_other_words(&name, &group) {
+                    return Err(self.fail_with_help(start, message, help));
                 }
                 let arguments = self.arguments(&group, Vec::new());
                 Ok(self.call(name, arguments, start.to(group_origin(&group))))

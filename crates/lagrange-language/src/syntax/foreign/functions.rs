@@ -71,6 +71,18 @@ const MISSING: &[(&[&str], &str)] = &[
         &["floor", "ceil", "round", "trunc", "mod", "fmod"],
         "steps are written as conditions, `if t < 1 { 0 } else { 1 }`, whose jumps runs locate",
     ),
+    (
+        &["inverse", "inv", "Inverse", "pinv", "linsolve", "mldivide"],
+        "matrices are not inverted: name the unknowns of linear equations, `solve (x, y): 0 = …, 0 = …;`",
+    ),
+    (
+        &["det", "determinant", "Det", "trace", "tr", "eig", "eigenvalues"],
+        "write it out by entries, such as `A[0][0] * A[1][1] - A[0][1] * A[1][0]`",
+    ),
+    (
+        &["identity", "eye", "Identity", "zeros", "ones", "diag"],
+        "write a matrix by rows, `((1, 0), (0, 1))`, or declare `param A[2][2] = [[1, 0], [0, 1]];`",
+    ),
     (&["sum", "Sum", "total"], "a sum has a variable and a range: write `sum(i in 0..n, e)`"),
     (&["integral", "integrate", "int"], "an integral over time is a state: `state a; dot(a) = e;`"),
 ];

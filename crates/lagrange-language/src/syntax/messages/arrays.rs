@@ -6,6 +6,7 @@ pub(in crate::syntax) const RANGE: &str =
     "a loop runs over a range of integers, with two dots between its ends";
 pub(in crate::syntax) const RANGE_HELP: &str = "write `0..n` for 0 up to n - 1, or `1..=n` for 1 up to n";
 pub(in crate::syntax) const NO_FOLD: &str = "only `sum`, `product`, `min` and `max` run over a range";
+pub(in crate::syntax) const RANGE_OF_FOLD: &str = "the range of a sum or a product begins with `i in`";
 pub(in crate::syntax) const LOOP_HELP: &str = "write `for i in 0..n { … }`";
 pub(in crate::syntax) const SELECTION_HELP: &str =
     "write `if i > 0 { … }`, with statements between the braces";

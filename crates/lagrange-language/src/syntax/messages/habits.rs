@@ -25,12 +25,13 @@ messages! {
     declared_already(name) = "{} is already declared", quoted(name);
     value_where_declared(name) = "give it its value where it is declared: `param {} = …;`", shortened(name);
 
+    VALUE_BEHIND_WORD = "an initial value follows an equals sign";
+    TIME_OF_START = "initial values have no argument: they hold at the start of a run";
     RATE_AMONG_COORDINATES = "velocities are not declared: each coordinate has one";
     start_of(target) = "for its initial value write `start {target} = …;`";
 
     /// Advice for the rate of a state in the spelling of another language.
     rate_of_state(rate) = "the rate of a state is stated as `{rate} = …;`";
-    rate_alone(rate) = "the rate of a state stands alone before the equals sign: divide by its factor, `{rate} = …;`";
     EQUATION = "a constraint is one expression that stays zero";
     difference(name) = "write a = b as `constraint {} = a - (b);`", shortened(name);
     INEQUALITY = "a constraint is an expression that stays zero, not an inequality";
@@ -43,6 +44,8 @@ messages! {
     decimal_point(number) = "write {}", quoted(number);
     compound_assignment(operator) = "`{operator}=` is not an operator";
     COMPOUND_ASSIGNMENT_HELP = "write the whole new value, `x = x + e;`";
+    INCREMENT = "`++` is not an operator";
+    INCREMENT_HELP = "write `x + 1`; an event assigns the whole new value, `x = x + 1;`";
     QUOTIENT = "derivatives by time are not written as `d/dt`";
     NO_ACCELERATIONS_HELP =
         "write `dot(x)` for a velocity; `ddot(x)` is accepted in outputs, events and Gibbs functions only";

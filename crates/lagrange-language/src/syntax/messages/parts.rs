@@ -10,5 +10,9 @@ messages! {
     PATH = "the path of a file in quotation marks";
     unit_help(name) =
         "remove it: units are checked where `{name}` is used, and a default may have one, `{name} = 0.2 m`";
+    POSITIONAL = "arguments of parts are given by name";
+    POSITIONAL_HELP = "write `name: e;` for each argument, in any order";
+    argument(name) = "write `{name}: e;`";
+    placed_as(name, part) = "to place a part, write `{name}: {part} {{ … }}`";
     placed(part) = "write `name: {part} {{ … }}`, with its arguments between the braces";
 }

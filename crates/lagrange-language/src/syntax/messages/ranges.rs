@@ -8,6 +8,10 @@ messages! {
 
     RANGE_HELP =
         "write `in 0..` for at least 0, `in 0..=1` for 0 to 1, `> 0` for positive numbers, or `> 0 <= 1`";
+    UNIT_BEHIND = "a unit cannot follow a range";
+    UNIT_BEHIND_HELP = "the unit of a parameter stands before its range: `param m: kg > 0 = 1;`";
+    NO_SIGN = "this is not a comparison";
+    BOUND_FIRST_HELP = "write the name first: `param mu in 0..1 = 0.5;` or `param mu > 0 < 1 = 0.5;`";
     NO_DOTS = "a range has two dots between its bounds";
     range_or_unit(unit) = "a unit follows a colon, as in `: {unit}`; a range is `in 0..` or `in 0..=1`";
     NO_BOUND = "this range lacks a bound";

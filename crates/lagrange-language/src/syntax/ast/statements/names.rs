@@ -42,6 +42,7 @@ impl StatementKind {
             | StatementKind::Lagrangian(_)
             | StatementKind::Gibbs { .. }
             | StatementKind::Dissipation(_)
+            | StatementKind::RateEquation(_)
             | StatementKind::ForceAt { .. }
             | StatementKind::ForceAlong { .. }
             | StatementKind::Torque { .. }
