@@ -62,7 +62,8 @@ hints! {
         "add `emit {{ prepared }}` to the declaration";
     pub trait EmitsLanes {} for fn lanes in Lanes:
         "the declaration of `{Self}` does not emit `lanes`",
-        "add `emit {{ lanes }}` to the declaration";
+        "add `emit {{ lanes }}` to the declaration",
+        "ensembles compute in lanes by themselves if the declaration emits them";
     pub trait EmitsTaylor {} for fn taylor in Taylor:
         "the declaration of `{Self}` does not emit `taylor`",
         "add `emit {{ taylor }}` to the declaration";
