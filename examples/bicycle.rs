@@ -14,80 +14,82 @@
 //!
 //! Look for the weave, an oscillation of lean and steer that grows below 4.3 m/s, and for the
 //! capsize, a slow fall above 6.0 m/s.
+//!
+//! `cargo run --example bicycle --features draw,linear`
+
+#[path = "common/gallery.rs"]
+mod gallery;
 
 mod common;
 
 use std::error::Error;
 
 use common::compare;
+use lagrange::draw::{Drawing, Picture};
 use lagrange::linear::{DenseMatrix, LinearModel, Linearise};
 
 lagrange::system! {
-    /// Whipple's bicycle; x ahead, y to the right, z down, as published.
+    /// Whipple's bicycle; x ahead, y to the left, z up.
     ///
     /// The rear wheel touches the ground at (x, y), its plane has the heading psi and leans by phi.
     /// The rear frame pitches by theta, the front frame is turned by delta about the steer axis.
     #[derive(Debug)]
     pub struct Bicycle;
 
-    // Wheel base, trail, tilt of the steer axis, and radii of the wheels. Then masses, places and
-    // moments of inertia: rear wheel r, rear frame with rider b, front frame h, front wheel f.
+    // Wheel base, trail, tilt of the steer axis, and radii of the wheels. Then places and moments
+    // of inertia as published, with z down: rear wheel r, rear frame with rider b, front frame h,
+    // front wheel f.
     const w: m = 1.02, c: m = 0.08, tilt: rad = pi/10, g: m/s^2 = 9.81, rr: m = 0.3, rf: m = 0.35;
-    const mr: kg = 2, mb: kg = 85, mh: kg = 4, mf: kg = 3;
     const xb: m = 0.3, zb: m = -0.9, xh: m = 0.9, zh: m = -0.7;
     const irx: kg*m^2 = 0.0603, iry: kg*m^2 = 0.12, ifx: kg*m^2 = 0.1405, ify: kg*m^2 = 0.28;
     const ibx: kg*m^2 = 9.2, iby: kg*m^2 = 11, ibz: kg*m^2 = 2.8, ibxz: kg*m^2 = 2.4;
     const ihx: kg*m^2 = 0.05892, ihy: kg*m^2 = 0.06, ihz: kg*m^2 = 0.00708, ihxz: kg*m^2 = -0.00756;
-    coord x: m, y: m, psi: rad, phi: rad, delta: rad, theta: rad, rear: rad, front: rad;
+    coord x: m, y: m, psi: rad, phi: rad, theta: rad;
+    gravity = (0, 0, -g);
 
-    // The plane of the rear wheel: ahead, across and downwards in it.
-    let ahead = (cos(psi), sin(psi), 0);
-    let across = (-sin(psi)*cos(phi), cos(psi)*cos(phi), sin(phi));
-    let below = (sin(psi)*sin(phi), -cos(psi)*sin(phi), cos(phi));
-    let hub = (x, y, 0) - rr * below;
-    let turning = dot(psi) * (0, 0, 1) + dot(phi) * ahead;
-
-    // Axes of the rear frame, and its place.
-    let bx = cos(theta) * ahead - sin(theta) * below;
-    let bz = sin(theta) * ahead + cos(theta) * below;
-    let wb = turning + dot(theta) * across;
-    let rider = hub + xb * bx + (rr + zb) * bz;
-
-    // The steer axis, and axes that are turned about it.
-    let steer = sin(tilt) * bx + cos(tilt) * bz;
-    let level = cos(tilt) * bx - sin(tilt) * bz;
-    let forward = cos(delta) * level + sin(delta) * across;
-    let hy = cos(delta) * across - sin(delta) * level;
-    let hx = cos(tilt) * forward + sin(tilt) * steer;
-    let hz = cos(tilt) * steer - sin(tilt) * forward;
-    let wh = wb + dot(delta) * steer;
-    let foot = hub + (w + c) * bx + rr * bz;
-    let fork = foot + (xh - w - c) * hx + zh * hz;
-    let axle = foot - c * hx - rf * hz;
-
-    kinetic = 1/2 * mr * inner(dot(hub), dot(hub)) + 1/2 * mb * inner(dot(rider), dot(rider));
-    kinetic = 1/2 * mh * inner(dot(fork), dot(fork)) + 1/2 * mf * inner(dot(axle), dot(axle));
-    let wr = turning + dot(rear) * across;
-    kinetic = 1/2 * (irx * inner(wr, wr) + (iry - irx) * inner(wr, across)^2);
-    let (b1, b2, b3) = (inner(wb, bx), inner(wb, across), inner(wb, bz));
-    kinetic = 1/2 * (ibx * b1^2 + iby * b2^2 + ibz * b3^2) + ibxz * b1 * b3;
-    let (h1, h2, h3) = (inner(wh, hx), inner(wh, hy), inner(wh, hz));
-    kinetic = 1/2 * (ihx * h1^2 + ihy * h2^2 + ihz * h3^2) + ihxz * h1 * h3;
-    let wf = wh + dot(front) * hy;
-    kinetic = 1/2 * (ifx * inner(wf, wf) + (ify - ifx) * inner(wf, hy)^2);
-    potential = -g * (mr * hub.z + mb * rider.z + mh * fork.z + mf * axle.z);
+    // Upwards in the plane of the rear wheel.
+    let up = (sin(psi)*sin(phi), -cos(psi)*sin(phi), cos(phi));
+    body rider {
+        mass: 85 kg;
+        centroid: (xb, 0, -rr - zb);
+        inertia: (ibx, iby, ibz, 0, -ibxz, 0);
+        origin: (x, y, 0) + rr * up;
+        angles: (psi, phi, theta);
+        sequence: zxy;
+        visual {
+            cuboid(0.95, 0.04, 0.04), at: (0.42, 0, 0.15), turned: (0, -0.33, 0);
+            cuboid(0.04, 0.04, 0.55), at: (0.25, 0, 0.3), turned: (0, -0.2, 0);
+            ellipsoid(0.14, 0.2, 0.32), at: (0.32, 0, 0.85), turned: (0, 0.5, 0);
+            solid_sphere(0.12), at: (0.55, 0, 1.25);
+        }
+    }
+    body hind { mass: 2 kg; inertia: (irx, iry, irx); visual { thin_ring(rr), turned: (pi/2, 0, 0); cuboid(2*rr, 0.02, 0.02); } }
+    revolute rear = rider to hind { axis: (0, 1, 0); }
+    body fork {
+        mass: 4 kg;
+        centroid: (xh - w - c, 0, -zh);
+        inertia: (ihx, ihy, ihz, 0, -ihxz, 0);
+        visual {
+            cuboid(0.03, 0.05, 0.75), at: (-0.2, 0, 0.68), turned: (0, -tilt, 0);
+            cuboid(0.03, 0.5, 0.03), at: (-0.31, 0, 1.05);
+        }
+    }
+    revolute delta = rider to fork { at: (w + c, 0, -rr); axis: (sin(tilt), 0, -cos(tilt)); }
+    body wheel { mass: 3 kg; inertia: (ifx, ify, ifx); visual { thin_ring(rf), turned: (pi/2, 0, 0); cuboid(2*rf, 0.02, 0.02); } }
+    revolute front = fork to wheel { at: (-c, 0, rf); axis: (0, 1, 0); }
 
     // The wheels roll on their lowest points, in the plane of each wheel the farthest down.
-    let rear_slip = dot(hub) + cross(wr, rr * below);
+    let rear_slip = velocity(hind) + cross(angular_velocity(hind), -rr * up);
     constraint rear_x = rear_slip.x;
     constraint rear_y = rear_slip.y;
+    let hy = fork.vector(0, 1, 0);
     let depth = sqrt(1 - hy.z^2);
-    let down = ((0, 0, 1) - hy.z * hy) / depth;
-    constraint touch = axle.z + rf * depth;
-    let front_slip = dot(axle) + cross(wf, rf * down);
+    let down = (hy.z * hy - (0, 0, 1)) / depth;
+    constraint touch = wheel.origin.z - rf * depth;
+    let front_slip = velocity(wheel) + cross(angular_velocity(wheel), rf * down);
     constraint front_x = front_slip.x;
     constraint front_y = front_slip.y;
-    emit { system_matrix, no latex }
+    emit { system_matrix, drawing, no latex }
 }
 
 /// Published: M, C₁, K₀ and K₂ of M q̈ + v C₁ q̇ + (g K₀ + v² K₂) q = 0 for lean and steer.
@@ -123,21 +125,36 @@ fn main() -> Result<(), Box<dyn Error>> {
         1e-12,
         &[("weave", stable, 4.29238253634111), ("capsize", unstable, 6.02426201538837)],
     );
-    println!("{}", ahead(5.0)?.modes()?);
+    println!("{}", rolling(5.0)?.1.modes()?);
+    draw(5.0)
+}
+
+/// The weave as seen by someone who rides along, its decay left out.
+fn draw(speed: f64) -> Result<(), Box<dyn Error>> {
+    let (state, model) = rolling(speed)?;
+    let modes = model.modes()?;
+    let weave = modes.modes().iter().find(|mode| mode.imaginary > 1.0).ok_or("nothing oscillates")?;
+    let weaving = Bicycle.mode_motion(0.0, state, weave, 0.3).level().periods(1.0);
+    let drawing = Drawing::of(&Bicycle).nameless().hide("delta").view(-0.6, 0.35).floor(0.0);
+    Picture::beside(&drawing.clone().size(420.0, 420.0).pictures(weaving.extremes()?)?)
+        .save(gallery::picture("bicycle.png")?)?;
+    let drawing = drawing.title("The weave of a bicycle at 5 m/s");
+    drawing.clone().film_of(weaving.moments(30.0)?)?.save(gallery::picture("bicycle.html")?)?;
+    drawing.size(360.0, 360.0).film_of(weaving.moments(15.0)?)?.save(gallery::picture("bicycle.gif")?)?;
     Ok(())
 }
 
-/// The linear model of rolling straight ahead.
-fn ahead(speed: f64) -> Result<LinearModel, Box<dyn Error>> {
-    let (rear_dot, front_dot) = (-speed / 0.3, -speed / 0.35);
+/// Rolling straight ahead, and its linear model.
+fn rolling(speed: f64) -> Result<([f64; 16], LinearModel), Box<dyn Error>> {
+    let (rear_dot, front_dot) = (speed / 0.3, speed / 0.35);
     let near = BicycleState::from([0.0; 16]);
     let rolling = Bicycle.equilibrium(BicycleState { x_dot: speed, rear_dot, front_dot, ..near }).solve()?;
-    Ok(Bicycle.linearise(0.0, rolling.state)?)
+    Ok((rolling.state, Bicycle.linearise(0.0, rolling.state)?))
 }
 
 /// The rows and columns of lean, steer and their rates.
 fn lateral(speed: f64) -> Result<DenseMatrix, Box<dyn Error>> {
-    let model = ahead(speed)?;
+    let (_, model) = rolling(speed)?;
     let place = |name: &str| model.states().iter().position(|state| state == name).ok_or("it is not free");
     let places = LATERAL.iter().map(|name| place(name)).collect::<Result<Vec<_>, _>>()?;
     Ok(DenseMatrix::from_fn(4, 4, |i, j| model.a()[(places[i], places[j])]))

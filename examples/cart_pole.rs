@@ -6,9 +6,17 @@
 //! digits. The states of the controlled motions are from `tools/control.py`, by handwritten
 //! equations.
 //!
-//! The feedback is linear. Without friction in the joint, the poles of the linearised motion about
-//! the upright are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip, which ends above
-//! the cart's starting point.
+//! Last, a linear–quadratic regulator balances the pendulum from half a radian. SciPy computes the
+//! same gain from a linear model by hand, and the state after 3 s (`tools/optimal.py`).
+//!
+//! The first feedback is linear, too. Without friction in the joint, the poles of the linearised
+//! motion about the upright are at −1.29 ± 0.50 i s⁻¹ and −3.46 ± 2.55 i s⁻¹. Look for the tip,
+//! which ends above the cart's starting point.
+//!
+//! `cargo run --example cart_pole --features linear,plot`
+
+#[path = "common/gallery.rs"]
+mod gallery;
 
 mod common;
 
@@ -17,6 +25,7 @@ use std::f64::consts::PI;
 
 use common::compare;
 use lagrange::Simulate;
+use lagrange::linear::{DenseMatrix, Linearise};
 use lagrange::simulate::Trajectory;
 
 lagrange::system! {
@@ -34,6 +43,7 @@ lagrange::system! {
     dissipation = 1/2 * c * dot(theta)^2;
     force x = u;
     output tip = (px, py);
+    emit { system_matrix }
 }
 
 /// x θ ẋ θ̇ of the free motion at t = 5 s.
@@ -45,6 +55,9 @@ const BALANCED: [f64; 4] =
 /// And at t = 5 s with a force that is held for 0.02 s.
 const SAMPLED: [f64; 4] =
     [0.005362136575171383, 3.140247872338255, -0.008284798264675425, 0.001887956563467874];
+/// The gain of the regulator, and the state that it leads to at t = 3 s.
+const GAIN: [f64; 4] = [-10.00000000000008, 61.826287306606105, -10.679301319372048, 13.31957913758945];
+const REGULATED: [f64; 4] = [-0.006632214669527, 3.137311500244631, 0.004273844542225, 0.016085254450864];
 /// A start upright but for 0.3 rad, at rest.
 const TILTED: [f64; 4] = [0.0, PI - 0.3, 0.0, 0.0];
 
@@ -73,6 +86,27 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let sampled = rusty.simulate(TILTED).until(5.0).sampled(0.02, feedback).tolerance(1e-13).run()?;
     report("force held for 0.02 s, t = 5 s", &sampled, SAMPLED);
+    regulated(&rusty)
+}
+
+/// Balances the pendulum by a regulator, which weighs ten times the squares of x and θ.
+fn regulated(cart: &CartPole) -> Result<(), Box<dyn Error>> {
+    let upright: [f64; 4] = cart.equilibrium([0.0, 3.0, 0.0, 0.0]).solve()?.state;
+    let model = cart.linearise(0.0, upright)?;
+    let states = DenseMatrix::diagonal(&[10.0, 10.0, 1.0, 1.0]);
+    let regulator = model.lqr(&states, &DenseMatrix::diagonal(&[0.1]))?;
+    let gain = regulator.gain.row(0).to_vec();
+    let rows: [_; 4] = std::array::from_fn(|i| (model.states()[i].as_str(), gain[i], GAIN[i]));
+    compare("gain of the regulator", 1e-10, &rows);
+
+    let law = move |_: &CartPole, _: f64, state: CartPoleState| {
+        let state: [f64; 4] = state.into();
+        CartPoleInputs { u: -(0..4).map(|i| gain[i] * (state[i] - upright[i])).sum::<f64>() }
+    };
+    let start = [0.0, PI - 0.5, 0.0, 0.0];
+    let run = cart.simulate(start).drive(law).until(3.0).every(0.01).tolerance(1e-13).run()?;
+    report("regulated, t = 3 s", &run, REGULATED);
+    run.plot_columns(&["x", "theta"], gallery::picture("cart_pole_lqr.svg")?)?;
     Ok(())
 }
 

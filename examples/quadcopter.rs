@@ -17,7 +17,11 @@
 //!
 //! Look for thrusts that point downwards while it is upside down, and end at m g/4 each.
 //!
-//! `cargo run --example quadcopter --features draw`
+//! First, a linear–quadratic regulator brings it from the side, turned by 0.4 rad, back to
+//! hovering. SciPy computes the same gain from a linear model by hand, and the state after 2 s from
+//! the nonlinear equations above (`tools/optimal.py`).
+//!
+//! `cargo run --example quadcopter --features draw,linear,plot`
 
 #[path = "common/gallery.rs"]
 mod gallery;
@@ -31,7 +35,9 @@ use common::compare;
 use lagrange::Simulate;
 use lagrange::body::SpatialMotion;
 use lagrange::draw::Drawing;
+use lagrange::linear::{DenseMatrix, Linearise};
 use lagrange::simulate::Trajectory;
+use lagrange::system::MechanicalSystem;
 
 lagrange::system! {
     /// A block on crossed rods, with a rotor at each end.
@@ -63,7 +69,7 @@ lagrange::system! {
     force copter.vector(0, 0, f4) at copter.point(0, -a, h);
     torque copter.vector(0, 0, d * (f1 - f2 + f3 - f4)) on copter;
     output center = copter.center;
-    emit { motion, drawing }
+    emit { motion, drawing, system_matrix }
 }
 
 /// Mass, height of its centre above that of the block, and principal moments of inertia.
@@ -101,6 +107,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let copter = Quadcopter::default();
     check_body(&copter);
     check_scripted(&copter)?;
+    hover(&copter)?;
     let run = fly(&copter)?;
     check_flight(&run);
     draw(&copter, &run)
@@ -163,6 +170,79 @@ fn check_scripted(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
     let computed = [&body.center[..], &end[3..7], &body.velocity, &end[10..]].concat();
     let rows: [_; 13] = std::array::from_fn(|i| (names[i], computed[i], SCRIPTED[i]));
     compare("after 1.5 s of scripted thrusts", 1e-12, &rows);
+    Ok(())
+}
+
+/// The gain of the regulator for the rotor ahead.
+const GAIN: [f64; 12] = [
+    -2.236067977499784,
+    0.0,
+    1.581138830084189,
+    0.0,
+    -5.420118908256069,
+    1.0,
+    -1.723629288908902,
+    0.0,
+    1.102041145489295,
+    0.0,
+    -0.8345975549581596,
+    0.8098250839944801,
+];
+/// Position, orientation, velocity and angular velocity 2 s after a start in the place (1, −0.5,
+/// 0.3), turned by 0.4 rad about (2, −1, 2)/3.
+const REGULATED: [f64; 13] = [
+    -0.004351801644371073,
+    0.00823831347495289,
+    -0.02152117463777356,
+    0.9999757174078105,
+    0.006462255606093576,
+    0.002044398141190849,
+    -0.00161996402933864,
+    0.01592666432253694,
+    -0.00230072561120388,
+    0.01856226524951376,
+    -0.07058706219603364,
+    -0.05243797215062937,
+    0.0009938460657340359,
+];
+
+/// Hovers by a regulator, whose thrusts are those of equilibrium less K δ. The deviation δ of an
+/// orientation is a rotation about the axes of the body.
+fn hover(copter: &Quadcopter) -> Result<(), Box<dyn Error>> {
+    let found = copter.equilibrium(REST).trim(&["f1", "f2", "f3", "f4"]).solve()?;
+    let rows = [0, 1, 2, 3].map(|i| ("thrust, N", found.inputs[i], BODY[0] * copter.g / 4.0));
+    compare("hovering", 1e-14, &rows);
+    let model = found.system(copter).linearise(0.0, found.state)?;
+    let weights = [[10.0; 3], [4.0; 3], [1.0; 3], [1.0; 3]].concat();
+    let gain = model.lqr(&DenseMatrix::diagonal(&weights), &DenseMatrix::identity(4))?.gain;
+    let rows: [_; 12] = std::array::from_fn(|i| (model.states()[i].as_str(), gain[(0, i)], GAIN[i]));
+    compare("gain of the rotor ahead", 1e-10, &rows);
+
+    let place = QuadcopterState::from(found.state);
+    let law = move |copter: &Quadcopter, t: f64, state: QuadcopterState| {
+        let displacement = copter.displacement(t, &place.coordinates(), &state.coordinates());
+        let deviation = [displacement, state.velocities()].concat();
+        let thrust = |i: usize| found.inputs[i] - (0..12).map(|j| gain[(i, j)] * deviation[j]).sum::<f64>();
+        QuadcopterInputs::from([0, 1, 2, 3].map(thrust))
+    };
+    let (sine, cosine) = 0.2_f64.sin_cos();
+    let start = QuadcopterState {
+        copter_x: 1.0,
+        copter_y: -0.5,
+        copter_z: 0.3,
+        copter_qw: cosine,
+        copter_qx: 2.0 / 3.0 * sine,
+        copter_qy: -sine / 3.0,
+        copter_qz: 2.0 / 3.0 * sine,
+        ..REST
+    };
+    let run = copter.simulate(start).drive(law).until(4.0).every(0.02).tolerance(1e-13).run()?;
+    let state = run.state(100).ok_or("the motion is shorter")?;
+    let rows: [_; 13] = std::array::from_fn(|i| (run.names()[i].as_str(), state[i], REGULATED[i]));
+    compare("regulated, after 2 s", 1e-10, &rows);
+    let thrusts = ["f1", "f2", "f3", "f4"].map(|name| run.column(name).unwrap_or_default());
+    assert!(thrusts.iter().flat_map(|thrust| *thrust).all(|thrust| (0.0..STRONGEST).contains(thrust)));
+    run.plot_columns(&["copter_x", "copter_y", "copter_z"], gallery::picture("quadcopter_lqr.svg")?)?;
     Ok(())
 }
 

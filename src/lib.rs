@@ -84,6 +84,9 @@ pub use lagrange_double::{self as double, Double};
 #[cfg(feature = "draw")]
 #[doc(inline)]
 pub use lagrange_draw as draw;
+#[cfg(feature = "plot")]
+#[doc(inline)]
+pub use lagrange_plot as plot;
 #[cfg(feature = "ensemble")]
 #[doc(inline)]
 pub use lagrange_runtime::ensemble::{self, Ensembles};

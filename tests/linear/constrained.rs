@@ -7,7 +7,7 @@ use lagrange::system::Direction;
 lagrange::system! {
     /// A point on a rod, in Cartesian coordinates.
     #[derive(Clone, Debug)]
-    struct Rod<S>;
+    pub(crate) struct Rod<S>;
 
     param m = 2, l = 0.7, g = 9.81, c = 0.3;
     coord x, y;
@@ -24,7 +24,7 @@ lagrange::system! {
 lagrange::system! {
     /// Three rods between two nails of one height.
     #[derive(Debug)]
-    struct Garland;
+    pub(crate) struct Garland;
 
     param l = 1, width = 2, g = 9.81;
     coord x[2], y[2];
@@ -54,7 +54,7 @@ lagrange::system! {
 lagrange::system! {
     /// A skate on ice: its knife allows no slip across.
     #[derive(Debug)]
-    struct Skate;
+    pub(crate) struct Skate;
 
     param m = 1, j = 0.1, a = 0.2;
     coord x, y, phi;

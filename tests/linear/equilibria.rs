@@ -50,7 +50,7 @@ lagrange::system! {
 lagrange::system! {
     /// A coil that lifts a weight on a spring.
     #[derive(Debug)]
-    struct Magnet;
+    pub(crate) struct Magnet;
 
     param m = 0.1, k = 50, r = 2, strength = 0.3, g = 9.81;
     coord x;

@@ -3,6 +3,7 @@
 
 mod constrained;
 mod equilibria;
+mod mode_motion;
 mod models;
 mod modes;
 mod orbits;

@@ -23,7 +23,7 @@ lagrange::system! {
 lagrange::system! {
     /// A mass on a spring and a damper, of any sign.
     #[derive(Clone, Debug)]
-    struct Oscillator;
+    pub(crate) struct Oscillator;
 
     param k = 4, c = 0.4;
     coord x;

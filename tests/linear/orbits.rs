@@ -232,3 +232,16 @@ fn what_has_no_orbit_is_reported() {
     let error = Lorenz::default().lyapunov([f64::NAN; 3]).run(0.5, 3).unwrap_err();
     assert!(matches!(error, OrbitError::Motion(_)), "{error}");
 }
+
+#[test]
+fn rest_is_an_orbit_of_a_given_period() {
+    // Newton's method brings it ever nearer, without an end but that of rounding.
+    let upright = Pendulum::default().orbit([PI, 0.0], 0.7).solve().expect("rests");
+    assert!((upright.state[0] - PI).abs() < 1e-15 && upright.distance < 1e-15, "{upright:?}");
+    for (multiplier, wanted) in upright.multipliers.iter().zip([0.7_f64.exp(), (-0.7_f64).exp()]) {
+        assert!((multiplier.0 - wanted).abs() < 1e-10 && multiplier.1 == 0.0, "{upright:?}");
+    }
+    assert!(!upright.is_stable());
+    let hanging = Pendulum::default().orbit([0.0, 0.0], 0.7).solve().expect("rests");
+    assert!(hanging.is_stable() && hanging.state == [0.0; 2], "{hanging:?}");
+}

@@ -43,6 +43,7 @@ pages! {
     Sampled = "cookbook/sampled.md";
     Sensitivities = "sensitivities.md";
     States = "cookbook/states.md";
+    SwingUp = "cookbook/swing_up.md";
     Touching = "cookbook/contacts.md";
     Wrong = "wrong.md";
 }

@@ -26,7 +26,7 @@ where
     /// If there are more than 100 000 pictures, or one cannot be made, as for
     /// [`pictures`](Drawing::pictures).
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
-        let film = self.film_of(&samples(trajectory, self.system())?)?;
+        let film = self.film_of_shots(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -43,10 +43,27 @@ where
         pictures_a_second: f64,
         trajectory: &Trajectory<M>,
     ) -> Result<Film<M::Space>, DrawError> {
-        self.film_of(&samples_at(pictures_a_second, trajectory, self.system())?)
+        self.film_of_shots(&samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    pub(crate) fn film_of(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
+    /// Creates a film of times and states, each with the second of the film at which it is shown.
+    /// These may differ from the times: for slow motion, or while the system stands at one time, as
+    /// in [modes](lagrange_runtime::linear::ModeMotion).
+    ///
+    /// # Errors
+    /// If seconds neither rise nor fall throughout, there are more than 100 000 pictures, or one
+    /// cannot be made.
+    pub fn film_of(
+        &self,
+        moments: impl IntoIterator<Item = (f64, (M::Scalar, M::State))>,
+    ) -> Result<Film<M::Space>, DrawError> {
+        let (seconds, shots): (Vec<f64>, Vec<Shot<M>>) =
+            moments.into_iter().map(|(second, instant)| (second, (instant, None))).unzip();
+        refuse_too_many(shots.len() as f64)?;
+        Ok(Film { recording: M::Space::record(self, &shots)?, timeline: Timeline::new(seconds)? })
+    }
+
+    pub(crate) fn film_of_shots(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
         let recording = M::Space::record(self, shots)?;
         let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
         Ok(Film { recording, timeline: Timeline::new(times)? })

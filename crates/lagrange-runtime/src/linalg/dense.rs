@@ -136,6 +136,23 @@ impl DenseMatrix {
         self.entries.iter().all(|entry| entry.is_finite())
     }
 
+    /// Returns the solution x of A x = b. `None` if A is not square with a row for each entry of b,
+    /// or if a pivot is zero or not finite.
+    ///
+    /// ```
+    /// use lagrange::linear::DenseMatrix;
+    ///
+    /// let matrix = DenseMatrix::from_rows(&[[1.0, 2.0], [3.0, 4.0]]);
+    /// assert_eq!(matrix.solve(&[5.0, 11.0]), Some(vec![1.0, 2.0]));
+    /// assert_eq!(DenseMatrix::zeros(2, 2).solve(&[1.0, 0.0]), None);
+    /// ```
+    #[cfg(any(feature = "linear", test))]
+    #[must_use]
+    pub fn solve(&self, b: &[f64]) -> Option<Vec<f64>> {
+        let fits = self.rows == self.columns && self.rows == b.len();
+        Some(TriangularFactors::new(fits.then(|| self.clone())?, 0.0)?.solve(b))
+    }
+
     /// The submatrix of these rows and columns.
     pub(crate) fn part(&self, rows: &[usize], columns: &[usize]) -> DenseMatrix {
         DenseMatrix::from_fn(rows.len(), columns.len(), |i, j| self[(rows[i], columns[j])])
@@ -234,6 +251,14 @@ mod tests {
         let factors = TriangularFactors::new(matrix, 0.0).expect("regular");
         assert_eq!(factors.solve(&[7.0, 4.0, 3.0]), [1.0, 2.0, 3.0]);
         assert!((factors.mean_log() - 4.0_f64.ln() / 3.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn equations_of_another_shape_have_no_solution() {
+        let matrix = DenseMatrix::identity(2);
+        assert_eq!(matrix.solve(&[3.0, 4.0]), Some(std::vec![3.0, 4.0]));
+        assert!(matrix.solve(&[3.0]).is_none() && DenseMatrix::zeros(2, 1).solve(&[1.0, 1.0]).is_none());
+        assert_eq!(DenseMatrix::zeros(0, 0).solve(&[]), Some(std::vec![]));
     }
 
     #[test]

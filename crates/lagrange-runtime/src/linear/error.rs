@@ -218,3 +218,58 @@ impl Display for NotConverged {
 }
 
 impl Error for NotConverged {}
+
+/// The cause for which a mode is not shown as a motion.
+#[derive(Clone, Copy, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum ModeMotionError<S> {
+    /// A setting is not finite, or not positive where it must be, or leads to a state that is not
+    /// finite.
+    Setting {
+        /// Description of the number.
+        what: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// The mode is that of another system.
+    OtherSystem {
+        /// Number of components of the mode.
+        of_mode: usize,
+        /// Number of displacements, first-order states and velocities of the system.
+        of_system: usize,
+    },
+    /// The eigenvalue is zero up to rounding, so that nothing moves.
+    Still,
+    /// The film would be too long.
+    TooMany {
+        /// Number of moments.
+        moments: f64,
+    },
+    /// No state at this amplitude satisfies the constraints.
+    Constrained(StepFailure<S>),
+}
+
+impl<S: Copy + Debug + PartialEq> Display for ModeMotionError<S> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            ModeMotionError::Setting { what, value } => {
+                write!(f, "a mode cannot be shown with the {what} {value:?}")
+            }
+            ModeMotionError::OtherSystem { of_mode, of_system } => write!(
+                f,
+                "the mode has {of_mode} components and the system {of_system}: it is the mode of another system"
+            ),
+            ModeMotionError::Still => f.write_str(
+                "the eigenvalue of the mode is zero up to rounding: nothing moves; its `extremes` can be shown",
+            ),
+            ModeMotionError::TooMany { moments } => {
+                write!(f, "the film would have {moments:.0} moments: show fewer periods, or fewer moments a second")
+            }
+            ModeMotionError::Constrained(failure) => {
+                write!(f, "the amplitude is too large for the constraints: {failure}")
+            }
+        }
+    }
+}
+
+impl<S: Copy + Debug + PartialEq> Error for ModeMotionError<S> {}

@@ -51,6 +51,7 @@ mod corner;
 mod equilibrium;
 mod error;
 mod frequency;
+mod mode_motion;
 mod model;
 mod modes;
 mod names;
@@ -65,8 +66,11 @@ mod transfer;
 mod weakest;
 
 pub use self::equilibrium::{Equilibrium, EquilibriumSearch};
-pub use self::error::{Equation, EquilibriumCause, EquilibriumError, LinearisationError, NotConverged};
+pub use self::error::{
+    Equation, EquilibriumCause, EquilibriumError, LinearisationError, ModeMotionError, NotConverged,
+};
 pub use self::frequency::{FrequencyResponse, StabilityMargins};
+pub use self::mode_motion::ModeMotion;
 pub use self::model::LinearModel;
 pub use self::modes::{Eigenmode, Modes, Stability};
 pub use self::regulator::{DesignError, DesignMatrix, Observer, Regulator};
@@ -106,6 +110,43 @@ pub trait Linearise: MechanicalSystem + Sized {
         Self::Scalar: Into<f64>,
     {
         LinearModel::of(self, t, state.into_state())
+    }
+
+    /// Turns a mode of the linear model at time `t` and a state into a motion about that state.
+    /// Where its largest displacement is largest, that is the amplitude, in the unit of its
+    /// coordinate. Continue with [`moments`](ModeMotion::moments) for a film, or
+    /// [`extremes`](ModeMotion::extremes) for a picture.
+    ///
+    /// ```
+    /// use lagrange::linear::Linearise;
+    ///
+    /// lagrange::system! {
+    ///     /// A mass on a spring.
+    ///     struct Oscillator;
+    ///     coord x;
+    ///     kinetic = 1/2 * dot(x)^2;
+    ///     potential = 2 * x^2;
+    ///     emit { system_matrix }
+    /// }
+    ///
+    /// let modes = Oscillator.linearise(0.0, [0.0; 2])?.modes()?;
+    /// let swinging = Oscillator.mode_motion(0.0, [0.0; 2], &modes.modes()[0], 0.3).level();
+    /// for (second, (_, [x, _])) in swinging.moments(25.0)? {
+    ///     assert!((x - 0.3 * (2.0 * second).cos()).abs() < 1e-15);
+    /// }
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    fn mode_motion<'a>(
+        &'a self,
+        t: Self::Scalar,
+        state: impl InitialState<Self::State>,
+        mode: &'a Eigenmode,
+        amplitude: f64,
+    ) -> ModeMotion<'a, Self>
+    where
+        Self: LinearisedSystem,
+    {
+        ModeMotion::new(self, (t, state.into_state()), mode, amplitude)
     }
 }
 

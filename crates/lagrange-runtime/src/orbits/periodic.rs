@@ -129,9 +129,10 @@ where
         }
         let mut now = self.trial(self.near, self.period)?;
         for iterations in 0..MAX_STEPS {
-            let is_closed = now.distance() <= CLOSED * length(&now.state).max(1.0);
-            let distance = now.distance();
-            match self.next(&now) {
+            let (distance, size) = (now.distance(), length(&now.state).max(1.0));
+            let is_closed = distance <= CLOSED * size;
+            // Below rounding, steps that lead nearer mean nothing.
+            match self.next(&now).filter(|_| distance > f64::EPSILON * size) {
                 Some(next) => now = next,
                 // Rounding: no step leads nearer.
                 None if is_closed && self.is_at_rest(&now) => return Err(OrbitError::AtRest),
