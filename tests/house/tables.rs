@@ -406,9 +406,9 @@ const IMPORT: &[Layer] = &[
 
 const XTASK: &[Layer] = &[
     Layer {
-        modules: &["performance", "prose", "size"],
-        purpose: "measurements, written to `docs/performance.md`; paragraphs of comments and pages; lines of \
-                  code by crate",
+        modules: &["package", "performance", "prose", "size"],
+        purpose: "contents of published packages; measurements, written to `docs/performance.md`; paragraphs \
+                  of comments and pages; lines of code by crate",
     },
     Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
 ];
