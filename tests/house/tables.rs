@@ -130,9 +130,9 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "names", "refusal", "source"],
-        purpose: "vectors of a length known at run time; interned names; unsupported systems; \
-                  texts with declarations",
+        modules: &["inline", "items", "names", "refusal", "source"],
+        purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
+                  unsupported systems; texts with declarations",
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
@@ -145,8 +145,8 @@ const DYNAMIC: &[Layer] = &[
         purpose: "systems with values for their parameters, dispatched to arrays of sufficient capacity",
     },
     Layer {
-        modules: &["analysis", "method"],
-        purpose: "equilibria and linear models; methods of integration by name",
+        modules: &["analysis", "film", "method"],
+        purpose: "equilibria and linear models; films of motions; methods of integration by name",
     },
     Layer {
         modules: &["ensemble", "fixed", "run"],
@@ -187,9 +187,8 @@ const C: &[Layer] = &[
 
 const PAGE: &[Layer] = &[
     Layer {
-        modules: &["error", "items", "model"],
-        purpose: "systems that pages do not support; items in space from their numbers; names, units and ranges \
-                  for the page",
+        modules: &["error", "model"],
+        purpose: "systems that pages do not support; names, units and ranges for the page",
     },
     Layer { modules: &["scene"], purpose: "the picture of a page, and the script that animates it" },
 ];

@@ -23,6 +23,7 @@ Commands:
   page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
+  film FILE         write the film of a motion: HTML with play, pause and curves
   ensemble FILE     compute many motions with random values, and write their ends
   linearise FILE    write a linear model at a state or an equilibrium, with its modes
   urdf FILE         write the declaration of a robot that a URDF file describes
@@ -32,19 +33,21 @@ A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:
   -o, --output FILE   write to a file instead of the standard output; for motions, the
-                      extension selects the format: csv, parquet, svg or png; for modules of
-                      C, a folder, or the path of both files without their extensions; for
-                      units, a folder or a path
+                      extension selects the format: csv, parquet, svg or png; for films, html
+                      or gif, in the plane svg, in space glb; for modules of C, a folder, or
+                      the path of both files without their extensions; for units, a folder or
+                      a path
       --json          list mistakes as JSON: an array of objects on the standard output (check);
                       write an object (linearise)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (kernel)
-      --until TIME    end of the motion, which starts at 0 (simulate, ensemble)
-      --every TIME    sample so often, instead of at every step (simulate)
+      --until TIME    end of the motion, which starts at 0 (simulate, film, ensemble)
+      --every TIME    sample so often, instead of at every step (simulate); time between two
+                      pictures, 40 ms by default (film)
       --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate,
-                      ensemble, linearise, fmu, page)
+                      film, ensemble, linearise, fmu, page)
       --start A=VALUE start a coordinate, velocity or state here; once for each (simulate,
-                      ensemble, fmu, page)
+                      film, ensemble, fmu, page)
       --vary A=B..C   draw a parameter, an input or an entry of the start from a range, for each
                       motion; once for each (ensemble)
       --motions N     number of motions, 100 by default (ensemble)
@@ -57,12 +60,12 @@ Options:
       --trim U        search for the value of an input, too; once for each (linearise)
       --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
-                      `rk4` or `gauss` in equal steps (simulate, ensemble)
-      --tolerance E   tolerated error of a step, 1e-9 by default (simulate, ensemble)
+                      `rk4` or `gauss` in equal steps (simulate, film, ensemble)
+      --tolerance E   tolerated error of a step, 1e-9 by default (simulate, film, ensemble)
       --sources       leave the compilation to the program that imports the unit (fmu)
-      --step TIME     length of equal steps (simulate, ensemble)
-      --energy        add a column for the energy (simulate)
-      --events FILE   write the events of the motion to a file, as CSV (simulate)
+      --step TIME     length of equal steps (simulate, film, ensemble)
+      --energy        add a column for the energy (simulate), or its curve (film)
+      --events FILE   write the events of the motion to a file, as CSV (simulate, film)
       --name NAME     name the struct (urdf)
       --free          let the base move freely (urdf)
       --inputs        drive each joint by an input (urdf)
@@ -127,6 +130,8 @@ pub(crate) enum Action {
     Page(Values),
     /// Computes a motion.
     Simulate(Settings),
+    /// Computes a motion and films it.
+    Film(Settings),
     /// Computes many motions.
     Ensemble(EnsembleOptions),
     /// Computes a linear model.
@@ -289,6 +294,7 @@ impl Action {
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
+            "film" => Action::Film(Settings::default()),
             "ensemble" => Action::Ensemble(EnsembleOptions::default()),
             "linearise" => Action::Linearise(Point::default()),
             "urdf" => Action::Urdf(Options::default()),
@@ -303,7 +309,7 @@ impl Action {
             (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
             (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
             (Action::Unit { is_source, .. }, "sources") => *is_source = true,
-            (Action::Simulate(settings), "energy") => settings.has_energy = true,
+            (Action::Simulate(settings) | Action::Film(settings), "energy") => settings.has_energy = true,
             (Action::Linearise(point), "equilibrium") => point.is_equilibrium = true,
             (Action::Linearise(point), "json") => point.is_json = true,
             (Action::Urdf(options), "free") => options.is_free = true,
@@ -323,7 +329,7 @@ impl Action {
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
-            (Action::Simulate(settings), _) => return settings.read(option, parser),
+            (Action::Simulate(settings) | Action::Film(settings), _) => return settings.read(option, parser),
             (Action::Ensemble(options), _) => return options.read(option, parser),
             (Action::Linearise(point), _) => return point.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),

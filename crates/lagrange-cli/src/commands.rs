@@ -53,6 +53,7 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
+            Action::Film(settings) => return self.film(settings),
             Action::Ensemble(options) => return self.ensemble(options),
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
@@ -70,6 +71,20 @@ impl Command {
             return Ended::WithMistakes;
         };
         let motion = Motion::new(settings, self.output.as_deref(), &mut system);
+        motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
+    }
+
+    /// Computes a motion and writes its film.
+    fn film(&self, settings: &Settings) -> Ended {
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        else {
+            return Ended::WithMistakes;
+        };
+        if system.programs().drawing.is_none() {
+            print_error(&format!("{name}: a film needs bodies, and the declaration has none"));
+            return Ended::WithMistakes;
+        }
+        let motion = Motion::filmed(settings, self.output.as_deref(), &mut system);
         motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
     }
 
@@ -134,14 +149,10 @@ impl Command {
 
     /// Writes a page in which the system moves.
     fn page(&self, values: &Values) -> Ended {
-        let system = self.source().and_then(|source| {
-            let derived =
-                reported(&source, source.system_with("drawing").or_else(|_| source.system()), |system| {
-                    system.derive(StrategyChoice::Cheapest)
-                })?;
-            Ok((dynamic(&source, Programs::new(&derived))?, source.name))
-        });
-        let Ok((mut system, name)) = system else { return Ended::WithMistakes };
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        else {
+            return Ended::WithMistakes;
+        };
         let start = match set(values, &mut system).and_then(|()| start("start", values, &system)) {
             Ok(state) => state,
             Err(failure) => return failed(failure),
@@ -221,6 +232,14 @@ fn ended(is_well: bool) -> Ended {
 /// Returns a system that can be run; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
     let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+    dynamic(source, Programs::new(&derived))
+}
+
+/// Returns a system that can be run, with its drawing if there is something to draw; prints
+/// warnings and errors.
+fn drawn(source: &Source) -> Outcome<DeclaredSystem> {
+    let system = source.system_with("drawing").or_else(|_| source.system());
+    let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
     dynamic(source, Programs::new(&derived))
 }
 

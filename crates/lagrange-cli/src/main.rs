@@ -2,9 +2,9 @@
 //!
 //! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
 //! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
-//! the macro. `lagrange simulate` computes a motion without a compiler, `lagrange ensemble` many,
-//! and `lagrange linearise` a linear model. `lagrange urdf` writes the declaration of a robot.
-//! `lagrange --help` has everything.
+//! the macro. `lagrange simulate` computes a motion without a compiler, `lagrange film` films it,
+//! `lagrange ensemble` computes many, and `lagrange linearise` a linear model. `lagrange urdf`
+//! writes the declaration of a robot. `lagrange --help` has everything.
 #![forbid(unsafe_code)]
 
 mod analyses;

@@ -26,7 +26,7 @@ where
     /// If there are more than 100 000 pictures, or one cannot be made, as for
     /// [`pictures`](Drawing::pictures).
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
-        let film = self.film_of(&samples(trajectory, self.system())?)?;
+        let film = self.recorded(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -43,10 +43,25 @@ where
         pictures_a_second: f64,
         trajectory: &Trajectory<M>,
     ) -> Result<Film<M::Space>, DrawError> {
-        self.film_of(&samples_at(pictures_a_second, trajectory, self.system())?)
+        self.recorded(&samples_at(pictures_a_second, trajectory, self.system())?)
     }
 
-    pub(crate) fn film_of(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
+    /// Creates a film of these times and states, such as recorded data. Times rise or fall
+    /// throughout, and forces are those of the inputs that the system has.
+    ///
+    /// # Errors
+    /// If there are more than 100 000 pictures, or one cannot be made, as for
+    /// [`pictures`](Drawing::pictures).
+    pub fn film_of(
+        &self,
+        states: impl IntoIterator<Item = (M::Scalar, M::State)>,
+    ) -> Result<Film<M::Space>, DrawError> {
+        let shots = states.into_iter().map(|instant| (instant, None)).collect::<Vec<_>>();
+        refuse_too_many(shots.len() as f64)?;
+        self.recorded(&shots)
+    }
+
+    pub(crate) fn recorded(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
         let recording = M::Space::record(self, shots)?;
         let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
         Ok(Film { recording, timeline: Timeline::new(times)? })
