@@ -182,10 +182,7 @@ fn interface(revision: &str) -> Vec<Step> {
             "changes that break users",
             &format!("semver-checks --workspace --baseline-rev {revision}"),
         ),
-        Step::new(
-            "public interface",
-            &format!("public-api --simplified --all-features diff {revision}..HEAD"),
-        ),
+        Step::new("public interface", &format!("public-api --all-features -sss diff {revision}..HEAD")),
     ]
 }
 

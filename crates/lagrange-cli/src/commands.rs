@@ -20,11 +20,12 @@ use quote::quote;
 use serde_json::Value;
 
 use crate::analyses::Linearised;
-use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, Values};
+use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, TradeOptions, Values};
 use crate::ensembles;
 use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
 use crate::source;
+use crate::trades;
 
 /// Number of operations beyond which compilers need minutes for derivatives in units.
 const MOST_DERIVATIVES: usize = 20_000;
@@ -55,6 +56,7 @@ impl Command {
             Action::Simulate(settings) => return self.simulate(settings),
             Action::Film(settings) => return self.film(settings),
             Action::Ensemble(options) => return self.ensemble(options),
+            Action::Trade(options) => return self.trade(options),
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
@@ -104,6 +106,15 @@ impl Command {
             print_error(&format!("motion {}: {}", motion.index, motion.message));
         }
         if ends.failures.is_empty() { Ended::Well } else { Ended::Early }
+    }
+
+    /// Measures methods and writes which to use.
+    fn trade(&self, options: &TradeOptions) -> Ended {
+        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+            return Ended::WithMistakes;
+        };
+        let text = trades::text(options, self.output.as_deref(), &mut system);
+        text.map_or_else(failed, |text| ended(write(None, &text).is_ok()))
     }
 
     /// Computes a linear model and writes it.

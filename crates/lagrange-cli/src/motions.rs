@@ -78,7 +78,7 @@ impl<'a> Motion<'a> {
         system: &mut DeclaredSystem,
     ) -> Result<Self, Failure> {
         set(&settings.values, system)?;
-        let until = end(settings)?;
+        let until = end(settings.until.as_deref())?;
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
@@ -98,9 +98,9 @@ impl<'a> Motion<'a> {
 ///
 /// # Errors
 /// If it is missing or makes no sense.
-pub(crate) fn end(settings: &Settings) -> Result<f64, Failure> {
+pub(crate) fn end(until: Option<&str>) -> Result<f64, Failure> {
     let missing = || Failure::Usage("the end is missing: write `--until 10`".to_owned());
-    time("until", settings.until.as_deref().ok_or_else(missing)?)
+    time("until", until.ok_or_else(missing)?)
 }
 
 /// Returns the method with its settings.

@@ -64,6 +64,8 @@ mod refusal;
 mod run;
 mod source;
 mod system;
+#[cfg(feature = "trade")]
+mod trade;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
@@ -81,3 +83,5 @@ pub use refusal::{NoSuchName, Refusal, StartError};
 pub use run::RunSettings;
 pub use source::Source;
 pub use system::DynamicSystem;
+#[cfg(feature = "trade")]
+pub use trade::trade;
