@@ -139,8 +139,8 @@ fn draw(speed: f64) -> Result<(), Box<dyn Error>> {
     Picture::beside(&drawing.clone().size(420.0, 420.0).pictures(weaving.extremes()?)?)
         .save(gallery::picture("bicycle.png")?)?;
     let drawing = drawing.title("The weave of a bicycle at 5 m/s");
-    drawing.clone().film_of(weaving.moments(30.0)?)?.save(gallery::picture("bicycle.html")?)?;
-    drawing.size(360.0, 360.0).film_of(weaving.moments(15.0)?)?.save(gallery::picture("bicycle.gif")?)?;
+    drawing.clone().timed_film(weaving.moments(30.0)?)?.save(gallery::picture("bicycle.html")?)?;
+    drawing.size(360.0, 360.0).timed_film(weaving.moments(15.0)?)?.save(gallery::picture("bicycle.gif")?)?;
     Ok(())
 }
 

@@ -59,7 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let drawing = Drawing::of(&rods).title(&title).size(240.0, 320.0).nameless();
         let swinging = rods.mode_motion(0.0, hanging, mode, AMPLITUDE).level().periods(1.0);
         pictures.extend(drawing.pictures(swinging.extremes()?)?);
-        let film = drawing.film_of(swinging.moments(25.0)?)?;
+        let film = drawing.timed_film(swinging.moments(25.0)?)?;
         film.save(gallery::picture(&format!("mode_{name}.svg"))?)?;
     }
     Picture::beside(&pictures).save(gallery::picture("modes.svg")?)?;

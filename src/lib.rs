@@ -72,8 +72,6 @@ extern crate std;
 
 pub mod event;
 pub mod integrate;
-#[cfg(feature = "trade")]
-pub mod trade;
 
 #[doc(hidden)]
 pub mod private;
@@ -99,6 +97,9 @@ pub use lagrange_runtime::laws;
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::simulate::{self, Simulate};
+#[cfg(feature = "trade")]
+#[doc(inline)]
+pub use lagrange_runtime::trade;
 #[doc(inline)]
 pub use lagrange_runtime::{
     Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, root, scalar, scene, system,

@@ -5,5 +5,7 @@ cd "$(dirname "$0")/.."
 
 oldest=$(sed -n 's/^rust-version = "\(.*\)"/\1/p' Cargo.toml)
 rustup toolchain install --profile minimal "$oldest"
-cargo "+$oldest" check --package lagrange --package lagrange-cli --all-features --target-dir target/msrv
-cargo "+$oldest" check --package lagrange --no-default-features --target-dir target/msrv
+for package in "" "--package lagrange-cli"; do
+    cargo "+$oldest" check $package --all-features --target-dir target/msrv
+done
+cargo "+$oldest" check --no-default-features --target-dir target/msrv

@@ -4,13 +4,14 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 environment=$PWD/target/python
-[ -x "$environment/bin/maturin" ] || {
+[ -x "$environment/bin/jupyter-execute" ] || {
     # Some distributions split `venv` off.
     python3 -m venv "$environment" || {
         python3 -m pip install --quiet --user virtualenv
         python3 -m virtualenv --quiet "$environment"
     }
-    "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars pytest
+    "$environment/bin/pip" install --quiet "maturin>=1.9,<2" "numpy>=2" scipy pandas polars pytest \
+        nbclient ipykernel
 }
 export CARGO_TARGET_DIR=$PWD/target/python-build CARGO_INCREMENTAL=0 VIRTUAL_ENV=$environment
 cd crates/lagrange-python

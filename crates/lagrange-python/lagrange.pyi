@@ -82,6 +82,13 @@ class System:
     def jacobian(self, t: float, y: State) -> Array:
         """Computes the derivatives of `rhs` by the state, of shape (entries, entries), as the `jac`
         of `scipy.integrate.solve_ivp`. They are exact, and derived the first time."""
+    def parameter_jacobian(self, t: float, y: State) -> Array:
+        """Computes the derivatives of `rhs` by the parameters, of shape (entries, parameters), with
+        columns in the order of declaration. Their units are those of the rates over those of the
+        parameters. They are exact, and derived the first time."""
+    def input_jacobian(self, t: float, y: State) -> Array:
+        """Computes the derivatives of `rhs` by the inputs, of shape (entries, inputs), with columns
+        in the order of `inputs`. Their units are those of the rates over those of the inputs."""
     def outputs(self, t: float, y: State) -> dict[str, float]:
         """Computes the declared outputs, by column."""
     def simulate(
@@ -105,6 +112,11 @@ class System:
         returns the inputs at a time and a state. What it raises is raised here. Without it, other
         threads of Python run meanwhile. Raises `SimulationError` where the motion fails.
         """
+    def film(self, motion: Trajectory, *, energy: bool = True, height: int = 640) -> Film:
+        """Returns the film of a motion, with the parameters of this system. Each sample is a picture,
+        so `every` should be about 0.04 s. A column of the energy is plotted unless `energy` is false.
+        `height` is that of the frame in a notebook, in pixels. Forces are not drawn. Raises
+        `ValueError` for systems without bodies and for motions of other systems."""
     def ensemble(
         self,
         starts: Array | Sequence[State] | dict[str, float | Array | Sequence[float]] | None = None,
@@ -179,6 +191,8 @@ class System:
         """Returns the equations as text."""
     def latex(self) -> str:
         """Returns the equations of motion as LaTeX, which Jupyter shows for the system."""
+    def rust(self) -> str:
+        """Returns the code that the macro of Rust emits for the declaration."""
     def c(self) -> tuple[str, str]:
         """Returns a module of C: header and source."""
 
@@ -344,3 +358,24 @@ class Trajectory(Columns):
     @property
     def steps(self) -> int:
         """Number of steps of the integration."""
+    def plot(self, *names: str, x: str = "t") -> Plot:
+        """Plots columns over another one, each in a panel, with units at the axes. Without names, it
+        plots the state. Raises `KeyError` for columns that are not there."""
+
+class Plot:
+    """A plot, which Jupyter shows."""
+
+    @property
+    def svg(self) -> str:
+        """The picture as a document of SVG."""
+    def save(self, path: str | PathLike[str]) -> None:
+        """Saves the picture as `svg` or `png`, by the extension."""
+
+class Film:
+    """A film of bodies, which Jupyter shows in a frame."""
+
+    @property
+    def html(self) -> str:
+        """The page of HTML that plays it, with nothing from elsewhere."""
+    def save(self, path: str | PathLike[str]) -> None:
+        """Saves the film as `html` or `gif`, in the plane as `svg`, in space as `glb`."""

@@ -57,14 +57,14 @@ fn show_states_at_seconds_of_their_own() {
     // The system stands at one time, and the film shows its states in slow motion.
     let drawing = Drawing::of(&LADDER);
     let moments = |seconds: [f64; 3]| seconds.into_iter().zip([1.0, 0.9, 0.8].map(|a| (2.0, [a, -1.0])));
-    let film = drawing.film_of(moments([0.0, 0.5, 1.0])).expect("can be drawn");
+    let film = drawing.timed_film(moments([0.0, 0.5, 1.0])).expect("can be drawn");
     assert_eq!(film.times(), [0.0, 0.5, 1.0]);
     let pictures = drawing.pictures(moments([0.0; 3]).map(|(_, instant)| instant)).expect("can be drawn");
     assert_eq!(*film.pictures(), pictures);
-    let error = drawing.film_of(moments([0.0, 0.0, 1.0])).expect_err("stands still");
+    let error = drawing.timed_film(moments([0.0, 0.0, 1.0])).expect_err("stands still");
     assert_eq!(error.to_string(), "times must be finite, and rise or fall from picture to picture");
-    assert!(drawing.film_of(moments([0.0, f64::NAN, 1.0])).is_err());
-    assert!(drawing.film_of([]).is_err(), "there is no picture");
+    assert!(drawing.timed_film(moments([0.0, f64::NAN, 1.0])).is_err());
+    assert!(drawing.timed_film([]).is_err(), "there is no picture");
 }
 
 #[test]

@@ -9,7 +9,8 @@
 //!    ([`habits`]).
 //! 5. Documentation is plain English ([`english`]), in short sentences and narrow paragraphs
 //!    ([`prose`]), and so are messages ([`literals`]).
-//! 6. The book has every page, its links lead somewhere, and its code is tested ([`book`]).
+//! 6. Published packages say what they are ([`packages`]).
+//! 7. The book has every page, its links lead somewhere, and its code is tested ([`book`]).
 //!
 //! Sources become files and modules ([`sources`]), these become items and what names mean
 //! ([`names`], [`methods`], [`receivers`]), and with them a walk through the code ([`walk`]) finds
@@ -27,6 +28,7 @@ mod literals;
 mod made_up;
 mod methods;
 mod names;
+mod packages;
 mod prose;
 mod receivers;
 mod sources;
@@ -62,6 +64,11 @@ fn every_module_is_in_one_layer() {
 #[test]
 fn architecture_shows_the_layers() {
     architecture::check(&workspace().root);
+}
+
+#[test]
+fn packages_say_what_they_are() {
+    nothing_in(packages::lapses(&workspace().root));
 }
 
 #[test]

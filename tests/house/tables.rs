@@ -42,11 +42,7 @@ const LAGRANGE: &[Layer] = &[
         modules: &["event", "integrate"],
         purpose: "re-exports of `lagrange-runtime`, with the heap-free loops",
     },
-    Layer {
-        modules: &["private", "trade"],
-        purpose: "the names that emitted code uses; comparison of methods, number types and variants of a \
-                  system",
-    },
+    Layer { modules: &["private"], purpose: "the names that emitted code uses" },
 ];
 
 const EXPR: &[Layer] = &[
@@ -130,9 +126,9 @@ const CORE: &[Layer] = &[
 
 const DYNAMIC: &[Layer] = &[
     Layer {
-        modules: &["inline", "names", "refusal", "source"],
-        purpose: "vectors of a length known at run time; interned names; unsupported systems; \
-                  texts with declarations",
+        modules: &["inline", "items", "names", "refusal", "source"],
+        purpose: "vectors of a length known at run time; items to draw from their numbers; interned names; \
+                  unsupported systems; texts with declarations",
     },
     Layer { modules: &["system"], purpose: "an interpreted system with its switches" },
     Layer { modules: &["constraints", "mechanics"], purpose: "the traits of constraints and of mechanics" },
@@ -145,9 +141,10 @@ const DYNAMIC: &[Layer] = &[
         purpose: "systems with values for their parameters, dispatched to arrays of sufficient capacity",
     },
     Layer {
-        modules: &["analysis", "method"],
-        purpose: "equilibria and linear models; methods of integration by name",
+        modules: &["analysis", "film", "method"],
+        purpose: "equilibria and linear models; films of motions; methods of integration by name",
     },
+    Layer { modules: &["trade"], purpose: "the cost of accuracy of a motion, by method" },
     Layer {
         modules: &["ensemble", "fixed", "run"],
         purpose: "motions over threads; systems with arrays as states; settings of runs",
@@ -161,9 +158,10 @@ const PYTHON: &[Layer] = &[
         purpose: "columns by name; exceptions; values by name",
     },
     Layer {
-        modules: &["derivation", "motion"],
-        purpose: "systems from declarations, with derivatives; motions by column",
+        modules: &["derivation", "picture"],
+        purpose: "systems from declarations, with derivatives; plots and films for notebooks",
     },
+    Layer { modules: &["motion"], purpose: "motions by column" },
     Layer {
         modules: &["ensemble", "fit", "linear", "simulation"],
         purpose: "final states of many motions; parameters from data; equilibria and linear models; runs, with Python functions as inputs",
@@ -187,9 +185,8 @@ const C: &[Layer] = &[
 
 const PAGE: &[Layer] = &[
     Layer {
-        modules: &["error", "items", "model"],
-        purpose: "systems that pages do not support; items in space from their numbers; names, units and ranges \
-                  for the page",
+        modules: &["error", "model"],
+        purpose: "systems that pages do not support; names, units and ranges for the page",
     },
     Layer { modules: &["scene"], purpose: "the picture of a page, and the script that animates it" },
 ];
@@ -209,20 +206,20 @@ const FMI: &[Layer] = &[
 ];
 
 const CLI: &[Layer] = &[
-    Layer {
-        modules: &["arguments", "source"],
-        purpose: "the command line, read into a command; files with declarations, and the standard input",
-    },
+    Layer { modules: &["arguments"], purpose: "the command line, read into a command" },
+    Layer { modules: &["source"], purpose: "files with declarations, and the standard input" },
     Layer {
         modules: &["mistakes", "values"],
         purpose: "mistakes as the compiler shows them, and as JSON; numbers with units",
     },
     Layer { modules: &["motions"], purpose: "simulations, from settings to output files" },
     Layer {
-        modules: &["analyses", "ensembles"],
-        purpose: "linear models at states or equilibria, as text and as JSON; ends of many motions",
+        modules: &["analyses", "ensembles", "trades"],
+        purpose: "linear models at states or equilibria, as text and as JSON; ends of many motions; the method \
+                  for a wanted error",
     },
     Layer { modules: &["commands"], purpose: "the commands" },
+    Layer { modules: &["watch"], purpose: "commands that run again when files change" },
 ];
 
 const MATH: &[Layer] = &[
@@ -313,6 +310,10 @@ const RUNTIME: &[Layer] = &[
         modules: &["ensemble"],
         purpose: "many simulations on threads, with results independent of scheduling; final states, \
                   reductions, resumable files",
+    },
+    Layer {
+        modules: &["trade"],
+        purpose: "comparison of methods, number types and variants of a system by error and time",
     },
 ];
 
@@ -406,9 +407,9 @@ const IMPORT: &[Layer] = &[
 
 const XTASK: &[Layer] = &[
     Layer {
-        modules: &["performance", "prose", "size"],
-        purpose: "measurements, written to `docs/performance.md`; paragraphs of comments and pages; lines of \
-                  code by crate",
+        modules: &["package", "performance", "prose", "size"],
+        purpose: "contents of published packages; measurements, written to `docs/performance.md`; paragraphs \
+                  of comments and pages; lines of code by crate",
     },
     Layer { modules: &["wrap"], purpose: "wrapping of comments and pages; long sentences" },
 ];

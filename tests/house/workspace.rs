@@ -47,15 +47,20 @@ fn root() -> PathBuf {
     roots.next().expect("the root of the workspace").to_owned()
 }
 
-/// Names of all crates and the paths of their roots.
-fn roots(root: &Path) -> Vec<(String, String)> {
+/// Folders of crates, below the root and below `crates`; that of the root itself is empty.
+pub(crate) fn folders(root: &Path) -> Vec<String> {
     let within =
         |parent: &'static str| entries(root, parent).into_iter().map(move |name| format!("{parent}{name}/"));
     let mut folders = within("").chain(within("crates/")).collect::<Vec<_>>();
     folders.insert(0, String::new());
     folders.retain(|folder| root.join(folder).join("Cargo.toml").is_file());
+    folders
+}
+
+/// Names of all crates and the paths of their roots.
+fn roots(root: &Path) -> Vec<(String, String)> {
     let mut found = Vec::new();
-    for folder in folders {
+    for folder in folders(root) {
         let name = if folder.is_empty() {
             "lagrange"
         } else {

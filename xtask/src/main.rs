@@ -3,10 +3,13 @@
 //! change to methods or contacts. `cargo xtask performance`: measures how fast emitted code is and
 //! rewrites the tables of docs/performance.md; `cargo xtask performance spatial` does so for bodies
 //! in space alone. `cargo xtask size [REVISION]`: counts lines of library code by crate.
+//! `cargo xtask package`: packages every crate and compiles it from its package.
+//! `cargo xtask interface REVISION`: compares the public interface with that of a revision.
 //! `cargo xtask wrap`: wraps comments and pages at 100 columns. `cargo xtask sentences`: lists
 //! sentences of more than 25 words.
 #![forbid(unsafe_code)]
 
+mod package;
 #[cfg(feature = "performance")]
 mod performance;
 // The rule is one of those of the house, which test it.
@@ -62,13 +65,15 @@ fn main() -> ExitCode {
         ["check"] => run(root, checks()),
         ["sweeps"] => run(root, sweeps()),
         ["performance", ref sections @ ..] => code(performance(root, sections)),
+        ["package", ref options @ ..] => code(package(root, options)),
+        ["interface", revision] => run(root, interface(revision)),
         ["size"] => code(size::size(root, None)),
         ["size", revision] => code(size::size(root, Some(revision))),
         ["wrap"] => code(wrap::wrap(root)),
         ["sentences"] => code(wrap::sentences(root)),
         _ => {
             eprintln!(
-                "usage: cargo xtask check | sweeps | performance [spatial] | size [REVISION] | wrap | sentences"
+                "usage: cargo xtask check | sweeps | performance [spatial] | package | interface REVISION | size [REVISION] | wrap | sentences"
             );
             ExitCode::from(2)
         }
@@ -81,6 +86,13 @@ fn performance(root: &Path, sections: &[&str]) -> Result<(), String> {
     let command = "run --quiet --package xtask --features performance --target-dir target/performance";
     let step = Step::new("performance", &format!("{command} -- performance {}", sections.join(" ")));
     if step.run(root) { Ok(()) } else { Err("nothing is measured".to_owned()) }
+}
+
+/// Packages every crate, compiles each from its package, and checks what the packages hold. Options
+/// are passed on to cargo.
+fn package(root: &Path, options: &[&str]) -> Result<(), String> {
+    let step = Step::new("packages", &format!("publish --workspace --dry-run {}", options.join(" ")));
+    if step.run(root) { package::check(root) } else { Err("not every crate is packaged".to_owned()) }
 }
 
 fn code(result: Result<(), String>) -> ExitCode {
@@ -136,7 +148,7 @@ fn checks() -> Vec<Step> {
              --lib --bin lagrange --bin xtask --example first_steps",
         )
         .with("RUSTDOCFLAGS", "-D warnings"),
-        Step::new("no_std", "build --package lagrange --no-default-features"),
+        Step::new("no_std", "build --no-default-features"),
         Step::new("a user without std", "build --package no_std"),
     ];
     if fuses_products() {
@@ -160,6 +172,17 @@ fn sweeps() -> Vec<Step> {
              --test diffsol --example differential_equations",
         ),
         Step::new("adapters' lints", "clippy --package lagrange-adapters-tests --all-targets -- -D warnings"),
+    ]
+}
+
+/// Compares what users can name with a revision: breaking changes, then all additions and removals.
+fn interface(revision: &str) -> Vec<Step> {
+    vec![
+        Step::new(
+            "changes that break users",
+            &format!("semver-checks --workspace --baseline-rev {revision}"),
+        ),
+        Step::new("public interface", &format!("public-api --all-features -sss diff {revision}..HEAD")),
     ]
 }
 

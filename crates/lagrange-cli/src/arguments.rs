@@ -7,6 +7,11 @@ use lagrange_core::code::Precision;
 use lagrange_import::urdf::Options;
 use lexopt::{Arg, Error, Parser, ValueExt};
 
+/// Name of the standard input.
+pub(crate) const STANDARD_INPUT: &str = "-";
+/// The word before a command that is run again.
+const WATCH: &str = "watch";
+
 /// All commands and options.
 pub(crate) const HELP: &str = "\
 Declarations of mechanical systems, as `lagrange::system!` takes them, from files.
@@ -23,33 +28,40 @@ Commands:
   page FILE         write a page in which the system moves: HTML with sliders, plots and drawing
   kernel FILE       write the equations of motion as C for graphics processors
   simulate FILE     compute a motion, and write its columns or plot them
+  film FILE         write the film of a motion: HTML with play, pause and curves
   ensemble FILE     compute many motions with random values, and write their ends
+  trade FILE        measure all methods on a motion, and propose one for a wanted error
   linearise FILE    write a linear model at a state or an equilibrium, with its modes
   urdf FILE         write the declaration of a robot that a URDF file describes
+  watch COMMAND …   run a command with its options, and again whenever its files change
 
 A file holds one declaration, alone or in `lagrange::system! { … }`.
 A file named `-` is the standard input. Tables are files beside the declaration.
 
 Options:
   -o, --output FILE   write to a file instead of the standard output; for motions, the
-                      extension selects the format: csv, parquet, svg or png; for modules of
-                      C, a folder, or the path of both files without their extensions; for
-                      units, a folder or a path
+                      extension selects the format: csv, parquet, svg or png; for films, html
+                      or gif, in the plane svg, in space glb; for modules of C, a folder, or
+                      the path of both files without their extensions; for units, a folder or
+                      a path; for measurements, a folder
       --json          list mistakes as JSON: an array of objects on the standard output (check);
                       write an object (linearise)
       --latex         write the equations in LaTeX (equations)
       --single        compute in single precision (kernel)
-      --until TIME    end of the motion, which starts at 0 (simulate, ensemble)
-      --every TIME    sample so often, instead of at every step (simulate)
+      --until TIME    end of the motion, which starts at 0 (simulate, film, ensemble, trade)
+      --every TIME    sample so often, instead of at every step (simulate); time between two
+                      pictures, 40 ms by default (film)
       --set A=VALUE   set a parameter, or hold an input at a value; once for each (simulate,
-                      ensemble, linearise, fmu, page)
+                      film, ensemble, trade, linearise, fmu, page)
       --start A=VALUE start a coordinate, velocity or state here; once for each (simulate,
-                      ensemble, fmu, page)
+                      film, ensemble, trade, fmu, page)
       --vary A=B..C   draw a parameter, an input or an entry of the start from a range, for each
                       motion; once for each (ensemble)
       --motions N     number of motions, 100 by default (ensemble)
       --seed N        seed of the random values, 0 by default (ensemble)
       --threads N     number of threads, one for each processor by default (ensemble)
+      --error E       wanted error of the state at the end; a table of errors by default (trade)
+      --longest TIME  time that a run may take, 0.2 by default (trade)
       --at A=VALUE    linearise, or search, where an entry of the state has this value instead of
                       that at the start; once for each (linearise)
       --equilibrium   search for an equilibrium there first (linearise)
@@ -57,12 +69,12 @@ Options:
       --trim U        search for the value of an input, too; once for each (linearise)
       --time TIME     time at which to linearise, 0 by default (linearise)
       --method NAME   integrate by `verner` (default), `radau` for stiff systems, or by
-                      `rk4` or `gauss` in equal steps (simulate, ensemble)
-      --tolerance E   tolerated error of a step, 1e-9 by default (simulate, ensemble)
+                      `rk4` or `gauss` in equal steps (simulate, film, ensemble)
+      --tolerance E   tolerated error of a step, 1e-9 by default (simulate, film, ensemble)
       --sources       leave the compilation to the program that imports the unit (fmu)
-      --step TIME     length of equal steps (simulate, ensemble)
-      --energy        add a column for the energy (simulate)
-      --events FILE   write the events of the motion to a file, as CSV (simulate)
+      --step TIME     length of equal steps (simulate, film, ensemble)
+      --energy        add a column for the energy (simulate), or its curve (film)
+      --events FILE   write the events of the motion to a file, as CSV (simulate, film)
       --name NAME     name the struct (urdf)
       --free          let the base move freely (urdf)
       --inputs        drive each joint by an input (urdf)
@@ -91,6 +103,8 @@ pub(crate) enum Request {
     Version,
     /// A command.
     Command(Box<Command>),
+    /// A command, again whenever its files change.
+    Watch(Box<Command>),
 }
 
 /// A command with its files.
@@ -127,8 +141,12 @@ pub(crate) enum Action {
     Page(Values),
     /// Computes a motion.
     Simulate(Settings),
+    /// Computes a motion and films it.
+    Film(Settings),
     /// Computes many motions.
     Ensemble(EnsembleOptions),
+    /// Measures methods.
+    Trade(TradeOptions),
     /// Computes a linear model.
     Linearise(Point),
     /// Imports a robot.
@@ -255,6 +273,32 @@ impl EnsembleOptions {
     }
 }
 
+/// Settings of a measurement of methods, as they are written.
+#[derive(Clone, Default, Debug)]
+pub(crate) struct TradeOptions {
+    /// End of the motion.
+    pub(crate) until: Option<String>,
+    /// Values at the start.
+    pub(crate) values: Values,
+    /// Wanted error.
+    pub(crate) error: Option<String>,
+    /// Time that a run may take.
+    pub(crate) longest: Option<String>,
+}
+
+impl TradeOptions {
+    /// Reads the value of an option; false if there is none of this name.
+    fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
+        match option {
+            "until" => self.until = Some(parser.value()?.string()?),
+            "error" => self.error = Some(parser.value()?.string()?),
+            "longest" => self.longest = Some(parser.value()?.string()?),
+            _ => return self.values.read(option, parser),
+        }
+        Ok(true)
+    }
+}
+
 /// A name and its value.
 fn assignment(option: &str, parser: &mut Parser) -> Result<(String, String), Error> {
     let text = parser.value()?.string()?;
@@ -289,7 +333,9 @@ impl Action {
             "kernel" => Action::Write(Text::Kernel(Precision::Double)),
             "page" => Action::Page(Values::default()),
             "simulate" => Action::Simulate(Settings::default()),
+            "film" => Action::Film(Settings::default()),
             "ensemble" => Action::Ensemble(EnsembleOptions::default()),
+            "trade" => Action::Trade(TradeOptions::default()),
             "linearise" => Action::Linearise(Point::default()),
             "urdf" => Action::Urdf(Options::default()),
             _ => return None,
@@ -303,7 +349,7 @@ impl Action {
             (Action::Write(text @ Text::Equations), "latex") => *text = Text::Latex,
             (Action::Write(Text::Kernel(precision)), "single") => *precision = Precision::Single,
             (Action::Unit { is_source, .. }, "sources") => *is_source = true,
-            (Action::Simulate(settings), "energy") => settings.has_energy = true,
+            (Action::Simulate(settings) | Action::Film(settings), "energy") => settings.has_energy = true,
             (Action::Linearise(point), "equilibrium") => point.is_equilibrium = true,
             (Action::Linearise(point), "json") => point.is_json = true,
             (Action::Urdf(options), "free") => options.is_free = true,
@@ -323,8 +369,9 @@ impl Action {
     fn read(&mut self, option: &str, parser: &mut Parser) -> Result<bool, Error> {
         match (self, option) {
             (Action::Unit { values, .. } | Action::Page(values), _) => return values.read(option, parser),
-            (Action::Simulate(settings), _) => return settings.read(option, parser),
+            (Action::Simulate(settings) | Action::Film(settings), _) => return settings.read(option, parser),
             (Action::Ensemble(options), _) => return options.read(option, parser),
+            (Action::Trade(options), _) => return options.read(option, parser),
             (Action::Linearise(point), _) => return point.read(option, parser),
             (Action::Urdf(options), "name") => options.name = Some(parser.value()?.string()?),
             (Action::Urdf(options), "corners") => options.corners.push(parser.value()?.string()?),
@@ -340,6 +387,7 @@ impl Action {
 /// If they are no command, an option does not belong to it, or the number of files is wrong.
 pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
     let mut action = match parser.next()? {
+        Some(Arg::Value(name)) if name == WATCH => return watch(parser),
         Some(Arg::Value(name)) => action(name)?,
         Some(Arg::Short('h') | Arg::Long("help")) => return Ok(Request::Help),
         Some(Arg::Short('V') | Arg::Long("version")) => return Ok(Request::Version),
@@ -368,6 +416,20 @@ pub(crate) fn read_arguments(mut parser: Parser) -> Result<Request, Error> {
             Ok(Request::Command(Box::new(Command { action, inputs, output })))
         }
         _ => Err("this command takes one file at a time".into()),
+    }
+}
+
+/// Reads the command behind `watch`.
+fn watch(parser: Parser) -> Result<Request, Error> {
+    match read_arguments(parser)? {
+        Request::Command(command)
+            if command.inputs.iter().any(|input| input.as_os_str() == STANDARD_INPUT) =>
+        {
+            Err("the standard input cannot be watched: name a file".into())
+        }
+        Request::Command(command) => Ok(Request::Watch(command)),
+        Request::Watch(_) => Err("`watch` is written once".into()),
+        other => Ok(other),
     }
 }
 

@@ -20,11 +20,12 @@ use quote::quote;
 use serde_json::Value;
 
 use crate::analyses::Linearised;
-use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, Values};
+use crate::arguments::{Action, Command, EnsembleOptions, Point, Settings, Text, TradeOptions, Values};
 use crate::ensembles;
 use crate::mistakes;
 use crate::motions::{Failure, Motion, set, start};
 use crate::source;
+use crate::trades;
 
 /// Number of operations beyond which compilers need minutes for derivatives in units.
 const MOST_DERIVATIVES: usize = 20_000;
@@ -53,7 +54,9 @@ impl Command {
         let text = match &self.action {
             Action::Check { is_json } => return ended(self.check(*is_json)),
             Action::Simulate(settings) => return self.simulate(settings),
+            Action::Film(settings) => return self.film(settings),
             Action::Ensemble(options) => return self.ensemble(options),
+            Action::Trade(options) => return self.trade(options),
             Action::Linearise(point) => return self.linearise(point),
             Action::Module => return ended(self.source().and_then(|source| self.module(&source)).is_ok()),
             Action::Page(values) => return self.page(values),
@@ -73,6 +76,20 @@ impl Command {
         motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
     }
 
+    /// Computes a motion and writes its film.
+    fn film(&self, settings: &Settings) -> Ended {
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        else {
+            return Ended::WithMistakes;
+        };
+        if system.programs().drawing.is_none() {
+            print_error(&format!("{name}: a film needs bodies, and the declaration has none"));
+            return Ended::WithMistakes;
+        }
+        let motion = Motion::filmed(settings, self.output.as_deref(), &mut system);
+        motion.and_then(|motion| system.visit(motion)).map_or_else(failed, |()| Ended::Well)
+    }
+
     /// Computes many motions and writes their ends.
     fn ensemble(&self, options: &EnsembleOptions) -> Ended {
         let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
@@ -89,6 +106,15 @@ impl Command {
             print_error(&format!("motion {}: {}", motion.index, motion.message));
         }
         if ends.failures.is_empty() { Ended::Well } else { Ended::Early }
+    }
+
+    /// Measures methods and writes which to use.
+    fn trade(&self, options: &TradeOptions) -> Ended {
+        let Ok(mut system) = self.source().and_then(|source| declared(&source)) else {
+            return Ended::WithMistakes;
+        };
+        let text = trades::text(options, self.output.as_deref(), &mut system);
+        text.map_or_else(failed, |text| ended(write(None, &text).is_ok()))
     }
 
     /// Computes a linear model and writes it.
@@ -134,14 +160,10 @@ impl Command {
 
     /// Writes a page in which the system moves.
     fn page(&self, values: &Values) -> Ended {
-        let system = self.source().and_then(|source| {
-            let derived =
-                reported(&source, source.system_with("drawing").or_else(|_| source.system()), |system| {
-                    system.derive(StrategyChoice::Cheapest)
-                })?;
-            Ok((dynamic(&source, Programs::new(&derived))?, source.name))
-        });
-        let Ok((mut system, name)) = system else { return Ended::WithMistakes };
+        let Ok((mut system, name)) = self.source().and_then(|source| Ok((drawn(&source)?, source.name)))
+        else {
+            return Ended::WithMistakes;
+        };
         let start = match set(values, &mut system).and_then(|()| start("start", values, &system)) {
             Ok(state) => state,
             Err(failure) => return failed(failure),
@@ -221,6 +243,14 @@ fn ended(is_well: bool) -> Ended {
 /// Returns a system that can be run; prints warnings and errors.
 fn declared(source: &Source) -> Outcome<DeclaredSystem> {
     let derived = derived(source, |system| system.derive(StrategyChoice::Cheapest))?;
+    dynamic(source, Programs::new(&derived))
+}
+
+/// Returns a system that can be run, with its drawing if there is something to draw; prints
+/// warnings and errors.
+fn drawn(source: &Source) -> Outcome<DeclaredSystem> {
+    let system = source.system_with("drawing").or_else(|_| source.system());
+    let derived = reported(source, system, |system| system.derive(StrategyChoice::Cheapest))?;
     dynamic(source, Programs::new(&derived))
 }
 

@@ -108,7 +108,7 @@ fn settings(
     }
     let seed = number("seed", options.seed.as_deref())?.unwrap_or(0);
     let (starts, columns) = drawn(options, varied, (seed, motions), system)?;
-    let (until, method) = (end(&options.settings)?, method(&options.settings)?);
+    let (until, method) = (end(options.settings.until.as_deref())?, method(&options.settings)?);
     let (entries, fields) = varied.iter().zip(columns).partition::<Vec<_>, _>(|(varied, _)| varied.is_entry);
     let named = |columns: Vec<(&Varied<'_>, Vec<f64>)>| {
         columns.into_iter().map(|(varied, column)| (varied.name.to_owned(), column)).collect()

@@ -2,8 +2,9 @@
 //!
 //! A file holds what `lagrange::system!` takes. `lagrange check` lists its mistakes as the compiler
 //! shows them. `lagrange equations` writes its equations of motion, and `lagrange rust` the code of
-//! the macro. `lagrange simulate` computes a motion without a compiler, `lagrange ensemble` many,
-//! and `lagrange linearise` a linear model. `lagrange urdf` writes the declaration of a robot.
+//! the macro. `lagrange simulate` computes a motion without a compiler, `lagrange film` films it,
+//! `lagrange ensemble` computes many, and `lagrange linearise` a linear model. `lagrange urdf`
+//! writes the declaration of a robot. `lagrange watch` runs a command again when its files change.
 //! `lagrange --help` has everything.
 #![forbid(unsafe_code)]
 
@@ -14,12 +15,15 @@ mod ensembles;
 mod mistakes;
 mod motions;
 mod source;
+mod trades;
 mod values;
+mod watch;
 
 use std::process::ExitCode;
 
 use arguments::{HELP, Request, read_arguments};
 use commands::Ended;
+use watch::watch;
 
 /// Exit code of a run whose files have mistakes.
 const MISTAKES: u8 = 1;
@@ -38,6 +42,7 @@ fn main() -> ExitCode {
             println!("lagrange {}", env!("CARGO_PKG_VERSION"));
             ExitCode::SUCCESS
         }
+        Ok(Request::Watch(command)) => watch(&command),
         Ok(Request::Command(command)) => match command.run() {
             Ended::Well => ExitCode::SUCCESS,
             Ended::WithMistakes => ExitCode::from(MISTAKES),

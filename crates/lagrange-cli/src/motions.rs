@@ -1,11 +1,11 @@
 //! Motions of declared systems: from settings as they are written to files.
 
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 
 use lagrange_core::model::Product;
 use lagrange_dynamic::{
-    DeclaredSystem, DynamicSystem, MethodChoice, MethodError, RunSettings, StartError, Visitor,
+    DeclaredFilm, DeclaredSystem, DynamicSystem, MethodChoice, MethodError, RunSettings, StartError, Visitor,
 };
 use lagrange_files::save_bytes;
 use lagrange_runtime::simulate::Trajectory;
@@ -16,6 +16,10 @@ use crate::values::value;
 
 /// Formats of files, by extension.
 const FORMATS: [&str; 4] = ["csv", "parquet", "svg", "png"];
+/// Formats of films in the plane and in space.
+const FILMS: [[&str; 3]; 2] = [["html", "gif", "svg"], ["html", "gif", "glb"]];
+/// Seconds between pictures of a film.
+const PICTURE: f64 = 0.04;
 
 /// A motion or a linear model that is not written, or not to its end.
 #[derive(Debug)]
@@ -33,6 +37,8 @@ pub(crate) struct Motion<'a> {
     run: RunSettings,
     output: Option<&'a Path>,
     events: Option<&'a Path>,
+    /// The system if the motion is filmed.
+    filmed: Option<DeclaredSystem>,
 }
 
 impl<'a> Motion<'a> {
@@ -46,8 +52,33 @@ impl<'a> Motion<'a> {
         system: &mut DeclaredSystem,
     ) -> Result<Self, Failure> {
         check_format(output, &FORMATS)?;
+        Motion::of(settings, output, system)
+    }
+
+    /// Understands settings of a film, and sets the parameters of the system, whose drawing is
+    /// known.
+    ///
+    /// # Errors
+    /// The first setting that makes no sense.
+    pub(crate) fn filmed(
+        settings: &'a Settings,
+        output: Option<&'a Path>,
+        system: &mut DeclaredSystem,
+    ) -> Result<Self, Failure> {
+        let is_in_space = system.programs().drawing.as_ref().is_some_and(|drawing| drawing.is_in_space);
+        check_format(output, &FILMS[usize::from(is_in_space)])?;
+        let mut motion = Motion::of(settings, output, system)?;
+        motion.run.every.get_or_insert(PICTURE);
+        Ok(Motion { filmed: Some(system.clone()), ..motion })
+    }
+
+    fn of(
+        settings: &'a Settings,
+        output: Option<&'a Path>,
+        system: &mut DeclaredSystem,
+    ) -> Result<Self, Failure> {
         set(&settings.values, system)?;
-        let until = end(settings)?;
+        let until = end(settings.until.as_deref())?;
         if settings.has_energy && system.programs().product(Product::Energy).is_none() {
             return Err(Failure::Usage("--energy: the declaration excludes the energy".to_owned()));
         }
@@ -59,7 +90,7 @@ impl<'a> Motion<'a> {
             method: method(settings)?,
             has_energy: settings.has_energy,
         };
-        Ok(Motion { run, output, events: settings.events.as_deref() })
+        Ok(Motion { run, output, events: settings.events.as_deref(), filmed: None })
     }
 }
 
@@ -67,9 +98,9 @@ impl<'a> Motion<'a> {
 ///
 /// # Errors
 /// If it is missing or makes no sense.
-pub(crate) fn end(settings: &Settings) -> Result<f64, Failure> {
+pub(crate) fn end(until: Option<&str>) -> Result<f64, Failure> {
     let missing = || Failure::Usage("the end is missing: write `--until 10`".to_owned());
-    time("until", settings.until.as_deref().ok_or_else(missing)?)
+    time("until", until.ok_or_else(missing)?)
 }
 
 /// Returns the method with its settings.
@@ -213,6 +244,7 @@ impl Motion<'_> {
         motion: &Trajectory<DynamicSystem<CAPACITY>>,
     ) -> Result<(), String> {
         match (self.output, self.output.and_then(extension)) {
+            _ if self.filmed.is_some() => self.film(motion)?,
             (None, _) => motion.write_csv(io::stdout().lock()).map_err(|error| error.to_string())?,
             (Some(path), Some("csv")) => motion.save_csv(path).map_err(|error| error.to_string())?,
             (Some(path), Some("parquet")) => motion.save_parquet(path).map_err(|error| error.to_string())?,
@@ -223,6 +255,27 @@ impl Motion<'_> {
                 save_bytes(path, events(motion)).map_err(|error| format!("{}: {error}", path.display()))
             }
             None => Ok(()),
+        }
+    }
+}
+
+impl Motion<'_> {
+    /// Writes the film of a motion.
+    fn film<const CAPACITY: usize>(
+        &self,
+        motion: &Trajectory<DynamicSystem<CAPACITY>>,
+    ) -> Result<(), String> {
+        let Some(system) = &self.filmed else { return Ok(()) };
+        let states = motion.iter().map(|(_, state)| state).collect::<Vec<_>>();
+        let film = DeclaredFilm::new(system, motion.times(), states.iter().map(AsRef::as_ref));
+        let film = film.and_then(|film| match motion.column("energy") {
+            Some(energy) => film.with_column("energy", energy),
+            None => Ok(film),
+        });
+        let film = film.map_err(|error| error.to_string())?;
+        match self.output {
+            Some(path) => film.save(path).map_err(|error| error.to_string()),
+            None => io::stdout().lock().write_all(film.html().as_bytes()).map_err(|error| error.to_string()),
         }
     }
 }

@@ -7,8 +7,7 @@ use lagrange_core::limits::MAX_FILE_BYTES;
 use lagrange_core::tables::decoded;
 use lagrange_dynamic::Source;
 
-/// Name of the standard input.
-const STANDARD_INPUT: &str = "-";
+use crate::arguments::STANDARD_INPUT;
 
 /// Reads a file, or the standard input for `-`.
 ///

@@ -219,5 +219,5 @@ fn documented_commands_print_what_the_page_shows() {
             found += 1;
         }
     }
-    assert_eq!(found, 5);
+    assert_eq!(found, 7);
 }

@@ -13,7 +13,9 @@ use crate::refusal::{NoSuchName, Refusal, StartError};
 use crate::system::DynamicSystem;
 
 /// Room for entries of a state.
-const CAPACITIES: [usize; 3] = [8, 32, 128];
+const CAPACITIES: [usize; 3] = [8, 32, LARGEST];
+/// Room for the entries of every state.
+pub(crate) const LARGEST: usize = 128;
 
 /// A system that was read at run time, with values for its parameters and inputs.
 #[derive(Clone, Debug)]
@@ -120,11 +122,11 @@ impl DeclaredSystem {
         match room(self.programs()) {
             entries if entries <= small => visitor.visit(&self.dynamic::<{ CAPACITIES[0] }>()),
             entries if entries <= middle => visitor.visit(&self.dynamic::<{ CAPACITIES[1] }>()),
-            _ => visitor.visit(&self.dynamic::<{ CAPACITIES[2] }>()),
+            _ => visitor.visit(&self.dynamic::<LARGEST>()),
         }
     }
 
-    fn dynamic<const CAPACITY: usize>(&self) -> DynamicSystem<CAPACITY> {
+    pub(crate) fn dynamic<const CAPACITY: usize>(&self) -> DynamicSystem<CAPACITY> {
         DynamicSystem::new(self.numeric.clone(), self.names)
     }
 }
@@ -144,6 +146,6 @@ fn check(programs: &Programs) -> Result<(), Refusal> {
     if !functions.is_empty() {
         return Err(Refusal::Functions(functions.iter().map(Opaque::rust_name).collect()));
     }
-    let (entries, most) = (room(programs), CAPACITIES[CAPACITIES.len() - 1]);
+    let (entries, most) = (room(programs), LARGEST);
     if entries > most { Err(Refusal::TooLarge { entries, most }) } else { Ok(()) }
 }

@@ -46,11 +46,15 @@ mod constraints;
 mod declared;
 #[cfg(feature = "ensemble")]
 mod ensemble;
+#[cfg(feature = "draw")]
+mod film;
 #[cfg(feature = "fit")]
 mod fit;
 #[cfg(feature = "fit")]
 mod fixed;
 mod inline;
+#[cfg(feature = "draw")]
+mod items;
 mod linearised;
 mod mechanics;
 mod method;
@@ -60,16 +64,24 @@ mod refusal;
 mod run;
 mod source;
 mod system;
+#[cfg(feature = "trade")]
+mod trade;
 
 pub use analysis::{AnalysisError, FoundEquilibrium, SearchSettings};
 pub use declared::{DeclaredSystem, Visitor};
 #[cfg(feature = "ensemble")]
 pub use ensemble::{EnsembleEnds, EnsembleError, EnsembleSettings, FailedMotion};
+#[cfg(feature = "draw")]
+pub use film::{DeclaredFilm, title};
 #[cfg(feature = "fit")]
 pub use fit::{FitFailure, FitSettings, FoundFit};
 pub use inline::{Inline, Rows};
+#[cfg(feature = "draw")]
+pub use items::{NumberedSpace, Numbers, connector, visit_items};
 pub use method::{MethodChoice, MethodError};
 pub use refusal::{NoSuchName, Refusal, StartError};
 pub use run::RunSettings;
 pub use source::Source;
 pub use system::DynamicSystem;
+#[cfg(feature = "trade")]
+pub use trade::trade;

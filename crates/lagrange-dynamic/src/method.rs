@@ -11,7 +11,7 @@ use crate::system::DynamicSystem;
 /// Tolerated error of a step if none is given.
 const TOLERANCE: f64 = 1e-9;
 /// Names of the methods.
-const NAMES: [&str; 4] = ["verner", "radau", "rk4", "gauss"];
+pub(crate) const NAMES: [&str; 4] = ["verner", "radau", "rk4", "gauss"];
 
 /// A method of integration with its settings.
 #[derive(Clone, Copy, PartialEq, Debug)]

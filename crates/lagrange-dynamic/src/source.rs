@@ -1,6 +1,7 @@
 //! Texts that hold a declaration, alone or in `lagrange::system! { … }`.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use lagrange_core::derive::StrategyChoice;
@@ -56,6 +57,22 @@ impl Source {
     /// All mistakes, and the reason why there are no derivatives, as with clocks.
     pub fn linearised(&self) -> Result<Derived, Report> {
         self.system_with("system_matrix")?.derive(StrategyChoice::Cheapest)
+    }
+
+    /// Returns the paths of all files that the declaration includes, also of those that cannot be
+    /// read; each once.
+    pub fn included(&self) -> Vec<PathBuf> {
+        let paths = RefCell::new(Vec::new());
+        let table = |path: &str| {
+            let full = self.folder.join(path);
+            if !paths.borrow().contains(&full) {
+                paths.borrow_mut().push(full);
+            }
+            files::read(&self.folder, path)
+        };
+        // Mistakes are those of the command that reads the declaration.
+        drop(parse_with(&without_macro(&self.text), &table));
+        paths.into_inner()
     }
 
     fn parsed(&self, text: &str) -> Result<System, Report> {

@@ -20,17 +20,17 @@
 #![forbid(unsafe_code)]
 
 mod error;
-mod items;
 mod model;
 mod scene;
 
 use lagrange_c::Script;
 use lagrange_core::pipeline::{NumericSystem, Programs};
 use lagrange_draw::PAGE_STYLE;
+use lagrange_dynamic::title;
 
 pub use error::PageError;
 
-use model::{model, title};
+use model::model;
 use scene::{Shown, shown};
 
 const STYLE: &str = include_str!("page.css");

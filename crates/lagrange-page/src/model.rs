@@ -8,21 +8,6 @@ use lagrange_core::syntax::ast::Direction;
 use lagrange_plot::notation::Columns;
 use serde_json::{Value, json};
 
-/// Returns the name of a struct as words: `Double pendulum` for `DoublePendulum`.
-pub(crate) fn title(name: &str) -> String {
-    let mut title = String::new();
-    let mut was_lower = false;
-    for letter in name.chars() {
-        let begins = letter.is_uppercase() && was_lower;
-        was_lower = letter.is_lowercase() || letter.is_ascii_digit();
-        match begins {
-            true => title.extend([' '].into_iter().chain(letter.to_lowercase())),
-            false => title.push(if letter == '_' { ' ' } else { letter }),
-        }
-    }
-    title
-}
-
 /// Returns all that the page knows of a system beside its functions and its scene.
 pub(crate) fn model(system: &NumericSystem, start: &[f64]) -> Value {
     let programs = system.programs();
@@ -152,7 +137,7 @@ fn events(programs: &Programs) -> Vec<Value> {
 
 #[cfg(test)]
 mod tests {
-    use super::{range, title};
+    use super::range;
 
     #[test]
     fn sliders_stay_within_bounds() {
@@ -161,13 +146,5 @@ mod tests {
         assert_eq!(range(-0.5, [None, Some((0.0, true))]), [-1.0, 0.0]);
         assert_eq!(range(0.0, [Some((0.0, true)), None]), [0.0, 2.0]);
         assert_eq!(range(9.81, [None, Some((1e9, true))]), [0.0, 19.62]);
-    }
-
-    #[test]
-    fn titles_are_words() {
-        assert_eq!(
-            ["DoublePendulum", "four_bar", "Top2", "RLC"].map(title),
-            ["Double pendulum", "four bar", "Top2", "RLC"]
-        );
     }
 }

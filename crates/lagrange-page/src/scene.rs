@@ -3,11 +3,10 @@
 use lagrange_core::bodies::DrawnKind;
 use lagrange_core::pipeline::{DrawnScene, NumericSystem, PlacedItem, PlacedPart};
 use lagrange_draw::{DrawError, LiveMesh, LiveScene, body_colour, is_made_up};
+use lagrange_dynamic::{connector, visit_items};
 use lagrange_plot::label::Label;
 use lagrange_plot::notation::formula;
 use serde_json::{Value, json};
-
-use crate::items::{Numbers, connector};
 
 const PLANE: &str = include_str!("plane.js");
 const SPACE: &str = include_str!("space.js");
@@ -76,10 +75,7 @@ fn plain(name: &str) -> String {
 fn in_space(system: &NumericSystem, drawing: &DrawnScene, start: &[f64]) -> Result<Shown, DrawError> {
     let (q, v) = start.split_at(system.programs().layout.positions.min(start.len()));
     let values = system.evaluate(&drawing.program, 0.0, q, v);
-    let live = LiveScene::new(|visit| {
-        let mut numbers = Numbers(&values);
-        drawing.items.iter().for_each(|item| numbers.item(item, visit));
-    })?;
+    let live = LiveScene::new(|visit| visit_items(&drawing.items, &values, visit))?;
     let places = Places::of(drawing);
     let things = live.meshes.iter().map(|mesh| places.thing(*mesh)).collect::<Vec<_>>();
     let space = serde_json::from_str::<Value>(&live.space).unwrap_or_default();

@@ -22,6 +22,16 @@ impl PyColumns {
         &self.columns[0]
     }
 
+    /// Returns the place of a column.
+    ///
+    /// # Errors
+    /// `KeyError` if there is none of this name.
+    pub(crate) fn place(&self, name: &str) -> PyResult<usize> {
+        self.names.iter().position(|known| known == name).ok_or_else(|| {
+            PyKeyError::new_err(format!("there is no column `{name}`; there are {}", self.names.join(", ")))
+        })
+    }
+
     /// Returns all columns as the `DataFrame` of a module.
     fn frame<'py>(&self, py: Python<'py>, module: &str) -> PyResult<Bound<'py, PyAny>> {
         py.import(module)?.getattr("DataFrame")?.call1((self.columns(py)?,))
@@ -69,12 +79,6 @@ impl PyColumns {
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        match self.names.iter().position(|known| known == name) {
-            Some(index) => Ok(self.columns[index].to_pyarray(py)),
-            None => Err(PyKeyError::new_err(format!(
-                "there is no column `{name}`; there are {}",
-                self.names.join(", ")
-            ))),
-        }
+        Ok(self.columns[self.place(name)?].to_pyarray(py))
     }
 }

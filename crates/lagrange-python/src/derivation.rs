@@ -16,6 +16,8 @@ use crate::error::declaration_error;
 pub(crate) struct Derivatives {
     linearised: OnceLock<DeclaredSystem>,
     differentiated: OnceLock<DeclaredSystem>,
+    parametric: OnceLock<DeclaredSystem>,
+    drawn: OnceLock<DeclaredSystem>,
 }
 
 impl Derivatives {
@@ -37,6 +39,30 @@ impl Derivatives {
         system: &DeclaredSystem,
     ) -> PyResult<DeclaredSystem> {
         with_product(py, &self.differentiated, (source, "jacobian"), system)
+    }
+
+    /// Returns the system with the derivatives of its rates by parameters and inputs.
+    pub(crate) fn parametric(
+        &self,
+        py: Python<'_>,
+        source: &Source,
+        system: &DeclaredSystem,
+    ) -> PyResult<DeclaredSystem> {
+        with_product(py, &self.parametric, (source, "parameter_jacobian"), system)
+    }
+
+    /// Returns the system with what there is to draw.
+    ///
+    /// # Errors
+    /// `ValueError` if it has no bodies.
+    pub(crate) fn drawn(
+        &self,
+        py: Python<'_>,
+        source: &Source,
+        system: &DeclaredSystem,
+    ) -> PyResult<DeclaredSystem> {
+        let without = |_| PyValueError::new_err("a film needs bodies, and the declaration has none");
+        with_product(py, &self.drawn, (source, "drawing"), system).map_err(without)
     }
 }
 

@@ -11,6 +11,7 @@ mod error;
 mod fit;
 mod linear;
 mod motion;
+mod picture;
 mod simulation;
 mod system;
 mod values;
@@ -24,6 +25,8 @@ fn contents(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<system::PySystem>()?;
     module.add_class::<columns::PyColumns>()?;
     module.add_class::<motion::PyTrajectory>()?;
+    module.add_class::<picture::PyPlot>()?;
+    module.add_class::<picture::PyFilm>()?;
     module.add_class::<ensemble::PyEnsemble>()?;
     module.add_class::<fit::PyFit>()?;
     module.add_class::<linear::PyEquilibrium>()?;

@@ -7,6 +7,7 @@ use pyo3::types::{PyDict, PyDictMethods};
 use pyo3::{Bound, PyRef, PyResult, Python, pyclass, pymethods};
 
 use crate::columns::PyColumns;
+use crate::picture::PyPlot;
 
 /// A motion: columns by name, and events.
 #[pyclass(name = "Trajectory", module = "lagrange", extends = PyColumns, frozen)]
@@ -76,6 +77,15 @@ impl PyTrajectory {
         let event =
             |(name, time, state): &(String, f64, Vec<f64>)| (name.clone(), *time, state.to_pyarray(py));
         self.events.iter().map(event).collect()
+    }
+
+    /// Plots columns, by default the state, each in a panel.
+    #[pyo3(signature = (*names, x="t"))]
+    fn plot(slf: PyRef<'_, Self>, names: Vec<String>, x: &str) -> PyResult<PyPlot> {
+        let columns = slf.as_super();
+        let state = || columns.names[1..=columns.entries].to_vec();
+        let names = if names.is_empty() { state() } else { names };
+        PyPlot::new(columns, &slf.units, &names, x)
     }
 
     fn __repr__(slf: PyRef<'_, Self>) -> String {

@@ -1,5 +1,6 @@
 //! Declared systems.
 
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -7,18 +8,22 @@ use lagrange_c::Module;
 use lagrange_core::model::Product;
 use lagrange_core::pipeline::Derived;
 use lagrange_dynamic::{
-    DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings, Source,
+    DeclaredFilm, DeclaredSystem, EnsembleSettings, FitSettings, MethodChoice, RunSettings, SearchSettings,
+    Source,
 };
 use numpy::{PyArray1, PyArray2, PyArrayMethods, ToPyArray};
 use pyo3::exceptions::{PyKeyError, PyOSError, PyTypeError, PyValueError};
 use pyo3::types::{PyAnyMethods, PyDict, PyDictMethods};
-use pyo3::{Bound, Py, PyAny, PyResult, Python, pyclass, pymethods};
+use pyo3::{Bound, Py, PyAny, PyRef, PyResult, Python, pyclass, pymethods};
+use quote::quote;
 
 use crate::derivation::{Derivatives, copy_values, derive, runnable};
 use crate::ensemble::{PyEnsemble, motions};
+use crate::error::declaration_error;
 use crate::fit::{self, PyFit};
 use crate::linear::{PyEquilibrium, PyLinearModel};
 use crate::motion::PyTrajectory;
+use crate::picture::PyFilm;
 use crate::simulation::{DrivenRun, FreeRun};
 use crate::values::{check_values, pairs, start_of};
 
@@ -125,6 +130,27 @@ impl PySystem {
         system.numeric().evaluate(program, t, q, v).to_pyarray(py).reshape([y.len(), y.len()])
     }
 
+    /// Derivatives of the rates by the parameters.
+    fn parameter_jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        self.by_fields(py, t, &y, |parameters| 0..parameters)
+    }
+
+    /// Derivatives of the rates by the inputs.
+    fn input_jacobian<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: Vec<f64>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let fields = self.declared.variables().fields.len();
+        self.by_fields(py, t, &y, |parameters| parameters..fields)
+    }
+
     fn outputs<'py>(&self, py: Python<'py>, t: f64, y: Vec<f64>) -> PyResult<Bound<'py, PyDict>> {
         let (q, v) = self.parts(&y)?;
         let outputs = PyDict::new(py);
@@ -171,6 +197,33 @@ impl PySystem {
                 "`inputs` must be a function of time and state; set constants by `with_parameters`",
             )),
         }
+    }
+
+    /// Returns the film of a motion with the parameters of this system.
+    #[pyo3(signature = (motion, *, energy=true, height=640))]
+    fn film(
+        &self,
+        py: Python<'_>,
+        motion: PyRef<'_, PyTrajectory>,
+        energy: bool,
+        height: u32,
+    ) -> PyResult<PyFilm> {
+        let columns = motion.as_super();
+        if columns.names[1..=columns.entries] != self.declared.state_names() {
+            return Err(PyValueError::new_err("the motion is that of another system"));
+        }
+        let states = (0..columns.times().len()).map(|row| {
+            columns.columns[1..=columns.entries].iter().map(|column| column[row]).collect::<Vec<_>>()
+        });
+        let (states, system) =
+            (states.collect::<Vec<_>>(), self.derivatives.drawn(py, &self.source, &self.declared)?);
+        let film = DeclaredFilm::new(&system, columns.times(), states.iter().map(Vec::as_slice));
+        let film = film.and_then(|film| match columns.place("energy") {
+            Ok(place) if energy => film.with_column("energy", &columns.columns[place]),
+            _ => Ok(film),
+        });
+        let film = film.map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(PyFilm::new(film, height))
     }
 
     #[pyo3(signature = (starts=None, *, until, parameters=None, begin=0.0, method=None, tolerance=None, step=None, threads=None))]
@@ -269,6 +322,14 @@ impl PySystem {
         Ok((module.header, module.source))
     }
 
+    /// The code that the macro of Rust emits.
+    fn rust(&self, py: Python<'_>) -> PyResult<String> {
+        let items = self.derived(py)?.emit(&quote!(::lagrange));
+        let items = items.map_err(|report| declaration_error(py, &report))?;
+        let file = syn::parse2(items).map_err(|error| PyValueError::new_err(error.to_string()))?;
+        Ok(prettyplease::unparse(&file))
+    }
+
     fn __repr__(&self) -> String {
         format!("<System of {}>", self.declared.state_names().join(", "))
     }
@@ -289,6 +350,30 @@ impl PySystem {
     fn with_derivatives(&self, py: Python<'_>) -> PyResult<DeclaredSystem> {
         self.check_values()?;
         self.derivatives.linearised(py, &self.source, &self.declared)
+    }
+
+    /// The derivatives of the rates by some of parameters and inputs, of which parameters come
+    /// first.
+    fn by_fields<'py>(
+        &self,
+        py: Python<'py>,
+        t: f64,
+        y: &[f64],
+        chosen: impl Fn(usize) -> Range<usize>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let (q, v) = self.parts(y)?;
+        let (count, parameters) =
+            (self.declared.variables().fields.len(), self.declared.programs().layout.parameters);
+        let columns = chosen(parameters);
+        if columns.is_empty() {
+            return Ok(PyArray2::zeros(py, [y.len(), 0], false));
+        }
+        let system = self.derivatives.parametric(py, &self.source, &self.declared)?;
+        let program = system.programs().parameter_jacobian.as_ref();
+        let program = program.ok_or_else(|| PyValueError::new_err("the rates have no derivatives"))?;
+        let entries = system.numeric().evaluate(program, t, q, v);
+        let rows = entries.chunks(count).flat_map(|row| row[columns.clone()].to_vec());
+        PyArray1::from_iter(py, rows).reshape([y.len(), columns.len()])
     }
 
     fn derived(&self, py: Python<'_>) -> PyResult<Derived> {

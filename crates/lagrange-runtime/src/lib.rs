@@ -21,6 +21,7 @@
 //! | `orbits` (feature `linear`) | periodic orbits, Lyapunov exponents |
 //! | `fit` (feature) | parameters from data |
 //! | `ensemble` (feature) | many motions |
+//! | `trade` (feature) | the cost of accuracy, by method |
 #![no_std]
 #![deny(unsafe_code)]
 
@@ -55,5 +56,7 @@ mod spread;
 pub mod system;
 pub mod table;
 mod tolerance;
+#[cfg(feature = "trade")]
+pub mod trade;
 
 pub use crate::scalar::{Number, Portable, Scalar};

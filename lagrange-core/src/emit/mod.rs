@@ -21,7 +21,7 @@ pub use base::sides::{NamedRoots, on_sides};
 pub use base::size::{report_hopeless_model, report_too_many};
 pub use base::statements::statements;
 pub use diagnostics::diagnostics;
-pub use features::jacobian::by_state;
+pub use features::jacobian::{by_fields, by_state};
 pub use features::linearised::{by_state_and_inputs, system_matrix};
 pub use features::reduced::{conversions, reduced_declarations};
 pub use skeleton::skeleton;

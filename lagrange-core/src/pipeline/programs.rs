@@ -9,7 +9,9 @@ use super::drawn::{DrawnScene, placed_items};
 use super::phases::DerivedPart;
 use super::system::Derived;
 use crate::derive::Equations;
-use crate::emit::{NamedRoots, Variables, by_state, by_state_and_inputs, on_sides, system_matrix, variables};
+use crate::emit::{
+    NamedRoots, Variables, by_fields, by_state, by_state_and_inputs, on_sides, system_matrix, variables,
+};
 use crate::model::{Action, Assignment, Bound, Clock, Event, Model, Product, Speed};
 use lagrange_algebra::calculus::gradient;
 use lagrange_algebra::program::{Labels, NewtonProgram, Op, Program, lower, optimise};
@@ -77,6 +79,8 @@ pub struct Programs {
     pub products: Vec<(Product, Program)>,
     /// ∂ẏ/∂y in rows, if it is requested.
     pub jacobian: Option<Program>,
+    /// Derivatives of the rates by parameters, then by inputs, in rows, if they are requested.
+    pub parameter_jacobian: Option<Program>,
     /// Derivatives of the rates, then of the outputs, by the state, then by the inputs, in rows, if
     /// the system matrix is requested.
     pub linearised: Option<Program>,
@@ -210,6 +214,7 @@ impl Programs {
             .start
             .iter()
             .chain(&self.jacobian)
+            .chain(&self.parameter_jacobian)
             .chain(&self.linearised)
             .chain(&self.system_matrix)
             .chain(self.drawing.iter().map(|drawing| &drawing.program))
@@ -300,6 +305,8 @@ impl<'a> Lowering<'a> {
             clocks,
             products: self.products(),
             jacobian: self.derivatives(Product::Jacobian, |model, _, rows| by_state(model, rows)),
+            parameter_jacobian: self
+                .derivatives(Product::ParameterJacobian, |model, _, rows| by_fields(model, rows)),
             linearised: self.derivatives(Product::SystemMatrix, by_state_and_inputs),
             system_matrix: self.derivatives(Product::SystemMatrix, system_matrix),
             outputs: self.outputs(),

@@ -26,7 +26,7 @@ where
     /// If there are more than 100 000 pictures, or one cannot be made, as for
     /// [`pictures`](Drawing::pictures).
     pub fn film(&self, trajectory: &Trajectory<M>) -> Result<Film<M::Space>, DrawError> {
-        let film = self.film_of_shots(&samples(trajectory, self.system())?)?;
+        let film = self.recorded(&samples(trajectory, self.system())?)?;
         if trajectory.column(ENERGY).is_some() { film.with_columns(trajectory, &[ENERGY]) } else { Ok(film) }
     }
 
@@ -43,7 +43,20 @@ where
         pictures_a_second: f64,
         trajectory: &Trajectory<M>,
     ) -> Result<Film<M::Space>, DrawError> {
-        self.film_of_shots(&samples_at(pictures_a_second, trajectory, self.system())?)
+        self.recorded(&samples_at(pictures_a_second, trajectory, self.system())?)
+    }
+
+    /// Creates a film of these times and states, such as recorded data. Times rise or fall
+    /// throughout, and forces are those of the inputs that the system has.
+    ///
+    /// # Errors
+    /// If there are more than 100 000 pictures, or one cannot be made, as for
+    /// [`pictures`](Drawing::pictures).
+    pub fn film_of(
+        &self,
+        states: impl IntoIterator<Item = (M::Scalar, M::State)>,
+    ) -> Result<Film<M::Space>, DrawError> {
+        self.timed_film(states.into_iter().map(|instant| (instant.0.into(), instant)))
     }
 
     /// Creates a film of times and states, each with the second of the film at which it is shown.
@@ -53,7 +66,7 @@ where
     /// # Errors
     /// If seconds neither rise nor fall throughout, there are more than 100 000 pictures, or one
     /// cannot be made.
-    pub fn film_of(
+    pub fn timed_film(
         &self,
         moments: impl IntoIterator<Item = (f64, (M::Scalar, M::State))>,
     ) -> Result<Film<M::Space>, DrawError> {
@@ -63,7 +76,7 @@ where
         Ok(Film { recording: M::Space::record(self, &shots)?, timeline: Timeline::new(seconds)? })
     }
 
-    pub(crate) fn film_of_shots(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
+    fn recorded(&self, shots: &[Shot<M>]) -> Result<Film<M::Space>, DrawError> {
         let recording = M::Space::record(self, shots)?;
         let times = shots.iter().map(|((t, _), _)| (*t).into()).collect();
         Ok(Film { recording, timeline: Timeline::new(times)? })

@@ -8,7 +8,7 @@ use std::vec::Vec;
 
 use super::error::EnsembleError;
 use super::plan::{SharedPlan, SharedSystem};
-use super::progress::Reporter;
+use super::progress::BatchReporter;
 use super::random::Random;
 use super::shard::Shard;
 use crate::scalar::Scalar;
@@ -37,7 +37,7 @@ pub(super) struct Batch<'a, M: MechanicalSystem> {
     pub(super) threads: Option<usize>,
     pub(super) shard: Shard,
     pub(super) motions_per_part: usize,
-    pub(super) reporter: Option<Reporter<'a>>,
+    pub(super) reporter: Option<BatchReporter<'a>>,
 }
 
 /// Some ten seconds of double pendulums on one thread; 3 MB in a file.

@@ -5,7 +5,7 @@ use std::boxed::Box;
 
 use super::batch::Batch;
 use super::plan::SharedSystem;
-use super::progress::{Done, Reporter};
+use super::progress::{BatchReporter, Done};
 use super::random::Random;
 use super::shard::Shard;
 use super::starts::Starts;
@@ -197,7 +197,7 @@ impl<'a, M: SharedSystem, K, D, P> Ensemble<'a, M, K, D, P> {
     /// that have begun then continue to their end, and
     /// [`Cancelled`](super::EnsembleError::Cancelled) is returned. Saved parts are kept.
     pub fn progress<V: Verdict>(mut self, callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
-        self.batch.reporter = Some(Reporter::new(callback));
+        self.batch.reporter = Some(BatchReporter::new(callback));
         self
     }
 

@@ -24,20 +24,20 @@ pub struct Done {
 type Callback<'a> = Box<dyn FnMut(Done) -> bool + Send + 'a>;
 
 /// A callback and when it was called.
-pub(super) struct Reporter<'a>(Mutex<(Callback<'a>, Option<Instant>)>);
+pub(super) struct BatchReporter<'a>(Mutex<(Callback<'a>, Option<Instant>)>);
 
 /// Time between two reports.
 const INTERVAL: Duration = Duration::from_millis(50);
 
-impl<'a> Reporter<'a> {
+impl<'a> BatchReporter<'a> {
     pub(super) fn new<V: Verdict>(mut callback: impl FnMut(Done) -> V + Send + 'a) -> Self {
-        Reporter(Mutex::new((Box::new(move |done| callback(done).go_on()), None)))
+        BatchReporter(Mutex::new((Box::new(move |done| callback(done).go_on()), None)))
     }
 }
 
 /// Counts motions over all threads.
 pub(super) struct Counter<'r, 'a> {
-    reporter: Option<&'r Reporter<'a>>,
+    reporter: Option<&'r BatchReporter<'a>>,
     motions: AtomicU64,
     of: u64,
     is_cancelled: AtomicBool,
@@ -46,7 +46,7 @@ pub(super) struct Counter<'r, 'a> {
 }
 
 impl<'r, 'a> Counter<'r, 'a> {
-    pub(super) fn new(reporter: Option<&'r Reporter<'a>>, of: usize) -> Self {
+    pub(super) fn new(reporter: Option<&'r BatchReporter<'a>>, of: usize) -> Self {
         let (of, is_cancelled) = (of as u64, AtomicBool::new(false));
         Counter { reporter, motions: AtomicU64::new(0), of, is_cancelled, panic: Mutex::new(None) }
     }
@@ -72,7 +72,7 @@ impl<'r, 'a> Counter<'r, 'a> {
     /// does not wait for another's report.
     pub(super) fn count(&self, motions: usize) {
         self.motions.fetch_add(motions as u64, Ordering::Relaxed);
-        let Some(Reporter(callback)) = self.reporter else { return };
+        let Some(BatchReporter(callback)) = self.reporter else { return };
         let Ok(mut callback) = callback.try_lock() else { return };
         let (call, last) = &mut *callback;
         if last.is_none_or(|last| last.elapsed() >= INTERVAL) {
@@ -86,7 +86,7 @@ impl<'r, 'a> Counter<'r, 'a> {
     /// # Errors
     /// If the callback panics.
     pub(super) fn finish(&self) -> Result<(), EnsembleError> {
-        if let Some(Reporter(callback)) = self.reporter {
+        if let Some(BatchReporter(callback)) = self.reporter {
             let mut callback = callback.lock().unwrap_or_else(PoisonError::into_inner);
             self.tell(&mut callback.0);
         }

@@ -3,11 +3,21 @@
 use super::current::Current;
 use super::events::Events;
 use super::steps::{Run, Sink, Turn};
-use crate::integrate::{IntegrationError, Method, Outcome, Stepper, explained};
+use crate::integrate::{IntegrationError, Method, Outcome, Stepper, Work, explained};
 use crate::system::OdeSystem;
 
-/// Goes from a start to the end, or to where an event stops the run, and returns time and state
-/// there.
+/// The end of a run of which nothing else is kept.
+#[derive(Clone, Copy, Debug)]
+pub struct RunEnd<S, Y> {
+    /// Time of the end, or of the event that stopped the run.
+    pub time: S,
+    /// State at that time.
+    pub state: Y,
+    /// Work of the run.
+    pub work: Work,
+}
+
+/// Goes from a start to the end, or to where an event stops the run.
 ///
 /// `observe` sees the start, the end of every step, and both states of an event that replaces one
 /// by another.
@@ -18,7 +28,7 @@ pub(super) fn drive<M, K, E>(
     method: &K,
     events: impl FnOnce(&M, &M::State) -> E,
     mut observe: impl FnMut(M::Scalar, &M::State),
-) -> Outcome<M, (M::Scalar, M::State)>
+) -> Outcome<M, RunEnd<M::Scalar, M::State>>
 where
     M: OdeSystem,
     K: Method<M>,
@@ -39,12 +49,12 @@ where
     let mut run = Run::new(&mut current, stepper, events, (t0, t_end), &[]);
     while !run.is_over() {
         match run.next(&mut sink, None) {
-            Ok(Turn::Stopped(time, state)) => return Ok((time, state)),
+            Ok(Turn::Stopped(time, state)) => return Ok(RunEnd { time, state, work: run.work() }),
             Ok(Turn::GoesOn | Turn::Cancelled) => {}
             Err(error) => return Err(explain(error, run.system())),
         }
     }
-    Ok((t_end, *run.state()))
+    Ok(RunEnd { time: t_end, state: *run.state(), work: run.work() })
 }
 
 /// A function that sees times and states.

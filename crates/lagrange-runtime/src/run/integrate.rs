@@ -1,7 +1,7 @@
 //! From a start to an end without keeping anything.
 
 use super::declared::DeclaredEvents;
-use super::drive::drive;
+use super::drive::{RunEnd, drive};
 use super::events::NoEvents;
 use crate::integrate::{Method, Outcome};
 use crate::system::OdeSystem;
@@ -53,9 +53,27 @@ where
     M: OdeSystem,
     K: Method<M>,
 {
+    arrive(system, (t0, y0), t_end, method, observe).map(|end| end.state)
+}
+
+/// Integrates as [`integrate`] does, and returns more about the end.
+///
+/// # Errors
+/// If the method fails, with the last good state.
+pub fn arrive<M, K>(
+    system: &M,
+    (t0, y0): (M::Scalar, M::State),
+    t_end: M::Scalar,
+    method: &K,
+    observe: impl FnMut(M::Scalar, &M::State),
+) -> Outcome<M, RunEnd<M::Scalar, M::State>>
+where
+    M: OdeSystem,
+    K: Method<M>,
+{
     if system.events().is_empty() {
-        return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe).map(|(_, state)| state);
+        return drive(system, (t0, y0), t_end, method, |_, _| NoEvents, observe);
     }
     let events = |system: &M, y: &M::State| DeclaredEvents::new::<K::Stepper>(system, t0, y);
-    drive(system, (t0, y0), t_end, method, events, observe).map(|(_, state)| state)
+    drive(system, (t0, y0), t_end, method, events, observe)
 }

@@ -66,7 +66,8 @@ where
         declared: DeclaredEvents::new::<K::Stepper>(system, t0, y),
         given,
     };
-    drive(system, (t0, y0), t_end, method, events, |_, _| {})
+    let end = drive(system, (t0, y0), t_end, method, events, |_, _| {})?;
+    Ok((end.time, end.state))
 }
 
 /// E functions, and what to do at their zeros.

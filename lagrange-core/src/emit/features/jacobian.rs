@@ -82,8 +82,8 @@ fn rates_of_displacements(model: &mut Model) -> Vec<Vec<ExprId>> {
     rows
 }
 
-/// The derivatives of ẏ by parameters and inputs from the rows of the accelerations.
-pub(in crate::emit) fn by_fields(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
+/// Returns the derivatives of ẏ by parameters and inputs from the rows of the accelerations.
+pub fn by_fields(model: &mut Model, accelerations: &[ExprId]) -> Vec<ExprId> {
     let fields = model.parameters.iter().chain(&model.inputs).map(|field| field.symbol);
     let (rates, fields) = (model.position_rates(), fields.collect::<Vec<_>>());
     let mut entries = jacobian(&mut model.graph, &rates, &fields).concat();

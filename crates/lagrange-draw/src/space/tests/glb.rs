@@ -160,7 +160,7 @@ fn z_points_upwards() {
 #[test]
 fn one_moment_is_a_model_without_a_motion_and_names_are_kept() {
     let drawing = Drawing::of(&Crane).title(NAUGHTY);
-    let film = drawing.film_of_shots(&[((0.0, [0.3, 1.0]), None)]).expect("draws");
+    let film = drawing.film_of([(0.0, [0.3, 1.0])]).expect("draws");
     let file = File::of(&film);
     assert!(file.json["animations"].is_null());
     let nodes = file.json["nodes"].as_array().expect("has nodes");

@@ -21,8 +21,7 @@ fn any_title_is_written_in_every_format() {
         let film = Film::new(vec![picture], vec![0.0]).expect("is a film");
         assert_plain(&film.svg());
         assert_plain(first_picture(&film.html()));
-        let film =
-            drawing.film_of_shots(&[((0.0, [0.0, 1.0]), None), ((0.1, [0.1, 1.0]), None)]).expect("draws");
+        let film = drawing.film_of([(0.0, [0.0, 1.0]), (0.1, [0.1, 1.0])]).expect("draws");
         let film = film.with_values(&title, vec![0.0, 1.0]).expect("one for each moment");
         assert!(!film.html().contains("alert(\"1\")</script>"));
         // A header of 12 bytes and one of 8, then JSON with its length in front.

@@ -18,8 +18,8 @@ pub(super) fn crane(moments: usize) -> Film<Spatial> {
     let drawing =
         Drawing::of(&Crane).title("A crane's load").perspective().forces().velocities().axes().floor(-0.5);
     let drawing = drawing.trace("tip", |_, _, [angle, _]| [2.0 * angle.cos(), 2.0 * angle.sin(), 0.0]);
-    let shots = (0..moments).map(|k| ((0.05 * k as f64, [0.05 * k as f64, 1.0]), None)).collect::<Vec<_>>();
-    let film = drawing.film_of_shots(&shots).expect("draws");
+    let states = (0..moments).map(|k| (0.05 * k as f64, [0.05 * k as f64, 1.0]));
+    let film = drawing.film_of(states).expect("draws");
     let height = film.times().iter().map(|time| time.sin()).collect::<Vec<_>>();
     film.with_values("energy", height).expect("one for each moment")
 }
@@ -41,9 +41,8 @@ fn walk() -> Film<Spatial> {
     for (index, (name, ..)) in LEGS.iter().enumerate() {
         drawing = drawing.trace(&format!("foot_{name}"), move |_, _, [x, _]| leg(index, *x).0[2]);
     }
-    let shots =
-        (0..=600).map(|k| (f64::from(k) / 60.0, [f64::from(k) / 600.0 * 2.0, 0.2])).map(|shot| (shot, None));
-    let film = drawing.film_of_shots(&shots.collect::<Vec<_>>()).expect("draws");
+    let states = (0..=600).map(|k| (f64::from(k) / 60.0, [f64::from(k) / 600.0 * 2.0, 0.2]));
+    let film = drawing.film_of(states).expect("draws");
     let energy = film.times().iter().map(|time| 5.0 + 0.2 * (9.0 * time).sin()).collect::<Vec<_>>();
     film.with_values("energy", energy).expect("one for each moment")
 }
@@ -157,8 +156,8 @@ fn a_long_film_of_a_machine_with_four_legs_is_below_two_megabytes() {
 #[test]
 fn every_label_has_an_element_and_no_name_breaks_the_page() {
     let drawing = Drawing::of(&Crane).title(NAUGHTY).velocities().trace(NAUGHTY, |_, _, _| [1.0, 0.0, 0.0]);
-    let shots = (0..3).map(|k| ((f64::from(k), [f64::from(k), 1.0]), None)).collect::<Vec<_>>();
-    let html = drawing.film_of_shots(&shots).expect("is a film").html();
+    let states = (0..3).map(|k| (f64::from(k), [f64::from(k), 1.0]));
+    let html = drawing.film_of(states).expect("is a film").html();
     assert_eq!(html.matches("</script>").count(), 2);
     assert!(!html.contains("<!--") && html.contains("&lt;/script&gt;&lt;!--{{script}}"));
     let space = &film(&html)["space"];

@@ -5,7 +5,7 @@ use std::string::String;
 use std::vec;
 use std::vec::Vec;
 
-use super::measurement::{Measurement, Row};
+use super::measurement::{MeasuredRun, Measurement};
 use super::report::Report;
 use lagrange_plot::label::Label;
 use lagrange_plot::{Curve, Figure, Panel, Scale};
@@ -18,9 +18,10 @@ const LOST: f64 = 10.0;
 /// above, variants in the most accurate method below.
 pub(super) fn diagram(report: &Report) -> Figure {
     let first = report.rows.first();
-    let is_first =
-        |row: &Row| first.is_some_and(|first| row.scalar == first.scalar && row.variant == first.variant);
-    let is_canonical = |row: &Row| {
+    let is_first = |row: &MeasuredRun| {
+        first.is_some_and(|first| row.scalar == first.scalar && row.variant == first.variant)
+    };
+    let is_canonical = |row: &MeasuredRun| {
         let kind = first.and_then(|first| row.variant.strip_prefix(&first.variant)?.strip_prefix(", "));
         kind.is_some() && first.is_some_and(|first| row.scalar == first.scalar)
     };
@@ -38,7 +39,11 @@ pub(super) fn diagram(report: &Report) -> Figure {
 }
 
 /// Curves of the rows that are wanted, one for each name.
-fn curves(report: &Report, wanted: impl Fn(&Row) -> bool, name: impl Fn(&Row) -> String) -> Vec<Curve> {
+fn curves(
+    report: &Report,
+    wanted: impl Fn(&MeasuredRun) -> bool,
+    name: impl Fn(&MeasuredRun) -> String,
+) -> Vec<Curve> {
     let mut curves: Vec<Curve> = Vec::new();
     for (row, Measurement { error, seconds, .. }) in report.measured().filter(|(row, _)| wanted(row)) {
         // Zero has no place on a logarithmic axis.

@@ -32,9 +32,10 @@ mod report;
 
 use std::boxed::Box;
 use std::string::{String, ToString};
+use std::time::Instant;
 use std::vec::Vec;
 
-use self::contestant::{Contestant, Knob, Runner};
+use self::contestant::Contestant;
 use self::ladder::climb;
 use crate::integrate::{
     BlanesMoan4, GaussLegendre, GaussLegendre4, GaussLegendre6, ImplicitMidpoint, Method, Radau5,
@@ -43,7 +44,8 @@ use crate::integrate::{
 use crate::scalar::Number;
 use crate::system::{CanonicalSystem, OdeSystem, SeparableSystem};
 
-pub use self::measurement::{Measurement, Row};
+pub use self::contestant::Knob;
+pub use self::measurement::{MeasuredRun, Measurement};
 pub use self::report::Report;
 
 /// A motion, and all that compete for it.
@@ -58,6 +60,11 @@ pub struct Trade<'a> {
 
 /// Seconds after which finer settings of a method are not tried, unless told otherwise.
 const LONGEST: f64 = 0.2;
+/// Tolerances of the reference, of which methods of low order do not reach the finest in a sensible
+/// time.
+const FINEST: [f64; 6] = [1e-8, 1e-10, 1e-12, 1e-13, 1e-14, f64::EPSILON];
+/// A run this many times as long as others may take is the last one tried for the reference.
+const PATIENCE: f64 = 10.0;
 
 impl<'a> Trade<'a> {
     /// Creates the comparison by all methods that take any system. The motion of `system` leads
@@ -68,15 +75,20 @@ impl<'a> Trade<'a> {
         M::Scalar: Into<f64>,
     {
         let start = start.as_ref().iter().map(|component| (*component).into()).collect();
-        let trade = Trade {
+        Trade::without_methods(title, start, end.into()).variant("standard", system)
+    }
+
+    /// Creates the comparison of a motion from these entries of the state at the time zero, to
+    /// which methods are still to be added.
+    pub fn without_methods(title: &str, start: Vec<f64>, end: f64) -> Self {
+        Trade {
             title: title.to_string(),
             start,
-            end: end.into(),
+            end,
             reference: None,
             longest: LONGEST,
             contestants: Vec::new(),
-        };
-        trade.variant("standard", system)
+        }
     }
 
     /// Sets the state at the end. By default it is that of the finest run of [`Verner98`] on the
@@ -151,14 +163,14 @@ impl<'a> Trade<'a> {
             .by_step(&name, system, |step| Variational { step })
     }
 
-    /// Adds a [reduced type](crate::system!#reduced-types) of the same declaration, with steps by
+    /// Adds a reduced type of the same declaration, with steps by
     /// tolerance and without.
     ///
     /// It starts from the image of the start under `restrict`, and is judged by the image of its
     /// end under `expand`. The error of the reduction itself is therefore included.
     #[must_use]
     pub fn reduced<M>(
-        mut self,
+        self,
         name: &str,
         system: &'a M,
         restrict: impl Fn(&[f64]) -> M::State + Copy + 'a,
@@ -168,10 +180,40 @@ impl<'a> Trade<'a> {
         M: OdeSystem,
         M::Scalar: Into<f64>,
     {
-        let by_tolerance = contestant::run(system, Verner98::tolerance, restrict, expand);
-        self.push::<M>("Verner 9(8)", name, Knob::Tolerance, Box::new(by_tolerance));
-        let by_step = contestant::run(system, |step| RungeKutta4 { step }, restrict, expand);
-        self.push::<M>("Runge–Kutta 4", name, Knob::Step, Box::new(by_step));
+        self.method(name, system, Knob::Tolerance, Verner98::tolerance, (restrict, expand)).method(
+            name,
+            system,
+            Knob::Step,
+            |step| RungeKutta4 { step },
+            (restrict, expand),
+        )
+    }
+
+    /// Adds a method whose states are made from entries of the state by the first function, and
+    /// back by the second. Other methods follow from this one.
+    #[must_use]
+    pub fn method<M, K>(
+        mut self,
+        name: &str,
+        system: &'a M,
+        knob: Knob,
+        method: impl Fn(M::Scalar) -> K + 'a,
+        (restrict, expand): (impl Fn(&[f64]) -> M::State + 'a, impl Fn(&M::State) -> Vec<f64> + 'a),
+    ) -> Self
+    where
+        M: OdeSystem,
+        M::Scalar: Into<f64>,
+        K: Method<M>,
+    {
+        let title = method(M::Scalar::ONE).name();
+        let run = contestant::run(system, method, restrict, expand);
+        self.contestants.push(Contestant {
+            method: title.to_string(),
+            scalar: core::any::type_name::<M::Scalar>(),
+            variant: name.to_string(),
+            knob,
+            run: Box::new(run),
+        });
         self
     }
 
@@ -218,29 +260,14 @@ impl<'a> Trade<'a> {
         self.with(name, system, Knob::Step, method)
     }
 
-    fn with<M, K>(
-        mut self,
-        name: &str,
-        system: &'a M,
-        knob: Knob,
-        method: impl Fn(M::Scalar) -> K + 'a,
-    ) -> Self
+    fn with<M, K>(self, name: &str, system: &'a M, knob: Knob, method: impl Fn(M::Scalar) -> K + 'a) -> Self
     where
         M: OdeSystem,
         M::Scalar: Into<f64>,
         K: Method<M>,
     {
         assert_eq!(contestant::length::<M>(), self.start.len(), "{name} has a state of another length");
-        let title = method(M::Scalar::ONE).name();
-        let run = contestant::run(system, method, contestant::rounded::<M>, contestant::components::<M>);
-        self.push::<M>(title, name, knob, Box::new(run));
-        self
-    }
-
-    fn push<M: OdeSystem>(&mut self, method: &str, variant: &str, knob: Knob, run: Box<Runner<'a>>) {
-        let (method, variant) = (method.to_string(), variant.to_string());
-        let scalar = core::any::type_name::<M::Scalar>();
-        self.contestants.push(Contestant { method, scalar, variant, knob, run });
+        self.method(name, system, knob, method, (contestant::rounded::<M>, contestant::components::<M>))
     }
 
     /// Runs them all, one after the other.
@@ -259,10 +286,21 @@ impl<'a> Trade<'a> {
         Report { title: self.title.clone(), has_own_reference: self.reference.is_none(), rows }
     }
 
-    /// The end of the finest run of the first contestant.
+    /// The end of the finest run of the first method with a tolerance that reaches it.
     fn finest(&self) -> Option<Vec<f64>> {
-        let first = self.contestants.first()?;
-        (first.run)(f64::EPSILON, &self.start, self.end).ok().map(|run| run.state)
+        let mut adaptive = self.contestants.iter().filter(|contestant| contestant.knob == Knob::Tolerance);
+        adaptive.find_map(|contestant| {
+            let mut finest = None;
+            for tolerance in FINEST {
+                let began = Instant::now();
+                let run = (contestant.run)(tolerance, &self.start, self.end).ok();
+                finest = run.map(|run| run.state).or(finest);
+                if began.elapsed().as_secs_f64() > PATIENCE * self.longest {
+                    break;
+                }
+            }
+            finest
+        })
     }
 }
 

@@ -5,25 +5,25 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use crate::integrate::{Method, Stepper, Work};
+use crate::integrate::Method;
+use crate::run::{RunEnd, arrive};
 use crate::scalar::Number;
 use crate::system::{OdeSystem, StateVector};
 
-/// The setting of a method.
+/// The setting of a method that is varied.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Knob {
+pub enum Knob {
+    /// The tolerated error of a step.
     Tolerance,
+    /// The length of steps.
     Step,
 }
 
-/// The end of a run and what it took.
-pub(super) struct Run {
-    pub(super) state: Vec<f64>,
-    pub(super) work: Work,
-}
+/// The end of a run, with the entries of the state.
+pub(super) type VectorEnd = RunEnd<f64, Vec<f64>>;
 
 /// From setting, start and end to what comes of it, or why not, in words.
-pub(super) type Runner<'a> = dyn Fn(f64, &[f64], f64) -> Result<Run, String> + 'a;
+pub(super) type Runner<'a> = dyn Fn(f64, &[f64], f64) -> Result<VectorEnd, String> + 'a;
 
 /// A method on a system.
 pub(super) struct Contestant<'a> {
@@ -39,14 +39,15 @@ pub(super) fn length<M: OdeSystem>() -> usize {
     M::State::ZERO.as_ref().len()
 }
 
-/// Runs of a system from the time zero; `restrict` and `expand` lead from and to the states of the
-/// whole system.
+/// Runs of a system from the time zero, with its events; `restrict` and `expand` lead from and to
+/// the states of the whole system. The time of the end follows the state: an event may have stopped
+/// the run earlier.
 pub(super) fn run<'a, M, K>(
     system: &'a M,
     method: impl Fn(M::Scalar) -> K + 'a,
     restrict: impl Fn(&[f64]) -> M::State + 'a,
     expand: impl Fn(&M::State) -> Vec<f64> + 'a,
-) -> impl Fn(f64, &[f64], f64) -> Result<Run, String> + 'a
+) -> impl Fn(f64, &[f64], f64) -> Result<VectorEnd, String> + 'a
 where
     M: OdeSystem,
     M::Scalar: Into<f64>,
@@ -55,12 +56,11 @@ where
     move |setting, start, end| {
         let (y, end) = (restrict(start), M::Scalar::from_f64(end));
         let method = method(M::Scalar::from_f64(setting));
-        let mut stepper =
-            method.start(system, M::Scalar::ZERO, &y, end).map_err(|cause| format!("{cause}"))?;
-        while stepper.time() != end {
-            stepper.step(system, end).map_err(|cause| format!("{cause}"))?;
-        }
-        Ok(Run { state: expand(stepper.state()), work: stepper.work() })
+        let end = arrive(system, (M::Scalar::ZERO, y), end, &method, |_, _| {});
+        let end = end.map_err(|error| format!("{}", error.cause))?;
+        let time = end.time.into();
+        let state = expand(&end.state).into_iter().chain([time]).collect();
+        Ok(RunEnd { time, state, work: end.work })
     }
 }
 

@@ -5,8 +5,8 @@ use std::string::String;
 use std::time::Instant;
 use std::vec::Vec;
 
-use super::contestant::{Contestant, Knob, Run};
-use super::measurement::{Measurement, Row};
+use super::contestant::{Contestant, Knob, VectorEnd};
+use super::measurement::{MeasuredRun, Measurement};
 
 /// Tolerances from 10⁻¹ to 10⁻¹⁵, in this many rungs to the decade.
 const RUNGS_A_DECADE: i32 = 2;
@@ -29,7 +29,7 @@ pub(super) fn climb(
     end: f64,
     reference: &[f64],
     longest: f64,
-) -> Vec<Row> {
+) -> Vec<MeasuredRun> {
     let mut rows = Vec::new();
     let (mut least, mut risen) = (f64::INFINITY, 0);
     for setting in settings(contestant.knob, end) {
@@ -43,7 +43,7 @@ pub(super) fn climb(
             risen = if has_risen && least < f64::from(f32::EPSILON) { risen + 1 } else { 0 };
             found.seconds > longest || risen >= OFTEN
         });
-        rows.push(Row {
+        rows.push(MeasuredRun {
             method: contestant.method.clone(),
             scalar: contestant.scalar,
             variant: contestant.variant.clone(),
@@ -77,7 +77,7 @@ fn measure(
     end: f64,
     reference: &[f64],
 ) -> Result<Measurement, String> {
-    let mut best: Option<(f64, Run)> = None;
+    let mut best: Option<(f64, VectorEnd)> = None;
     let (mut total, mut repeats) = (0.0, 0);
     while repeats == 0 || total < LONG_ENOUGH && repeats < REPEATS {
         let began = Instant::now();

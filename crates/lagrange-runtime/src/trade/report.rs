@@ -4,7 +4,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
-use super::measurement::{Measurement, Row};
+use super::measurement::{MeasuredRun, Measurement};
 use crate::integrate::Work;
 use lagrange_files::csv_cell;
 
@@ -16,7 +16,7 @@ const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 pub struct Report {
     pub(super) title: String,
     pub(super) has_own_reference: bool,
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<MeasuredRun>,
 }
 
 impl Report {
@@ -27,12 +27,12 @@ impl Report {
 
     /// Returns all runs, in the order in which they were made; none if there was no reference and
     /// the finest run failed.
-    pub fn rows(&self) -> &[Row] {
+    pub fn rows(&self) -> &[MeasuredRun] {
         &self.rows
     }
 
     /// Returns the fastest run whose error is no more than this.
-    pub fn fastest(&self, error: f64) -> Option<(&Row, Measurement)> {
+    pub fn fastest(&self, error: f64) -> Option<(&MeasuredRun, Measurement)> {
         let good = self.measured().filter(|(_, found)| found.error <= error);
         good.min_by(|(_, a), (_, b)| a.seconds.total_cmp(&b.seconds))
     }
@@ -72,7 +72,7 @@ impl Report {
         );
         for row in &self.rows {
             let knob = if row.is_tolerance { "tolerance" } else { "step" };
-            let Row { method, scalar, setting, .. } = row;
+            let MeasuredRun { method, scalar, setting, .. } = row;
             text += &format!("{},{scalar},{},{knob},{setting:e},", csv_cell(method), csv_cell(&row.variant));
             text += &match &row.outcome {
                 Ok(Measurement { error, seconds, work }) => {
@@ -96,7 +96,7 @@ impl Report {
     }
 
     /// Runs that reached the end.
-    pub(super) fn measured(&self) -> impl Iterator<Item = (&Row, Measurement)> {
+    pub(super) fn measured(&self) -> impl Iterator<Item = (&MeasuredRun, Measurement)> {
         self.rows.iter().filter_map(|row| Some((row, *row.outcome.as_ref().ok()?)))
     }
 }

@@ -6,7 +6,7 @@ use crate::integrate::Work;
 
 /// The result of one setting of a method.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct MeasuredRun {
     /// Name of the method.
     pub method: String,
     /// The number type.

@@ -1,0 +1,128 @@
+//! Methods measured on a motion, and the one to use for a wanted error.
+
+use std::path::Path;
+
+use lagrange_dynamic::{DeclaredSystem, trade};
+use lagrange_runtime::trade::{MeasuredRun, Measurement, Report};
+
+use crate::arguments::TradeOptions;
+use crate::motions::{Failure, end, set, start, time};
+use crate::values::value;
+
+/// Errors of the table.
+const GOALS: [f64; 7] = [1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+/// Seconds that a run may take if nothing else is specified.
+const LONGEST: f64 = 0.2;
+
+/// Measures methods, sets the parameters of the system, and returns the best option for the wanted
+/// error or for several errors. All measurements are saved to a folder if there is one.
+///
+/// # Errors
+/// The first option that makes no sense, or an error that no method reaches.
+pub(crate) fn text(
+    options: &TradeOptions,
+    folder: Option<&Path>,
+    system: &mut DeclaredSystem,
+) -> Result<String, Failure> {
+    let error =
+        options.error.as_deref().map(|text| positive("error", value("--error", text, Some("1")), text));
+    let longest =
+        options.longest.as_deref().map(|text| positive("longest", Ok(time("longest", text)?), text));
+    let (error, longest) = (error.transpose()?, longest.transpose()?);
+    set(&options.values, system)?;
+    let until = end(options.until.as_deref())?;
+    if until == 0.0 {
+        return Err(Failure::Usage("--until 0: the motion has no duration".to_owned()));
+    }
+    let start = start("start", &options.values, system)?;
+    let report = trade(system, &start, until, longest.unwrap_or(LONGEST));
+    if report.rows().is_empty() {
+        let reason =
+            "no method with a tolerance reaches the end: `lagrange simulate` shows where a motion fails";
+        return Err(Failure::Ended(reason.to_owned()));
+    }
+    if let Some(folder) = folder {
+        report.save(folder).map_err(|error| Failure::File(error.to_string()))?;
+    }
+    match error {
+        Some(error) => proposal(&report, error),
+        None => Ok(table(&report)),
+    }
+}
+
+fn positive(option: &str, number: Result<f64, String>, text: &str) -> Result<f64, Failure> {
+    match number {
+        Ok(number) if number > 0.0 => Ok(number),
+        Ok(_) => Err(Failure::Usage(format!("--{option} {text}: expected a positive number"))),
+        Err(error) => Err(Failure::Usage(format!("--{option} {text}: {error}"))),
+    }
+}
+
+/// Returns the options of the fastest run with this error at most, and what it measured.
+fn proposal(report: &Report, error: f64) -> Result<String, Failure> {
+    let Some((row, found)) = report.fastest(error) else {
+        let errors = report.rows().iter().filter_map(|row| Some(row.outcome.as_ref().ok()?.error));
+        let least = errors.fold(f64::INFINITY, f64::min);
+        return Err(Failure::Ended(format!(
+            "no method reaches an error of {error:e}; the smallest is {least:.1e}"
+        )));
+    };
+    let Measurement { error, seconds, work } = found;
+    let (milliseconds, evaluations) = (1e3 * seconds, work.evaluations);
+    Ok(format!("{}\nerror {error:.1e}, {evaluations} evaluations, {milliseconds:.2} ms\n", options_of(row)))
+}
+
+/// Returns the options of the fastest run for each error.
+fn table(report: &Report) -> String {
+    let mut text =
+        format!("{:<14}{:<38}{:>8}{:>14}{:>10}\n", "error wanted", "options", "error", "evaluations", "ms");
+    for goal in GOALS {
+        text += &match report.fastest(goal) {
+            Some((row, Measurement { error, seconds, work })) => format!(
+                "{:<14}{:<38}{error:>8.1e}{:>14}{:>10.2}\n",
+                format!("{goal:.0e}"),
+                options_of(row),
+                work.evaluations,
+                1e3 * seconds
+            ),
+            None => format!("{:<14}not reached\n", format!("{goal:.0e}")),
+        };
+    }
+    text + "errors are differences to the finest run\n"
+}
+
+/// Returns the options of `lagrange simulate` for a run. Settings are rounded down, so that errors
+/// are not larger than measured.
+fn options_of(row: &MeasuredRun) -> String {
+    let knob = if row.is_tolerance { "tolerance" } else { "step" };
+    let exponent = row.setting.log10().floor();
+    // Rounding must not turn 9.99… into a digit less.
+    let digits = (row.setting / 10_f64.powf(exponent) * 10.0 + 1e-9).floor() / 10.0;
+    format!("--method {} --{knob} {digits}e{exponent}", row.variant)
+}
+
+#[cfg(test)]
+mod tests {
+    use lagrange_runtime::trade::MeasuredRun;
+
+    use super::options_of;
+
+    #[test]
+    fn settings_are_rounded_down() {
+        let options = |is_tolerance, setting| {
+            let (method, variant) = (String::new(), "rk4".to_owned());
+            options_of(&MeasuredRun {
+                method,
+                scalar: "f64",
+                variant,
+                is_tolerance,
+                setting,
+                outcome: Err(String::new()),
+            })
+        };
+        assert_eq!(options(true, 10_f64.powf(-7.5)), "--method rk4 --tolerance 3.1e-8");
+        assert_eq!(options(true, 10_f64.powf(-15.0)), "--method rk4 --tolerance 1e-15");
+        assert_eq!(options(false, 1.25), "--method rk4 --step 1.2e0");
+        assert_eq!(options(false, 0.078_125), "--method rk4 --step 7.8e-2");
+    }
+}

@@ -1,0 +1,59 @@
+//! Commands that run again whenever their files change.
+
+use std::fs;
+use std::path::PathBuf;
+use std::thread::sleep;
+use std::time::{Duration, SystemTime};
+
+use crate::arguments::Command;
+use crate::source;
+
+/// Time between two looks at the files.
+const INTERVAL: Duration = Duration::from_millis(200);
+
+/// Time of the last change and size of each file; `None` for one that cannot be read.
+type Stamps = Vec<Option<(SystemTime, u64)>>;
+
+/// Runs a command now, and again after each change of its files and of those that they include,
+/// until the process is ended. Mistakes are printed as without watching.
+pub(crate) fn watch(command: &Command) -> ! {
+    loop {
+        let files = files(command);
+        // Taken before the command reads the files: a change meanwhile is one.
+        let before = stamps(&files);
+        command.run();
+        let names = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>();
+        eprintln!("watching {}; Ctrl-C ends", names.join(", "));
+        wait_for_change(&files, &before);
+    }
+}
+
+/// Returns the files that a command reads, and those that they include.
+fn files(command: &Command) -> Vec<PathBuf> {
+    let mut files = command.inputs.clone();
+    for source in command.inputs.iter().filter_map(|path| source::read(path).ok()) {
+        files.extend(source.included());
+    }
+    files
+}
+
+fn stamps(files: &[PathBuf]) -> Stamps {
+    let stamp = |file: &PathBuf| {
+        let metadata = fs::metadata(file).ok()?;
+        Some((metadata.modified().ok()?, metadata.len()))
+    };
+    files.iter().map(stamp).collect()
+}
+
+/// Waits until files have changed, and then until they rest: editors write in several steps.
+fn wait_for_change(files: &[PathBuf], before: &Stamps) {
+    let mut last = before.clone();
+    loop {
+        sleep(INTERVAL);
+        let now = stamps(files);
+        if now == last && now != *before {
+            return;
+        }
+        last = now;
+    }
+}

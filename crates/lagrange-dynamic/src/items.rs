@@ -1,0 +1,298 @@
+//! Items to draw, from their numbers.
+
+use lagrange_core::bodies::{DrawnKind, JointForm, SpatialJointForm};
+use lagrange_core::pipeline::{PlacedItem, PlacedPart};
+use lagrange_core::syntax::ast::{ConnectorKind, MobilizerKind};
+use lagrange_runtime::body::{Motion, SpatialMotion};
+use lagrange_runtime::scene::{
+    Connector, Frame, Item, Joint, Line, Outline, Part, Plane, Solid, Space, Spatial, SpatialJoint,
+    SpatialJointKind,
+};
+
+/// A space whose items are handed out from their numbers. Bodies have no rates, which pictures need
+/// for arrows only.
+pub trait NumberedSpace: Space {
+    /// Hands out an item whose numbers come first, and leaves those of other items.
+    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Self>));
+}
+
+/// Hands out items with the numbers that their program returns.
+pub fn visit_items<D: NumberedSpace>(
+    items: &[PlacedItem],
+    numbers: &[f64],
+    visit: &mut dyn FnMut(Item<'_, f64, D>),
+) {
+    let mut numbers = Numbers(numbers);
+    items.iter().for_each(|item| D::item(item, &mut numbers, visit));
+}
+
+/// Numbers that are taken one after another; NaN beyond the last.
+#[derive(Debug)]
+pub struct Numbers<'a>(&'a [f64]);
+
+impl Numbers<'_> {
+    fn take<const COUNT: usize>(&mut self) -> [f64; COUNT] {
+        std::array::from_fn(|_| self.one())
+    }
+
+    fn one(&mut self) -> f64 {
+        let Some((first, rest)) = self.0.split_first() else { return f64::NAN };
+        self.0 = rest;
+        *first
+    }
+
+    fn rows(&mut self) -> [[f64; 3]; 3] {
+        std::array::from_fn(|_| self.take())
+    }
+
+    /// Returns the solid of a part, with its place.
+    fn solid<'p>(&mut self, part: &PlacedPart) -> Part<'p, f64, Spatial> {
+        let shape = match part.variant {
+            "SlenderRod" => Solid::SlenderRod(self.one()),
+            "Sphere" => Solid::Sphere(self.one()),
+            "Ellipsoid" => Solid::Ellipsoid(self.one(), self.one(), self.one()),
+            "Cuboid" => Solid::Cuboid(self.one(), self.one(), self.one()),
+            "Disk" => Solid::Disk(self.one()),
+            "Ring" => Solid::Ring(self.one()),
+            "Cylinder" => Solid::Cylinder(self.one(), self.one()),
+            "HollowCylinder" => Solid::HollowCylinder(self.one(), self.one(), self.one()),
+            "Cone" => Solid::Cone(self.one(), self.one()),
+            _ => Solid::PointMass,
+        };
+        Part { shape, at: self.take(), rotation: self.rows(), is_hole: part.is_hole }
+    }
+
+    /// Returns the outline of a part, with its place. Corners are those taken before.
+    fn outline<'c>(&mut self, part: &PlacedPart, corners: &'c [[f64; 2]]) -> Part<'c, f64, Plane> {
+        let shape = match part.variant {
+            "SlenderRod" => Outline::SlenderRod(self.one()),
+            "Disk" => Outline::Disk(self.one()),
+            "Annulus" => Outline::Annulus(self.one(), self.one()),
+            "Ring" => Outline::Ring(self.one()),
+            "Rectangle" => Outline::Rectangle(self.one(), self.one()),
+            "SemicircularDisk" => Outline::SemicircularDisk(self.one()),
+            "CircularSector" => Outline::CircularSector(self.one(), self.one()),
+            "RightTriangle" => Outline::RightTriangle(self.one(), self.one()),
+            "Triangle" => Outline::Triangle(self.one(), self.one(), self.one()),
+            "Ellipse" => Outline::Ellipse(self.one(), self.one()),
+            "RegularPolygon" => Outline::RegularPolygon(self.one(), self.one()),
+            "Polygon" => Outline::Polygon(corners),
+            _ => Outline::PointMass,
+        };
+        Part { shape, at: self.take(), rotation: self.one(), is_hole: part.is_hole }
+    }
+
+    /// Returns the corners of each part, and the numbers of the parts without them.
+    fn without_corners(&mut self, parts: &[PlacedPart]) -> (Vec<Vec<[f64; 2]>>, Vec<f64>) {
+        let (mut corners, mut rest) = (Vec::new(), Vec::new());
+        for part in parts {
+            let count = if part.has_corners { part.dimension_count / 2 } else { 0 };
+            corners.push((0..count).map(|_| self.take()).collect());
+            // The place of the part takes three.
+            let others = 3 + if part.has_corners { 0 } else { part.dimension_count };
+            rest.extend((0..others).map(|_| self.one()));
+        }
+        (corners, rest)
+    }
+}
+
+impl NumberedSpace for Plane {
+    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64>)) {
+        match &item.kind {
+            DrawnKind::Body { .. } => {
+                let (centroid, center, angle) = (numbers.take(), numbers.take(), numbers.one());
+                let none = [0.0; 2];
+                let motion = Motion {
+                    mass: 0.0,
+                    inertia: 0.0,
+                    centroid,
+                    center,
+                    angle,
+                    velocity: none,
+                    angular_velocity: 0.0,
+                    acceleration: none,
+                    angular_acceleration: 0.0,
+                };
+                let (corners, rest) = numbers.without_corners(&item.parts);
+                let mut rest = Numbers(&rest);
+                let parts =
+                    item.parts.iter().zip(&corners).map(|(part, corners)| rest.outline(part, corners));
+                visit(Item::Body { name: &item.body, motion, parts: &parts.collect::<Vec<_>>() });
+            }
+            DrawnKind::Line { name, body } => {
+                let (through, angle) = (numbers.take(), numbers.one());
+                visit(Item::Line(Line { name, body: body.as_deref(), through, angle }));
+            }
+            DrawnKind::Connector { name, kind } => {
+                let (from, to, tension) = (numbers.take(), numbers.take(), numbers.one());
+                visit(Item::Connector { name, kind: connector(*kind), from, to, tension });
+            }
+            DrawnKind::Joint { name, kind } => {
+                let kind = match kind {
+                    JointForm::Pin => Joint::Pin,
+                    JointForm::Anchor => Joint::Anchor,
+                    JointForm::Slide => Joint::Slide,
+                    JointForm::Roll => Joint::Roll,
+                };
+                visit(Item::Joint { name, kind, at: numbers.take() });
+            }
+            // Of space, or loads, which have no numbers here.
+            _ => {}
+        }
+    }
+}
+
+impl NumberedSpace for Spatial {
+    fn item(item: &PlacedItem, numbers: &mut Numbers<'_>, visit: &mut dyn FnMut(Item<'_, f64, Spatial>)) {
+        match &item.kind {
+            DrawnKind::Body { .. } => {
+                let (centroid, center, rotation) = (numbers.take(), numbers.take(), numbers.rows());
+                let none = [0.0; 3];
+                let motion = SpatialMotion {
+                    mass: 0.0,
+                    inertia: [none; 3],
+                    centroid,
+                    center,
+                    rotation,
+                    velocity: none,
+                    angular_velocity: none,
+                    acceleration: none,
+                    angular_acceleration: none,
+                };
+                let parts = item.parts.iter().map(|part| numbers.solid(part)).collect::<Vec<_>>();
+                visit(Item::Body { name: &item.body, motion, parts: &parts });
+            }
+            DrawnKind::Frame { name } => {
+                visit(Item::Frame(Frame { name, rotation: numbers.rows(), origin: numbers.take() }));
+            }
+            DrawnKind::Connector { name, kind } => {
+                let (from, to, tension) = (numbers.take(), numbers.take(), numbers.one());
+                visit(Item::Connector { name, kind: connector(*kind), from, to, tension });
+            }
+            DrawnKind::SpatialJoint { name, kind, links } => {
+                let (at, axis) = (numbers.take(), numbers.take());
+                let kind =
+                    SpatialJoint { kind: joint(*kind), axis, bodies: links.each_ref().map(Option::as_deref) };
+                visit(Item::Joint { name, kind, at });
+            }
+            // Of the plane, or loads, which have no numbers here.
+            _ => {}
+        }
+    }
+}
+
+/// Returns the kind of a connector as scenes call it.
+pub fn connector(kind: ConnectorKind) -> Connector {
+    match kind {
+        ConnectorKind::Spring => Connector::Spring,
+        ConnectorKind::Damper => Connector::Damper,
+        ConnectorKind::TorsionSpring => Connector::TorsionSpring,
+        ConnectorKind::TorsionDamper => Connector::TorsionDamper,
+    }
+}
+
+fn joint(form: SpatialJointForm) -> SpatialJointKind {
+    match form {
+        SpatialJointForm::Pin => SpatialJointKind::Pin,
+        SpatialJointForm::Mobilizer(kind) => match kind {
+            MobilizerKind::Revolute => SpatialJointKind::Revolute,
+            MobilizerKind::Prismatic => SpatialJointKind::Prismatic,
+            MobilizerKind::Cylindrical => SpatialJointKind::Cylindrical,
+            MobilizerKind::Screw => SpatialJointKind::Screw,
+            MobilizerKind::Universal => SpatialJointKind::Universal,
+            MobilizerKind::Planar => SpatialJointKind::Planar,
+            MobilizerKind::Ball => SpatialJointKind::Ball,
+            MobilizerKind::Free => SpatialJointKind::Free,
+            MobilizerKind::Weld => SpatialJointKind::Weld,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use lagrange_core::derive::StrategyChoice;
+    use lagrange_core::pipeline::{NumericSystem, Programs, parse};
+    use lagrange_runtime::scene::{Item, Outline, Plane, Solid, Spatial};
+
+    use super::{NumberedSpace, Numbers, visit_items};
+
+    /// Every shape in space, with the solid that draws it.
+    const SHAPES: [(&str, Solid<f64>); 11] = [
+        ("point_mass()", Solid::PointMass),
+        ("slender_rod(2)", Solid::SlenderRod(2.0)),
+        ("solid_sphere(2)", Solid::Sphere(2.0)),
+        ("thin_sphere(2)", Solid::Sphere(2.0)),
+        ("ellipsoid(2, 3, 4)", Solid::Ellipsoid(2.0, 3.0, 4.0)),
+        ("cuboid(2, 3, 4)", Solid::Cuboid(2.0, 3.0, 4.0)),
+        ("disk(2)", Solid::Disk(2.0)),
+        ("thin_ring(2)", Solid::Ring(2.0)),
+        ("solid_cylinder(2, 3)", Solid::Cylinder(2.0, 3.0)),
+        ("hollow_cylinder(2, 3, 4)", Solid::HollowCylinder(2.0, 3.0, 4.0)),
+        ("cone(2, 3)", Solid::Cone(2.0, 3.0)),
+    ];
+
+    /// Every shape in the plane but polygons, with the outline that draws it.
+    const OUTLINES: [(&str, Outline<f64>); 13] = [
+        ("point_mass()", Outline::PointMass),
+        ("slender_rod(2)", Outline::SlenderRod(2.0)),
+        ("disk(2)", Outline::Disk(2.0)),
+        ("hollow_cylinder(2, 3)", Outline::Annulus(2.0, 3.0)),
+        ("thin_ring(2)", Outline::Ring(2.0)),
+        ("rectangle(2, 3)", Outline::Rectangle(2.0, 3.0)),
+        ("semicircular_disk(2)", Outline::SemicircularDisk(2.0)),
+        ("circular_sector(2, 1)", Outline::CircularSector(2.0, 1.0)),
+        ("right_triangle(2, 3)", Outline::RightTriangle(2.0, 3.0)),
+        ("triangle(2, 3, 4)", Outline::Triangle(2.0, 3.0, 4.0)),
+        ("ellipse(2, 3)", Outline::Ellipse(2.0, 3.0)),
+        ("regular_polygon(5, 2)", Outline::RegularPolygon(5.0, 2.0)),
+        ("polygon((0, 0), (2, 0), (0, 2))", Outline::Polygon(&[[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]])),
+    ];
+
+    /// Hands out the items of a declaration at a position; no number may be left.
+    fn items<D: NumberedSpace>(text: &str, visit: &mut dyn FnMut(Item<'_, f64, D>)) {
+        let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+        let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{text}: {report}")));
+        let drawing = programs.drawing.clone().expect("a body is drawn");
+        let system = NumericSystem::of(Arc::new(programs));
+        let at = system.evaluate(&drawing.program, 0.0, &[0.5], &[0.0]);
+        visit_items(&drawing.items, &at, visit);
+        let mut numbers = Numbers(&at);
+        drawing.items.iter().for_each(|item| D::item(item, &mut numbers, &mut |_| {}));
+        assert!(numbers.0.is_empty(), "{text}: {:?}", numbers.0);
+    }
+
+    #[test]
+    fn every_solid_takes_its_own_numbers() {
+        for (shape, wanted) in SHAPES {
+            let text = format!(
+                "gravity = (0, 0, -1); body b {{ mass: 1; shape: {shape}; }} prismatic s = ground to b; emit {{ drawing }}"
+            );
+            let mut found = Vec::new();
+            items::<Spatial>(&text, &mut |item| {
+                if let Item::Body { parts, .. } = item {
+                    found.extend(parts.iter().map(|part| part.shape));
+                }
+            });
+            assert_eq!(found, [wanted], "{shape}");
+        }
+    }
+
+    #[test]
+    fn every_outline_takes_its_own_numbers() {
+        for (shape, wanted) in OUTLINES {
+            let text = format!(
+                "coord x; body b {{ mass: 1; shape: {shape}; center: (x, 3); angle: 0.25; }} emit {{ drawing }}"
+            );
+            let mut found = 0;
+            items::<Plane>(&text, &mut |item| {
+                let Item::Body { name, motion, parts } = item else { return };
+                assert_eq!((name, motion.center, motion.angle), ("b", [0.5, 3.0], 0.25));
+                assert_eq!(parts.iter().map(|part| part.shape).collect::<Vec<_>>(), [wanted], "{shape}");
+                found += 1;
+            });
+            assert_eq!(found, 1, "{shape}");
+        }
+    }
+}

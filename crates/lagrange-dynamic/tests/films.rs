@@ -1,0 +1,84 @@
+//! Films of declarations that take both ways: compiled by the macro, and read as text. Pages must
+//! be the same, byte by byte.
+
+use lagrange::Simulate;
+use lagrange::draw::{Drawing, DrawnSpace};
+use lagrange::scene::Scene;
+use lagrange_core::derive::StrategyChoice;
+use lagrange_core::pipeline::{Programs, parse};
+use lagrange_dynamic::{DeclaredFilm, DeclaredSystem};
+
+/// Compiles a declaration and keeps its text.
+macro_rules! both_ways {
+    ($System:ident = $TEXT:ident { $($statements:tt)* }) => {
+        lagrange::system! {
+            #[derive(Clone, Debug)]
+            pub(crate) struct $System;
+            $($statements)*
+        }
+        const $TEXT: &str =
+            concat!("pub(crate) struct ", stringify!($System), ";", stringify!($($statements)*));
+    };
+}
+
+// A line, a joint, a connector, a hole and a polygon.
+both_ways! {
+    SwingOnWheels = SWING_ON_WHEELS {
+        param m = 1.0, r = 0.2, l = 1.5, k = 30.0, g = 9.81;
+        coord x, phi;
+        gravity = (0, -g);
+        let turn = x / r;
+        line rail { through: (0, 0); angle: 0; }
+        body wheel { mass: m; shape: disk(r); center: (x, r); angle: -turn; }
+        body bob {
+            compound { rectangle(0.4, 0.3), mass: 2 * m; hole disk(0.1), mass: m / 10, at: (0.05, 0); }
+            center: wheel.center + l * (sin(phi), -cos(phi));
+            angle: phi;
+        }
+        body flag { mass: m / 10; shape: polygon((0, 0), (0.3, 0), (0, 0.4)); center: (x, 2 * r); angle: 0; }
+        roll wheel on rail;
+        spring leash { from: bob.center; to: (1, 1); stiffness: k; rest: 1; }
+        emit { drawing }
+    }
+}
+
+both_ways! {
+    SpinningTop = SPINNING_TOP {
+        gravity = (0, 0, -9.81);
+        body rotor { mass: 0.5; shape: cone(0.05, 0.1); }
+        body bob { mass: 0.1; shape: hollow_cylinder(0.01, 0.02, 0.05); centroid: (0, 0, -0.1); }
+        ball tip = ground to rotor;
+        revolute hinge = rotor to bob { at: (0.05, 0, 0.1); axis: (0, 1, 0); }
+        spring string { from: bob.origin; to: (0.2, 0, 0.3); stiffness: 2; rest: 0.1; }
+        emit { drawing }
+    }
+}
+
+/// Compares the pages of a motion; the state at the start are its entries in order.
+fn compare<M: Scene<Scalar = f64, Space: DrawnSpace>>(
+    text: &str,
+    compiled: &M,
+    start: M::State,
+    title: &str,
+) {
+    let derived = parse(text).and_then(|system| system.derive(StrategyChoice::Cheapest));
+    let programs = Programs::new(&derived.unwrap_or_else(|report| panic!("{report}")));
+    let system = DeclaredSystem::new(programs).unwrap_or_else(|refusal| panic!("{refusal}"));
+    let motion = compiled.simulate(start).until(0.5).every(0.05).run().expect("a motion");
+    let states = motion.iter().map(|(_, state)| state).collect::<Vec<_>>();
+    let film = DeclaredFilm::new(&system, motion.times(), states.iter().map(AsRef::as_ref)).expect("a film");
+    let wanted = Drawing::of(compiled).title(title).film(&motion).expect("a film").html();
+    assert!(wanted.len() > 10_000, "a page of {} bytes", wanted.len());
+    assert!(film.html() == wanted, "the pages of `{title}` differ");
+}
+
+#[test]
+fn films_in_the_plane_are_those_of_compiled_types() {
+    compare(SWING_ON_WHEELS, &SwingOnWheels::default(), [0.0, 0.5, 0.3, 0.0], "Swing on wheels");
+}
+
+#[test]
+fn films_in_space_are_those_of_compiled_types() {
+    let start = [1.0, 0.2, 0.0, 0.0, 0.3, 0.0, 0.0, 20.0, 0.0];
+    compare(SPINNING_TOP, &SpinningTop, start, "Spinning top");
+}

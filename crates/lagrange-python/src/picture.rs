@@ -1,0 +1,137 @@
+//! Plots and films, which notebooks show.
+
+use std::path::PathBuf;
+
+use lagrange_dynamic::DeclaredFilm;
+use lagrange_plot::label::Label;
+use lagrange_plot::notation::{self, Columns};
+use lagrange_plot::{Curve, Figure, Panel, PlotError};
+use pyo3::exceptions::{PyKeyError, PyOSError, PyValueError};
+use pyo3::{PyErr, PyResult, pyclass, pymethods};
+
+use crate::columns::PyColumns;
+
+/// Width and height of one panel, and of several.
+const WIDE: (u32, u32) = (860, 420);
+const SMALL: (u32, u32) = (480, 230);
+
+/// A plot of columns.
+#[pyclass(name = "Plot", module = "lagrange", frozen)]
+pub(crate) struct PyPlot {
+    figure: Figure,
+    svg: String,
+}
+
+impl PyPlot {
+    /// Plots columns, each in a panel of its own, over one of them.
+    ///
+    /// # Errors
+    /// `KeyError` for a column that is not there, `ValueError` if there is nothing to plot.
+    pub(crate) fn new(
+        columns: &PyColumns,
+        units: &[Option<&str>],
+        names: &[String],
+        x: &str,
+    ) -> PyResult<PyPlot> {
+        let labels = Columns::new(columns.names.iter().map(String::as_str));
+        let label =
+            |name: &str, index: usize| in_unit(labels.label(name), units.get(index).copied().flatten());
+        let at = columns.place(x)?;
+        let panel = |name: &String| {
+            let place = columns.place(name)?;
+            let points = columns.columns[at].iter().copied().zip(columns.columns[place].iter().copied());
+            let y = label(name, place);
+            let curves = vec![Curve { name: y.clone(), points: points.collect() }];
+            Ok(Panel { x: label(x, at), y, curves, ..Panel::default() })
+        };
+        let panels = names.iter().map(panel).collect::<PyResult<Vec<_>>>()?;
+        let (columns, size) = match panels.len() {
+            0 => return Err(PyValueError::new_err("a plot needs at least one column")),
+            1 => (1, WIDE),
+            _ => (2, SMALL),
+        };
+        let figure = Figure { panels, columns, size };
+        let svg = figure.svg().map_err(plot_error)?;
+        Ok(PyPlot { figure, svg })
+    }
+}
+
+#[pymethods]
+impl PyPlot {
+    /// The picture as a document of SVG.
+    #[getter]
+    fn svg(&self) -> &str {
+        &self.svg
+    }
+
+    /// Returns the picture for Jupyter.
+    fn _repr_svg_(&self) -> &str {
+        &self.svg
+    }
+
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        self.figure.save(&path).map_err(plot_error)
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Plot of {} panels>", self.figure.panels.len())
+    }
+}
+
+fn plot_error(error: PlotError) -> PyErr {
+    match error {
+        PlotError::Io { .. } => PyOSError::new_err(error.to_string()),
+        PlotError::UnknownColumn { .. } => PyKeyError::new_err(error.to_string()),
+        error => PyValueError::new_err(error.to_string()),
+    }
+}
+
+/// Returns a label followed by a unit; that of plain numbers is left out.
+fn in_unit(label: Label, unit: Option<&str>) -> Label {
+    match unit.filter(|unit| *unit != "1") {
+        Some(unit) => label.then(&format!(" in {}", notation::unit(unit))),
+        None => label,
+    }
+}
+
+/// A film of bodies.
+#[pyclass(name = "Film", module = "lagrange", frozen)]
+pub(crate) struct PyFilm {
+    film: DeclaredFilm,
+    height: u32,
+}
+
+impl PyFilm {
+    pub(crate) fn new(film: DeclaredFilm, height: u32) -> PyFilm {
+        PyFilm { film, height }
+    }
+}
+
+#[pymethods]
+impl PyFilm {
+    /// The page of HTML.
+    #[getter]
+    fn html(&self) -> String {
+        self.film.html()
+    }
+
+    /// Returns the page for Jupyter. A frame keeps its style apart from that of the notebook.
+    fn _repr_html_(&self) -> String {
+        let page = self.film.html().replace('&', "&amp;").replace('"', "&quot;");
+        let height = self.height;
+        format!(
+            "<iframe srcdoc=\"{page}\" sandbox=\"allow-scripts\" width=\"100%\" height=\"{height}\" style=\"border: 0\"></iframe>"
+        )
+    }
+
+    fn save(&self, path: PathBuf) -> PyResult<()> {
+        self.film.save(&path).map_err(|error| match error {
+            lagrange_draw::DrawError::Io { .. } => PyOSError::new_err(error.to_string()),
+            error => PyValueError::new_err(error.to_string()),
+        })
+    }
+
+    fn __repr__(&self) -> String {
+        "<Film>".to_owned()
+    }
+}

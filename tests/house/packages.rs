@@ -1,0 +1,63 @@
+//! What the registry shows of each published package, and the files that licences ask for.
+
+use std::fs;
+use std::path::Path;
+
+use crate::workspace::folders;
+
+/// Lines of a manifest, by what they begin with; what is the same for all is in the workspace.
+const LINES: [&str; 8] = [
+    "description = \"",
+    "version.workspace = true",
+    "edition.workspace = true",
+    "rust-version.workspace = true",
+    "license",
+    "repository.workspace = true",
+    "keywords.workspace = true",
+    "categories",
+];
+const FILES: [&str; 3] = ["LICENSE-APACHE", "LICENSE-MIT", "README.md"];
+
+/// Returns what published packages lack.
+pub(crate) fn lapses(root: &Path) -> Vec<String> {
+    let mut lapses = Vec::new();
+    for folder in folders(root) {
+        let manifest = fs::read_to_string(root.join(&folder).join("Cargo.toml")).unwrap_or_default();
+        if manifest.contains("\npublish = false\n") {
+            continue;
+        }
+        let name = format!("{folder}Cargo.toml");
+        lapses.extend(missing_lines(&manifest).iter().map(|line| format!("{name} has no `{line}`")));
+        let is_missing = |file: &&&str| !root.join(&folder).join(file).is_file();
+        lapses.extend(FILES.iter().filter(is_missing).map(|file| format!("{name} has no {file} beside it")));
+    }
+    lapses
+}
+
+/// Lines that a manifest lacks; documentation shows all features where there are any.
+fn missing_lines(manifest: &str) -> Vec<&'static str> {
+    let section =
+        |title: &str| manifest.split_once(title).map(|(_, rest)| rest.split("\n[").next().unwrap_or(rest));
+    let package = section("\n[package]\n").or_else(|| section("[package]\n")).unwrap_or_default();
+    let is_missing = |line: &&str| !package.lines().any(|known| known.starts_with(line));
+    let shows_all =
+        section("\n[package.metadata.docs.rs]").is_some_and(|rest| rest.contains("all-features = true"));
+    let hides = section("\n[features]").is_some() && !shows_all;
+    LINES.iter().copied().filter(is_missing).chain(hides.then_some("[package.metadata.docs.rs]")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LINES, missing_lines};
+
+    #[test]
+    fn each_line_is_asked_for() {
+        let whole = format!("[package]\n{}\n\n[features]\n", LINES.join("\n"));
+        assert_eq!(missing_lines(&whole), ["[package.metadata.docs.rs]"]);
+        let shown = format!("{whole}\n[package.metadata.docs.rs]\nall-features = true\n");
+        assert!(missing_lines(&shown).is_empty());
+        for line in LINES {
+            assert_eq!(missing_lines(&shown.replacen(&format!("\n{line}\n"), "\n", 1)), [line]);
+        }
+    }
+}
