@@ -50,6 +50,8 @@ pub(super) struct Evaluator<'a> {
     /// Expressions with the obligations of a mass or a moment of inertia: that one is negative is
     /// reported there.
     pub(super) obliged_masses: HashSet<AstId>,
+    /// Number of the partial derivatives within which something is evaluated.
+    pub(super) derivatives: u32,
 }
 
 /// A leaf of a chain, negated in a sum or divided by in a product.
@@ -76,6 +78,7 @@ impl<'a> Evaluator<'a> {
             callables: OrderedMap::default(),
             obliged_vectors: HashSet::default(),
             obliged_masses: HashSet::default(),
+            derivatives: 0,
         }
     }
 
@@ -132,6 +135,7 @@ impl<'a> Evaluator<'a> {
                 self.chain(id).into_iter().map(|link| link.operand).collect()
             }
             Expression::Tuple(components) => components.clone(),
+            Expression::Call(name, arguments) if reads_its_arguments(&name.text, arguments) => Vec::new(),
             Expression::Call(_, arguments) => arguments.clone(),
             Expression::Component(of, _) | Expression::Quantity(of, _) => vec![*of],
             Expression::Entry { of, .. } => vec![*of],
@@ -279,6 +283,11 @@ impl<'a> Evaluator<'a> {
         });
         found.unwrap_or_else(|| name.to_owned())
     }
+}
+
+/// True for a call whose arguments are not evaluated before it.
+pub(super) fn reads_its_arguments(function: &str, arguments: &[AstId]) -> bool {
+    function == "partial" && arguments.len() == 2
 }
 
 fn is_additive(operator: BinaryOperator) -> bool {

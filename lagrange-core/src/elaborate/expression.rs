@@ -5,11 +5,12 @@
 
 use super::calls::evaluate_call;
 use super::chains::{evaluate_power, evaluate_product, evaluate_sum};
-use super::evaluator::Evaluator;
+use super::evaluator::{Evaluator, reads_its_arguments};
 use super::function_names::is_function;
 use super::messages;
 use super::numbers::is_sound;
 use super::operand::Operand;
+use super::partials::evaluate_partial;
 use super::scope::NameKind;
 use super::unknown_names::{help_for_unknown, is_declared_elsewhere, is_known_unresolved, report_unknown};
 use lagrange_expr::diagnostics::Origin;
@@ -56,6 +57,9 @@ fn evaluate_node(evaluator: &mut Evaluator<'_>, id: AstId) -> Option<Operand> {
         Expression::Negate(_) | Expression::Binary(..) => evaluate_sum(evaluator, id),
         Expression::Tuple(components) => evaluate_tuple(evaluator, components),
         Expression::Entry { of, indices, shape } => evaluate_entry(evaluator, *of, indices, *shape),
+        Expression::Call(function, arguments) if reads_its_arguments(&function.text, arguments) => {
+            evaluate_partial(evaluator, (arguments, id), value_of)
+        }
         Expression::Call(function, arguments) => evaluate_call(evaluator, function, arguments, id),
         Expression::Component(of, component) => evaluate_component(evaluator, *of, component),
         Expression::If { condition, then, otherwise } => {

@@ -23,6 +23,7 @@ pub(super) fn usage(name: &str, arity: usize) -> String {
     let arguments = match (name, arity) {
         ("atan2", _) => "y, x",
         ("norm", _) => "v",
+        ("partial", _) => "e, x",
         ("transpose", _) => "A",
         ("inner" | "cross", _) => "v, w",
         ("kinetic_energy", _) => "m, v",

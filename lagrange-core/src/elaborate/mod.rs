@@ -29,6 +29,7 @@ mod numbers;
 mod obligations;
 mod opaque;
 mod operand;
+mod partials;
 mod pinned;
 mod ranges;
 mod rate_equations;

@@ -126,6 +126,12 @@ impl Scope {
         }
     }
 
+    /// Gives a name another value for a while; the value that it had.
+    pub(super) fn replace(&mut self, name: &str, value: Option<Operand>) -> Option<Operand> {
+        let entry = self.entries.get_mut(&name.to_owned())?;
+        std::mem::replace(&mut entry.value, value)
+    }
+
     /// Couples names: none is reported as unused if one of them is mentioned.
     pub(super) fn couple(&mut self, names: &[Name]) {
         self.coupled.push(names.iter().map(|name| name.text.clone()).collect());

@@ -145,11 +145,57 @@ fn a_contact_need_not_be_mentioned() {
     }
 }
 
+/// Under a point, terrain has its slope; coordinates of heights are those of no declaration, in
+/// functions.
+#[test]
+fn a_point_on_terrain_is_a_height_over_a_slope() {
+    let found = plain(
+        "param a = 0.3, x = 2;
+        let wave(s) = a * sin(x * s);
+        coord u, w;
+        terrain road { height(x): wave(x) + sum(i in 1..3, i); }
+        body bead { mass: 2; center: (u, w); }
+        contact touch = bead on road { friction: 0.1; }",
+        "touch",
+    );
+    let height = "a * sin(x * touch_x) + (1 + 2)";
+    let wanted = [
+        "let touch_x = bead_center.x;",
+        &format!("let touch_slope_x = partial({height}, touch_x);"),
+        "let touch_steepness = sqrt(1 + touch_slope_x^2);",
+        "let touch_normal = (-(touch_slope_x/touch_steepness), 1/touch_steepness);",
+        &format!("let touch_gap = (bead_center.y - ({height})) / touch_steepness;"),
+        "event touch = touch_gap, falling => impact(0);",
+        "let touch_slip = touch_normal.y * dot(bead_center.x) - touch_normal.x * dot(bead_center.y);",
+        "friction touch_friction = touch_slip, 0.1 * touch;",
+    ];
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn terrain_in_parts_has_the_names_of_its_part() {
+    let found = plain(
+        "part Road(on, size) {
+            param a = 5;
+            let square(s) = s^2;
+            for i in 0..2 { terrain lane[i] { on: on; height(x): size * (a * square(x) + i); } }
+        }
+        coord s, u, w;
+        body cart { mass: 1; origin: (s, 0); }
+        road: Road { on: cart; size: 2 * s; }
+        body bead { mass: 2; center: (u, w); }
+        contact touch = bead on road.lane[1];",
+        "touch_slope",
+    );
+    let slope = "let touch_slope_x = partial(2 * s * (road_a * touch_x^2 + 1), touch_x);";
+    assert_eq!(found, [slope, "event touch = touch_gap, falling => impact(0);"]);
+}
+
 #[test]
 fn the_words_of_contacts_are_free_as_names() {
     derive(
-        "param contact = 1, plane = 2, circle = 3, sphere = 4, cylinder = 5, inside = 6;
+        "param contact = 1, plane = 2, circle = 3, sphere = 4, cylinder = 5, inside = 6, terrain = 7;
         coord x;
-        kinetic = 1/2 * (contact + plane + circle + sphere + cylinder + inside) * dot(x)^2;",
+        kinetic = 1/2 * (contact + plane + circle + sphere + cylinder + inside + terrain) * dot(x)^2;",
     );
 }

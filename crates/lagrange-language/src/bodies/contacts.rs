@@ -8,6 +8,8 @@
 mod coefficients;
 mod compliant;
 mod geometry;
+mod rim;
+mod terrain;
 mod touched;
 
 use proc_macro2::TokenStream;
@@ -15,7 +17,7 @@ use proc_macro2::TokenStream;
 use super::drawing::draw_forces;
 use super::expressions::is_ground;
 use super::messages::contacts as words;
-use super::object::{self, Object};
+use super::object::{self, Object, Surface};
 use super::plain::LoadOrigin;
 use super::space::vectors::{Triple, minus, plus, scale, zero_triple};
 use super::touching::{Touching, touching};
@@ -24,6 +26,8 @@ use crate::syntax::ast::{self, Action, AstId, Direction, Event, Friction, Name, 
 use coefficients::{Coefficient, coefficients, compliance, limit, radius, restitution};
 use compliant::{press, rub_smoothly};
 use geometry::{ContactGeometry, geometry, scene_vector, slip_of};
+use rim::on_rim;
+use terrain::over_terrain;
 use touched::surface_named;
 
 pub(super) fn translate_contact(
@@ -60,8 +64,7 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
         translation.report.error(statement.surface.span, message).help(words::TOUCHES_ITSELF_HELP);
         return None;
     }
-    let radius = radius.or(touching.radius).unwrap_or_else(|| translation.terms().number(0));
-    let geometry = geometry(translation, statement, &surface, (touching.center, radius));
+    let (touching, geometry) = geometry_of(translation, statement, (touching, &surface), radius)?;
     let slip = slip_of(translation, &surface, &touching, &geometry);
     let gap = translation.bind(&format!("{}_gap", statement.name.text), geometry.gap);
     match &compliance {
@@ -78,6 +81,25 @@ fn complete_contact(translation: &mut Translation<'_>, statement: &ast::Contact)
     let geometry = ContactGeometry { gap, ..geometry };
     let bodies = [Some(touching.body), surface.carrier].map(|body| loaded_name(translation, body?));
     Some(parts_of(translation, statement, &bodies, &geometry, slip))
+}
+
+/// The touching part and the geometry of a contact; `None` after a mistake.
+fn geometry_of(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    (touching, surface): (Touching, &Surface),
+    radius: Option<AstId>,
+) -> Option<(Touching, ContactGeometry)> {
+    if let Some(rim) = statement.rim {
+        return on_rim(translation, statement, (rim, radius), (touching, surface));
+    }
+    let radius = radius.or(touching.radius).unwrap_or_else(|| translation.terms().number(0));
+    let ball = (touching.center, radius);
+    let geometry = match &surface.height {
+        Some(height) => over_terrain(translation, statement, (surface, height), ball),
+        None => geometry(translation, statement, surface, ball),
+    };
+    Some((touching, geometry))
 }
 
 /// Declares the names of a contact whose mistake was reported.

@@ -75,7 +75,7 @@ messages! {
     NO_AXES_HELP = "write `v in name`, with the name of a body or frame of a scene in space";
     only_in_the_plane(statement) = "`{statement}` belongs to scenes in the plane, but this one is in space";
     only_in_space(statement) = "`{statement}` belongs to scenes in space, but this one is in the plane";
-    NOT_IN_THE_PLANE_HELP = "in the plane there are `line` and `circle`";
+    NOT_IN_THE_PLANE_HELP = "in the plane there are `line`, `circle` and `terrain`";
     NOT_IN_SPACE_HELP =
         "scenes in space have bodies, frames, joints with coordinates, pins, springs, dampers and loads";
 

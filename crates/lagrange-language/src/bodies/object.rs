@@ -73,6 +73,17 @@ pub(super) struct Joint {
     pub(super) parts: Vec<(&'static str, AstId)>,
 }
 
+/// The height of a terrain.
+#[derive(Clone, Debug)]
+pub(super) struct Height {
+    /// Names that stand for coordinates of what carries the terrain.
+    pub(super) coordinates: Vec<String>,
+    /// Height over them.
+    pub(super) value: AstId,
+    /// True if it does not change with time.
+    pub(super) is_fixed: bool,
+}
+
 /// A surface other than a line, in the world. Vectors in the plane have a third component of zero.
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
@@ -80,13 +91,16 @@ pub(super) struct Surface {
     pub(super) kind: SurfaceKind,
     /// The body, in space the link, that carries it.
     pub(super) carrier: Option<usize>,
-    /// A point of it, or its centre.
+    /// A point of it, its centre, or the origin of the coordinates of a terrain.
     pub(super) place: [AstId; 3],
-    /// The normal of a plane or the axis of a cylinder, of length one.
+    /// The normal of a plane, the axis of a cylinder or the vertical of a terrain, of length one.
     pub(super) direction: [AstId; 3],
-    /// Two perpendicular directions in a plane, of length one, whose cross product is its normal.
+    /// Two perpendicular directions in a plane, of length one, whose cross product is its normal;
+    /// the axes of the coordinates of a terrain.
     pub(super) tangents: [[AstId; 3]; 2],
     pub(super) radius: AstId,
+    /// The height, if it is terrain.
+    pub(super) height: Option<Height>,
     /// The rate of the angle of a line that no body carries.
     pub(super) turning: AstId,
 }

@@ -166,7 +166,9 @@ fn translate_or_keep(translation: &mut Translation<'_>, body: Box<ast::Body>) {
 /// The word of a statement that has no meaning in space.
 fn word_of_the_plane(statement: &SceneStatement) -> Option<&'static str> {
     match statement {
-        SceneStatement::Surface(surface) => Some(surface.kind.name()).filter(|_| !surface.kind.is_in_space()),
+        SceneStatement::Surface(surface) => {
+            Some(surface.kind.name()).filter(|_| !surface.kind.belongs_to(true))
+        }
         SceneStatement::Joint(joint) => match joint.kind {
             JointKind::Pin { .. } => None,
             JointKind::Slide { .. } => Some("slide"),

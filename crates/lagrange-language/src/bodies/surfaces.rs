@@ -1,15 +1,16 @@
-//! Planes, circles, spheres and cylinders that bodies touch.
+//! Planes, circles, spheres, cylinders and terrain that bodies touch.
 //!
 //! A plane has two perpendicular tangents t₁ × t₂ = n, of which t₁ is the projection of the least
 //! aligned coordinate axis, the first of several. They are fixed in what carries the plane.
 
 use super::constants::number;
+use super::expressions::plain_expression;
 use super::kinematics::point_of_body;
 use super::lines::carrier;
 use super::mass_geometry::{property, vector_of};
 use super::messages;
 use super::messages::contacts as words;
-use super::object::{Object, Surface};
+use super::object::{Height, Object, Surface};
 use super::space::vectors::{Triple, cross, transposed, unit, zero_triple};
 use super::space::{
     fixed_triple, frame_along, link_of, named_vector, place_on_link, triple_of, triple_of_numbers,
@@ -20,7 +21,7 @@ use super::translation::Translation;
 use crate::syntax::ast::{self, AstId, Expression, Name, SurfaceKind};
 
 pub(super) fn translate_surface(translation: &mut Translation<'_>, statement: &ast::Surface) {
-    if statement.kind.is_in_space() && translation.space.is_none() {
+    if !statement.kind.belongs_to(translation.space.is_some()) {
         let message = messages::only_in_space(statement.kind.name());
         translation.report.error(translation.origin, message).help(messages::NOT_IN_THE_PLANE_HELP);
         return declare_broken_surface(translation, statement);
@@ -39,7 +40,8 @@ pub(super) fn declare_broken_surface(translation: &mut Translation<'_>, statemen
     let radius = translation.terms().invalid();
     let [place, direction] = [[radius; 3]; 2];
     let (kind, tangents) = (statement.kind, [place; 2]);
-    let surface = Surface { kind, carrier: None, place, direction, tangents, radius, turning: radius };
+    let (carrier, turning, height) = (None, radius, None);
+    let surface = Surface { kind, carrier, place, direction, tangents, radius, height, turning };
     translation.names.declare(&statement.name.text, Object::Surface(Box::new(surface)));
 }
 
@@ -54,24 +56,22 @@ fn carrier_of(translation: &mut Translation<'_>, name: &Name) -> Option<usize> {
 /// A surface in the coordinates of what carries it.
 fn own_surface(translation: &mut Translation<'_>, statement: &ast::Surface) -> Option<Surface> {
     let ast::Surface { kind, name, place, direction, radius, .. } = statement;
-    let place = own_place(translation, *kind, name, *place);
+    let place = own_place(translation, name, *place);
     let radius = own_radius(translation, *kind, name, *radius);
     let direction = own_direction(translation, *kind, name, *direction);
     let (direction, tangents) = direction?;
-    let turning = translation.terms().number(0);
-    Some(Surface { kind: *kind, carrier: None, place, direction, tangents, radius: radius?, turning })
+    let height = own_height(translation, statement)?;
+    let (kind, carrier, radius, turning) = (*kind, None, radius?, translation.terms().number(0));
+    Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning })
 }
 
-fn own_place(
-    translation: &mut Translation<'_>,
-    kind: SurfaceKind,
-    name: &Name,
-    place: Option<AstId>,
-) -> Triple {
+fn own_place(translation: &mut Translation<'_>, name: &Name, place: Option<AstId>) -> Triple {
     let zero = translation.terms().number(0);
     match place {
         None => [zero; 3],
-        Some(place) if kind.is_in_space() => triple_of(translation, place, &words::place_of(&name.text)),
+        Some(place) if translation.space.is_some() => {
+            triple_of(translation, place, &words::place_of(&name.text))
+        }
         Some(place) => {
             let [x, y] = vector_of(translation, place, &words::place_of(&name.text));
             [x, y, zero]
@@ -104,6 +104,42 @@ fn own_radius(
     Some(value)
 }
 
+/// The height of a terrain, `Some(None)` for other surfaces; `None` after a mistake.
+fn own_height(translation: &mut Translation<'_>, statement: &ast::Surface) -> Option<Option<Height>> {
+    if statement.kind != SurfaceKind::Terrain {
+        return Some(None);
+    }
+    let name = &statement.name;
+    let Some(written) = statement.height else {
+        let message = words::terrain_without_height(&name.text);
+        let error = translation.report.error(name.span, message);
+        error.help(match translation.space {
+            Some(_) => words::HEIGHT_IN_SPACE_HELP,
+            None => words::HEIGHT_IN_THE_PLANE_HELP,
+        });
+        return None;
+    };
+    let coordinates = statement.coordinates.iter().map(|name| name.text.clone()).collect::<Vec<_>>();
+    if coordinates.len() + 1 != translation.dimension() && !coordinates.is_empty() {
+        let (message, help) = match translation.space {
+            Some(_) => (words::height_in_space(&name.text), words::HEIGHT_IN_SPACE_HELP),
+            None => (words::height_in_the_plane(&name.text), words::HEIGHT_IN_THE_PLANE_HELP),
+        };
+        translation.report.error(statement.coordinates[0].span, message).help(help);
+        return None;
+    }
+    let value = plain_expression(translation, written);
+    let mut terms = translation.terms();
+    // Anything that changes may stand for coordinates where mistakes are looked for.
+    let values = coordinates.iter().map(|_| terms.name("t")).collect::<Vec<_>>();
+    let mentioned = terms.with_values(value, &coordinates, &values);
+    translation.mentioned.push(mentioned);
+    let fixed = translation.terms().number(0);
+    let fixed = vec![fixed; coordinates.len()];
+    let fixed = translation.terms().with_values(value, &coordinates, &fixed);
+    Some(Some(Height { coordinates, value, is_fixed: translation.is_at_rest(fixed) }))
+}
+
 /// The normal of a plane with its tangents, or the axis of a cylinder: of length one.
 fn own_direction(
     translation: &mut Translation<'_>,
@@ -111,10 +147,26 @@ fn own_direction(
     name: &Name,
     direction: Option<AstId>,
 ) -> Option<(Triple, [Triple; 2])> {
+    if kind == SurfaceKind::Terrain {
+        let is_spatial = translation.space.is_some();
+        let mut terms = translation.terms();
+        let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
+        return Some(if is_spatial { (z, [x, y]) } else { (y, [x, z]) });
+    }
     if !matches!(kind, SurfaceKind::Plane | SurfaceKind::Cylinder) {
         let zero = zero_triple(&mut translation.terms());
         return Some((zero, [zero; 2]));
     }
+    unit_direction(translation, name, kind.labels()[2], direction)
+}
+
+/// A direction of length one with two tangents; the third axis if it is not given.
+pub(super) fn unit_direction(
+    translation: &mut Translation<'_>,
+    name: &Name,
+    label: &str,
+    direction: Option<AstId>,
+) -> Option<(Triple, [Triple; 2])> {
     let Some(written_direction) = direction else {
         let mut terms = translation.terms();
         let [x, y, z] = [0, 1, 2].map(|axis| unit(&mut terms, axis));
@@ -124,7 +176,6 @@ fn own_direction(
     if let Some(numbers) = triple_of_numbers(translation, vector) {
         if numbers == [0.0; 3] {
             let origin = translation.expressions.origin(written_direction);
-            let label = kind.labels()[2];
             translation
                 .report
                 .error(origin, words::zero_direction(label, &name.text))
@@ -173,7 +224,13 @@ fn in_world(translation: &mut Translation<'_>, name: &Name, own: Surface, carrie
         let [x, y, zero] = own.place;
         let [x, y] = point_of_body(translation, body, [x, y]);
         let place = bind_vector(translation, &format!("{}_center", name.text), [x, y, zero]);
-        return Surface { carrier, place, ..own };
+        let angle = translation.bodies[body].angle;
+        let mut turned = |[x, y, out]: Triple| {
+            let [x, y] = translation.terms().turned([x, y], angle);
+            [x, y, out]
+        };
+        let (direction, tangents) = (turned(own.direction), own.tangents.map(&mut turned));
+        return Surface { carrier, place, direction, tangents, ..own };
     }
     let place = place_on_link(translation, body, own.place);
     let place = bind_vector(translation, &format!("{}_place", name.text), place);

@@ -6,6 +6,7 @@
 use proc_macro2::Span;
 
 use crate::syntax::ast::{AstId, BinaryOperator, Comparison, Condition, Expression, Expressions, Name};
+use lagrange_expr::collections::HashMap;
 use lagrange_expr::diagnostics::Origin;
 use lagrange_expr::number::Number;
 
@@ -56,6 +57,27 @@ impl<'e> TermWriter<'e> {
             _ => return id,
         };
         self.add_node(expression)
+    }
+
+    /// Copy of an expression in which names have values.
+    pub(super) fn with_values(&mut self, root: AstId, names: &[String], values: &[AstId]) -> AstId {
+        let mut copies: HashMap<AstId, AstId> = HashMap::default();
+        for id in self.expressions.parts(root) {
+            let expression = self.expressions.get(id).clone();
+            let place = match &expression {
+                Expression::Name(name) => names.iter().position(|known| known == name),
+                _ => None,
+            };
+            let operands = expression.operands();
+            let copied = operands.iter().map(|id| copies.get(id).copied().unwrap_or(*id)).collect::<Vec<_>>();
+            if let Some(place) = place {
+                copies.insert(id, values[place]);
+            } else if copied != operands {
+                let origin = self.expressions.origin(id);
+                copies.insert(id, self.expressions.add(expression.with_operands(&copied), origin));
+            }
+        }
+        copies.get(&root).copied().unwrap_or(root)
     }
 
     pub(super) fn zero_pair(&mut self) -> Pair {

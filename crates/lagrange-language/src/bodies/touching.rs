@@ -41,7 +41,7 @@ pub(super) fn touching(translation: &mut Translation<'_>, contact: &Contact) -> 
         report_no_body(translation, name, object);
     }
     if let Some(Touching { radius: None, .. }) = touching
-        && contact.radius.is_none()
+        && contact.radius.or(contact.rim).is_none()
     {
         report_without_radius(translation, name, object);
     }
@@ -199,5 +199,6 @@ pub(super) fn surface_of(translation: &mut Translation<'_>, body: usize) -> Opti
         }
     };
     let tangents = [[zero; 3]; 2];
-    Some(Surface { kind, carrier: Some(body), place, direction, tangents, radius, turning: zero })
+    let (carrier, height) = (Some(body), None);
+    Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning: zero })
 }

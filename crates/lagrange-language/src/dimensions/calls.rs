@@ -28,6 +28,10 @@ pub(super) fn call(checker: &mut Checker<'_>, id: AstId, function: &str, argumen
             let second = Exponents::from(Dimension::of(TIME));
             value.map(|form| form.times_power(&second, &seconds)).with_rates(true)
         }
+        ("partial", [of, by]) => match by.form() {
+            Some(by) => of.map(|form| form.over(&by)),
+            None => Measure::any(),
+        },
         ("pow" | "powi" | "powf", [_, _]) => checker.power(arguments[0], arguments[1]),
         ("sqrt", [value]) => value.map(|form| form.power(&Number::HALF)),
         ("abs", [value]) => value.clone(),

@@ -137,21 +137,23 @@ fn of_part(part: &mut Part) -> Vec<LabelRow<'_>> {
 }
 
 fn of_surface(surface: &mut Surface) -> Vec<LabelRow<'_>> {
-    let Surface { kind, place, direction, radius, .. } = surface;
+    let Surface { kind, place, direction, radius, height, .. } = surface;
     let what = if *kind == SurfaceKind::Line { "a point of a line" } else { "the position of a surface" };
     let place = place.iter_mut().map(|value| (value, LENGTH, what));
     // The length of a normal or an axis does not matter.
     let angle = direction.iter_mut().filter(|_| *kind == SurfaceKind::Line);
     let angle = angle.map(|value| (value, PLAIN, "the angle of a line"));
     let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a surface"));
-    place.chain(angle).chain(radius).collect()
+    let height = height.iter_mut().map(|value| (value, LENGTH, "the height of a terrain"));
+    place.chain(angle).chain(radius).chain(height).collect()
 }
 
 fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
-    let Contact { object, radius, friction, kinetic, fixed, restitution, .. } = contact;
+    let Contact { object, radius, rim, friction, kinetic, fixed, restitution, .. } = contact;
     let coefficients = [friction, kinetic, fixed].into_iter().flatten();
     let coefficients = coefficients.map(|value| (value, PLAIN, "a coefficient of friction"));
     let radius = radius.iter_mut().map(|value| (value, LENGTH, "the radius of a contact"));
+    let rim = rim.iter_mut().map(|value| (value, LENGTH, "the radius of a rim"));
     let restitution = restitution.iter_mut().map(|value| (value, PLAIN, "a coefficient of restitution"));
     let compliance = [
         (&mut contact.stiffness, STIFFNESS, "the stiffness of a contact"),
@@ -161,7 +163,14 @@ fn of_contact(contact: &mut Contact) -> Vec<LabelRow<'_>> {
     let compliance =
         compliance.into_iter().filter_map(|(value, powers, what)| Some((value.as_mut()?, powers, what)));
     let object = [(object, LENGTH, "a point of a contact")];
-    object.into_iter().chain(radius).chain(coefficients).chain(restitution).chain(compliance).collect()
+    object
+        .into_iter()
+        .chain(radius)
+        .chain(rim)
+        .chain(coefficients)
+        .chain(restitution)
+        .chain(compliance)
+        .collect()
 }
 
 fn of_connector(connector: &mut Connector) -> Vec<LabelRow<'_>> {

@@ -130,10 +130,13 @@ fn single(
         _ => {}
     }
     let mut inner = scope;
-    if let StatementKind::Function(function) = &kind {
-        for parameter in &function.parameters {
-            inner = copier.scopes.hiding(inner, &parameter.text);
-        }
+    let own = match &kind {
+        StatementKind::Function(function) => &function.parameters[..],
+        StatementKind::Scene(SceneStatement::Surface(surface)) => &surface.coordinates,
+        _ => &[],
+    };
+    for name in own {
+        inner = copier.scopes.hiding(inner, &name.text);
     }
     // Each in the loops around it.
     let assignments = kind.assignments_mut().map(std::mem::take);

@@ -2,9 +2,10 @@
 
 use proc_macro2::Delimiter;
 
-use super::ast::{AstId, Contact, Surface, SurfaceKind};
+use super::ast::{AstId, Contact, Name, Surface, SurfaceKind};
 use super::blocks::BlockLabels;
 use super::cursor::Cursor;
+use super::messages;
 use super::messages::forms::form;
 use super::messages::scenes;
 use super::parser::{Parsed, Parser, Reported};
@@ -20,6 +21,9 @@ impl Parser<'_> {
         let mut labels = BlockLabels::new(kind.described(), kind.labels());
         let complete = self.lines(&group, |parser, cursor| {
             let label = parser.label_of(&mut labels, cursor)?;
+            if label == "height" {
+                return parser.height(&mut surface, cursor);
+            }
             parser.colon(label, cursor)?;
             match label {
                 "on" => {
@@ -30,10 +34,39 @@ impl Parser<'_> {
             }
             Ok(())
         });
-        if !complete && kind.labels().contains(&"radius") {
-            self.missing(&mut surface.radius, origin);
+        for label in ["radius", "height"] {
+            if !complete && kind.labels().contains(&label) {
+                self.missing(surface.value_mut(label), origin);
+            }
         }
         Ok(surface)
+    }
+
+    /// `(x, y): e` behind the label of a height. A space behind the names of the coordinates tells
+    /// them from all that a declaration contains; in print it does not matter.
+    fn height(&mut self, surface: &mut Surface, cursor: &mut Cursor) -> Parsed<()> {
+        let help = form("terrain");
+        let Some(group) = cursor.eat_group(Delimiter::Parenthesis) else {
+            let message = messages::expected("`(`", cursor.peek());
+            return Err(self.fail_with_help(cursor.here(), message, help));
+        };
+        let names = self.inside(&group, |parser, cursor| parser.component_names("terrain", cursor))?;
+        self.refuse_elements(&names)?;
+        self.refuse_units(&names);
+        if let Some(name) = names.iter().skip(1).find(|name| name.text == names[0].text) {
+            return Err(self.fail_with_help(name.span, scenes::one_coordinate(&name.text), help));
+        }
+        if names.len() > 2 {
+            return Err(self.fail_with_help(names[2].span, scenes::MANY_COORDINATES, help));
+        }
+        self.colon("height", cursor)?;
+        let first = self.expressions.count();
+        surface.height = Some(self.line_value(cursor));
+        let is_coordinate = |text: &str| names.iter().any(|name| name.text == text);
+        self.expressions.respell(first, |text| is_coordinate(text).then(|| format!("{text} ")));
+        surface.coordinates =
+            names.into_iter().map(|name| Name { text: format!("{} ", name.text), ..name }).collect();
+        Ok(())
     }
 
     /// `name = e on surface { friction: e; … }`, with or without the braces.
@@ -54,7 +87,7 @@ impl Parser<'_> {
                 let complete = self.values(&group, labels, &mut contact, Contact::value_mut);
                 if complete {
                     self.check_coefficients(&contact)?;
-                    self.check_compliance(&contact)?;
+                    self.check_labels(&contact)?;
                 }
             }
             None if !cursor.at_statement_end() => return Err(self.misplaced("`{` or `;`", help, cursor)),
@@ -77,15 +110,16 @@ impl Parser<'_> {
         Err(Reported)
     }
 
-    /// A contact with a stiffness loses energy by dissipation, and its friction has one coefficient
-    /// and a speed at which it creeps.
-    fn check_compliance(&mut self, contact: &Contact) -> Parsed<()> {
+    /// Only a rim has an axis. A contact with a stiffness loses energy by dissipation, and its
+    /// friction has one coefficient and a speed at which it creeps.
+    fn check_labels(&mut self, contact: &Contact) -> Parsed<()> {
         let name = &contact.name.text;
         let Contact { friction, kinetic, restitution, stiffness, dissipation, stiction, .. } = *contact;
         let is_rigid = stiffness.is_none();
         let of_rigid = |value: Option<AstId>| value.filter(|_| is_rigid);
         let of_compliant = |value: Option<AstId>| value.filter(|_| !is_rigid);
         let rules = [
+            (contact.axis.filter(|_| contact.rim.is_none()), scenes::without_rim(name), scenes::RIM_HELP),
             (of_rigid(dissipation), scenes::without_stiffness(name, "dissipation"), scenes::STIFFNESS_HELP),
             (of_rigid(stiction), scenes::without_stiffness(name, "stiction"), scenes::STIFFNESS_HELP),
             (

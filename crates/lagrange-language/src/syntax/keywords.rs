@@ -32,9 +32,10 @@ const fn words_from(
 const CONNECTIVES: &[&str] = &["at", "on", "to", "as", "in", "along", "inside"];
 
 /// Functions of the language that are no elementary functions, with their number of arguments.
-pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 11] = [
+pub const STRUCTURAL_FUNCTIONS: [(&str, usize); 12] = [
     ("dot", 1),
     ("ddot", 1),
+    ("partial", 2),
     ("norm", 1),
     ("inner", 2),
     ("cross", 2),

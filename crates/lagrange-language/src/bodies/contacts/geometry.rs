@@ -10,6 +10,8 @@
 //! and t₂·u + r t₁·ω, because t·(ω × n) = ω·(n × t). In the plane, t₂ = −e_z, and the slip velocity
 //! is t₁·u + r ω.
 //!
+//! Terrain has its own file.
+//!
 //! A disk of radius 0.2 that turns with −3 rad/s and moves at 1 m/s along the ground slips with
 //! 1 + 0.2 · (−3) = 0.4 m/s.
 //!
@@ -30,6 +32,8 @@ pub(super) struct ContactGeometry {
     pub(super) gap: AstId,
     pub(super) normal: Triple,
     pub(super) tangents: [Triple; 2],
+    /// Velocity of what is touched beside that of its carrier.
+    pub(super) rising: Option<Triple>,
 }
 
 /// Gap, normal and tangents at a point with a radius.
@@ -39,13 +43,13 @@ pub(super) fn geometry(
     surface: &Surface,
     (center, radius): (Triple, AstId),
 ) -> ContactGeometry {
-    let &Surface { kind, direction: normal, tangents, .. } = surface;
+    let (&Surface { kind, direction: normal, tangents, .. }, rising) = (surface, None);
     let mut terms = translation.terms();
     let arm = minus(&mut terms, center, surface.place);
     if let SurfaceKind::Line | SurfaceKind::Plane = kind {
         let height = inner(&mut terms, normal, arm);
         let gap = terms.minus(height, radius);
-        return ContactGeometry { center, radius, gap, normal, tangents };
+        return ContactGeometry { center, radius, gap, normal, tangents, rising };
     }
     let (distance, outward) = away_from(translation, statement, surface, arm);
     let mut terms = translation.terms();
@@ -60,8 +64,13 @@ pub(super) fn geometry(
         }
     };
     let normal = bind_vector(translation, &format!("{}_normal", statement.name.text), normal);
-    let tangents = tangents_at(&mut translation.terms(), surface, normal);
-    ContactGeometry { center, radius, gap, normal, tangents }
+    let is_spatial = translation.space.is_some();
+    let mut terms = translation.terms();
+    let tangents = match surface.kind {
+        SurfaceKind::Cylinder => [surface.direction, cross(&mut terms, normal, surface.direction)],
+        _ => tangents_at(&mut terms, is_spatial, normal),
+    };
+    ContactGeometry { center, radius, gap, normal, tangents, rising }
 }
 
 /// Distance from the centre or axis of what is round, and the direction away from it.
@@ -89,17 +98,14 @@ fn away_from(
     (distance, arm.map(|component| terms.divide(component, distance)))
 }
 
-/// Tangents of what is round where it has this normal.
-fn tangents_at(terms: &mut TermWriter<'_>, surface: &Surface, normal: Triple) -> [Triple; 2] {
-    match surface.kind {
-        SurfaceKind::Circle => {
-            let [x, y, zero] = normal;
-            let down = unit(terms, 2).map(|component| terms.negative(component));
-            [[y, terms.negative(x), zero], down]
-        }
-        SurfaceKind::Cylinder => [surface.direction, cross(terms, normal, surface.direction)],
-        _ => tangents_of(terms, normal),
+/// Tangents of what is curved where it has this normal.
+pub(super) fn tangents_at(terms: &mut TermWriter<'_>, is_spatial: bool, normal: Triple) -> [Triple; 2] {
+    if is_spatial {
+        return tangents_of(terms, normal);
     }
+    let [x, y, zero] = normal;
+    let down = unit(terms, 2).map(|component| terms.negative(component));
+    [[y, terms.negative(x), zero], down]
 }
 
 /// The slip velocity, in space along both tangents.
@@ -115,6 +121,7 @@ pub(super) fn slip_of(
     };
     let is_spatial = translation.space.is_some();
     let mut terms = translation.terms();
+    let of_surface = geometry.rising.map_or(of_surface, |rising| plus(&mut terms, of_surface, rising));
     let velocity = minus(&mut terms, touching.velocity, of_surface);
     let spin = minus(&mut terms, touching.spin, turning);
     let &ContactGeometry { radius, tangents: [first, second], .. } = geometry;

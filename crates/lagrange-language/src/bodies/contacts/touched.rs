@@ -31,10 +31,10 @@ pub(super) fn surface_named(translation: &mut Translation<'_>, statement: &ast::
             return None;
         }
     };
-    let is_flat = matches!(surface.kind, SurfaceKind::Line | SurfaceKind::Plane);
-    if is_flat && statement.is_inside {
-        let message = words::inside_of_flat(&statement.name.text, &name.text);
-        translation.report.error(name.span, message).help(words::INSIDE_OF_FLAT_HELP);
+    let is_open = matches!(surface.kind, SurfaceKind::Line | SurfaceKind::Plane | SurfaceKind::Terrain);
+    if is_open && statement.is_inside {
+        let message = words::inside_of_open(&statement.name.text, &name.text);
+        translation.report.error(name.span, message).help(words::INSIDE_OF_OPEN_HELP);
         return None;
     }
     Some(surface)
@@ -57,7 +57,8 @@ fn ground_or_unknown(translation: &mut Translation<'_>, statement: &ast::Contact
             false => (SurfaceKind::Line, y, [x, down]),
         };
         let (place, radius) = (zero_triple(&mut terms), terms.number(0));
-        return Some(Surface { kind, carrier: None, place, direction, tangents, radius, turning: radius });
+        let (carrier, turning, height) = (None, radius, None);
+        return Some(Surface { kind, carrier, place, direction, tangents, radius, height, turning });
     }
     let before = std::mem::replace(&mut translation.origin, name.span.into());
     if !report_early(translation, &name.text) {
@@ -96,6 +97,6 @@ fn surface_of_line(translation: &mut Translation<'_>, line: usize) -> Surface {
     let [tangent, normal] = terms.axes(angle).map(|[x, y]| [x, y, zero]);
     let down = unit(&mut terms, 2).map(|component| terms.negative(component));
     let (place, tangents) = ([x, y, zero], [tangent, down]);
-    let kind = SurfaceKind::Line;
-    Surface { kind, carrier: body, place, direction: normal, tangents, radius: zero, turning }
+    let (kind, height) = (SurfaceKind::Line, None);
+    Surface { kind, carrier: body, place, direction: normal, tangents, radius: zero, height, turning }
 }

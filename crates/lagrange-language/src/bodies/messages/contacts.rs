@@ -16,6 +16,12 @@ messages! {
     zero_direction(label, name) = "the {label} of `{name}` has the length zero";
     ZERO_DIRECTION_HELP = "write a vector that is not zero, such as `(0, 0, 1)`; its length does not matter";
 
+    terrain_without_height(name) = "the terrain `{name}` has no height";
+    height_in_the_plane(name) = "in the plane, the height of `{name}` depends on one coordinate";
+    HEIGHT_IN_THE_PLANE_HELP = "write `height(x): e;`";
+    height_in_space(name) = "in space, the height of `{name}` depends on two coordinates";
+    HEIGHT_IN_SPACE_HELP = "write `height(x, y): e;`, even if y is not in e";
+
     no_body_touches(contact) = "the contact `{contact}` needs a body or a point of one";
     NO_BODY_TOUCHES_HELP =
         "write a round body, `wheel`, a point, `foot.point(X, Y)`, in space `foot.point(X, Y, Z)`, or corners, `case.corners`";
@@ -31,9 +37,16 @@ messages! {
     not_round(contact, name) = "the contact `{contact}` needs a surface, but `{name}` is not round";
     unknown_surface(contact, name) = "the contact `{contact}` is on the unknown surface `{name}`";
     NO_SURFACE_HELP =
-        "write `ground`, the name of a `line` or `plane`, of a `circle`, `sphere` or `cylinder`, or of a round body";
-    inside_of_flat(contact, name) = "the contact `{contact}` is inside of `{name}`, which is flat";
-    INSIDE_OF_FLAT_HELP = "write `on` for what touches a line, a plane or the ground";
+        "write `ground`, the name of a `line`, `plane` or `terrain`, of a `circle`, `sphere` or `cylinder`, or of a round body";
+    inside_of_open(contact, name) = "the contact `{contact}` is inside of `{name}`, which encloses nothing";
+    INSIDE_OF_OPEN_HELP = "write `on` for what touches a line, a plane, a terrain or the ground";
+    rim_in_the_plane(contact) = "the contact `{contact}` has a rim, which belongs to scenes in space";
+    RIM_IN_THE_PLANE_HELP = "in the plane, write the radius around the point, `radius: r;`";
+    rim_on_round(contact, name, found) = "the rim of the contact `{contact}` can touch planes only, but `{name}` is {found}";
+    RIM_ON_ROUND_HELP = "write `ground` or the name of a `plane`, or declare balls with `radius: r;` at points of the rim";
+    rim_of(name) = "the radius of the rim of `{name}`";
+    rim_not_positive(contact) = "the radius of the rim of the contact `{contact}` is not positive";
+    RIM_HELP = "it is the radius of the circle that touches: write a positive length";
     touches_itself(contact, name) = "in the contact `{contact}`, `{name}` touches itself";
     TOUCHES_ITSELF_HELP = "write a surface of the ground or of another body: the gap within one body never changes";
 

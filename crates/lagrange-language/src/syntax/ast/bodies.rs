@@ -13,7 +13,7 @@ use lagrange_expr::diagnostics::Origin;
 ///           | "body" NAME "{" { body-line } "}" [ ";" ]
 ///           | "frame" NAME ";"
 ///           | mobilizer
-///           | ( "line" | "plane" | "circle" | "sphere" | "cylinder" ) NAME
+///           | ( "line" | "plane" | "circle" | "sphere" | "cylinder" | "terrain" ) NAME
 ///                 "{" { "on" ":" NAME ";" | surface-label ":" sum ";" } "}" [ ";" ]
 ///           | ( "spring" | "torsion_spring" ) [ NAME ]
 ///                 "{" { ( "from" | "to" | "stiffness" | "rest" ) ":" sum ";" } "}" [ ";" ]
@@ -32,8 +32,8 @@ use lagrange_expr::diagnostics::Origin;
 /// solid     = NAME "(" [ sum { "," sum } ] ")"
 /// ```
 ///
-/// The labels of a surface are those of its [`SurfaceKind`](super::SurfaceKind); those of a contact
-/// are `radius`, `friction`, `kinetic`, `static` and `restitution`.
+/// The labels of a surface are those of its [`SurfaceKind`](super::SurfaceKind), where names in
+/// parentheses follow `height`; those of a contact are [`Contact::LABELS`](super::Contact::LABELS).
 #[derive(Clone, Debug)]
 pub enum SceneStatement {
     /// `gravity = (gx, gy);`
@@ -55,7 +55,7 @@ pub enum SceneStatement {
 }
 
 /// Words that begin statements about rigid bodies, except those of [`Mobilizer`].
-pub const KEYWORDS: [Keyword; 16] = [
+pub const KEYWORDS: [Keyword; 17] = [
     Keyword::new("gravity", "write `gravity = (0, -g);`"),
     Keyword::new("body", "write `body name { mass: m; inertia: disk(m, r); center: (x, y); angle: phi; }`"),
     Keyword::new("frame", "write `frame name;`, and a joint that places it").before(Soft::Alone),
@@ -64,6 +64,8 @@ pub const KEYWORDS: [Keyword; 16] = [
     Keyword::new("circle", "write `circle name { center: (x, y); radius: r; }`").before(Soft::Braces),
     Keyword::new("sphere", "write `sphere name { center: (x, y, z); radius: r; }`").before(Soft::Braces),
     Keyword::new("cylinder", "write `cylinder name { through: (x, y, z); axis: (a, b, c); radius: r; }`")
+        .before(Soft::Braces),
+    Keyword::new("terrain", "write `terrain name { height(x, y): e; }`, or `height(x): e;` in the plane")
         .before(Soft::Braces),
     Keyword::new(
         "contact",
@@ -125,8 +127,8 @@ impl SceneStatement {
             SceneStatement::Gravity(value) => vec![value],
             SceneStatement::Body(body) => body.expressions_mut(),
             SceneStatement::Frame(_) => Vec::new(),
-            SceneStatement::Surface(Surface { place, direction, radius, .. }) => {
-                [place, direction, radius].into_iter().flatten().collect()
+            SceneStatement::Surface(Surface { place, direction, radius, height, .. }) => {
+                [place, direction, radius, height].into_iter().flatten().collect()
             }
             SceneStatement::Contact(contact) => contact.expressions_mut(),
             SceneStatement::Connector(connector) => {

@@ -246,6 +246,26 @@ impl Expressions {
         AstId((self.nodes.len() - 1) as u32)
     }
 
+    /// Returns the number of expressions so far.
+    pub fn count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Gives names, also those of the variables of sums, another spelling in the expressions from
+    /// the one of this number on.
+    pub fn respell(&mut self, first: usize, spelling: impl Fn(&str) -> Option<String>) {
+        for (expression, _) in self.nodes.iter_mut().skip(first) {
+            let name = match expression {
+                Expression::Name(name) => name,
+                Expression::Array(ArrayExpression::Fold { variable, .. }) => &mut variable.text,
+                _ => continue,
+            };
+            if let Some(other) = spelling(name) {
+                *name = other;
+            }
+        }
+    }
+
     /// Says that the expressions so far are all that the user wrote.
     pub fn end_of_text(&mut self) {
         self.written = self.nodes.len();

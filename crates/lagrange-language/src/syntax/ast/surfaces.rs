@@ -17,6 +17,11 @@ pub struct Surface {
     pub direction: Option<AstId>,
     /// Its radius, if it is round.
     pub radius: Option<AstId>,
+    /// The height of a terrain.
+    pub height: Option<AstId>,
+    /// Names in the height that stand for coordinates: one in the plane, two in space. They are
+    /// none that a declaration can contain.
+    pub coordinates: Vec<Name>,
 }
 
 /// Kind of a surface.
@@ -32,16 +37,19 @@ pub enum SurfaceKind {
     Sphere,
     /// `cylinder`, in space, of any length
     Cylinder,
+    /// `terrain`, in the plane or in space; its free side is above
+    Terrain,
 }
 
 impl SurfaceKind {
     /// Every kind.
-    pub const ALL: [SurfaceKind; 5] = [
+    pub const ALL: [SurfaceKind; 6] = [
         SurfaceKind::Line,
         SurfaceKind::Plane,
         SurfaceKind::Circle,
         SurfaceKind::Sphere,
         SurfaceKind::Cylinder,
+        SurfaceKind::Terrain,
     ];
 
     /// Returns the word that declares one.
@@ -52,6 +60,7 @@ impl SurfaceKind {
             SurfaceKind::Circle => "circle",
             SurfaceKind::Sphere => "sphere",
             SurfaceKind::Cylinder => "cylinder",
+            SurfaceKind::Terrain => "terrain",
         }
     }
 
@@ -63,6 +72,7 @@ impl SurfaceKind {
             SurfaceKind::Circle => "a circle",
             SurfaceKind::Sphere => "a sphere",
             SurfaceKind::Cylinder => "a cylinder",
+            SurfaceKind::Terrain => "a terrain",
         }
     }
 
@@ -71,27 +81,33 @@ impl SurfaceKind {
         SurfaceKind::ALL.into_iter().find(|kind| kind.name() == word)
     }
 
-    /// Returns the labels of its carrier, place, direction and radius; those that it lacks are
-    /// absent.
+    /// Returns the labels of its carrier, place, direction, radius and height; those that it lacks
+    /// are absent.
     pub fn labels(self) -> &'static [&'static str] {
         match self {
             SurfaceKind::Line => &["on", "through", "angle"],
             SurfaceKind::Plane => &["on", "through", "normal"],
             SurfaceKind::Circle | SurfaceKind::Sphere => &["on", "center", "radius"],
             SurfaceKind::Cylinder => &["on", "through", "axis", "radius"],
+            SurfaceKind::Terrain => &["on", "height"],
         }
     }
 
-    /// True if it belongs to scenes in space.
-    pub fn is_in_space(self) -> bool {
-        matches!(self, SurfaceKind::Plane | SurfaceKind::Sphere | SurfaceKind::Cylinder)
+    /// True if scenes of this kind, in space or in the plane, can have one.
+    pub fn belongs_to(self, is_spatial: bool) -> bool {
+        match self {
+            SurfaceKind::Line | SurfaceKind::Circle => !is_spatial,
+            SurfaceKind::Plane | SurfaceKind::Sphere | SurfaceKind::Cylinder => is_spatial,
+            SurfaceKind::Terrain => true,
+        }
     }
 }
 
 impl Surface {
     /// Creates a surface of which nothing else is known yet.
     pub fn named(kind: SurfaceKind, name: Name) -> Surface {
-        Surface { kind, name, on: None, place: None, direction: None, radius: None }
+        let [place, direction, radius, height] = [None; 4];
+        Surface { kind, name, on: None, place, direction, radius, height, coordinates: Vec::new() }
     }
 
     /// Returns the place for the value of a label.
@@ -99,6 +115,7 @@ impl Surface {
         match label {
             "through" | "center" => &mut self.place,
             "radius" => &mut self.radius,
+            "height" => &mut self.height,
             _ => &mut self.direction,
         }
     }
@@ -125,8 +142,12 @@ pub struct Contact {
     pub surface: Name,
     /// True if the body is inside of the surface.
     pub is_inside: bool,
-    /// `radius: r;` around the point; that of a round body if it is not given.
+    /// `radius: r;` around the point or the rim; that of a round body if it is not given.
     pub radius: Option<AstId>,
+    /// `rim: r;`, the radius of a circle about the point that touches.
+    pub rim: Option<AstId>,
+    /// `axis: (a, b, c);` of the rim in the body; its third axis if it is not given.
+    pub axis: Option<AstId>,
     /// `friction: mu;`, one coefficient for slipping and sticking.
     pub friction: Option<AstId>,
     /// `kinetic: mu;`, the coefficient while it slips.
@@ -145,13 +166,24 @@ pub struct Contact {
 
 impl Contact {
     /// The labels of a contact.
-    pub const LABELS: [&'static str; 8] =
-        ["radius", "friction", "kinetic", "static", "restitution", "stiffness", "dissipation", "stiction"];
+    pub const LABELS: [&'static str; 10] = [
+        "radius",
+        "rim",
+        "axis",
+        "friction",
+        "kinetic",
+        "static",
+        "restitution",
+        "stiffness",
+        "dissipation",
+        "stiction",
+    ];
 
     /// Creates a contact of which nothing else is known yet.
     pub fn between(name: Name, object: AstId, surface: Name, is_inside: bool) -> Contact {
         let friction_name = Contact::friction_name(&name);
-        let [radius, friction, kinetic, fixed, restitution, stiffness, dissipation, stiction] = [None; 8];
+        let [radius, rim, axis, friction, kinetic, fixed] = [None; 6];
+        let [restitution, stiffness, dissipation, stiction] = [None; 4];
         Contact {
             name,
             friction_name,
@@ -159,6 +191,8 @@ impl Contact {
             surface,
             is_inside,
             radius,
+            rim,
+            axis,
             friction,
             kinetic,
             fixed,
@@ -189,6 +223,8 @@ impl Contact {
     pub fn value_mut(&mut self, label: &str) -> &mut Option<AstId> {
         match label {
             "radius" => &mut self.radius,
+            "rim" => &mut self.rim,
+            "axis" => &mut self.axis,
             "friction" => &mut self.friction,
             "kinetic" => &mut self.kinetic,
             "static" => &mut self.fixed,
@@ -206,8 +242,8 @@ impl Contact {
     }
 
     pub(super) fn expressions_mut(&mut self) -> Vec<&mut AstId> {
-        let Contact { object, radius, friction, kinetic, fixed, restitution, .. } = self;
-        let rigid = [radius, friction, kinetic, fixed, restitution];
+        let Contact { object, radius, rim, axis, friction, kinetic, fixed, restitution, .. } = self;
+        let rigid = [radius, rim, axis, friction, kinetic, fixed, restitution];
         let compliant = [&mut self.stiffness, &mut self.dissipation, &mut self.stiction];
         [object].into_iter().chain(rigid.into_iter().chain(compliant).flatten()).collect()
     }

@@ -60,8 +60,8 @@ const MISSING: &[(&[&str], &str)] = &[
         "a delay is not a function of the state: approximate it by a lag, `state a; dot(a) = (x - a) / tau;`",
     ),
     (
-        &["diff", "D", "grad", "gradient", "partial", "derivative", "jacobian"],
-        "derivatives by coordinates are taken by the compiler: write the energy, `potential = V;`, instead of its slope",
+        &["diff", "D", "grad", "gradient", "derivative", "jacobian"],
+        "a derivative by a name is `partial(e, x)`; forces follow from energies: write `potential = V;` instead of its slope",
     ),
     (
         &["random", "rand", "randn", "noise", "normal", "gauss", "uniform"],

@@ -31,6 +31,10 @@ messages! {
 
     AXIS_LETTER = "an axis is a vector";
 
+    one_coordinate(name) = "both coordinates of this height are called `{name}`";
+    MANY_COORDINATES = "a height depends on one coordinate in the plane and on two in space";
+    without_rim(name) = "the contact `{name}` has an axis, but no rim";
+    RIM_HELP = "write the radius of the circle about this axis, `rim: r;`";
     third_coefficient(name) = "the contact `{name}` has one coefficient of friction too many";
     lonely_coefficient(name, label, other) = "the contact `{name}` has a `{label}` coefficient, but no `{other}` one";
     CONTACT_HELP =

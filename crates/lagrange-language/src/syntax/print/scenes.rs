@@ -100,7 +100,10 @@ impl Printer<'_> {
             self.name(on);
             self.text(";");
         }
-        self.given(surface.values());
+        let names = surface.coordinates.iter().map(|name| name.text.trim_end()).collect::<Vec<_>>();
+        let height = format!("height({})", names.join(", "));
+        let label = |label| if label == "height" { height.as_str() } else { label };
+        self.given(surface.values().into_iter().map(|(known, value)| (label(known), value)));
         self.text(" }");
     }
 

@@ -402,7 +402,9 @@ fn surfaces_and_contacts_have_their_form() {
         plane side { through: (0, 0, 1); normal: (1, 0, 1); }
         circle bowl { center: (0, 1); radius: r; }
         cylinder pipe { on: cart; axis: (1, 0, 0); radius: r; }
+        terrain hills { on: cart; height(x, y): h(x) + sum(x in 0..2, x * y); }
         contact touch = wheel on ground;
+        contact coin = disk on ground { rim: 1; axis: (0, 1, 0); }
         contact foot[2] = leg.point(0, 0, -l) on side { radius: r; kinetic: a; static: b; restitution: e; }
         contact roll = ball inside bowl { friction: mu; };
         contact soft = ball on ground { friction: mu; stiffness: k; dissipation: d; stiction: v; }
@@ -414,7 +416,9 @@ fn surfaces_and_contacts_have_their_form() {
         "plane side (through (vector 0 0 1)) (normal (vector 1 0 1))",
         "circle bowl (center (vector 0 1)) (radius r)",
         "cylinder pipe (on cart) (axis (vector 1 0 0)) (radius r)",
+        "terrain hills (on cart) (height (+ (h x ) sum(x  in 0..2, x  * y )))",
         "contact touch = wheel on ground",
+        "contact coin = disk on ground (rim 1) (axis (vector 0 1 0))",
         "contact foot = (point leg 0 0 (- l)) on side (radius r) (kinetic a) (static b) (restitution e)",
         "contact roll = ball inside bowl (friction mu)",
         "contact soft = ball on ground (friction mu) (stiffness k) (dissipation d) (stiction v)",

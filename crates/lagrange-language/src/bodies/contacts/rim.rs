@@ -1,0 +1,113 @@
+//! Rims: circles of bodies that touch planes.
+//!
+//! A circle of radius R about c has the axis a. On a plane with the normal n, its lowest point is c
+//! − R d with d = a × (n × a)/s. Here s = |n × a| is the sine of its inclination. A tube of radius
+//! r around the circle makes it a torus. The gap is n·(c − p) − R s − r.
+//!
+//! A circle that lies flat has no lowest point. Here √(s² + ε²) with ε = 10⁻⁹ takes the place of s.
+//! As the circle becomes parallel, it touches below its centre, at the height R ε. At the
+//! inclination s the gap is too small by R ε²/2 s, less than rounding for s above 0.01.
+//!
+//! For R = 0.5 and an axis that is inclined by 30°, the centre is 0.25 above the plane.
+
+use super::geometry::ContactGeometry;
+use crate::bodies::constants::number;
+use crate::bodies::mass_geometry::property;
+use crate::bodies::messages::contacts as words;
+use crate::bodies::object::Surface;
+use crate::bodies::space::vector_on_link;
+use crate::bodies::space::vectors::{Triple, cross, inner, minus, scale};
+use crate::bodies::surfaces::{bind_vector, unit_direction};
+use crate::bodies::touching::{Touching, motion_at};
+use crate::bodies::translation::Translation;
+use crate::syntax::ast::{self, AstId, SurfaceKind};
+
+/// 1/ε²
+const FLATNESS: i64 = 1_000_000_000_000_000_000;
+
+/// The lowest point of a rim, and the geometry of its contact; `None` after a mistake.
+pub(super) fn on_rim(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    (written, tube): (AstId, Option<AstId>),
+    (touching, surface): (Touching, &Surface),
+) -> Option<(Touching, ContactGeometry)> {
+    check_surface(translation, statement, written, surface)?;
+    let size = rim_radius(translation, statement, written)?;
+    let (own, _) = unit_direction(translation, &statement.name, "axis", statement.axis)?;
+    let axis = vector_on_link(translation, touching.body, own);
+    let rim = Rim { center: touching.center, size, axis };
+    let (lowest, lift) = lowest(translation, &statement.name.text, &rim, surface);
+    let mut terms = translation.terms();
+    let arm = minus(&mut terms, rim.center, surface.place);
+    let height = inner(&mut terms, surface.direction, arm);
+    let radius = tube.unwrap_or_else(|| terms.number(0));
+    let above = terms.minus(height, lift);
+    let gap = terms.minus(above, radius);
+    let (normal, tangents) = (surface.direction, surface.tangents);
+    let (velocity, spin) = motion_at(translation, touching.body, lowest);
+    let touching = Touching { center: lowest, velocity, spin, ..touching };
+    let geometry = ContactGeometry { center: lowest, radius, gap, normal, tangents, rising: None };
+    Some((touching, geometry))
+}
+
+/// A circle in the world.
+struct Rim {
+    center: Triple,
+    size: AstId,
+    axis: Triple,
+}
+
+/// The lowest point over a plane, and its depth R √(s² + ε²) below the centre.
+fn lowest(translation: &mut Translation<'_>, name: &str, rim: &Rim, surface: &Surface) -> (Triple, AstId) {
+    let axis = bind_vector(translation, &format!("{name}_axis"), rim.axis);
+    let across = cross(&mut translation.terms(), surface.direction, axis);
+    let across = bind_vector(translation, &format!("{name}_across"), across);
+    let mut terms = translation.terms();
+    let square = inner(&mut terms, across, across);
+    let (one, flatness) = (terms.number(1), terms.number(FLATNESS));
+    let least = terms.divide(one, flatness);
+    let square = terms.plus(square, least);
+    let inclination = terms.call("sqrt", &[square]);
+    let inclination = translation.bind(&format!("{name}_inclination"), inclination);
+    let mut terms = translation.terms();
+    let uphill = cross(&mut terms, axis, across);
+    let share = terms.divide(rim.size, inclination);
+    let arm = scale(&mut terms, share, uphill);
+    let lowest = minus(&mut terms, rim.center, arm);
+    let lift = terms.times(rim.size, inclination);
+    (bind_vector(translation, &format!("{name}_lowest"), lowest), lift)
+}
+
+fn check_surface(
+    translation: &mut Translation<'_>,
+    statement: &ast::Contact,
+    written: AstId,
+    surface: &Surface,
+) -> Option<()> {
+    let name = &statement.name.text;
+    if translation.space.is_none() {
+        let origin = translation.expressions.origin(written);
+        let error = translation.report.error(origin, words::rim_in_the_plane(name));
+        error.help(words::RIM_IN_THE_PLANE_HELP);
+        return None;
+    }
+    if surface.kind != SurfaceKind::Plane {
+        let message = words::rim_on_round(name, &statement.surface.text, surface.kind.described());
+        translation.report.error(statement.surface.span, message).help(words::RIM_ON_ROUND_HELP);
+        return None;
+    }
+    Some(())
+}
+
+fn rim_radius(translation: &mut Translation<'_>, statement: &ast::Contact, written: AstId) -> Option<AstId> {
+    let value = property(translation, written, &words::rim_of(&statement.name.text));
+    let size = number(&translation.expressions, translation.names.constants(), value);
+    if size.is_none_or(|size| size > 0.0) {
+        return Some(value);
+    }
+    let origin = translation.expressions.origin(written);
+    let message = words::rim_not_positive(&statement.name.text);
+    translation.report.error(origin, message).help(words::RIM_HELP);
+    None
+}

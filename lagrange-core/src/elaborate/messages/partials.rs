@@ -1,0 +1,14 @@
+//! Diagnostics for partial derivatives.
+
+use lagrange_expr::diagnostics::messages;
+
+messages! {
+    pub(in crate::elaborate):
+
+    NAME_NEEDED = "a derivative is taken by a name";
+    NAME_HELP = "write `partial(e, x)` with the name of a coordinate, a velocity, a parameter or a `let`, or `t`";
+    is_fixed(name) = "`{name}` stands for a number: nothing has a derivative by it";
+    scalar_needed(name, found) = "a derivative is taken by a scalar, but `{name}` is {found}";
+    NESTED = "too many derivatives are nested here";
+    NESTED_HELP = "at most 64 derivatives can be taken of each other";
+}

@@ -1,0 +1,33 @@
+//! Contacts on terrain and of rims, beside references, other declarations and what is conserved.
+//!
+//! `cargo motions --test surfaces` runs it.
+#![cfg(any(not(debug_assertions), clippy))]
+
+mod rim;
+mod terrain;
+
+const G: f64 = 9.81;
+
+/// The largest difference between numbers.
+fn distance(found: &[f64], wanted: &[f64]) -> f64 {
+    assert_eq!(found.len(), wanted.len());
+    let differences = found.iter().zip(wanted).map(|(found, wanted)| (found - wanted).abs());
+    differences.fold(0.0, |most, next| if next <= most { most } else { next })
+}
+
+#[track_caller]
+fn assert_near(found: &[f64], wanted: &[f64], tolerance: f64) {
+    let distance = distance(found, wanted);
+    assert!(distance <= tolerance, "{found:?} instead of {wanted:?}: {distance:e}");
+}
+
+/// A state of a free body: place, no rotation, velocities.
+fn flat([x, y, z]: [f64; 3], [a, b, c]: [f64; 3]) -> [f64; 13] {
+    [x, y, z, 1.0, 0.0, 0.0, 0.0, a, b, c, 0.0, 0.0, 0.0]
+}
+
+/// How far a column leaves its first value.
+fn drift(column: Option<&[f64]>) -> f64 {
+    let column = column.expect("recorded");
+    distance(column, &vec![column[0]; column.len()])
+}
