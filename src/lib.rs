@@ -38,6 +38,7 @@
 //! | `linear` (feature) | equilibria, linear models, modes, responses |
 //! | `orbits` (feature `linear`) | periodic orbits, their stability, Lyapunov exponents |
 //! | `fit` (feature) | parameter estimation from data |
+//! | `identification` (feature `fit`) | inertial parameters from measured forces |
 //! | [`mod@integrate`] | integration methods, without heap allocation |
 //! | [`mod@event`] | zeros of functions of time and state |
 //! | [`mod@body`], [`mod@inertia`] | motion of rigid bodies; moments of inertia |
@@ -88,9 +89,6 @@ pub use lagrange_plot as plot;
 #[cfg(feature = "ensemble")]
 #[doc(inline)]
 pub use lagrange_runtime::ensemble::{self, Ensembles};
-#[cfg(feature = "fit")]
-#[doc(inline)]
-pub use lagrange_runtime::fit;
 #[cfg(feature = "std")]
 #[doc(inline)]
 pub use lagrange_runtime::laws;
@@ -105,6 +103,9 @@ pub use lagrange_runtime::{
     Number, Portable, Scalar, body, constraint, contact, inertia, kinematics, root, scalar, scene, system,
     table,
 };
+#[cfg(feature = "fit")]
+#[doc(inline)]
+pub use lagrange_runtime::{fit, identification};
 #[cfg(feature = "linear")]
 #[doc(inline)]
 pub use lagrange_runtime::{linear, orbits};

@@ -57,6 +57,10 @@ hints! {
     pub trait EmitsBias {} for fn bias in Bias:
         "the declaration of `{Self}` does not emit `bias`",
         "add `emit {{ bias }}` to the declaration";
+    pub trait EmitsRegressor {} for fn regressor in Regressor:
+        "the declaration of `{Self}` does not emit `regressor`",
+        "add `emit {{ regressor }}` to the declaration",
+        "reduced types with small or ignored coordinates have no regressor";
     pub trait EmitsPrepared {} for fn prepared in Prepared:
         "the declaration of `{Self}` does not emit `prepared`",
         "add `emit {{ prepared }}` to the declaration";
@@ -155,8 +159,8 @@ macro_rules! __hints {
             Constraints as _, Energy as _, Forcing as _, GeneralisedForces as _, InverseDynamics as _,
             Jacobian as _, KernelF32 as _, KernelF64 as _, KineticEnergy as _, LagrangianFunction as _,
             Lanes as _, Latex as _, MassMatrix as _, Momenta as _, MomentumRates as _,
-            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Start as _,
-            Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
+            ParameterJacobian as _, Parameters as _, PotentialEnergy as _, Prepared as _, Regressor as _,
+            Start as _, Statements as _, SystemMatrix as _, TangentJacobian as _, Taylor as _,
         };
     };
     (default) => {

@@ -68,6 +68,7 @@ fn size(extent: Extent) -> &'static str {
         Extent::State | Extent::Tangent => "2N",
         Extent::Constraints => "M",
         Extent::Fields => "P",
+        Extent::Regressed => "K",
         Extent::LinearColumns => "2N + K",
         Extent::LinearRows => "2N + L + M",
     }

@@ -1,5 +1,6 @@
 //! Standard errors, what data do not tell, and minima beside the least one.
 
+use crate::noise::Noise;
 use lagrange::fit::{Data, FitError, Fits};
 use lagrange::system::NamedSystem;
 
@@ -14,21 +15,6 @@ lagrange::system! {
     dissipation = 1/2 * c * dot(x)^2;
     force x = push;
     emit { jacobian }
-}
-
-/// Numbers of normal distribution, by the sums of twelve even ones.
-struct Noise(u64);
-
-impl Noise {
-    fn even(&mut self) -> f64 {
-        // Knuth's constants.
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn normal(&mut self) -> f64 {
-        (0..12).map(|_| self.even()).sum::<f64>() - 6.0
-    }
 }
 
 /// x = e^(−a t) (cos w t + a/w sin w t) with a = c/2, w² = k − a².

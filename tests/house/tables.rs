@@ -305,6 +305,10 @@ const RUNTIME: &[Layer] = &[
         modules: &["fit"],
         purpose: "parameters from data: least squares with bounds, standard errors, identifiability",
     },
+    Layer {
+        modules: &["identification"],
+        purpose: "inertial parameters from forces: base parameters, weighted least squares",
+    },
     Layer { modules: &["orbits"], purpose: "periodic orbits by shooting, Lyapunov exponents" },
     Layer {
         modules: &["ensemble"],

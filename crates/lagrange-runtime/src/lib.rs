@@ -20,6 +20,7 @@
 //! | `linear` (feature) | equilibria, linear models, modes |
 //! | `orbits` (feature `linear`) | periodic orbits, Lyapunov exponents |
 //! | `fit` (feature) | parameters from data |
+//! | `identification` (feature `fit`) | inertial parameters from forces |
 //! | `ensemble` (feature) | many motions |
 //! | `trade` (feature) | the cost of accuracy, by method |
 #![no_std]
@@ -36,6 +37,8 @@ pub mod ensemble;
 pub mod event;
 #[cfg(feature = "fit")]
 pub mod fit;
+#[cfg(feature = "fit")]
+pub mod identification;
 pub mod inertia;
 pub mod integrate;
 pub mod kinematics;

@@ -15,6 +15,7 @@ use super::jacobian::Derivatives;
 use super::least_constraint::{SplitLagrangian, Terms};
 use super::power::add_power;
 use super::quadratic_form::QuadraticForm;
+use super::regressor::Regressor;
 use super::responses::{ReactionEquations, reaction_forces};
 use super::series::SeriesEquations;
 use super::strategies::{Candidates, SingularMassMatrix, Strategy, StrategyChoice, has_large_mass_matrix};
@@ -62,6 +63,8 @@ pub struct Equations {
     products: Vec<(Product, Vec<ExprId>)>,
     /// Jacobians of frames in the order of `Scene::twists`, each in six rows.
     pub frame_jacobians: Vec<Vec<ExprId>>,
+    /// Columns of the regressor of the inverse dynamics; none unless requested.
+    pub regressor: Regressor,
     /// Structure found in the system.
     pub structure: Structure,
     /// Surfaces on which what determines the motion is not smooth.
@@ -137,6 +140,8 @@ impl Equations {
             };
             products.push((product, found));
         }
+        let wants_regressor = model.products.contains(&Product::Regressor);
+        let regressor = if wants_regressor { Regressor::new(model) } else { Regressor::default() };
         let wants_series = model.products.contains(&Product::Taylor);
         let series = wants_series.then(|| SeriesEquations::new(model, &split, &constraints));
         let (mass_matrix, forcing) = forms.into_sides(model, &split);
@@ -154,6 +159,7 @@ impl Equations {
             reactions,
             products,
             frame_jacobians: frame_jacobians(model),
+            regressor,
             structure,
             switches: Vec::new(),
             labels,
@@ -182,6 +188,8 @@ impl Equations {
             Product::ConstraintVelocity => of_constraints(|constraint| constraint.velocity),
             Product::ConstraintJacobian => Some(self.constraints.jacobian.concat()),
             Product::ConstraintForces => Some(self.constraints.forces.clone()),
+            Product::Regressor if self.regressor.columns.is_empty() => None,
+            Product::Regressor => Some(self.regressor.rows(model.speeds.len())),
             _ => self.derived(product).map(<[ExprId]>::to_vec),
         }
     }

@@ -83,7 +83,8 @@
 //! is the same sweep with accelerations kept, which makes it the recursive Newton–Euler algorithm
 //! on chains. Jacobians are found in two ways, and the cheaper is kept (`jacobian`). One goes
 //! forward through the accelerations as they are computed. The other is implicit, from the inverse
-//! dynamics, with the factors of M shared by all columns.
+//! dynamics, with the factors of M shared by all columns. The regressor consists of Newton–Euler
+//! wrenches of bodies and of slopes of the remaining inverse dynamics (`regressor`).
 //!
 //! **Non-smooth terms switch** (`switches`): conditions of `if` and the kinks of `abs`, `sign`,
 //! `min` and `max` in the equations of motion are collected as surfaces. Emission writes every
@@ -116,6 +117,7 @@ mod plane_rotation;
 mod power;
 mod quadratic_form;
 mod quasi_velocities;
+mod regressor;
 mod responses;
 mod series;
 mod strategies;
@@ -137,6 +139,7 @@ use undetermined::undetermined;
 pub use constraints::ConstraintEquations;
 pub use coupling::most_coupled;
 pub use equations::Equations;
+pub use regressor::{Regressor, RegressorColumn};
 pub use responses::{Affine, ReactionEquations};
 pub use series::SeriesEquations;
 pub use strategies::{SingularMassMatrix, Strategy, StrategyChoice};

@@ -236,7 +236,8 @@ fn check_linear_model(elaborator: &mut Elaborator<'_>) {
 /// Names of methods that systems with constraints, contacts or events have beside those of all
 /// systems.
 fn check_output_names(elaborator: &mut Elaborator<'_>) {
-    let groups: [(bool, &[&str]); 7] = [
+    let has_regressor = elaborator.products().contains(&Product::Regressor);
+    let groups: [(bool, &[&str]); 8] = [
         (!elaborator.declaration.has_start(), &["start"]),
         (elaborator.declaration.ranges().next().is_none(), &["check_parameters"]),
         (elaborator.velocities_are_rates(), &["position_rates"]),
@@ -247,6 +248,7 @@ fn check_output_names(elaborator: &mut Elaborator<'_>) {
         (elaborator.reactions.is_empty(), &["reactions"]),
         (elaborator.events.is_empty(), &["event_functions"]),
         (elaborator.clocks.is_empty(), &["clock_periods"]),
+        (!has_regressor, &["regressor_parameters", "REGRESSOR_PARAMETERS"]),
     ];
     let taken = groups.into_iter().filter(|(is_absent, _)| !is_absent).flat_map(|(_, names)| names);
     let taken = taken.collect::<Vec<_>>();

@@ -16,7 +16,7 @@ use super::pinned::holding;
 use super::renumbering::Renumbering;
 use super::routh::routhian;
 use crate::model::{
-    Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Reduced, Reduction, Scene,
+    Coordinate, Energies, Load, Model, Orientation, Output, Pinned, Product, Reduced, Reduction, Scene,
 };
 use lagrange_algebra::calculus::{Expansion, Series, gradient, transplant};
 use lagrange_expr::diagnostics::Report;
@@ -98,7 +98,7 @@ impl<'a> Reducer<'a> {
         }
         let (outputs, scene) = (self.outputs(model)?, self.scene(model)?);
         let (start, rates, labels) = (self.start(model), self.rates(model), self.labels(model));
-        let coordinates = self.coordinates(model)?;
+        let (coordinates, products) = (self.coordinates(model)?, self.products(model));
         let speeds = model.speeds.iter().filter(|speed| !speed.coordinate.is_some_and(|i| self.is_frozen(i)));
         let speeds = speeds.cloned().collect();
         Ok(Model {
@@ -128,9 +128,17 @@ impl<'a> Reducer<'a> {
             labels,
             units: model.units.clone(),
             accuracy: model.accuracy,
-            products: model.products.clone(),
+            products,
             reduced: Vec::new(),
         })
+    }
+
+    /// Returns the products of the reduced model. Of an expanded or ignoring one, inertial
+    /// parameters do not multiply the inverse dynamics.
+    fn products(&self, model: &Model) -> Vec<Product> {
+        let is_exact = self.reduction.small.is_empty() && self.reduction.ignored.is_empty();
+        let is_kept = |product: &&Product| is_exact || **product != Product::Regressor;
+        model.products.iter().filter(is_kept).copied().collect()
     }
 
     fn is_frozen(&self, coordinate: usize) -> bool {

@@ -13,10 +13,12 @@ use super::staged::Staged;
 use super::torques::torque_item;
 use crate::model::BodyMotion;
 use crate::model::DrawnItem;
+use crate::model::InertialBody;
 use crate::model::LinkPose;
 use crate::model::OutlinedPart;
 use crate::model::Product;
 use lagrange_expr::expr::ExprId;
+use lagrange_language::bodies;
 use lagrange_language::bodies::Drawn;
 use lagrange_language::bodies::DrawnKind;
 use lagrange_language::bodies::Motion;
@@ -35,6 +37,8 @@ pub(super) fn add_scene(elaborator: &mut Elaborator<'_>, plain: &Plain) {
         let motions = plain.motions.iter().map(|motion| body_motion(elaborator, motion)).collect::<Vec<_>>();
         elaborator.scene.motions.extend(motions.into_iter().flatten());
     }
+    let inertial = plain.inertial.iter().map(|body| inertial_body(elaborator, body)).collect::<Vec<_>>();
+    elaborator.scene.inertial.extend(inertial.into_iter().flatten());
     // Where the motion of a body is unknown, that was reported.
     if is_drawn && elaborator.scene.motions.len() == plain.motions.len() + plain.in_space.motions.len() {
         add_drawing(elaborator, &plain.drawing);
@@ -76,6 +80,19 @@ fn body_motion(elaborator: &mut Elaborator<'_>, motion: &Motion) -> Option<BodyM
         return None;
     }
     Some(BodyMotion { body, values })
+}
+
+fn inertial_body(elaborator: &mut Elaborator<'_>, body: &bodies::InertialBody) -> Option<InertialBody> {
+    let bodies::InertialBody { ref parameters, lagrangian, ref twist, ref change, .. } = *body;
+    let [parameters, twist, change] =
+        [&parameters[..], twist, change].map(|list| scalars_of(elaborator, list));
+    Some(InertialBody {
+        body: body.body.clone(),
+        parameters: parameters?.try_into().ok()?,
+        lagrangian: scalars_of(elaborator, &[lagrangian])?[0],
+        twist: twist?.try_into().ok()?,
+        change: change?.try_into().ok()?,
+    })
 }
 
 /// Returns the values of scalars; others are reported.

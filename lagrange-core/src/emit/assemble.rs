@@ -25,6 +25,7 @@ use super::features::orientations::write_position_rates;
 use super::features::prepared::write_prepared;
 use super::features::product::{Plan, plan};
 use super::features::ranges::write_ranges;
+use super::features::regressor::write_regressor;
 use super::features::scene::write_scene;
 use super::features::solvers::{write_solvers, write_unknowns};
 use super::features::sparse::{Sparse, lowered_sparse};
@@ -97,6 +98,7 @@ fn assembled(
     write_kernel(&mut writer)?;
     write_lanes(&mut writer)?;
     write_taylor(&mut writer)?;
+    write_regressor(&mut writer)?;
     write_tests(&mut writer)?;
     write_solvers(&mut writer);
     if !writer.is_hopeless() {

@@ -15,6 +15,7 @@ use super::features::laws::laws_module;
 use super::features::ports::{inputs_impls, inputs_struct, outputs_impl};
 use super::features::prepared::{prepared_items, prepared_method, prepared_struct};
 use super::features::ranges::check_method;
+use super::features::regressor::regressor_members;
 use super::features::start::start_method;
 use super::features::switches::switches_declaration;
 use super::features::tables::tables;
@@ -147,11 +148,12 @@ fn inherent_impl(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (hidden, motions) = (&members.hidden, &members.motions);
     let projections = projections(shape, members);
     let (start, check) = (start_method(shape, members), check_method(shape, members));
-    let prepared = prepared_method(shape, members);
+    let (prepared, regressor) = (prepared_method(shape, members), regressor_members(shape, members));
     quote! {
         impl #bounds #name #generics {
             #constants
             #kernel
+            #regressor
             #start
             #check
             #(#methods)*

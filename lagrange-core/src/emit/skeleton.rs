@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use super::base::members::{Lanes, Members, Prepared, PreparedFields, Taylor};
+use super::base::members::{Lanes, Members, Prepared, PreparedFields, Regressed, Taylor};
 use super::base::method::{ArgumentNames, Arguments, Method, Returns};
 use super::base::shape::{Shape, identifier, local, method_of, motion_name};
 use super::base::size::drop_excess;
@@ -20,12 +20,14 @@ use lagrange_expr::collections::HashSet;
 use lagrange_language::syntax::ast::{Action, Declaration, ScalarType, StatementKind};
 
 /// Members that do not come from products; an output of such a name is a mistake.
-const TAKEN: [&str; 10] = [
+const TAKEN: [&str; 12] = [
     "rhs",
     "EQUATIONS_LATEX",
     "KERNEL_F32",
     "KERNEL_F64",
     "PARAMETERS",
+    "REGRESSOR_PARAMETERS",
+    "regressor_parameters",
     "STATEMENTS",
     "project",
     "consistent_velocity",
@@ -97,6 +99,7 @@ fn skeleton_of_type(declaration: &Declaration, krate: &TokenStream) -> TokenStre
         prepared: shape.asks_for(Product::Prepared).then(|| skeleton_of_prepared(&shape)),
         kernel: shape.asks_for(Product::Kernel).then(|| kernel_constants("", "")),
         lanes: shape.asks_for(Product::Lanes).then(skeleton_of_lanes),
+        regressor: shape.asks_for(Product::Regressor).then(skeleton_of_regressor),
         taylor: shape.asks_for(Product::Taylor).then(skeleton_of_taylor),
         constants: constants.into_iter().collect(),
         is_separable: shape.velocities_are_rates(),
@@ -159,6 +162,10 @@ fn skeleton_of_prepared(shape: &Shape<'_>) -> Prepared {
 
 fn skeleton_of_lanes() -> Lanes {
     Lanes { rhs: quote!(::core::unreachable!()), sides: None, docs: NOT_DERIVED.to_owned() }
+}
+
+fn skeleton_of_regressor() -> Regressed {
+    Regressed { names: Vec::new(), body: quote!([]) }
 }
 
 fn skeleton_of_taylor() -> Taylor {

@@ -19,6 +19,7 @@ use super::features::linearised::linearised_impl;
 use super::features::orientations::{orientation_members, position_rates};
 use super::features::parametric::parametric_impl;
 use super::features::ports::units_of_outputs;
+use super::features::regressor::regressor_impl;
 use super::features::scene::scene_impl;
 use super::features::switches::{switched_impl, timed_members};
 use super::features::taylor::taylor_impl;
@@ -41,7 +42,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
     let (switched, kernel) = (switched_impl(shape, members), kernel_impl(shape, members));
     let parametric = parametric_impl(shape, members);
     let (taylor, linearised) = (taylor_impl(shape, members), linearised_impl(shape, members));
-    let lagrangian = lagrangian_impl(shape, members);
+    let (lagrangian, regressor) = (lagrangian_impl(shape, members), regressor_impl(shape, members));
     // With constraints there is only a skeleton of it.
     let is_whole = members.prepared.is_some() && members.constrained.is_empty();
     let prepared = is_whole.then(|| {
@@ -50,7 +51,7 @@ pub(super) fn trait_impls(shape: &Shape<'_>, members: &Members) -> TokenStream {
         let separable = members.is_separable.then(|| separable_impl(shape, &name));
         quote!(#canonical #separable)
     });
-    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #parametric)
+    quote!(#ode #mechanical #energy #separable #canonical #constrained #contact #switched #scene #prepared #kernel #taylor #linearised #lagrangian #regressor #parametric)
 }
 
 /// True if the system is a `CanonicalSystem`: momenta of angular velocities are conjugate to no

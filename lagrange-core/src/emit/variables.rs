@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 
 use super::features::orientations::written_velocity;
 use super::features::ports::column_names;
+use super::features::regressor::regressor_names;
 use super::features::switches::derived_shape;
 use super::features::units::units_by_name;
 use crate::derive::Equations;
@@ -40,6 +41,8 @@ pub struct Variables {
     pub switches: Vec<String>,
     /// Columns of each output.
     pub outputs: Vec<Vec<String>>,
+    /// Parameters that the columns of the regressor multiply, if it is requested.
+    pub regressor: Vec<String>,
     /// Units by name, those of arrays for all of their elements.
     pub units: Vec<(String, String)>,
 }
@@ -112,6 +115,7 @@ pub fn variables(declaration: &Declaration, model: &Model, equations: &Equations
         touching: shape.touching.iter().map(|(name, _)| text(shape.written(name))).collect(),
         switches: shape.switches.clone(),
         outputs,
+        regressor: regressor_names(&shape, equations),
         units: units.into_iter().map(|(name, unit)| (name, text(unit))).collect(),
     }
 }

@@ -14,7 +14,7 @@ use lagrange_language::syntax::ast::{Direction, Name};
 
 pub use product::{Availability, Extent, Product, ProductArguments, ProductMethod, ProductRow, ProductShape};
 pub(crate) use samples::{Entry, entries, may_be_flat};
-pub use scene::{BodyMotion, DrawnItem, LinkPose, LinkTwist, OutlinedPart, Scene};
+pub use scene::{BodyMotion, DrawnItem, InertialBody, LinkPose, LinkTwist, OutlinedPart, Scene};
 
 /// Meaning of a declaration, as expressions of one graph.
 #[derive(Clone, Debug)]

@@ -16,6 +16,7 @@ pub enum Product {
     PotentialEnergy,
     Energy,
     InverseDynamics,
+    Regressor,
     Constraints,
     ConstraintVelocity,
     ConstraintJacobian,
@@ -90,6 +91,8 @@ pub enum Extent {
     Constraints,
     /// One for each parameter and each input.
     Fields,
+    /// One for each column of the regressor.
+    Regressed,
 }
 
 /// The result of a product's method.
@@ -128,7 +131,7 @@ pub struct ProductRow {
 }
 
 /// Every product, in the order of [`Product`], in which they are emitted.
-const ROWS: [ProductRow; 32] = [
+const ROWS: [ProductRow; 33] = [
     ProductRow {
         product: Product::MassMatrix,
         name: "mass_matrix",
@@ -222,6 +225,19 @@ const ROWS: [ProductRow; 32] = [
             docs: &[
                 "Inverse dynamics: the generalised forces that must act, in addition to the declared ones,",
                 "to produce given accelerations.",
+            ],
+        }),
+    },
+    ProductRow {
+        product: Product::Regressor,
+        name: "regressor",
+        when: Availability::Demand,
+        method: Some(ProductMethod {
+            arguments: ProductArguments::Motion,
+            returns: ProductShape::Matrix(Extent::Velocities, Extent::Regressed),
+            docs: &[
+                "Regressor Y of the inverse dynamics, in rows. Its columns multiply the parameters",
+                "`REGRESSOR_PARAMETERS`, in which the inverse dynamics is linear; other terms are not in it.",
             ],
         }),
     },

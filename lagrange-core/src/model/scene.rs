@@ -13,6 +13,8 @@ pub struct Scene {
     pub frames: Vec<LinkPose>,
     /// Twists of their frames.
     pub twists: Vec<LinkTwist>,
+    /// Bodies by their inertial parameters, for the regressor.
+    pub inertial: Vec<InertialBody>,
     /// Items to draw, in the order in which they are handed out.
     pub drawing: Vec<DrawnItem>,
 }
@@ -66,6 +68,32 @@ pub struct LinkTwist {
     pub values: [ExprId; 6],
 }
 
+/// A body by its inertial parameters and by the motion that multiplies them.
+#[derive(Clone, Debug)]
+pub struct InertialBody {
+    /// Its name.
+    pub body: Name,
+    /// Mass, first moments x, y, z, and the tensor xx, yy, zz, xy, xz, yz about the body-fixed
+    /// origin.
+    pub parameters: [ExprId; InertialBody::PARAMETERS.len()],
+    /// T − V of the body.
+    pub lagrangian: ExprId,
+    /// Velocity of the origin, then angular velocity, in own axes; affine in the velocities.
+    pub twist: [ExprId; 6],
+    /// Acceleration of the origin less that of free fall, then angular acceleration, in own axes.
+    pub change: [ExprId; 6],
+}
+
+impl InertialBody {
+    /// Names of the parameters behind that of the body.
+    pub const PARAMETERS: [&'static str; 10] = ["mass", "mx", "my", "mz", "xx", "yy", "zz", "xy", "xz", "yz"];
+
+    fn places(&mut self) -> impl Iterator<Item = &mut ExprId> {
+        let vectors = self.twist.iter_mut().chain(&mut self.change);
+        self.parameters.iter_mut().chain(vectors).chain([&mut self.lagrangian])
+    }
+}
+
 /// Item to be drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnItem {
@@ -107,6 +135,7 @@ impl Scene {
         let mut places = self.motions.iter_mut().flat_map(|motion| &mut motion.values).collect::<Vec<_>>();
         places.extend(self.frames.iter_mut().flat_map(|frame| &mut frame.values));
         places.extend(self.twists.iter_mut().flat_map(|twist| &mut twist.values));
+        places.extend(self.inertial.iter_mut().flat_map(InertialBody::places));
         for item in &mut self.drawing {
             places.extend(&mut item.values);
             places.extend(item.parts.iter_mut().flat_map(|part| &mut part.values));

@@ -247,7 +247,28 @@ impl NumericSystem {
     /// Computes the generalised forces that must act in addition to the declared ones to produce
     /// accelerations. `None` if they were not derived.
     pub fn inverse_dynamics(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
-        let program = self.programs.product(Product::InverseDynamics)?;
+        self.with_accelerations(Product::InverseDynamics, (t, q, v, a))
+    }
+
+    /// Computes the regressor of the inverse dynamics in rows. Its columns multiply
+    /// [`regressor_parameters`](Self::regressor_parameters), whose names
+    /// [`Variables`](crate::emit::Variables) has. `None` if it was not derived.
+    pub fn regressor(&self, t: f64, q: &[f64], v: &[f64], a: &[f64]) -> Option<Vec<f64>> {
+        self.with_accelerations(Product::Regressor, (t, q, v, a))
+    }
+
+    /// Computes the parameters that the columns of the regressor multiply.
+    pub fn regressor_parameters(&self) -> Vec<f64> {
+        let nothing = Instant { t: f64::NAN, q: &[], v: &[], a: &[], multipliers: &[] };
+        self.run(&self.programs.regressor_parameters, nothing)
+    }
+
+    fn with_accelerations(
+        &self,
+        product: Product,
+        (t, q, v, a): (f64, &[f64], &[f64], &[f64]),
+    ) -> Option<Vec<f64>> {
+        let program = self.programs.product(product)?;
         Some(self.run(program, Instant { t, q, v, a, multipliers: &[] }))
     }
 

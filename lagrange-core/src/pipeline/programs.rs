@@ -87,6 +87,8 @@ pub struct Programs {
     /// The system matrix [A B; C D; G 0] in rows, if it is requested. Columns are those of
     /// displacements, first-order states, velocities and inputs.
     pub system_matrix: Option<Program>,
+    /// Values of the parameters that the columns of the regressor multiply.
+    pub regressor_parameters: Program,
     /// Outputs.
     pub outputs: Vec<(String, Program)>,
     /// The scene, if a drawing is requested.
@@ -201,7 +203,8 @@ impl Programs {
     /// Returns all programs but those of solutions.
     pub fn all(&self) -> impl Iterator<Item = &Program> {
         let of_motion = [&self.position_rates, &self.accelerations, &self.multipliers, &self.undivided];
-        let of_constraints = [&self.position_residuals, &self.correction, &self.mass_times];
+        let of_constraints =
+            [&self.position_residuals, &self.correction, &self.mass_times, &self.regressor_parameters];
         let of_events = [&self.switches, &self.event_functions, &self.unknown_values];
         let replaced = self.reactions.iter().filter_map(|reaction| match reaction {
             Reaction::Replace(program) => Some(program),
@@ -309,6 +312,7 @@ impl<'a> Lowering<'a> {
                 .derivatives(Product::ParameterJacobian, |model, _, rows| by_fields(model, rows)),
             linearised: self.derivatives(Product::SystemMatrix, by_state_and_inputs),
             system_matrix: self.derivatives(Product::SystemMatrix, system_matrix),
+            regressor_parameters: self.regressor_parameters(),
             outputs: self.outputs(),
             drawing: self.drawing(),
             unknowns: unknowns.iter().map(|(_, name)| name.clone()).collect(),
@@ -434,6 +438,11 @@ impl<'a> Lowering<'a> {
         let rows = self.equations.product(product, &self.model)?;
         let entries = all(&mut self.model, self.equations, &rows);
         Some(self.on_sides(&entries))
+    }
+
+    fn regressor_parameters(&mut self) -> Program {
+        let columns = self.equations.regressor.columns.iter().map(|column| column.parameter);
+        self.as_declared(&columns.collect::<Vec<_>>())
     }
 
     fn outputs(&mut self) -> Vec<(String, Program)> {

@@ -28,6 +28,7 @@ mod quasi_velocities;
 #[allow(dead_code, reason = "other tests draw otherwise")]
 mod random;
 mod reductions;
+mod regressor;
 mod scaling;
 mod scenes;
 mod states;

@@ -111,6 +111,7 @@ fn added_by(product: Product) -> Vec<&'static str> {
         // These are traits.
         Product::Drawing | Product::Lanes | Product::Taylor => Vec::new(),
         Product::Tests => Vec::new(),
+        Product::Regressor => vec![product.name(), "REGRESSOR_PARAMETERS", "regressor_parameters"],
         Product::Statements => vec!["STATEMENTS"],
         Product::Conserved => vec!["conserved_energy"],
         Product::Power => vec!["power_x", "power_dissipation", "power_balance"],

@@ -45,6 +45,13 @@ impl State {
         self.numbers(word).first().copied()
     }
 
+    /// Names of columns of the regressor with their entries.
+    pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, &[f64])> {
+        self.numbers
+            .iter()
+            .filter_map(|(word, numbers)| Some((word.strip_prefix("column ")?, numbers.as_slice())))
+    }
+
     /// Names of outputs with their components.
     pub(crate) fn outputs(&self) -> impl Iterator<Item = (&str, &[f64])> {
         self.numbers

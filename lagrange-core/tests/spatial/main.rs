@@ -12,4 +12,5 @@ mod motion;
 mod operations;
 mod orientations;
 mod parameters;
+mod regressors;
 mod trees;

@@ -26,6 +26,7 @@ pages! {
     Feedback = "cookbook/feedback.md";
     FirstFilm = "first_film.md";
     Game = "cookbook/game.md";
+    Identification = "identification.md";
     Introduction = "README.md";
     Kinematics = "cookbook/kinematics.md";
     Kernel = "cookbook/kernel.md";

@@ -7,7 +7,7 @@ use super::mass_geometry::{
     MassGeometry, fixed_vector, inertia_of, named_centroid, outline_of, property, shape_of, vector_of,
 };
 use super::messages;
-use super::object::{Body, Object};
+use super::object::{Body, Energies, Object};
 use super::plain::{Drawn, DrawnKind, Motion, Obligation};
 use super::terms::Pair;
 use super::translation::Translation;
@@ -22,12 +22,11 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
     };
     let MassGeometry { mass, inertia, centroid, outlines, radius } = geometry;
     let (center, origin) = body_place(translation, statement, centroid, angle);
-    push_translation(translation, mass, center);
+    let of_translation = Some(push_translation(translation, mass, center));
     let inertia = inertia.unwrap_or_else(|| translation.terms().number(0));
     translation.obligations.push(Obligation::Inertia { body: name.clone(), inertia });
-    if statement.angle.is_some() {
-        push_rotation(translation, inertia, angle);
-    }
+    let of_rotation = statement.angle.and_then(|_| push_rotation(translation, inertia, angle));
+    let energies = Energies { of_translation, of_rotation, potential: None };
     let index = translation.bodies.len();
     let centroid_vector = translation.terms().tuple(centroid);
     translation.motions.push(Motion {
@@ -45,8 +44,20 @@ pub(super) fn translate_body(translation: &mut Translation<'_>, statement: &ast:
     };
     let kind = DrawnKind::Body { body: translation.motions.len() - 1, outlines };
     translation.drawing.push(Drawn { kind, values: Vec::new(), needs: Vec::new() });
-    translation.bodies.push(Body { name: name.clone(), mass, inertia, center, origin, angle, radius, shape });
-    translation.names.declare(&name.text, Object::Body(index));
+    let name = name.clone();
+    translation.bodies.push(Body {
+        name,
+        mass,
+        inertia,
+        center,
+        centroid,
+        origin,
+        angle,
+        radius,
+        shape,
+        energies,
+    });
+    translation.names.declare(&statement.name.text, Object::Body(index));
     weigh(translation, index);
 }
 
@@ -173,18 +184,21 @@ fn own_origin(translation: &mut Translation<'_>, name: &str, origin: AstId) -> P
     }
 }
 
-fn push_translation(translation: &mut Translation<'_>, mass: AstId, center: AstId) {
+fn push_translation(translation: &mut Translation<'_>, mass: AstId, center: AstId) -> AstId {
     let mut terms = translation.terms();
     let velocity = terms.call("dot", &[center]);
     let kinetic = terms.call("kinetic_energy", &[mass, velocity]);
     translation.push(StatementKind::Kinetic(kinetic));
+    kinetic
 }
 
-fn push_rotation(translation: &mut Translation<'_>, inertia: AstId, angle: AstId) {
+fn push_rotation(translation: &mut Translation<'_>, inertia: AstId, angle: AstId) -> Option<AstId> {
     let mut terms = translation.terms();
     let rate = terms.rate(angle);
-    if !terms.is_zero(rate) && !terms.is_zero(inertia) {
-        let kinetic = terms.call("kinetic_energy", &[inertia, rate]);
-        translation.push(StatementKind::Kinetic(kinetic));
+    if terms.is_zero(rate) || terms.is_zero(inertia) {
+        return None;
     }
+    let kinetic = terms.call("kinetic_energy", &[inertia, rate]);
+    translation.push(StatementKind::Kinetic(kinetic));
+    Some(kinetic)
 }

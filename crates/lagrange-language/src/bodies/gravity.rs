@@ -54,6 +54,7 @@ pub(super) fn weigh(translation: &mut Translation<'_>, index: usize) {
     let force = terms.tuple(force);
     if !terms.is_zero(potential) {
         translation.push(StatementKind::Potential(potential));
+        translation.bodies[index].energies.potential = Some(potential);
     }
     let load = Load { name: "gravity", cause: LoadOrigin::Gravity, body: Some(name.text) };
     draw_force(translation, load, [center, force], &[]);

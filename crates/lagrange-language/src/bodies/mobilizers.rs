@@ -5,7 +5,7 @@ use super::expressions::{is_ground, mention, report_early};
 use super::lines::report_no_object;
 use super::mass_geometry::{fixed_vector, property};
 use super::messages::{self, mobilizers as words};
-use super::object::{Body, Object, WaitingBody};
+use super::object::{Body, Energies, Object, WaitingBody};
 use super::space::{coordinates_of, dampen};
 use super::terms::Pair;
 use super::translation::Translation;
@@ -56,10 +56,12 @@ fn declare_frame(translation: &mut Translation<'_>, name: Name, frame: PlaneFram
         mass: nothing,
         inertia: nothing,
         center,
+        centroid: [nothing; 2],
         origin,
         angle,
         radius: None,
         shape: None,
+        energies: Energies::default(),
     });
 }
 

@@ -35,6 +35,7 @@ mod corners;
 mod drawing;
 mod expressions;
 mod gravity;
+mod inertial;
 mod joints;
 mod kinematics;
 mod lines;
@@ -59,8 +60,8 @@ use statements::translate;
 use translation::Translation;
 
 pub use plain::{
-    Drawn, DrawnKind, FramePose, FrameTwist, JointForm, LoadOrigin, Motion, Obligation, Outline, Plain,
-    SpatialJointForm, SpatialKinematics, SpatialMotion,
+    Drawn, DrawnKind, FramePose, FrameTwist, InertialBody, JointForm, LoadOrigin, Motion, Obligation,
+    Outline, Plain, SpatialJointForm, SpatialKinematics, SpatialMotion,
 };
 
 /// Replaces statements about bodies by plain statements. Mistakes are reported.

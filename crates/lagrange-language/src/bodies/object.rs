@@ -1,7 +1,7 @@
 //! Meanings of the names in a scene.
 
 use super::plain::Outline;
-use super::terms::Pair;
+use super::terms::{Pair, TermWriter};
 use crate::syntax::ast::{self, AstId, ConnectorKind, Name, SurfaceKind};
 use crate::syntax::foreign::Owner;
 
@@ -13,6 +13,8 @@ pub(super) struct Body {
     pub(super) inertia: AstId,
     /// The centre of mass.
     pub(super) center: AstId,
+    /// The centre of mass in own coordinates.
+    pub(super) centroid: Pair,
     /// The origin of the own coordinates.
     pub(super) origin: Pair,
     pub(super) angle: AstId,
@@ -20,6 +22,30 @@ pub(super) struct Body {
     pub(super) radius: Option<AstId>,
     /// The solid that `shape` states.
     pub(super) shape: Option<Outline>,
+    pub(super) energies: Energies,
+}
+
+/// Energies of a body, as far as it has them.
+#[derive(Clone, Copy, Default, Debug)]
+pub(super) struct Energies {
+    /// ½ m v²
+    pub(super) of_translation: Option<AstId>,
+    /// ½ ω·J ω
+    pub(super) of_rotation: Option<AstId>,
+    /// −m g·r
+    pub(super) potential: Option<AstId>,
+}
+
+impl Energies {
+    /// T − V
+    pub(super) fn lagrangian(self, terms: &mut TermWriter<'_>) -> AstId {
+        let kinetic = [self.of_translation, self.of_rotation].into_iter().flatten();
+        let kinetic = kinetic.fold(terms.number(0), |sum, energy| terms.plus(sum, energy));
+        match self.potential {
+            Some(potential) => terms.minus(kinetic, potential),
+            None => kinetic,
+        }
+    }
 }
 
 /// A body or frame that waits for the joint that places it.

@@ -14,6 +14,8 @@ pub struct Plain {
     pub motions: Vec<Motion>,
     /// Requested kinematics of bodies and frames in space.
     pub in_space: SpatialKinematics,
+    /// Bodies by their inertial parameters, if the regressor is requested.
+    pub inertial: Vec<InertialBody>,
     /// Items to draw.
     pub drawing: Vec<Drawn>,
     /// Conditions on numbers, checked where these are known.
@@ -54,6 +56,31 @@ pub struct Motion {
     pub mass: AstId,
     /// Its moment of inertia about the centre of mass.
     pub inertia: AstId,
+}
+
+/// A body by its inertial parameters and by the motion that multiplies them. All expressions are
+/// scalars; rates may hold `ddot`.
+#[derive(Clone, Debug)]
+pub struct InertialBody {
+    /// The name of the body.
+    pub body: Name,
+    /// Mass, first moments x, y, z, and the tensor xx, yy, zz, xy, xz, yz about the body-fixed
+    /// origin.
+    pub parameters: [AstId; 10],
+    /// T − V of the body.
+    pub lagrangian: AstId,
+    /// Velocity of the origin, then angular velocity, in own axes.
+    pub twist: [AstId; 6],
+    /// Acceleration of the origin less that of free fall, then angular acceleration, in own axes.
+    pub change: [AstId; 6],
+}
+
+impl InertialBody {
+    /// All expressions.
+    pub(super) fn expressions(&self) -> impl Iterator<Item = AstId> {
+        let vectors = self.twist.iter().chain(&self.change).copied();
+        self.parameters.into_iter().chain(vectors.collect::<Vec<_>>()).chain([self.lagrangian])
+    }
 }
 
 /// Bodies and frames in space, in the order of their declaration. All expressions are scalars.

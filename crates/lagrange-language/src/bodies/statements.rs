@@ -6,6 +6,7 @@ use super::contacts::translate_contact;
 use super::drawing::{Load, draw_force, draw_moment, torque_on};
 use super::expressions::{plain_expression, translated_place, turning};
 use super::gravity::{report_idle_gravity, translate_gravity};
+use super::inertial::inertial_bodies;
 use super::joints::translate_joint;
 use super::lines::translate_line;
 use super::messages;
@@ -27,7 +28,7 @@ use crate::syntax::ast::{
 
 /// Translates all statements.
 pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Declaration) -> Plain {
-    let asked = Asked::of(&declaration);
+    let (asked, has_regressor) = (Asked::of(&declaration), declaration.asks_for("regressor"));
     for statement in std::mem::take(&mut declaration.statements) {
         translation.origin = statement.origin;
         translate_statement(&mut translation, statement);
@@ -35,13 +36,20 @@ pub(super) fn translate(mut translation: Translation<'_>, mut declaration: Decla
     report_idle_gravity(&mut translation);
     report_waiting(&mut translation);
     report_unplaced(&mut translation);
-    Expressions::computed(&mut translation, |translation| &mut translation.expressions, push_gibbs_function);
+    let mut inertial = Vec::new();
+    let computed = |translation: &mut Translation<'_>| {
+        push_gibbs_function(translation);
+        if has_regressor {
+            inertial = inertial_bodies(translation);
+        }
+    };
+    Expressions::computed(&mut translation, |translation| &mut translation.expressions, computed);
     let in_space = kinematics_asked_for(&mut translation, asked);
     draw_scene(&mut translation);
     translation.drawing.append(&mut translation.loads);
     declaration.is_in_space = translation.space.take().is_some();
     let optional = std::mem::take(&mut translation.optional);
-    let mut plain = plain_of(translation, declaration, in_space);
+    let mut plain = Plain { inertial, ..plain_of(translation, declaration, in_space) };
     leave_out_unneeded(&mut plain, &optional);
     plain
 }
@@ -55,6 +63,7 @@ fn plain_of(translation: Translation<'_>, declaration: Declaration, in_space: Sp
         },
         motions: translation.motions,
         in_space,
+        inertial: Vec::new(),
         drawing: translation.drawing,
         obligations: translation.obligations,
         joints: translation.joints,

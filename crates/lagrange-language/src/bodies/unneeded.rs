@@ -4,7 +4,7 @@
 //! force of a contact by itself. Those that a scene does not need are omitted, so that its plain
 //! statements hold only the parts of its equations.
 
-use super::plain::{Drawn, DrawnKind, Obligation, Plain};
+use super::plain::{Drawn, DrawnKind, InertialBody, Obligation, Plain};
 use crate::syntax::ast::{AstId, Expression, Expressions, StatementKind};
 use lagrange_expr::collections::HashSet;
 
@@ -17,6 +17,7 @@ pub(super) fn leave_out_unneeded(plain: &mut Plain, optional: &HashSet<String>) 
     let mut needed = Needed { expressions, names: HashSet::default(), seen: HashSet::default() };
     plain.mentioned.iter().for_each(|&id| needed.add(id));
     plain.in_space.expressions().into_iter().for_each(|id| needed.add(id));
+    plain.inertial.iter().flat_map(InertialBody::expressions).for_each(|id| needed.add(id));
     plain.drawing.iter().flat_map(drawn).for_each(|id| needed.add(id));
     plain.obligations.iter().flat_map(obliged).for_each(|id| needed.add(id));
     let mut kept = Vec::with_capacity(plain.declaration.statements.len());

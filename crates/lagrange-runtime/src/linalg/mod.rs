@@ -5,6 +5,8 @@
 pub(crate) mod dense;
 #[cfg(feature = "linear")]
 pub(crate) mod eigenvalues;
+#[cfg(feature = "fit")]
+pub(crate) mod independent;
 pub(crate) mod orthogonal;
 pub(crate) mod pivoted;
 pub(crate) mod ranked;

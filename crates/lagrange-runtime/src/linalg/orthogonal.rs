@@ -74,7 +74,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     /// Qᵀx
     pub(crate) fn inward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in 0..self.rank {
-            apply(&self.columns[k], k..self.rows, &mut x);
+            applied(&self.columns[k][k..self.rows], &mut x[k..self.rows]);
         }
         x
     }
@@ -82,7 +82,7 @@ impl<S: Scalar, const ROWS: usize, const COLUMNS: usize> OrthogonalFactors<S, RO
     /// Q x
     pub(crate) fn outward(&self, mut x: [S; ROWS]) -> [S; ROWS] {
         for k in (0..self.rank).rev() {
-            apply(&self.columns[k], k..self.rows, &mut x);
+            applied(&self.columns[k][k..self.rows], &mut x[k..self.rows]);
         }
         x
     }
@@ -150,25 +150,30 @@ fn largest<S: Scalar, const ROWS: usize>(columns: &[[S; ROWS]], rows: Range<usiz
 /// and the other columns with it. The reflection takes the place of what is left; returns the entry
 /// on the diagonal.
 fn reflect<S: Scalar, const ROWS: usize>(columns: &mut [[S; ROWS]], rows: Range<usize>, length: S) -> S {
-    let k = rows.start;
     let Some((column, others)) = columns.split_first_mut() else { return S::ZERO };
-    let diagonal = if column[k] > S::ZERO { -length } else { length };
-    // With this u, half of its square is length (length + |x|). Divided by its root, u makes I − u
-    // uᵀ a reflection.
-    let root = (length * (length + column[k].abs())).sqrt();
-    column[k] = column[k] - diagonal;
-    for entry in &mut column[rows.clone()] {
-        *entry = *entry / root;
-    }
+    let diagonal = reflector(&mut column[rows.clone()], length);
     for other in others {
-        apply(column, rows.clone(), other);
+        applied(&column[rows.clone()], &mut other[rows.clone()]);
     }
     diagonal
 }
 
-/// x − u (uᵀx) in these rows.
-fn apply<S: Scalar, const ROWS: usize>(u: &[S; ROWS], rows: Range<usize>, x: &mut [S; ROWS]) {
-    let (u, x) = (&u[rows.clone()], &mut x[rows]);
+/// Turns a vector of this length into the reflection that takes it to its first entry, and returns
+/// that.
+pub(crate) fn reflector<S: Scalar>(column: &mut [S], length: S) -> S {
+    let diagonal = if column[0] > S::ZERO { -length } else { length };
+    // With this u, half of its square is length (length + |x|). Divided by its root, u makes I − u
+    // uᵀ a reflection.
+    let root = (length * (length + column[0].abs())).sqrt();
+    column[0] = column[0] - diagonal;
+    for entry in column {
+        *entry = *entry / root;
+    }
+    diagonal
+}
+
+/// x − u (uᵀx)
+pub(crate) fn applied<S: Scalar>(u: &[S], x: &mut [S]) {
     let product = u.iter().zip(&*x).fold(S::ZERO, |sum, (u, x)| u.multiply_add(*x, sum));
     for (x, u) in x.iter_mut().zip(u) {
         *x = (-product).multiply_add(*u, *x);

@@ -19,6 +19,7 @@ mod ports;
 mod positions;
 pub mod quaternion;
 mod rate_name;
+mod regressor;
 mod setting_error;
 mod step_failure;
 mod taylor;
@@ -50,6 +51,7 @@ pub(crate) use self::positions::{displaced, normalise_positions, reach};
 pub use self::positions::{join, normalise, normalise_described, split};
 #[cfg(feature = "std")]
 pub(crate) use self::rate_name::WithSuffix;
+pub use self::regressor::RegressorSystem;
 pub use self::setting_error::SettingError;
 pub use self::step_failure::{EventSource, StepFailure};
 pub use self::taylor::{MAX_ORDER, Products, SeriesFactors, SeriesSolver, TaylorSystem};

@@ -63,6 +63,8 @@ pub(in crate::emit) struct Members {
     /// Statements and a list of the unknowns that rates are made of, each with its name and its
     /// value.
     pub(in crate::emit) unknowns: Option<TokenStream>,
+    /// Parameters of the regressor, if that is requested.
+    pub(in crate::emit) regressor: Option<Regressed>,
     /// True if tests of the user's crate check laws.
     pub(in crate::emit) is_tested: bool,
     /// True if explicit symplectic methods take the system.
@@ -103,6 +105,7 @@ impl Members {
             callees: Vec::new(),
             solvers: TokenStream::new(),
             unknowns: None,
+            regressor: None,
             is_separable: false,
             has_rounded_constants: false,
         }
@@ -118,6 +121,13 @@ pub(in crate::emit) struct Prepared {
     pub(in crate::emit) methods: Vec<Method>,
     /// Documentation of the type.
     pub(in crate::emit) docs: String,
+}
+
+/// Parameters in which the inverse dynamics is linear.
+pub(in crate::emit) struct Regressed {
+    pub(in crate::emit) names: Vec<String>,
+    /// The body of the method that computes them.
+    pub(in crate::emit) body: TokenStream,
 }
 
 /// The equations for numbers side by side.

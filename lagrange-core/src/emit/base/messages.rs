@@ -111,6 +111,10 @@ pub(in crate::emit) fn without_series(cause: &NoSeries) -> String {
 
 pub(in crate::emit) const WITHOUT_SERIES_HELP: &str =
     "remove it and integrate with `Verner98`, which only needs the right-hand side";
+pub(in crate::emit) const NOTHING_LINEAR: &str =
+    "`regressor` has no columns: the inverse dynamics is not linear in any parameter";
+pub(in crate::emit) const NOTHING_LINEAR_HELP: &str =
+    "declare masses, moments of inertia, stiffness or damping with `param`, or bodies; or remove it";
 pub(in crate::emit) const LARGE_IN_KERNEL_HELP: &str = "choose larger units, or remove it";
 pub(in crate::emit) const EVENTS: &str = "events, which a run locates";
 pub(in crate::emit) const FUNCTIONS: &str =

@@ -25,6 +25,8 @@ pub(in crate::emit) enum Refusal {
     Exclusion(Product, Exclusion),
     /// The motion has no Taylor series.
     Series(NoSeries),
+    /// No parameter multiplies the inverse dynamics.
+    NothingLinear,
     /// A kernel in this precision cannot hold these constants, in words.
     KernelConstants(Precision, Vec<String>),
 }
@@ -42,6 +44,10 @@ pub(in crate::emit) fn report_refusal(declaration: &Declaration, refusal: &Refus
         Refusal::Series(cause) => {
             let message = messages::without_series(cause);
             report.error(demand(declaration, Product::Taylor), message).help(messages::WITHOUT_SERIES_HELP);
+        }
+        Refusal::NothingLinear => {
+            let place = demand(declaration, Product::Regressor);
+            report.error(place, messages::NOTHING_LINEAR).help(messages::NOTHING_LINEAR_HELP);
         }
         Refusal::KernelConstants(precision, constants) => {
             let message = messages::large_in_kernel(*precision, constants);

@@ -23,6 +23,7 @@ pub(super) mod ranges;
 mod reconstruction;
 pub(super) mod reduced;
 pub(super) mod redundant;
+pub(super) mod regressor;
 pub(super) mod scene;
 pub(super) mod solvers;
 pub(super) mod sparse;

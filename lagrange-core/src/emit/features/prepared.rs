@@ -26,11 +26,12 @@ use lagrange_algebra::program::Preparation;
 
 /// Products, beside `acceleration` and `rhs`, for which the prepared type has methods if the system
 /// has them.
-pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 9] = [
+pub(in crate::emit) const METHODS_OF_PREPARED: [Product; 10] = [
     Product::MassMatrix,
     Product::Forcing,
     Product::Bias,
     Product::InverseDynamics,
+    Product::Regressor,
     Product::Momenta,
     Product::MomentumRates,
     Product::Jacobian,

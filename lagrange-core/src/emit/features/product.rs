@@ -34,9 +34,12 @@ pub(in crate::emit) fn plan(
         Product::SystemMatrix => system_matrix(model, equations, &found),
         _ => found,
     };
-    // How an output is written tells the number of its components nearly always.
-    if let (Product::SystemMatrix, Returns::Matrix(rows, columns)) = (product, &mut returns) {
-        *rows = roots.len() / *columns;
+    match (product, &mut returns) {
+        // How an output is written tells the number of its components nearly always.
+        (Product::SystemMatrix, Returns::Matrix(rows, columns)) => *rows = roots.len() / *columns,
+        // The derivation finds the columns.
+        (Product::Regressor, Returns::Matrix(rows, columns)) => *columns = roots.len() / *rows,
+        _ => {}
     }
     Some(Plan { docs, arguments, returns, roots })
 }
@@ -66,6 +69,8 @@ pub(in crate::emit) fn signature(
         Extent::LinearColumns => tangent + shape.inputs.len(),
         Extent::Constraints => shape.constraints.len(),
         Extent::Fields => shape.fields.len(),
+        // Ten for each body at most, and those of parameters.
+        Extent::Regressed => 0,
     };
     let returns = match method.returns {
         ProductShape::Scalar => Returns::Scalar,

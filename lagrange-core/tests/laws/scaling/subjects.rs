@@ -314,6 +314,8 @@ impl Subject {
             Extent::LinearRows => [self.units(Extent::Tangent), self.units(Extent::Constraints)].concat(),
             Extent::Constraints => lengths(&self.constraints),
             Extent::Fields => self.parameters.iter().map(|(_, unit)| *unit).collect(),
+            // Its columns are chosen by the derivation.
+            Extent::Regressed => Vec::new(),
         }
     }
 

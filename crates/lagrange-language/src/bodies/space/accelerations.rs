@@ -16,24 +16,65 @@
 //! Source: Luh, Walker, Paul, "On-line computational scheme for mechanical manipulators", ASME J.
 //! Dyn. Syst. Meas. Control 102 (1980); Featherstone, *Rigid Body Dynamics Algorithms*, §5.3.
 
-use super::frames::{FrameStep, JointAxis, Pose, Relative, TurningAxes};
-use super::poses::{named_vector, rotation_about, turned_components};
+use super::frames::{Acceleration, FrameStep, JointAxis, Pose, Relative, TurningAxes};
+use super::links::{Link, Path};
+use super::poses::{link_at, named_vector, rotation_about, turned_components};
 use super::vectors::{Matrix, Triple, apply, cross, inner, minus, plus, transposed, zero_triple};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::AstId;
 
-/// The change of a frame's motion, in its own axes.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Acceleration {
-    /// Angular acceleration.
-    pub(super) spin: Triple,
-    /// Acceleration of the origin, less that of free fall.
-    pub(super) origin: Triple,
+/// Accelerations of the frames on the way to a link, itself being the last. They are written once.
+pub(super) fn accelerations_on_path(
+    translation: &mut Translation<'_>,
+    link: usize,
+) -> Option<Vec<(Pose, Acceleration)>> {
+    let space = translation.space.as_ref()?;
+    if let Some(known) = space.accelerations.get(&link) {
+        return Some(known.clone());
+    }
+    let gravity = space.gravity.map(|(gravity, _)| gravity);
+    let gravity = gravity.unwrap_or_else(|| zero_triple(&mut translation.terms()));
+    let found = written_on_path(translation, link, gravity)?;
+    translation.space.as_mut()?.accelerations.insert(link, found.clone());
+    Some(found)
+}
+
+fn written_on_path(
+    translation: &mut Translation<'_>,
+    link: usize,
+    gravity: Triple,
+) -> Option<Vec<(Pose, Acceleration)>> {
+    let Link { name, placed, path, .. } = link_at(translation, link)?;
+    let (pose, _) = placed?;
+    let Some(Path { carrier, steps }) = path else {
+        return Some(vec![(pose, acceleration_by_hand(translation, &name.text, &pose, gravity))]);
+    };
+    let (mut before, mut acceleration) = match carrier {
+        // Carriers come first in the order of links.
+        Some(carrier) => *accelerations_on_path(translation, carrier)?.last()?,
+        None => {
+            let mut terms = translation.terms();
+            (Pose::at_rest(&mut terms), acceleration_of_ground(&mut terms, gravity))
+        }
+    };
+    let last = steps.len().saturating_sub(1);
+    let mut found = Vec::with_capacity(steps.len());
+    for (index, (step, pose)) in steps.into_iter().enumerate() {
+        let wish = if index == last { name.text.clone() } else { format!("{}_joint", name.text) };
+        acceleration = acceleration_behind(translation, &wish, (&before, acceleration), (step, &pose));
+        before = pose;
+        found.push((pose, acceleration));
+    }
+    if found.is_empty() {
+        // A weld at the place of its carrier.
+        found.push((before, acceleration));
+    }
+    Some(found)
 }
 
 /// Returns the acceleration of a frame whose motion the user wrote: ω̇, and Rᵀ (r̈ − g).
-pub(super) fn acceleration_by_hand(
+fn acceleration_by_hand(
     translation: &mut Translation<'_>,
     name: &str,
     pose: &Pose,
@@ -48,7 +89,7 @@ pub(super) fn acceleration_by_hand(
 }
 
 /// The acceleration behind a step, from the frame before it and the pose behind it.
-pub(super) fn acceleration_behind(
+fn acceleration_behind(
     translation: &mut Translation<'_>,
     name: &str,
     (before, acceleration): (&Pose, Acceleration),
@@ -174,7 +215,7 @@ pub(super) fn relative(
 }
 
 /// Returns the acceleration of the ground: free fall upwards.
-pub(super) fn acceleration_of_ground(terms: &mut TermWriter<'_>, gravity: Triple) -> Acceleration {
+fn acceleration_of_ground(terms: &mut TermWriter<'_>, gravity: Triple) -> Acceleration {
     Acceleration { spin: zero_triple(terms), origin: gravity.map(|component| terms.negative(component)) }
 }
 

@@ -4,14 +4,14 @@
 use super::compound::{compound_properties, visual_outlines};
 use super::frames::{FrameStep, JointAxis, Pose};
 use super::inertia::{mass_properties, triple_of};
-use super::links::{Link, MassProperties, NamedEnergies, Path};
+use super::links::{Link, MassProperties, Path};
 use super::messages as words;
 use super::poses::{behind, named_vector};
 use super::vectors::{half_square, inner, minus, plus, scale};
 use crate::bodies::drawing::{Load, draw_force};
 use crate::bodies::expressions::plain_expression;
 use crate::bodies::messages::{self, mobilizers as joints};
-use crate::bodies::object::Object;
+use crate::bodies::object::{Energies, Object};
 use crate::bodies::plain::{LoadOrigin, Obligation, Outline};
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{self, AstId, Expression, Name, StatementKind};
@@ -77,7 +77,7 @@ fn declare(
         path: None,
         shape,
         outlines,
-        energies: NamedEnergies::default(),
+        energies: Energies::default(),
     });
     translation.names.declare(&name.text, Object::Link { index, is_frame });
     index
@@ -163,7 +163,7 @@ pub(super) fn settle(
     let of_translation = push_translation(translation, &name, inertia, &pose, center_velocity);
     let of_rotation = push_rotation(translation, &name, inertia, &pose);
     if let Some(space) = &mut translation.space {
-        space.links[link].energies = NamedEnergies { of_translation, of_rotation, potential: None };
+        space.links[link].energies = Energies { of_translation, of_rotation, potential: None };
     }
     weigh(translation, link);
 }

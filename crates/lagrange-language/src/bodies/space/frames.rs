@@ -81,6 +81,15 @@ impl Pose {
     }
 }
 
+/// The change of a frame's motion, in its own axes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Acceleration {
+    /// Angular acceleration.
+    pub(super) spin: Triple,
+    /// Acceleration of the origin, less that of free fall.
+    pub(super) origin: Triple,
+}
+
 /// From one frame to the next.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum FrameStep {

@@ -10,13 +10,11 @@
 //! Source: Gibbs, "On the fundamental formulae of dynamics", Am. J. Math. 2 (1879); Lurie, *Analytical
 //! Mechanics*, §7.9.
 
-use super::accelerations::{
-    Acceleration, acceleration_behind, acceleration_by_hand, acceleration_of_ground, relative,
-};
-use super::frames::{Pose, Relative};
-use super::links::{Link, Path};
-use super::regrouping::{WrittenParameters, link_at, regrouped};
-use super::vectors::{Tensor, Triple, apply, inner, zero_triple};
+use super::accelerations::{accelerations_on_path, relative};
+use super::frames::{Acceleration, Pose, Relative};
+use super::poses::link_at;
+use super::regrouping::{WrittenParameters, regrouped};
+use super::vectors::{Tensor, Triple, apply, inner};
 use crate::bodies::terms::TermWriter;
 use crate::bodies::translation::Translation;
 use crate::syntax::ast::{AstId, Statement, StatementKind};
@@ -40,15 +38,11 @@ pub(in crate::bodies) fn push_gibbs_function(translation: &mut Translation<'_>) 
     if !order.iter().any(|&link| space.links[link].path.is_some() && space.links[link].inertia.is_some()) {
         return;
     }
-    let gravity = space.gravity.map(|(gravity, _)| gravity);
-    let gravity = gravity.unwrap_or_else(|| zero_triple(&mut translation.terms()));
     // Of numbers that are too large energies may still tell.
     let Some(parameters) = regrouped(translation, &order) else { return };
-    let mut accelerations = vec![None; parameters.len()];
     let (mut functions, mut stated) = (Vec::new(), Vec::new());
     for link in order {
-        let Some(found) = accelerations_of(translation, link, &accelerations, gravity) else { return };
-        accelerations[link] = found.last().map(|(_, acceleration)| *acceleration);
+        let Some(found) = accelerations_on_path(translation, link) else { return };
         let is_at_rest = link_at(translation, link)
             .and_then(|link| link.placed)
             .is_some_and(|(pose, _)| pose.is_at_rest(&translation.terms()));
@@ -89,48 +83,7 @@ fn sum_of(terms: &mut TermWriter<'_>, values: &[AstId]) -> AstId {
 fn lagrangian_of_link(translation: &mut Translation<'_>, link: usize) -> AstId {
     let link = link_at(translation, link).filter(|link| link.path.is_some());
     let energies = link.map(|link| link.energies).unwrap_or_default();
-    let mut terms = translation.terms();
-    let kinetic = [energies.of_translation, energies.of_rotation].into_iter().flatten().collect::<Vec<_>>();
-    let kinetic = sum_of(&mut terms, &kinetic);
-    match energies.potential {
-        Some(potential) => terms.minus(kinetic, potential),
-        None => kinetic,
-    }
-}
-
-/// Accelerations of the frames on the way to a link, whose carrier's is known, itself being the
-/// last.
-fn accelerations_of(
-    translation: &mut Translation<'_>,
-    link: usize,
-    known: &[Option<Acceleration>],
-    gravity: Triple,
-) -> Option<Vec<(Pose, Acceleration)>> {
-    let Link { name, placed, path, .. } = link_at(translation, link)?;
-    let (pose, _) = placed?;
-    let Some(Path { carrier, steps }) = path else {
-        return Some(vec![(pose, acceleration_by_hand(translation, &name.text, &pose, gravity))]);
-    };
-    let (mut before, mut acceleration) = match carrier {
-        Some(carrier) => (link_at(translation, carrier)?.placed?.0, known[carrier]?),
-        None => {
-            let mut terms = translation.terms();
-            (Pose::at_rest(&mut terms), acceleration_of_ground(&mut terms, gravity))
-        }
-    };
-    let last = steps.len().saturating_sub(1);
-    let mut found = Vec::with_capacity(steps.len());
-    for (index, (step, pose)) in steps.into_iter().enumerate() {
-        let wish = if index == last { name.text.clone() } else { format!("{}_joint", name.text) };
-        acceleration = acceleration_behind(translation, &wish, (&before, acceleration), (step, &pose));
-        before = pose;
-        found.push((pose, acceleration));
-    }
-    if found.is_empty() {
-        // A weld at the place of its carrier.
-        found.push((before, acceleration));
-    }
-    Some(found)
+    energies.lagrangian(&mut translation.terms())
 }
 
 /// ½ m a² + a·A h + ½ α·J α + α·(ω × J ω), under a name.

@@ -2,6 +2,7 @@
 
 use super::frames::{FrameStep, Pose};
 use super::vectors::{Tensor, Triple};
+use crate::bodies::object::Energies;
 use crate::bodies::plain::Outline;
 use crate::syntax::ast::{AstId, Name};
 use lagrange_expr::diagnostics::Origin;
@@ -20,8 +21,8 @@ pub(in crate::bodies) struct Link {
     pub(in crate::bodies) shape: Option<Outline>,
     /// Its shape, as it is drawn.
     pub(super) outlines: Vec<Outline>,
-    /// Names of its energies.
-    pub(super) energies: NamedEnergies,
+    /// Its energies, by their names.
+    pub(super) energies: Energies,
 }
 
 /// The way from what carries a joint to what it places.
@@ -31,17 +32,6 @@ pub(super) struct Path {
     pub(super) carrier: Option<usize>,
     /// Steps in their order, each with the frame behind it.
     pub(super) steps: Vec<(FrameStep, Pose)>,
-}
-
-/// Energies of a body, by their names.
-#[derive(Clone, Copy, Default, Debug)]
-pub(super) struct NamedEnergies {
-    /// ½ m v²
-    pub(super) of_translation: Option<AstId>,
-    /// ½ ω·J ω
-    pub(super) of_rotation: Option<AstId>,
-    /// −m g·r
-    pub(super) potential: Option<AstId>,
 }
 
 /// Mass of a rigid body and its distribution in the body's own axes.

@@ -19,6 +19,7 @@ mod expressions;
 mod frames;
 mod gibbs;
 mod inertia;
+mod inertial;
 mod kinematics;
 mod links;
 mod loads;
@@ -44,6 +45,7 @@ pub(super) use expressions::{
 };
 pub(super) use gibbs::push_gibbs_function;
 pub(super) use inertia::{fixed_triple, triple_of};
+pub(super) use inertial::{inertial_bodies_in_space, inertial_parameters};
 pub(super) use kinematics::{Asked, kinematics_asked_for};
 pub(super) use loads::{translate_spatial_force, translate_spatial_torque};
 pub(super) use mobilizers::translate_spatial_mobilizer;

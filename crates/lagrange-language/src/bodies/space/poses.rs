@@ -205,3 +205,8 @@ pub(super) fn has_place(translation: &mut Translation<'_>, link: usize, origin: 
     }
     placed.map(|(pose, _)| pose)
 }
+
+/// The link of this number, as it is known so far.
+pub(super) fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link> {
+    translation.space.as_ref().map(|space| space.links[link].clone())
+}

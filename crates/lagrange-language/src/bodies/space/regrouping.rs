@@ -9,7 +9,7 @@ use super::base_parameters::{InertialParameters, JointStep};
 use super::frames::{FrameStep, JointAxis};
 use super::links::{Link, MassProperties, Path};
 use super::numbers::matrix_of_numbers;
-use super::poses::{is_atom, named_vector, under_name};
+use super::poses::{is_atom, link_at, named_vector, under_name};
 use super::quantities::Quantity;
 use super::vectors::{TENSOR_PLACES, Tensor, Triple};
 use crate::bodies::terms::TermWriter;
@@ -60,10 +60,6 @@ pub(super) fn regrouped(
         found[link] = kept.collect();
     }
     Some(found)
-}
-
-pub(super) fn link_at(translation: &Translation<'_>, link: usize) -> Option<Link> {
-    translation.space.as_ref().map(|space| space.links[link].clone())
 }
 
 /// Returns the parameters of the body itself; zero for a frame.

@@ -1,6 +1,6 @@
 //! Scenes in space, as they become known statement by statement.
 
-use super::frames::Relative;
+use super::frames::{Acceleration, Pose, Relative};
 use super::links::Link;
 use super::vectors::{Matrix, Triple};
 use crate::bodies::plain::LoadOrigin;
@@ -25,6 +25,8 @@ pub(in crate::bodies) struct Space {
     pub(super) gravity: Option<(Triple, Origin)>,
     /// Relative accelerations by angular velocity and angular acceleration of their frame.
     pub(super) relatives: HashMap<[Triple; 2], Relative>,
+    /// Accelerations of the frames on the path to each link, as far as they are written.
+    pub(super) accelerations: HashMap<usize, Vec<(Pose, Acceleration)>>,
     /// Rates of the rotations of links whose points touch, in rows.
     pub(super) rotation_rates: HashMap<usize, Matrix>,
     /// Loads on coordinates, in their order.

@@ -1,0 +1,119 @@
+//! Base parameters: the combinations that forces tell.
+
+use std::fmt::{Display, Formatter, Result as Written};
+use std::vec::Vec;
+
+use crate::linalg::independent::IndependentColumns;
+use crate::linalg::singular_values::length;
+
+/// A smaller remainder of a column of length one is rounding.
+const DEPENDENT: f64 = 1e-9;
+/// Share of a column below which an amount of another is rounding.
+const NEGLIGIBLE: f64 = 1e-9;
+/// Part of the largest column below which a column has no effect.
+const WITHOUT_EFFECT: f64 = 1e-13;
+
+/// A combination of parameters that forces tell: the first parameter and multiples of others.
+#[derive(Clone, PartialEq, Debug)]
+pub struct BaseParameter {
+    /// Names with factors, the first one with the factor one.
+    pub terms: Vec<(&'static str, f64)>,
+    /// Indices of the parameters among all.
+    pub(super) places: Vec<usize>,
+}
+
+impl BaseParameter {
+    /// Returns the value for parameters in the order of
+    /// [`PARAMETERS`](crate::system::RegressorSystem::PARAMETERS).
+    ///
+    /// # Panics
+    /// If there are fewer.
+    #[must_use]
+    pub fn value(&self, parameters: &[f64]) -> f64 {
+        self.terms.iter().zip(&self.places).map(|((_, factor), &place)| factor * parameters[place]).sum()
+    }
+}
+
+impl Display for BaseParameter {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        for (index, (name, factor)) in self.terms.iter().enumerate() {
+            let magnitude = factor.abs();
+            match (index, *factor < 0.0) {
+                (0, false) => {}
+                (0, true) => f.write_str("-")?,
+                (_, false) => f.write_str(" + ")?,
+                (_, true) => f.write_str(" - ")?,
+            }
+            // Six digits are enough to recognise a length. Equal ones look alike, though rounding
+            // tells them apart.
+            let exact = std::format!("{magnitude:.11e}").parse::<f64>().unwrap_or(magnitude);
+            let rounded = std::format!("{exact:.5e}").parse::<f64>().unwrap_or(exact);
+            if rounded != 1.0 {
+                write!(f, "{rounded} ")?;
+            }
+            f.write_str(name)?;
+        }
+        Ok(())
+    }
+}
+
+/// Combinations of parameters that forces tell.
+#[derive(Clone, Debug)]
+pub struct BaseParameters {
+    parameters: Vec<BaseParameter>,
+    without_effect: Vec<&'static str>,
+}
+
+impl BaseParameters {
+    /// Finds them from the columns of regressors.
+    pub(super) fn of(names: &[&'static str], columns: &[Vec<f64>]) -> BaseParameters {
+        let lengths = columns.iter().map(|column| length(column)).collect::<Vec<_>>();
+        let longest = lengths.iter().fold(0.0, |most: f64, length| most.max(*length));
+        let is_felt = |place: &usize| lengths[*place] > WITHOUT_EFFECT * longest;
+        let (mut kept, unfelt): (Vec<_>, Vec<_>) = (0..columns.len()).partition(is_felt);
+        kept.sort_by_key(|&place| names[place].ends_with(".mass"));
+        let unit = |&place: &usize| columns[place].iter().map(|entry| entry / lengths[place]).collect();
+        let factors = IndependentColumns::of(kept.iter().map(unit).collect(), DEPENDENT);
+        let alone = |&column: &usize| {
+            let place = kept[column];
+            BaseParameter { terms: std::vec![(names[place], 1.0)], places: std::vec![place] }
+        };
+        let mut parameters = factors.independent().iter().map(alone).collect::<Vec<_>>();
+        for (column, amounts) in factors.dependent() {
+            let place = kept[column];
+            for (parameter, amount) in parameters.iter_mut().zip(amounts) {
+                if amount.abs() > NEGLIGIBLE {
+                    let factor = amount * lengths[place] / lengths[parameter.places[0]];
+                    parameter.terms.push((names[place], factor));
+                    parameter.places.push(place);
+                }
+            }
+        }
+        let without_effect = unfelt.into_iter().map(|place| names[place]).collect();
+        BaseParameters { parameters, without_effect }
+    }
+
+    /// Returns the combinations that forces tell, one by one.
+    #[must_use]
+    pub fn parameters(&self) -> &[BaseParameter] {
+        &self.parameters
+    }
+
+    /// Returns the names of parameters that no force shows.
+    #[must_use]
+    pub fn without_effect(&self) -> &[&'static str] {
+        &self.without_effect
+    }
+}
+
+impl Display for BaseParameters {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Written {
+        for parameter in &self.parameters {
+            writeln!(f, "{parameter}")?;
+        }
+        match self.without_effect.is_empty() {
+            true => Ok(()),
+            false => writeln!(f, "without effect: {}", self.without_effect.join(", ")),
+        }
+    }
+}

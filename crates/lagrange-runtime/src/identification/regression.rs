@@ -1,0 +1,114 @@
+//! States with measured forces, as linear equations.
+
+use std::vec::Vec;
+
+use super::base::BaseParameters;
+use super::error::IdentificationError;
+use super::estimate::Estimate;
+use crate::linalg::vector::StateVector;
+use crate::spread::spread;
+use crate::system::RegressorSystem;
+
+/// Reach of positions, velocities and accelerations of states that look random.
+const REACH: f64 = 3.0;
+/// Number of forces in such states for each parameter.
+const FORCES_EACH: usize = 8;
+
+/// States with measured forces.
+#[derive(Clone, Debug)]
+pub struct Regression<'a, M: RegressorSystem<Scalar = f64>> {
+    system: &'a M,
+    /// Columns of the regressors, one below the other.
+    columns: Vec<Vec<f64>>,
+    /// Forces that the columns explain: those measured without the rest of the inverse dynamics.
+    forces: Vec<f64>,
+    /// Number of forces of a state.
+    velocities: usize,
+}
+
+impl<'a, M: RegressorSystem<Scalar = f64>> Regression<'a, M> {
+    pub(super) fn new(system: &'a M) -> Self {
+        let columns = std::vec![Vec::new(); M::PARAMETERS.len()];
+        Regression { system, columns, forces: Vec::new(), velocities: M::Velocities::ZERO.as_ref().len() }
+    }
+
+    /// Adds a state with its accelerations and the generalised forces that were measured. These are
+    /// forces beside the declared ones, as the inverse dynamics computes them.
+    pub fn add(
+        &mut self,
+        t: f64,
+        q: &M::Coordinates,
+        v: &M::Velocities,
+        a: &M::Velocities,
+        forces: &M::Velocities,
+    ) -> &mut Self {
+        let regressor = self.system.regressor(t, q, v, a);
+        let parameters = self.system.regressor_parameters();
+        let inverse_dynamics = self.system.inverse_dynamics(t, q, v, a);
+        let rows = regressor.as_ref().iter().zip(inverse_dynamics.as_ref()).zip(forces.as_ref());
+        for ((row, computed), measured) in rows {
+            let explained = row.as_ref().iter().zip(parameters.as_ref()).map(|(y, p)| y * p).sum::<f64>();
+            self.forces.push(measured - computed + explained);
+            for (column, entry) in self.columns.iter_mut().zip(row.as_ref()) {
+                column.push(*entry);
+            }
+        }
+        self
+    }
+
+    /// Adds states that look random, with the forces of the system.
+    pub(super) fn add_spread_states(&mut self) {
+        let states = (FORCES_EACH * self.columns.len()).div_ceil(self.velocities.max(1));
+        for state in 0..states {
+            let mut next = 0;
+            let mut entries = |vector: &mut [f64]| {
+                for entry in vector {
+                    *entry = REACH * spread::<f64>(state, next);
+                    next += 1;
+                }
+            };
+            let (mut q, [mut v, mut a]) = (M::Coordinates::ZERO, [M::Velocities::ZERO; 2]);
+            entries(q.as_mut());
+            entries(v.as_mut());
+            entries(a.as_mut());
+            M::normalise(&mut q);
+            let forces = self.system.inverse_dynamics(0.0, &q, &v, &a);
+            self.add(0.0, &q, &v, &a, &forces);
+        }
+    }
+
+    /// Finds the combinations of parameters that forces in these states tell.
+    ///
+    /// # Errors
+    /// If something is not finite.
+    pub fn base_parameters(&self) -> Result<BaseParameters, IdentificationError> {
+        self.check_finite()?;
+        Ok(BaseParameters::of(M::PARAMETERS, &self.columns))
+    }
+
+    /// Estimates these combinations from the measured forces. Parameters that forces do not tell
+    /// keep the values of the system.
+    ///
+    /// # Errors
+    /// If something is not finite, or there are too few states.
+    pub fn estimate(&self) -> Result<Estimate, IdentificationError> {
+        let base = self.base_parameters()?;
+        let (forces, combinations) = (self.forces.len(), base.parameters().len());
+        if forces <= combinations {
+            return Err(IdentificationError::TooFew { forces, combinations });
+        }
+        let known = self.system.regressor_parameters();
+        Ok(Estimate::of(M::PARAMETERS, known.as_ref(), (&self.columns, &self.forces), self.velocities, &base))
+    }
+
+    fn check_finite(&self) -> Result<(), IdentificationError> {
+        let is_undefined = |row: &usize| {
+            let entries = self.columns.iter().map(|column| column[*row]).chain([self.forces[*row]]);
+            entries.into_iter().any(|entry| !entry.is_finite())
+        };
+        match (0..self.forces.len()).find(is_undefined) {
+            Some(row) => Err(IdentificationError::NotFinite { state: row / self.velocities.max(1) }),
+            None => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Base parameters and estimates from forces.
+
+use crate::noise::Noise;
+use lagrange::identification::{IdentificationError, Identifies};
+
+lagrange::system! {
+    /// Two rods in a vertical plane, with a spring and friction.
+    #[derive(Clone, Debug)]
+    struct Arm;
+    param m[2] = 2, c[2] = 0.2, k = 3, l = 1.5;
+    gravity = (0, -10);
+    body upper { mass: m[0]; inertia: 0.1; centroid: (0.5, 0); }
+    revolute a = ground to upper { damping: c[0]; }
+    body lower { mass: m[1]; inertia: 0.2; centroid: (0.4, 0.1); }
+    revolute b = upper to lower { at: (l, 0); damping: c[1]; }
+    potential = 1/2 * k * b^2;
+    emit { regressor }
+}
+
+type State = ([f64; 2], [f64; 2], [f64; 2]);
+
+fn state(step: usize) -> State {
+    let t = 0.17 * step as f64;
+    let q = [t.sin() + 0.3 * (3.0 * t).cos(), (2.0 * t).cos()];
+    let v = [t.cos() - 0.9 * (3.0 * t).sin(), -2.0 * (2.0 * t).sin()];
+    (q, v, [-t.sin() - 2.7 * (3.0 * t).cos(), -4.0 * (2.0 * t).cos()])
+}
+
+#[test]
+fn the_mass_of_a_body_acts_at_the_joint_that_carries_it() {
+    let base = Arm::default().base_parameters().expect("finite");
+    let names = base.parameters().iter().map(ToString::to_string).collect::<Vec<_>>();
+    let moved = ["upper.mx + 1.5 lower.mass", "upper.my", "upper.zz + 2.25 lower.mass"];
+    assert_eq!(names[..3], moved);
+    assert_eq!(names[3..], ["lower.mx", "lower.my", "lower.zz", "c[0]", "c[1]", "k"]);
+    assert!(base.without_effect().is_empty());
+    let known = base.parameters()[2].value(&Arm::default().regressor_parameters());
+    assert!((known - (0.1 + 2.0 * 0.25 + 2.0 * 2.25)).abs() < 1e-12);
+}
+
+#[test]
+fn forces_without_noise_give_the_values_that_made_them() {
+    let (arm, made_of) = (Arm::default(), Arm { m: [2.5, 1.5], c: [0.1, 0.4], k: 5.0, ..Arm::default() });
+    let mut regression = arm.regression();
+    for step in 0..40 {
+        let (q, v, a) = state(step);
+        regression.add(0.0, &q, &v, &a, &made_of.inverse_dynamics(0.0, &q, &v, &a));
+    }
+    let estimate = regression.estimate().expect("enough states");
+    let wanted = made_of.regressor_parameters();
+    for value in estimate.values() {
+        let wanted = value.parameter.value(&wanted);
+        assert!((value.value - wanted).abs() < 1e-12, "{} {wanted} of {}", value.value, value.parameter);
+        assert!(value.standard_error < 1e-12);
+    }
+    // Y times all parameters are the forces, also where nothing was measured.
+    let (q, v, a) = ([2.0, -1.0], [0.3, 0.5], [1.0, 2.0]);
+    let rows = arm.regressor(0.0, &q, &v, &a);
+    for (row, force) in rows.iter().zip(made_of.inverse_dynamics(0.0, &q, &v, &a)) {
+        let product = row.iter().zip(estimate.parameters()).map(|(y, p)| y * p).sum::<f64>();
+        assert!((product - force).abs() < 1e-11, "{product} {force}");
+    }
+}
+
+/// In many repetitions, deviations in standard errors have a variance of about one.
+#[test]
+fn standard_errors_are_honest_for_joints_of_different_noise() {
+    let (arm, levels) = (Arm::default(), [0.5, 0.01]);
+    let (mut squares, mut count, mut noise) = (0.0, 0, Noise(3));
+    for _ in 0..60 {
+        let mut regression = arm.regression();
+        for step in 0..100 {
+            let (q, v, a) = state(step);
+            let mut forces = arm.inverse_dynamics(0.0, &q, &v, &a);
+            for (joint, force) in forces.iter_mut().enumerate() {
+                *force += levels[joint] * noise.normal();
+            }
+            regression.add(0.0, &q, &v, &a, &forces);
+        }
+        let estimate = regression.estimate().expect("enough states");
+        for (level, found) in levels.iter().zip(estimate.noise()) {
+            assert!((found / level - 1.0).abs() < 0.35, "{found} for {level}");
+        }
+        for value in estimate.values() {
+            squares += ((value.value - value.known) / value.standard_error).powi(2);
+            count += 1;
+        }
+    }
+    let variance = squares / f64::from(count);
+    assert!((variance - 1.0).abs() < 0.25, "{variance}");
+}
+
+#[test]
+fn what_is_missing_or_not_finite_is_told() {
+    let arm = Arm::default();
+    let mut regression = arm.regression();
+    let too_few = |forces, combinations| IdentificationError::TooFew { forces, combinations };
+    assert_eq!(regression.estimate().map(drop), Err(too_few(0, 0)));
+    let (q, v, a) = state(1);
+    regression.add(0.0, &q, &v, &a, &[1.0, 2.0]);
+    assert_eq!(regression.estimate().map(drop), Err(too_few(2, 2)));
+    regression.add(0.0, &q, &v, &a, &[1.0, f64::NAN]);
+    assert_eq!(regression.estimate().map(drop), Err(IdentificationError::NotFinite { state: 1 }));
+    let broken = Arm { l: f64::INFINITY, ..arm };
+    assert_eq!(broken.base_parameters().map(drop), Err(IdentificationError::NotFinite { state: 0 }));
+}
+
+/// At rest only weights and the spring act.
+#[test]
+fn a_motion_tells_what_it_contains() {
+    let arm = Arm::default();
+    let mut regression = arm.regression();
+    for step in 0..20 {
+        let (q, ..) = state(step);
+        regression.add(0.0, &q, &[0.0; 2], &[0.0; 2], &arm.inverse_dynamics(0.0, &q, &[0.0; 2], &[0.0; 2]));
+    }
+    let base = regression.base_parameters().expect("finite");
+    let names = base.parameters().iter().map(ToString::to_string).collect::<Vec<_>>();
+    assert_eq!(names, ["upper.mx + 1.5 lower.mass", "upper.my", "lower.mx", "lower.my", "k"]);
+    assert_eq!(base.without_effect(), ["upper.zz", "lower.zz", "c[0]", "c[1]"]);
+    assert!(base.to_string().ends_with("without effect: upper.zz, lower.zz, c[0], c[1]\n"));
+}
